@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 WORKERS ?= 2
 
-.PHONY: demo check test test-fast lint format types build clean
+.PHONY: demo check test test-fast lint format types docs build clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -41,6 +41,10 @@ format: $(VENV)/.installed-dev
 
 types: $(VENV)/.installed-dev
 	$(BIN)/pyright
+
+docs: $(VENV)/.installed-dev  ## the documentation site, in build/docs
+	$(BIN)/python -m sphinx -q -W --keep-going -c docs/site -d build/doctrees docs build/docs
+	@echo "open build/docs/index.html"
 
 build: $(VENV)/.installed-dev  ## the wheel, installed apart from the checkout and tried there
 	$(BIN)/python tests/installing/built_wheel.py dist

@@ -1,9 +1,9 @@
-"""Make the starter bundles anew: ``python -m assets_cache.make_starter``.
+"""Regenerate the starter bundles: ``python -m assets_cache.make_starter``.
 
 Fourteen tables over eight themes and several table outlines go into ``assets_cache/starter``, and
 the tables that single tasks need into ``assets_cache/tasks``: composed, judged and published. The
-same catalogue gives the same bundles, byte for byte, and what stays the same keeps its certificate.
-The others are certified afterwards, which goes on where it was interrupted::
+same catalogue gives the same bundles, byte for byte; unchanged bundles keep their certificates. The
+others are certified afterwards; an interrupted certification resumes::
 
     python -m tabletopgen_env certify assets_cache/starter assets_cache/tasks --workers 2
 """
@@ -113,7 +113,7 @@ def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
 def keep_certificates(old: Path, new: Path) -> int:
     """Carry certificates over to the bundles in ``new`` that they fit; return how many.
 
-    What is damaged, or was made for another scene, is left behind.
+    Damaged certificates, and those of another scene, are not carried over.
     """
     from tabletopgen_env.certificates.certificate import FILE, read_certificate
 

@@ -35,7 +35,7 @@ def user_root(cache: str | Path | None = None) -> Path:
 
 
 def roots(cache: str | Path | None = None) -> tuple[Path, ...]:
-    """Return the folders searched, first match wins; those that do not exist are left out."""
+    """Return the existing folders to search; the first match wins."""
     wanted = [cache, os.environ.get(VARIABLE), *_SHIPPED, user_root(cache)]
     paths = dict.fromkeys(Path(p) for p in wanted if p)
     return tuple(p for p in paths if p.is_dir())
@@ -62,15 +62,15 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
         cache: a folder of bundles to search first.
 
     Raises:
-        MissingError: nothing fits; the message names the nearest match and what there is.
+        MissingError: no bundle matches; the message names the nearest match and what exists.
     """
     text = str(wanted)
     if text == STARTER:
         found = list(_bundles(_STARTERS))
-    elif not text.strip():  # as of a variable that is not set; not the folder one stands in
+    elif not text.strip():  # such as an unset variable; not the current folder
         found = []
     else:
-        found = _named(text, cache) or _in_folder(text)
+        found = _bundles_of(text, cache) or _in_folder(text)
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
@@ -89,13 +89,13 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
     """Remove one bundle; return where it was.
 
     Raises:
-        MissingError: ``wanted`` fits none, or was removed by another process meanwhile.
-        BundleError: it fits several.
+        MissingError: ``wanted`` matches no bundle, or another process removed it.
+        BundleError: it matches several bundles.
         StorageError: the bundle is not in the user's store, or cannot be removed.
     """
     text = str(wanted)
     found = find(wanted, cache)
-    if text != STARTER and not _named(text, cache):
+    if text != STARTER and not _bundles_of(text, cache):
         raise BundleError(f"{text!r} is a folder of bundles. Name one bundle.")
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
@@ -141,9 +141,9 @@ def clear(cache: str | Path | None = None) -> int:
 
 
 def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
-    """Return what is wrong with each bundle of the store, by folder name; empty lists are good.
+    """Return the defects of each bundle of the store, by folder name; an empty list means none.
 
-    Bundles that are removed meanwhile are left out.
+    Bundles removed in the meantime are left out.
     """
     from generator.bundle import check
 
@@ -170,7 +170,7 @@ def _bundles(root: Path) -> Iterator[Path]:
                 yield path
 
 
-def _named(text: str, cache: str | Path | None) -> list[Path]:
+def _bundles_of(text: str, cache: str | Path | None) -> list[Path]:
     """Return the bundles of a path, a glob or a name, without those in a folder."""
     return _by_path(text) or _by_name(text, entries(cache))
 
@@ -178,7 +178,7 @@ def _named(text: str, cache: str | Path | None) -> list[Path]:
 def _by_path(text: str) -> list[Path]:
     """Return the bundle at a path, or those a glob of paths fits.
 
-    What is no path at all (too long a name, "a/**b", the home of nobody) fits nothing.
+    An invalid path (a name too long, "a/**b", an unknown user's home) matches nothing.
     """
     try:
         path = Path(text).expanduser()

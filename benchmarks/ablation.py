@@ -50,7 +50,7 @@ def main() -> None:
     name = f"ablation_{args.split}" + (f"_seed{args.seed}" if args.seed != 1 else "")
     if args.text:
         name += "_" + "_".join(re.findall(r"\w+", args.text.lower()))[:40]
-    how = ablations.Run(args.split, args.seed, args.pictures / name, args.text)
+    how = ablations.AblationRun(args.split, args.seed, args.pictures / name, args.text)
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / f"{name}.csv"

@@ -5,7 +5,7 @@
 
 A seed is trained as ``python -m tabletopgen_env train RECIPE --seed SEED`` does, and its *last*
 policy, not the best by validation, plays ``--episodes`` episodes as ``enjoy --scenes fresh --seed
-2000`` does: each at a table made anew on the held-out side of the split. A row a seed goes to
+2000`` does: each at a table made again on the held-out side of the split. A row a seed goes to
 ``baselines.csv`` as it ends (a second run resumes; a run that was trained already is only played),
 the summary to ``baselines.md`` and the curves of validation to ``baselines.png``.
 
@@ -32,13 +32,13 @@ from posing.tables import Row
 from generator.errors import InputError, TabletopError
 from generator.io.pictures import write_picture
 from tabletopgen_env.detection.detector import shipped_digest
-from tabletopgen_env.learning.evaluating import Played, Predicts, play, seeds, summed
+from tabletopgen_env.learning.evaluating import EpisodeResult, Predicts, play, seeds, summarize
 from tabletopgen_env.learning.making import single_env, source_of
 from tabletopgen_env.learning.plotting import bands, draw
 from tabletopgen_env.learning.policies import load_policy
 from tabletopgen_env.learning.recipes import recipe as recipe_named
-from tabletopgen_env.learning.runs import LATEST, opened
-from tabletopgen_env.learning.tracking import Plan
+from tabletopgen_env.learning.runs import LATEST, open_run
+from tabletopgen_env.learning.tracking import TrainingPlan
 from tabletopgen_env.learning.training import train
 from tabletopgen_env.scenes.source import close
 from tabletopgen_env.statistics import wilson
@@ -67,11 +67,11 @@ def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> li
         settings = {"grasp_hint": hint}
         played = playing(task, settings, lambda: HintRule(task != "Lift"), episodes)
     else:
-        folder = trained(name, seed, runs, validation)
-        last, policy = opened(folder).rows()[-1], load_policy(folder / LATEST)
+        folder = train_baseline(name, seed, runs, validation)
+        last, policy = open_run(folder).rows()[-1], load_policy(folder / LATEST)
         steps, minutes = last.steps, last.seconds / 60
         played = playing(policy.card.task, policy.card.env, lambda: policy, episodes)
-    seen = summed(played)
+    seen = summarize(played)
     failed = sorted(p.instruction for p in played if not p.solved)
     return [{
         "recipe": name, "seed": seed, "steps": steps, "minutes": f"{minutes:.1f}",
@@ -80,7 +80,7 @@ def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> li
     }]  # fmt: skip
 
 
-def trained(name: str, seed: int, runs: Path, validation: int) -> Path:
+def train_baseline(name: str, seed: int, runs: Path, validation: int) -> Path:
     """Return the folder of a whole run of a recipe; a run that was cut off is begun anew.
 
     Raises:
@@ -90,10 +90,10 @@ def trained(name: str, seed: int, runs: Path, validation: int) -> Path:
     if not folder.exists():
         part = folder.with_name(folder.name + ".part")
         shutil.rmtree(part, ignore_errors=True)
-        if train(recipe_named(name), part, Plan(seed, episodes=validation)).interrupted:
+        if train(recipe_named(name), part, TrainingPlan(seed, episodes=validation)).interrupted:
             raise KeyboardInterrupt
         part.rename(folder)
-    if opened(folder).recipe != recipe_named(name):
+    if open_run(folder).recipe != recipe_named(name):
         raise InputError(f"{folder} is a run of another recipe {name}; move it away.")
     return folder
 
@@ -106,7 +106,7 @@ def hint_of(name: str) -> str:
 
 def playing(
     task: str, settings: Mapping[str, Any], new: Callable[[], Predicts], episodes: int
-) -> list[Played]:
+) -> list[EpisodeResult]:
     """Play at held-out fresh tables, each episode with a ``new`` policy."""
     source = source_of("fresh", "held_out")
     env = single_env(task, settings, source)
@@ -192,7 +192,7 @@ def main() -> None:
         left = [a for a in asked if (*a, args.episodes, hint_of(a[0])) not in done]
         rows = tables.run(table, FIELDS, KEY, rows, left, job, args.workers, say)
         found = [folder_of(args.runs, str(r["recipe"]), int(r["seed"])) for r in rows]
-        kept = [opened(path) for path in found if (path / LATEST).exists()]
+        kept = [open_run(path) for path in found if (path / LATEST).exists()]
         if kept:
             write_picture(draw(bands(kept, "steps")), args.out / "baselines.png")
     except TabletopError as error:

@@ -29,7 +29,7 @@ from generator.threads import cores
 HERE = Path(__file__).parent
 
 
-class Run(NamedTuple):
+class BatchRun(NamedTuple):
     """One batch: who made it, how long it took, and what it left."""
 
     who: str
@@ -40,9 +40,9 @@ class Run(NamedTuple):
     bundles: frozenset[str]
 
 
-def timed(
+def time_batch(
     texts: Sequence[str], make: batch.Maker, workers: int, ray: str | None = None, threads: int = 1
-) -> Run:
+) -> BatchRun:
     """Make a batch into a new folder, which is removed; return how it went."""
     os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = str(threads)
     with tempfile.TemporaryDirectory(prefix="tabletopgen-batch-") as folder:
@@ -51,10 +51,10 @@ def timed(
         seconds = time.perf_counter() - start
     bundles = frozenset(o.bundle for o in summary.outcomes if o.bundle)
     who = "processes" if ray is None else f"Ray ({ray})"
-    return Run(who, workers, threads, seconds, summary.counts()["made"], bundles)
+    return BatchRun(who, workers, threads, seconds, summary.counts()["made"], bundles)
 
 
-def table(runs: Sequence[Run], head: str) -> str:
+def table(runs: Sequence[BatchRun], head: str) -> str:
     """Return the runs as Markdown, each against the first."""
     rows = [
         f"| {r.who} | {r.workers} | {r.threads} | {r.made} | {r.seconds:.1f} | "
@@ -82,10 +82,10 @@ def main() -> int:
 
     texts = tables.texts_in(args.texts)[: args.cases]
     make = batch.Composing() if args.route == "compose" else batch.Generating()
-    runs = [timed(texts, make, 1), timed(texts, make, args.workers)]
+    runs = [time_batch(texts, make, 1), time_batch(texts, make, args.workers)]
     if args.ray is not None:
-        runs.append(timed(texts, make, args.workers, args.ray))
-    runs.append(timed(texts, make, 1, threads=cores()))
+        runs.append(time_batch(texts, make, args.workers, args.ray))
+    runs.append(time_batch(texts, make, 1, threads=cores()))
     head = f"`{tables.command_line('--out', '--note')}`, {tables.where()}. {args.note}".rstrip()
     text = table(runs, head)
     args.out.mkdir(parents=True, exist_ok=True)

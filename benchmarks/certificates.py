@@ -30,6 +30,9 @@ FIELDS = (
     *KEY, "rows", "preset", "target", "goal", "certified", "certified_of", "solved", "attempts",
 )  # fmt: skip
 
+OF = ("preset", "target", "goal", "certified", "certified_of")
+"""What a row says of the instance and of how it was certified."""
+
 HOLDS = 0.9
 """Share of new starts of which a certified instance is to be solved."""
 
@@ -37,7 +40,7 @@ SHIPPED = tuple(str(HERE.parent / "assets_cache" / name / "*") for name in ("sta
 """The bundles of the package, as globs."""
 
 
-class Job(NamedTuple):
+class CertificateJob(NamedTuple):
     """The certified instances of one task at one bundle; ``starts`` of each, drawn by ``seed``."""
 
     bundle: Path
@@ -51,10 +54,9 @@ class Job(NamedTuple):
         return (self.bundle.name, self.task, str(self.seed), str(self.starts))
 
 
-def work(job: Job) -> list[Row]:
+def work(job: CertificateJob) -> list[Row]:
     """Play the certified instances of a job; return a row for each."""
-    instances = [i for i in certificate_of(job.bundle).instances if i.certified]
-    instances = [i for i in instances if i.task == job.task]
+    instances = [i for i in certificate_of(job.bundle).certified if i.task == job.task]
     again = played_again(job.bundle, instances, job.starts, job.seed)
     return [
         dict(zip(KEY, job.key, strict=True)) | {
@@ -86,7 +88,7 @@ def certificate_of(bundle: Path) -> Certificate:
     return found
 
 
-def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[Job]:
+def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[CertificateJob]:
     """Yield a job for each task with a certified instance at each bundle.
 
     Raises:
@@ -97,23 +99,18 @@ def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[Job]:
         certificate = certificate_of(bundle)
         if certificate.terms.seed == seed:
             raise InputError(f"{bundle.name} was certified with the seed {seed}; choose another.")
-        for task in dict.fromkeys(i.task for i in certificate.instances if i.certified):
-            yield Job(bundle, task, seed, starts)
+        for task in dict.fromkeys(i.task for i in certificate.certified):
+            yield CertificateJob(bundle, task, seed, starts)
 
 
-def is_of(row: Row) -> tuple[str, ...]:
-    """Return what a row says of the instance and of how it was certified, for comparison."""
-    return tuple(str(row[k]) for k in ("preset", "target", "goal", "certified", "certified_of"))
-
-
-def is_current(job: Job, rows: Sequence[Row]) -> bool:
+def is_current(job: CertificateJob, rows: Sequence[Row]) -> bool:
     """Return whether rows are of the instances that are certified now."""
     now = {
         (i.preset or "", i.target or "", i.goal or "", str(i.successes), str(i.episodes))
-        for i in certificate_of(job.bundle).instances
-        if i.certified and i.task == job.task
+        for i in certificate_of(job.bundle).certified
+        if i.task == job.task
     }
-    return {is_of(row) for row in rows} == now
+    return {tuple(str(row[k]) for k in OF) for row in rows} == now
 
 
 # ------------------------------------------------------------------------------------- reporting

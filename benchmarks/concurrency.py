@@ -34,7 +34,7 @@ from generator.errors import MissingError
 from generator.scene import Scene
 
 HERE = Path(__file__).parent
-CREW = {"save": 5, "remove": 2, "list": 1, "verify": 1}
+COUNTS = {"save": 5, "remove": 2, "list": 1, "verify": 1}
 """How many processes do what."""
 
 SCENES, KEPT = 8, 4
@@ -142,23 +142,23 @@ def race(store: Path, seconds: float) -> tuple[dict[str, Counter[str]], list[str
     first = [only_first(load(path)) for path in shipped[:2]]
     scenes = [first[k % 2].replace(name=f"scene-{k}") for k in range(SCENES)]
     expected = {save(scene, store).name for scene in scenes}
-    counts, broken = {kind: Counter[str]() for kind in CREW}, list[str]()
+    counts, broken = {kind: Counter[str]() for kind in COUNTS}, list[str]()
     with tempfile.TemporaryDirectory(prefix="tabletopgen-race-") as folder:
         log, end = Path(folder), time.monotonic() + seconds
-        crew = [
+        pool = [
             context.Process(
                 target=work, args=(kind, n, store, scenes, end, log / f"{kind}_{n}.json"),
                 daemon=True,
             )
-            for kind, number in CREW.items() for n in range(number)
+            for kind, number in COUNTS.items() for n in range(number)
         ]  # fmt: skip
-        for process in crew:
+        for process in pool:
             process.start()
         counts["kill"] = kill_savers(store, scenes, end, log)
-        broken += [f"process {p.name} ended with {p.exitcode}" for p in _late(crew)]
-        for told in (json.loads(path.read_bytes()) for path in log.glob("*_*.json")):
-            counts[told["kind"]].update(told["counts"])
-            broken += [f"{told['kind']}: {text}" for text in told["broken"]]
+        broken += [f"process {p.name} ended with {p.exitcode}" for p in _late(pool)]
+        for counted in (json.loads(path.read_bytes()) for path in log.glob("*_*.json")):
+            counts[counted["kind"]].update(counted["counts"])
+            broken += [f"{counted['kind']}: {text}" for text in counted["broken"]]
     broken += [
         f"{kind} found only {counts[kind][what]} {what}"
         for kind, what in WHOLE.items()
@@ -179,10 +179,10 @@ def only_first(scene: Scene) -> Scene:
 
 
 def _late(
-    crew: Sequence[BaseProcess],
+    pool: Sequence[BaseProcess],
 ) -> Iterator[BaseProcess]:
     """Wait for processes; yield those that did not end well."""
-    for process in crew:
+    for process in pool:
         process.join(60)
         if process.exitcode != 0:
             process.kill()
@@ -192,9 +192,9 @@ def _late(
 def table(counts: dict[str, Counter[str]], broken: Sequence[str], head: str) -> str:
     """Return the counts as Markdown."""
     rows = [
-        f"| {kind} | {CREW.get(kind, 1)} | {what} | {count} |"
-        for kind, told in counts.items()
-        for what, count in told.most_common()
+        f"| {kind} | {COUNTS.get(kind, 1)} | {what} | {count} |"
+        for kind, counted in counts.items()
+        for what, count in counted.most_common()
     ]
     titles = "| process | how many | what came of it | times |"
     lines = [head, "", titles, "|---|---|---|---|", *rows, "", f"Broken: {len(broken)}.", ""]

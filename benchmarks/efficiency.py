@@ -80,8 +80,8 @@ def work(job: tuple[str, int], seed: int, device: str) -> list[Row]:
 
 def say(rows: list[Row]) -> str:
     (row,) = rows
-    told = row["error"] or f"{row['built']} objects, {row['wall_total']} s"
-    return f"{row['text'][:50]!r}: {told}"
+    label = row["error"] or f"{row['built']} objects, {row['wall_total']} s"
+    return f"{row['text'][:50]!r}: {label}"
 
 
 def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
@@ -99,7 +99,8 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
     for stage in STAGES:
         wall, cpu = (column(done, f"{kind}_{stage.replace(' ', '_')}") for kind in ("wall", "cpu"))
         whole = 100 * wall.sum() / max(total.sum(), 1e-9)
-        cells = [stage, *_middle(wall), f"{whole:.0f} %", _middle(cpu)[0], _paper(stage)]
+        cells = [stage, *_middle(wall), f"{whole:.0f} %", _middle(cpu)[0]]
+        cells.append(f"≈ {PAPER[stage]:.0f}" if stage in PAPER else "-")
         lines.append("| " + " | ".join(cells) + " |")
     cells = ["**all**", *_middle(total), "100 %", _middle(column(done, "cpu_total"))[0], "≈ 1920"]
     built = column(done, "built")
@@ -122,10 +123,6 @@ def _middle(values: np.ndarray) -> list[str]:
     return [f"{np.median(values):.1f}", f"{np.percentile(values, 90):.1f}"]
 
 
-def _paper(stage: str) -> str:
-    return f"≈ {PAPER[stage]:.0f}" if stage in PAPER else "-"
-
-
 def bars(rows: Sequence[Row]) -> UInt8[np.ndarray, "h w 3"]:
     """Draw a bar a scene, its stages one after the other, seconds by the clock."""
     done = [r for r in rows if not r["error"]]
@@ -142,8 +139,8 @@ def bars(rows: Sequence[Row]) -> UInt8[np.ndarray, "h w 3"]:
         at += 34 + draw.textlength(stage, small)
     for number, row in enumerate(done):
         y = top + line * number
-        told = f"{row['text'][:44]} ({row['built']})"
-        draw.text((left - 10, y + line / 2), told, _INK, small, anchor="rm")
+        label = f"{row['text'][:44]} ({row['built']})"
+        draw.text((left - 10, y + line / 2), label, _INK, small, anchor="rm")
         x = float(left)
         for color, stage in zip(_COLORS, STAGES, strict=True):
             reach = wide * float(row[f"wall_{stage.replace(' ', '_')}"]) / most
@@ -172,13 +169,9 @@ def main() -> None:
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / f"{name}.csv"
-        rows = tables.resume(table, FIELDS, KEY)
-        done = {r["text"] for r in rows if int(r["seed"]) == args.seed}
-        left = [job for job in jobs if job[0] not in done]
+        asked = {(job[0], str(args.seed)): job for job in jobs}
         job = partial(work, seed=args.seed, device=args.device)
-        rows = tables.run(table, FIELDS, KEY, rows, left, job, 1, say)
-        asked = {text for text, _ in jobs}
-        rows = [r for r in rows if r["text"] in asked and int(r["seed"]) == args.seed]
+        rows = tables.complete(table, FIELDS, KEY, asked, job, 1, say)
         write_picture(bars(rows), args.out / f"{name}.png")
     except TabletopError as error:
         raise SystemExit(str(error)) from error

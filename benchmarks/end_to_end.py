@@ -72,7 +72,7 @@ def measure(bundle: Path, seconds: float = 2.0) -> dict[str, Any]:
     }
 
 
-def named(scene: Scene) -> int:
+def count_named(scene: Scene) -> int:
     """Return how many planned objects are there by name, whatever their place.
 
     Words are compared by the category they mean; those of no category, as they are.
@@ -86,7 +86,7 @@ def named(scene: Scene) -> int:
     return (asked & there).total()
 
 
-def unseen(bundle: Path, scene: Scene) -> int:
+def count_unseen(bundle: Path, scene: Scene) -> int:
     """Return how many objects of a bundle its picture has no instance of."""
     from generator.bundle import load_segments
 
@@ -116,10 +116,10 @@ def run(text: str, seed: int, route: str) -> dict[str, Any]:
 
                 generation = generate(text, seed=seed)
                 scene, path = generation.scene, generation.save(folder)
-                row["unseen"] = unseen(path, scene)
+                row["unseen"] = count_unseen(path, scene)
             row["planned"] = len(scene.plan.objects) if scene.plan else ""
             row["seconds"] = round(time.perf_counter() - start, 2)
-            row |= measure(path) | {"named": named(load(path)), "published": 1}
+            row |= measure(path) | {"named": count_named(load(path)), "published": 1}
         except Exception as error:  # recorded as a failure; one scene must not end the run
             row["error"] = f"{type(error).__name__}: {error}"[:300]
     return row
@@ -137,9 +137,9 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
     seen = [int(r["built"]) - int(r.get("unseen") or 0) for r in done]
     by_eye = sum(int(r["planned"]) == n for r, n in zip(done, seen, strict=True))
     total = max(len(rows), 1)
-    told = [r for r in done if r.get("named") not in (None, "")]
-    right = sum(int(r["named"]) == int(r["planned"]) == int(r["built"]) for r in told)
-    asked = sum(int(r["planned"]) for r in told)
+    scored = [r for r in done if r.get("named") not in (None, "")]
+    right = sum(int(r["named"]) == int(r["planned"]) == int(r["built"]) for r in scored)
+    asked = sum(int(r["planned"]) for r in scored)
     sound = sum(
         float(r["penetration_mm"]) <= 1
         and float(r["drift_mm"]) <= 10
@@ -167,9 +167,9 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
             f"| planned count = count seen in the drawing, without what the plan supplied | "
             f"{100 * by_eye / total:.1f} % of scenes, {100 * sum(seen) / max(wanted, 1):.1f} % of "
             "objects |",
-            f"| planned names = built names | {100 * right / len(told):.1f} % of scenes, "
-            f"{100 * sum(int(r['named']) for r in told) / max(asked, 1):.1f} % of objects |"
-            if told
+            f"| planned names = built names | {100 * right / len(scored):.1f} % of scenes, "
+            f"{100 * sum(int(r['named']) for r in scored) / max(asked, 1):.1f} % of objects |"
+            if scored
             else "| planned names = built names | - |",
             f"| seconds a scene, median / worst | {np.median(seconds):.1f} / {max(seconds):.1f} |"
             if seconds

@@ -74,7 +74,7 @@ OWN = {
 TASKS = (*NAMES, *PRESETS)
 
 
-class Job(NamedTuple):
+class EpisodesJob(NamedTuple):
     """Episodes of one task at one table; ``text`` is a text to compose or a bundle's path."""
 
     task: str
@@ -83,14 +83,14 @@ class Job(NamedTuple):
     episodes: int
 
 
-def work(job: Job, composed: bool) -> list[Row]:
+def work(job: EpisodesJob, composed: bool) -> list[Row]:
     """Run the episodes of a job; what cannot be run is a row too."""
     base: Row = dict.fromkeys(FIELDS, "")
     base |= {"task": job.task, "scene": _name(job.text), "seed": job.seed}
     rows: list[Row] = []
     try:
         scene = compose(job.text, job.seed) if composed else load(Path(job.text))
-        env = made(scene, job.task)
+        env = make_env(scene, job.task)
         try:
             rows.extend(
                 base | {"episode": number} | episode(env, _seed(job, number), scene)
@@ -103,7 +103,7 @@ def work(job: Job, composed: bool) -> list[Row]:
     return [row | {"rows": len(rows)} for row in rows]
 
 
-def made(scene: Scene, task: str) -> gym.Env:
+def make_env(scene: Scene, task: str) -> gym.Env:
     """Return the environment of a task's id at one table."""
     name, _, preset = task.partition(":")
     more: dict[str, Any] = {"preset": preset} if preset else {}
@@ -151,7 +151,7 @@ def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
     }
 
 
-def _seed(job: Job, number: int) -> int:
+def _seed(job: EpisodesJob, number: int) -> int:
     return 1000 * job.seed + number
 
 
@@ -159,18 +159,18 @@ def _name(text: str) -> str:
     return Path(text).name if Path(text).is_absolute() else text
 
 
-def jobs(args: argparse.Namespace) -> Iterator[Job]:
+def jobs(args: argparse.Namespace) -> Iterator[EpisodesJob]:
     """Yield what is asked for."""
     tasks = args.task or TASKS
     if args.scenes != "composed":
         for path in assets_cache.find(args.scenes):
             for task in tasks:
                 if task not in PRESETS or args.task:
-                    yield Job(task, str(path.resolve()), 0, args.episodes)
+                    yield EpisodesJob(task, str(path.resolve()), 0, args.episodes)
         return
     for task in tasks:
         for text, seed in composed_scenes(task, args.count, args.held_out, args.seed):
-            yield Job(task, text, seed, args.episodes)
+            yield EpisodesJob(task, text, seed, args.episodes)
 
 
 def composed_scenes(
@@ -199,8 +199,8 @@ def composed_scenes(
 def say(rows: list[Row]) -> str:
     run = [r for r in rows if r["success"] != ""]
     solved = sum(int(r["success"]) for r in run)
-    told = f"{solved} of {len(run)}" if run else "nothing to do"
-    return f"{rows[0]['task']} at {rows[0]['scene'][:40]!r} seed {rows[0]['seed']}: {told}"
+    text = f"{solved} of {len(run)}" if run else "nothing to do"
+    return f"{rows[0]['task']} at {rows[0]['scene'][:40]!r} seed {rows[0]['seed']}: {text}"
 
 
 def summary(rows: Sequence[Row], command: str) -> str:
@@ -228,10 +228,10 @@ def summary(rows: Sequence[Row], command: str) -> str:
         for task in TASKS:
             counts = Counter(r[field] or "-" for r in failed if r["task"] == task)
             of = Counter(r[field] or "-" for r in run if r["task"] == task)
-            told = (f"{n} {k}" + (f" of {of[n]}" if field == "category" else "")
+            text = (f"{n} {k}" + (f" of {of[n]}" if field == "category" else "")
                     for n, k in counts.most_common())  # fmt: skip
             if counts:
-                lines.append(f"| {task} | {', '.join(told)} |")
+                lines.append(f"| {task} | {', '.join(text)} |")
         lines.append("")
     lines += [f"- {_failure(r)}" for r in failed]
     return "\n".join([*lines, ""])
@@ -273,14 +273,9 @@ def main() -> None:
     which = "held_out" if args.held_out else "composed" if composed else Path(args.scenes).name
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / f"expert_{args.name or which.replace('*', '').strip('-_') or 'scenes'}.csv"
-    rows = tables.resume(path, FIELDS, KEY[:3], of="rows")
-    asked = {(j.task, _name(j.text), j.seed): j for j in jobs(args)}
-    rows = [r for r in rows if (r["task"], r["scene"], int(r["seed"])) in asked]
-    done = {(r["task"], r["scene"], int(r["seed"])) for r in rows}
-    rows = tables.run(
-        path, FIELDS, KEY, rows, [j for k, j in asked.items() if k not in done],
-        partial(work, composed=composed), args.workers, say,
-    )  # fmt: skip
+    asked = {(j.task, _name(j.text), str(j.seed)): j for j in jobs(args)}
+    job = partial(work, composed=composed)
+    rows = tables.complete(path, FIELDS, KEY, asked, job, args.workers, say, of="rows")
     text = summary(rows, tables.command_line("--workers", "--out", "--name"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")
     print(text)

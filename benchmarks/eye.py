@@ -28,12 +28,12 @@ from scipy.optimize import linear_sum_assignment
 
 from generator.backends.embedded.eye.horizon import fit_view
 from generator.backends.embedded.eye.network import REGIONS
-from generator.backends.embedded.eye.sight import Sight, see
+from generator.backends.embedded.eye.sight import EyeReading, see
 from generator.backends.embedded.eye.weights import load_weights
 from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.backends.embedded.segmenter import SURE, looks_of, refine, table_of
 from generator.errors import SceneError
-from generator.language.naming import weighed
+from generator.language.naming import weigh
 from research.eye.sample import Sample, worth_finding
 from research.eye.shards import ShardReader
 
@@ -49,7 +49,11 @@ def overlaps(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def mark(
-    sample: Sample, sight: Sight, shown: np.ndarray, keys: tuple[str, ...], own: tuple[str, ...]
+    sample: Sample,
+    sight: EyeReading,
+    shown: np.ndarray,
+    keys: tuple[str, ...],
+    own: tuple[str, ...],
 ) -> dict:
     """Return counts and errors of one picture.
 
@@ -89,13 +93,13 @@ def mark(
     }
 
 
-def names_on_the_table(image: np.ndarray, sight: Sight, own: tuple[str, ...]) -> list[str]:
+def names_on_the_table(image: np.ndarray, sight: EyeReading, own: tuple[str, ...]) -> list[str]:
     """Return the likeliest category of each thing, sizes and shapes considered."""
     if not sight.things:
         return []
     names = np.stack([t.names for t in sight.things]).astype(float)
     with contextlib.suppress(SceneError):  # no tabletop: what the network says
-        names = weighed(names, looks_of(sight.things, find_tabletop(image), own))
+        names = weigh(names, looks_of(sight.things, find_tabletop(image), own))
     return [(*own, "unknown")[int(p.argmax())] for p in names]
 
 

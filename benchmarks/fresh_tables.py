@@ -40,7 +40,7 @@ KEY = ("drawn_for", "seed", "task")
 FIELDS = (*KEY, "rows", "offers", "things", "categories", "why")
 
 
-class Job(NamedTuple):
+class TableJob(NamedTuple):
     """One table: what it is drawn for, its seed, and the tasks that are tried at it."""
 
     drawn_for: str
@@ -48,14 +48,14 @@ class Job(NamedTuple):
     tasks: tuple[str, ...]
 
 
-def named(name: str) -> Task:
+def task_of(name: str) -> Task:
     """Return the task of a name, with its preset after a colon."""
     return task_named(*name.split(":"))
 
 
-def work(job: Job) -> list[Row]:
+def work(job: TableJob) -> list[Row]:
     """Draw the table of a job and try its tasks."""
-    needs = () if job.drawn_for == ANY else named(job.drawn_for).needs
+    needs = () if job.drawn_for == ANY else task_of(job.drawn_for).needs
     recipe = FreshScenes(SceneDistribution(needs=needs)).recipe(np.random.default_rng(job.seed))
     base = {"drawn_for": job.drawn_for, "seed": job.seed, "rows": len(job.tasks)}
     try:
@@ -68,24 +68,27 @@ def work(job: Job) -> list[Row]:
         "categories": " ".join(sorted({o.model.category for o in scene.objects})),
     }
     world = World(scene, Panda())
-    return [base | {"task": name} | tried(world, name, job.seed) for name in job.tasks]
+    return [base | {"task": name} | try_table(world, name, job.seed) for name in job.tasks]
 
 
-def tried(world: World, name: str, seed: int) -> Row:
+def try_table(world: World, name: str, seed: int) -> Row:
     """Return whether a table offers a task something, and why not."""
     world.reset()
     try:
-        named(name).sample(world, np.random.default_rng(seed))
+        task_of(name).sample(world, np.random.default_rng(seed))
     except SceneError as error:
         return {"offers": 0, "why": tables.failure(error)}
     return {"offers": 1, "why": ""}
 
 
-def jobs(names: Sequence[str], count: int) -> list[Job]:
+def jobs(names: Sequence[str], count: int) -> list[TableJob]:
     """Return the tables for no task, then those for each task that needs something."""
-    drawn = [Job(ANY, seed, tuple(names)) for seed in range(count)]
+    drawn = [TableJob(ANY, seed, tuple(names)) for seed in range(count)]
     return drawn + [
-        Job(name, seed, (name,)) for name in names if named(name).needs for seed in range(count)
+        TableJob(name, seed, (name,))
+        for name in names
+        if task_of(name).needs
+        for seed in range(count)
     ]
 
 
@@ -133,12 +136,8 @@ def main() -> None:
     names = tuple(args.task or TASKS)
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / "fresh_tables.csv"
-    asked = {(job.drawn_for, job.seed): job for job in jobs(names, args.count)}
-    rows = tables.resume(path, FIELDS, ("drawn_for", "seed"), of="rows")
-    rows = [r for r in rows if (r["drawn_for"], int(r["seed"])) in asked]
-    done = {(r["drawn_for"], int(r["seed"])) for r in rows}
-    left = [job for key, job in asked.items() if key not in done]
-    rows = tables.run(path, FIELDS, KEY, rows, left, work, args.workers, say)
+    asked = {(job.drawn_for, str(job.seed)): job for job in jobs(names, args.count)}
+    rows = tables.complete(path, FIELDS, KEY, asked, work, args.workers, say, of="rows")
     text = summary(rows, names, tables.command_line("--workers", "--out"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")
     print(text)

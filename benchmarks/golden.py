@@ -47,8 +47,8 @@ FREE = ("backends", "versions", "edits")
 
 def texts() -> list[str]:
     """Return the texts of ``texts.json``, spread over its themes."""
-    told = [entry["text"] for entry in json.loads((HERE / "texts.json").read_text())]
-    return [told[k * len(told) // COMPOSED] for k in range(COMPOSED)]
+    content = [entry["text"] for entry in json.loads((HERE / "texts.json").read_text())]
+    return [content[k * len(content) // COMPOSED] for k in range(COMPOSED)]
 
 
 def run(*arguments: str) -> None:
@@ -60,24 +60,26 @@ def run(*arguments: str) -> None:
 
 
 def bundle_jobs(
-    out: Path, parts: Sequence[str], pictures: Sequence[str], most: int
+    out: Path, parts: Sequence[str], pictures: Sequence[str], maximum: int
 ) -> Iterator[tuple[Path, tuple[str, ...]]]:
     """Yield folders of ``out`` that are to hold bundles, each with the command that makes them."""
-    for number, text in enumerate(texts()[:most] if "compose" in parts else ()):
+    for number, text in enumerate(texts()[:maximum] if "compose" in parts else ()):
         place = out / "compose" / f"{number:02}"
         yield place, (*COMMAND, "compose", text, "--seed", str(number), "--out", str(place))
-    for number, text in enumerate(texts()[1::2][:GENERATED][:most] if "generate" in parts else ()):
+    for number, text in enumerate(
+        texts()[1::2][:GENERATED][:maximum] if "generate" in parts else ()
+    ):
         place = out / "generate" / f"{number:02}"
         yield place, (*COMMAND, "generate", text, "--seed", str(number), "--out", str(place))
-    for picture in pictures[:most]:
+    for picture in pictures[:maximum]:
         place = out / "pictures" / Path(picture).stem
         yield place, (*COMMAND, "generate", picture, "--out", str(place))
-    for name, bundle, *change in EDITS[:most] if "edits" in parts else ():
+    for name, bundle, *change in EDITS[:maximum] if "edits" in parts else ():
         place = out / "edits" / name
         yield place, (*COMMAND, "edit", bundle, *change, "--out", str(place))
     if "batch" in parts:
         place, prompts = out / "batch", out / "prompts.txt"
-        prompts.write_text("\n".join(texts()[:BATCHED][:most]))
+        prompts.write_text("\n".join(texts()[:BATCHED][:maximum]))
         yield place, (*COMMAND, "batch", str(prompts), "--route", "compose", "--out", str(place))
 
 
@@ -163,18 +165,18 @@ def facts(record: Path) -> dict[str, Any]:
         if path.name == "scene.json":
             found |= {f"{place}:{k}": v for k, v in _scene(path).items()}
         elif path.name == "environments.json":
-            told = json.loads(path.read_text())
-            found |= {f"{place}:{a}:{b}": v for a in told for b, v in told[a].items()}
+            content = json.loads(path.read_text())
+            found |= {f"{place}:{a}:{b}": v for a in content for b, v in content[a].items()}
         elif path.suffix in (".obj", ".png", ".safetensors") or path.name == "scene.xml":
             found[str(place)] = hashlib.sha256(path.read_bytes()).hexdigest()
     return found
 
 
 def _scene(path: Path) -> dict[str, Any]:
-    told = json.loads(path.read_text())
-    told.pop("files")
-    told["provenance"] = {k: v for k, v in told["provenance"].items() if k not in FREE}
-    return told
+    content = json.loads(path.read_text())
+    content.pop("files")
+    content["provenance"] = {k: v for k, v in content["provenance"].items() if k not in FREE}
+    return content
 
 
 def compare(one: Path, other: Path) -> int:

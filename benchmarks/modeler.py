@@ -22,7 +22,7 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from generator.backends.embedded.drawing.completion import complete
-from generator.backends.embedded.modeler import Modeler, small_mask
+from generator.backends.embedded.modeler import EmbeddedModeler, small_mask
 from generator.backends.embedded.plane.measure import measured_extent
 from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.shapes.framing import frame_to_mask
@@ -42,7 +42,7 @@ ROUND = np.deg2rad(60)
 
 
 @dataclass(frozen=True, eq=False)
-class Case:
+class ModelerCase:
     """One object to model: the truth in the world, what the modeler is shown, who looked."""
 
     key: str
@@ -83,7 +83,7 @@ def ground() -> Item:
     return Item(corners, faces, uv, tile, 0)
 
 
-def draw_case(model: Model, rng: np.random.Generator) -> Case:
+def draw_case(model: Model, rng: np.random.Generator) -> ModelerCase:
     """Draw ``model`` somewhere on the table, wholly inside the picture."""
     view = View(0.0, float(np.deg2rad(rng.uniform(30, 62))), float(np.deg2rad(rng.uniform(30, 45))))
     distance = ACROSS / 2 / np.tan(view.fov / 2) * HEIGHT / WIDTH
@@ -109,7 +109,7 @@ def draw_case(model: Model, rng: np.random.Generator) -> Case:
     mask = drawn.ids == 1
     found = complete(Reference(drawn.image), Detection(model.label, mask_box(mask), mask), ())
     plane = TablePlane(view, camera, "rectangle", False, (1.6, 1.2), 0.0, np.zeros((4, 2)), 0.0)
-    return Case(
+    return ModelerCase(
         model.category, item, found,
         ray_view(view, (found.box[:2] + found.box[2:]) / 2, WIDTH, HEIGHT), camera, light,
         SizePrior("thing", np.array(CATEGORIES[model.category].size)),
@@ -117,9 +117,9 @@ def draw_case(model: Model, rng: np.random.Generator) -> Case:
     )  # fmt: skip
 
 
-def stood(case: Case, model: Model, yaw: float) -> tuple[Item, float]:
+def stand(case: ModelerCase, model: Model, yaw: float) -> tuple[Item, float]:
     """Pose a model at ``yaw`` in the world so that its picture fits; also return the overlap."""
-    small = Projection.of_instance(case.instance, case.view).resized(128)
+    small = Projection.of_instance(case.instance, case.view).resize(128)
     mask = small_mask(case.instance, small)
     shape = model.mesh.vertices * model.size @ rotation_z(yaw).T
     scale, shift = frame_to_mask(shape, small, mask)
@@ -143,21 +143,21 @@ def difference(
     return mask_iou(a[1], b[1]), float(gap[both].mean()) if both.any() else 100.0
 
 
-def alike(case: Case, model: Model) -> tuple[Item, Float[np.ndarray, "4"]]:
+def alike(case: ModelerCase, model: Model) -> tuple[Item, Float[np.ndarray, "4"]]:
     """Return the model posed as most alike, and its four figures."""
     shown = case.look(case.truth, 0.0)
     yaws = np.arange(36) * np.pi / 18
-    overlaps = np.array([stood(case, model, yaw)[1] for yaw in yaws])
+    overlaps = np.array([stand(case, model, yaw)[1] for yaw in yaws])
     likely = yaws[overlaps > overlaps.max() - 0.04]
     likely = likely[np.argsort(-overlaps[overlaps > overlaps.max() - 0.04], kind="stable")][:12]
 
     def worth(yaw: float) -> float:
-        iou, gap = difference(shown, case.look(stood(case, model, yaw)[0], 0.0))
+        iou, gap = difference(shown, case.look(stand(case, model, yaw)[0], 0.0))
         return iou - 0.01 * gap
 
     best = max(likely, key=worth)
     best = max(best + np.deg2rad([-5, -2.5, 0, 2.5, 5]), key=worth)
-    item, _ = stood(case, model, best)
+    item, _ = stand(case, model, best)
     same = difference(shown, case.look(item, 0.0))
     other = [
         difference(case.look(case.truth, turn), case.look(item, turn)) for turn in (ROUND, -ROUND)
@@ -165,7 +165,7 @@ def alike(case: Case, model: Model) -> tuple[Item, Float[np.ndarray, "4"]]:
     return item, np.array([*same, *np.mean(other, 0)])
 
 
-def sheet(case: Case, items: list[Item]) -> UInt8[np.ndarray, "h w 3"]:
+def sheet(case: ModelerCase, items: list[Item]) -> UInt8[np.ndarray, "h w 3"]:
     """Draw the truth above each model, from three sides."""
     turns = (0.0, ROUND, -ROUND, np.pi)
     return np.vstack([np.hstack([case.look(i, t)[0] for t in turns]) for i in (case.truth, *items)])
@@ -193,7 +193,7 @@ def main() -> None:
             i = case.instance
             shown = Instance(label, label, i.box, i.mask, i.crop, i.crop_box, i.occluded)
             begin = time.process_time()
-            model = Modeler().model(shown, size, case.view)
+            model = EmbeddedModeler().model(shown, size, case.view)
             seconds = time.process_time() - begin
             item, figures = alike(case, model)
             items.append(item)

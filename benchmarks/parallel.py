@@ -68,7 +68,7 @@ class Timed(Session):
         return done
 
 
-class Row(NamedTuple):
+class ParallelRow(NamedTuple):
     """One scene: seconds of each step of ``STEPS``, those with a server at work, and the whole."""
 
     steps: tuple[float, ...]
@@ -95,20 +95,20 @@ def at_work(calls: Sequence[tuple[str, float, float]], question: str) -> float:
     return total
 
 
-def serve(delay: float, models: Path, told: Connection) -> None:
+def serve(delay: float, models: Path, sender: Connection) -> None:
     """Run the servers; tell the environment that leads to them, and what was asked, when asked."""
     import mix_servers  # pyright: ignore[reportMissingImports]
 
     watch = mix_servers.Watch(delay)
     with mix_servers.running(watch) as servers:
-        told.send(servers.environment(models))
-        while told.recv():
-            told.send([(a.question, a.began, a.ended) for a in watch.asked])
+        sender.send(servers.environment(models))
+        while sender.recv():
+            sender.send([(a.question, a.began, a.ended) for a in watch.asked])
             watch.asked.clear()
 
 
 @contextmanager
-def served(delay: float, models: Path) -> Iterator[Connection]:
+def start_servers(delay: float, models: Path) -> Iterator[Connection]:
     """Serve in another process; the environment is set to lead there."""
     spawn = multiprocessing.get_context("spawn")
     here, there = spawn.Pipe()
@@ -116,7 +116,7 @@ def served(delay: float, models: Path) -> Iterator[Connection]:
     process.start()
     there.close()  # so that its end is noticed here
     try:
-        os.environ.update(heard(here))
+        os.environ.update(receive(here))
         yield here
     finally:
         with suppress(OSError):  # it has ended
@@ -125,7 +125,7 @@ def served(delay: float, models: Path) -> Iterator[Connection]:
         process.kill()
 
 
-def heard(servers: Connection) -> Any:
+def receive(servers: Connection) -> Any:
     """Return what the servers' process tells next.
 
     Raises:
@@ -139,7 +139,7 @@ def heard(servers: Connection) -> Any:
     raise SystemExit(f"The process of the servers told nothing in {LONG:g} s.")
 
 
-def made(workers: int, servers: Connection) -> Row:
+def make_scene(workers: int, servers: Connection) -> ParallelRow:
     """Make the scene with a pool of some size, keeping no answers."""
     import mix_driver  # pyright: ignore[reportMissingImports]
 
@@ -149,11 +149,13 @@ def made(workers: int, servers: Connection) -> Row:
     whole = time.perf_counter() - begin
     assert len(scene.objects) == 6 and len(session.seconds) == len(STEPS)
     servers.send(True)
-    calls = heard(servers)
-    return Row(tuple(session.seconds), tuple(at_work(calls, q) for q in STEPS.values()), whole)
+    calls = receive(servers)
+    return ParallelRow(
+        tuple(session.seconds), tuple(at_work(calls, q) for q in STEPS.values()), whole
+    )
 
 
-def table(one: Row, many: Row, workers: int, head: str) -> str:
+def table(one: ParallelRow, many: ParallelRow, workers: int, head: str) -> str:
     """Return both as Markdown, and which share of the first the second is."""
     pairs = [(name, a, many.lines()[name]) for name, a in one.lines().items()]
     lines = [f"| {name} | {a:.1f} | {b:.1f} | {b / a:.2f} |" for name, a, b in pairs]
@@ -176,9 +178,9 @@ def main() -> int:
 
     with tempfile.TemporaryDirectory(prefix="tabletopgen-parallel-") as folder:
         models = fitted_models.save(Path(folder), laid_table.examples())
-        with served(args.delay, models) as servers:
-            made(args.workers, servers)  # so that what is read once is read
-            one, many = made(1, servers), made(args.workers, servers)
+        with start_servers(args.delay, models) as servers:
+            make_scene(args.workers, servers)  # so that what is read once is read
+            one, many = make_scene(1, servers), make_scene(args.workers, servers)
     head = (
         f"Seconds for one scene of six things and a table, {args.delay:g} s an answer.\n"
         f"`{tables.command_line('--out', '--note')}`, {tables.where()}. {args.note}"

@@ -131,7 +131,7 @@ def depth_facts(made: Any) -> dict[str, Any]:
     top = known[masks["table"] & (drawn.ids == 0), 2]
     off = {}
     for number, thing in enumerate(made.scene.objects, start=1):
-        pair = raised(shown[drawn.ids == number]), raised(known[masks[thing.name]])
+        pair = above_tabletop(shown[drawn.ids == number]), above_tabletop(known[masks[thing.name]])
         if min(map(len, pair)) >= FEW:
             place = np.median(pair[0][:, :2], axis=0) - np.median(pair[1][:, :2], axis=0)
             tall = [float(np.percentile(points[:, 2], 98)) for points in pair]
@@ -154,7 +154,7 @@ def camera_above(camera: Any, height: float) -> Any:
     return dataclasses.replace(camera, position=camera.position + np.array([0.0, 0.0, height]))
 
 
-def raised(points: np.ndarray) -> np.ndarray:
+def above_tabletop(points: np.ndarray) -> np.ndarray:
     """Return the known points that are above the tabletop; of what is as flat as that, all."""
     known = points[np.isfinite(points).all(1)]
     high = known[known[:, 2] > GROUND]

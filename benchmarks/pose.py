@@ -105,7 +105,7 @@ def stem(args: argparse.Namespace) -> str:
         name += f"_{args.meshes.resolve().name}" + ("" if args.up == "auto" else args.up)
     name += "".join(f"_{category(word).key}" for word in args.only)
     name += "_symmetric" if args.symmetric else ""
-    return name + spoiling_of(args).named()
+    return name + spoiling_of(args).label()
 
 
 def write(path: Path, image: UInt8[np.ndarray, "h w 3"]) -> None:

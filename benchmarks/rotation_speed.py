@@ -20,11 +20,11 @@ from pathlib import Path
 
 import numpy as np
 from jaxtyping import Float
-from posing.cases import Case, Draw, draw_case
+from posing.cases import Draw, TurnCase, draw_case
 from posing.spoiling import Spoiling
 from posing.tables import alone, where
 
-from generator.backends.embedded.encoder import Encoder
+from generator.backends.embedded.encoder import EmbeddedEncoder
 from generator.method.rotation import RotationConfig, make_objectives, search
 
 HERE = Path(__file__).parent
@@ -40,7 +40,7 @@ def parser() -> argparse.ArgumentParser:
     return p
 
 
-def searched(cases: Sequence[Case], config: RotationConfig) -> Float[np.ndarray, "2"]:
+def time_search(cases: Sequence[TurnCase], config: RotationConfig) -> Float[np.ndarray, "2"]:
     """Return the wall and CPU seconds that a batch takes, from masks and meshes to yaws.
 
     The view of the first case stands for all: a scene has one camera, and work does not depend
@@ -57,7 +57,7 @@ def searched(cases: Sequence[Case], config: RotationConfig) -> Float[np.ndarray,
     begin = now()
     search(
         make_objectives(
-            [c.model for c in cases], [c.instance for c in cases], cases[0].view, Encoder(),
+            [c.model for c in cases], [c.instance for c in cases], cases[0].view, EmbeddedEncoder(),
             config, (width, height), 0, [c.front if c.hidden else None for c in cases],
         )
     )  # fmt: skip
@@ -89,8 +89,10 @@ def main() -> None:
     draw = Draw("dev", args.seed, Spoiling(elevation=5.0, occlude=0.15))
     cases = [draw_case(draw, k) for k in range(args.cases)]
     groups = [cases[k : k + args.batch] for k in range(0, len(cases), args.batch)]
-    searched(groups[0], config)
-    seconds = np.concatenate([np.tile(searched(g, config) / len(g), (len(g), 1)) for g in groups])
+    time_search(groups[0], config)
+    seconds = np.concatenate(
+        [np.tile(time_search(g, config) / len(g), (len(g), 1)) for g in groups]
+    )
     machine = torch.cuda.get_device_name() if args.device == "cuda" else "one thread"
     head = (
         f"`python benchmarks/rotation_speed.py --cases {args.cases} --device {args.device} "

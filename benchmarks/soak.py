@@ -92,15 +92,15 @@ def soak(env: TabletopEnv, rng: np.random.Generator, steps: int, row: Row) -> No
         clock = time.perf_counter()
         seen, reward, _, _, info = env.step(action)
         row["longest_ms"] = max(row["longest_ms"], round(1e3 * (time.perf_counter() - clock), 1))
-        world, told = env.world, set(info["off_table"])
+        world, reported = env.world, set(info["off_table"])
         state = np.concatenate([world.data.qpos, world.data.qvel])
         row["not_finite"] += not (np.isfinite(state).all() and np.isfinite([*seen, reward]).all())
         row["outside"] += not env.observation_space.contains(seen)
-        row["escaped"] += len(escaped(world))
-        fell |= told
+        row["escaped"] += len(find_escaped(world))
+        fell |= reported
         row["done"] = k + 1
         if k % EPISODE == EPISODE - 1 or k == steps - 1:
-            row["unnoticed"] += len(beside(world) - told)
+            row["unnoticed"] += len(beside(world) - reported)
             row["warnings"] += int(sum(w.number for w in world.data.warning))
     row["fell"] += len(fell)
 
@@ -111,12 +111,12 @@ def beside(world: World) -> set[str]:
     for obj in world.scene.objects:
         off = -inside_margin(world.position(obj.name)[:2], world.scene.table.outline)[0]
         clear = off > float(np.linalg.norm(obj.scale)) / 2
-        if clear and at_rest(world, obj.name) and not world.touched(obj.name)[2]:
+        if clear and at_rest(world, obj.name) and not world.touches(obj.name)[2]:
             found.add(obj.name)
     return found
 
 
-def escaped(world: World) -> list[str]:
+def find_escaped(world: World) -> list[str]:
     """Return the things that are under the floor or out of the room."""
     found = []
     for name in world.names:
@@ -129,8 +129,8 @@ def escaped(world: World) -> list[str]:
 def say(rows: list[Row]) -> str:
     (row,) = rows
     wrong = {k: row[k] for k in COUNTS if row[k]}
-    told = row["error"] or f"{row['done']} steps, {row['fell']} things fell, {row['seconds']} s"
-    return f"scene {row['scene']}: {told}" + (f", WRONG: {wrong}" if wrong else "")
+    reported = row["error"] or f"{row['done']} steps, {row['fell']} things fell, {row['seconds']} s"
+    return f"scene {row['scene']}: {reported}" + (f", WRONG: {wrong}" if wrong else "")
 
 
 def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
@@ -172,16 +172,11 @@ def main() -> None:
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / "soak.csv"
-        rows = tables.resume(table, FIELDS, KEY)
-        asked = [{"scene": n, "seed": args.seed, "steps": share} for n in range(args.scenes)]
-        done = {tuple(str(r[k]) for k in KEY) for r in rows}
-        left = [a["scene"] for a in asked if tuple(str(a[k]) for k in KEY) not in done]
+        asked = {(str(n), str(args.seed), str(share)): n for n in range(args.scenes)}
         job = partial(work, seed=args.seed, steps=share)
-        rows = tables.run(table, FIELDS, KEY, rows, left, job, args.workers, say)
+        rows = tables.complete(table, FIELDS, KEY, asked, job, args.workers, say)
     except TabletopError as error:
         raise SystemExit(str(error)) from error
-    wanted = {tuple(str(a[k]) for k in KEY) for a in asked}
-    rows = [r for r in rows if tuple(str(r[k]) for k in KEY) in wanted]
     text = summary(rows, tables.command_line("--note"), args.note)
     (args.out / "soak.md").write_text(text, encoding="utf-8")
     print(text)

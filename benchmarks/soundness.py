@@ -52,12 +52,12 @@ def work(job: tuple[str, int], route: str) -> list[Row]:
             else:
                 path = generate(text, seed=seed).save(folder)
             row["seconds"] = round(time.perf_counter() - start, 2)
-            return [row | measured(path)]
+            return [row | measure(path)]
         except Exception as error:  # one text must not end the run
             return [row | {"error": tables.failure(error)}]
 
 
-def measured(bundle: Path) -> Row:
+def measure(bundle: Path) -> Row:
     """Return the figures of a saved bundle; of each rule, how many objects do not stand still."""
     scene = load(bundle)
     hit, touching = collisions(scene), collisions(scene, LEAST)
@@ -85,8 +85,8 @@ def measured(bundle: Path) -> Row:
 
 def say(rows: list[Row]) -> str:
     (row,) = rows
-    told = "; ".join(str(row[f]) for f in ("unstable", "error") if row[f])
-    return f"{row['text'][:50]!r} seed {row['seed']}: {told or 'sound'}"
+    message = "; ".join(str(row[f]) for f in ("unstable", "error") if row[f])
+    return f"{row['text'][:50]!r} seed {row['seed']}: {message or 'sound'}"
 
 
 def summary(rows: Sequence[Row], route: str, command: str) -> str:
@@ -125,8 +125,8 @@ def _clean(row: Row) -> bool:
     return not row["unstable"] and not row["error"] and not int(row["off_table"] or 0)
 
 
-def _share(part: float, whole: float) -> str:
-    return f"{100 * part / max(whole, 1):.2f} % ({part:.0f} of {whole:.0f})"
+def _share(part: float, total: float) -> str:
+    return f"{100 * part / max(total, 1):.2f} % ({part:.0f} of {total:.0f})"
 
 
 def main() -> None:
@@ -142,14 +142,9 @@ def main() -> None:
     texts = tables.texts_in(args.texts)[: args.limit]
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / f"soundness_{args.route}.csv"
-    rows = tables.resume(path, FIELDS, KEY)
-    asked = {(t, s) for s in range(args.seeds) for t in texts}
-    rows = [r for r in rows if (r["text"], int(r["seed"])) in asked]
-    done = {(r["text"], int(r["seed"])) for r in rows}
-    jobs = [(t, s) for s in range(args.seeds) for t in texts if (t, s) not in done]
-    rows = tables.run(
-        path, FIELDS, KEY, rows, jobs, partial(work, route=args.route), args.workers, say
-    )
+    asked = {(text, str(seed)): (text, seed) for seed in range(args.seeds) for text in texts}
+    job = partial(work, route=args.route)
+    rows = tables.complete(path, FIELDS, KEY, asked, job, args.workers, say)
     text = summary(rows, args.route, tables.command_line("--workers", "--out"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")
     print(text)

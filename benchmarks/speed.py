@@ -84,8 +84,8 @@ def episodes(python: str, module: str, name: str, steps: int, words: dict[str, A
     """Time one environment in a process of its own; see ``pace/episodes.py``."""
     script = str(HERE / "pace" / "episodes.py")
     command = [python, script, module, name, str(steps), json.dumps(words)]
-    told = subprocess.run(command, capture_output=True, text=True, check=True, cwd=HERE.parent)
-    return json.loads(told.stdout.splitlines()[-1])
+    done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=HERE.parent)
+    return json.loads(done.stdout.splitlines()[-1])
 
 
 def stepping(bundle: Path, venvs: Path, steps: int, rounds: int) -> list[Row]:

@@ -64,7 +64,7 @@ STRIPS = {
 """What is shown, by the name of the picture."""
 
 
-def made(strip: Strip, **settings: Any) -> gym.Env:
+def make_env(strip: Strip, **settings: Any) -> gym.Env:
     """Return the environment of a strip."""
     more: dict[str, Any] = {"preset": strip.preset} if strip.preset else {}
     name = f"tabletopgen_env:TabletopGen/{strip.task}-v0"
@@ -115,10 +115,10 @@ def window(env: Any) -> tuple[float, float, float, float]:
     high[2] = max(world.scene.table.height + _HAND, points[:, 2].max())
     corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1])
                         for z in (world.scene.table.height, high[2])])  # fmt: skip
-    return _box(projected(world, corners))
+    return _box(project(world, corners))
 
 
-def projected(world: Any, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 2"]:
+def project(world: Any, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 2"]:
     """Return where the front camera sees points, x and y in [0, 1] of a 4:3 picture."""
     camera = world.model.camera(FRONT_CAMERA).id
     seen = (points - world.data.cam_xpos[camera]) @ world.data.cam_xmat[camera].reshape(3, 3)
@@ -156,14 +156,14 @@ def strip_picture(
 def make(name: str, out: Path) -> Path:
     """Write one strip into a folder; return where."""
     strip = STRIPS[name]
-    env = made(strip)
+    env = make_env(strip)
     done, _ = play(env, strip)
     _, info = env.reset(seed=strip.seed, options=strip.options or None)
     part = window(env)
     caption = info["instruction"]
     env.close()
     size = (HEIGHT * _FINE, WIDTH * _FINE)
-    env = made(strip, render_mode="rgb_array", render_size=size)
+    env = make_env(strip, render_mode="rgb_array", render_size=size)
     shown = [*np.linspace(0, done, FRAMES - 1).round().astype(int).tolist(), done + _HOLD]
     _, frames = play(env, strip, shown)
     env.close()

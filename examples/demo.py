@@ -1,4 +1,4 @@
-"""The whole job once: a text and a picture to bundles, the Panda moves an object on each.
+"""End-to-end demo: a text and a picture become bundles; the Panda moves an object on each.
 
 ``make demo`` runs this. It leaves the bundles, the pictures and ``report.md`` in ``out/``.
 """

@@ -1,4 +1,4 @@
-"""The scripted expert at work on the starter tables; writes a film strip of one episode.
+"""Run the scripted expert on the starter tables; write a film strip of one episode.
 
 python examples/expert.py --episodes 5 --out out/expert.png
 """

@@ -1,4 +1,4 @@
-"""One picture of a tabletop in, the same table simulated out.
+"""Turn one picture of a tabletop into a simulated table.
 
 python examples/image_to_scene.py desk.png --out out/image
 """

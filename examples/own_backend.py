@@ -1,4 +1,4 @@
-"""Your own backend: a class that answers one of the stages' questions in its own way.
+"""A custom backend: a class that implements one of the backend protocols.
 
 This modeler makes every object a box of its commonsense size in the crop's mean colour. Any class
 with the methods of a protocol in ``generator.backends.protocols`` can be passed in.
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from generator.backends import Backends
-from generator.backends.embedded.modeler import Modeler
+from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.pipeline import generate
 from generator.scene import TABLE, ConvexPart, Instance, Mesh, Model, SizePrior, View
 
@@ -22,14 +22,14 @@ FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 
 
 @dataclass(frozen=True)
 class BoxModeler:
-    """Answers the modeler's one question with a box; leaves the table to the embedded modeler."""
+    """Models every object as a box; leaves the table to the embedded modeler."""
 
     revision: str = "1"
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return a box of the prior's size in the mean colour of the crop's visible pixels."""
         if instance.name == TABLE:
-            return Modeler().model(instance, size, view)
+            return EmbeddedModeler().model(instance, size, view)
         pixels = instance.crop[instance.crop[..., 3] > 127][:, :3]
         color = pixels.mean(0).astype(np.uint8)[None, None]
         mesh = Mesh(CORNERS, FACES, np.zeros((8, 2)), color)

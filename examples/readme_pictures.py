@@ -34,7 +34,7 @@ SWAPS = (
     ("coffee-square", "candle_1", "a cake"),
     ("vanity", "hand_mirror_1", "a hairbrush"),
 )
-"""Of the picture of edits: starter, what goes, what comes."""
+"""For the picture of edits: starter, removed thing, new thing."""
 
 
 def across(images: list[np.ndarray], width: int = WIDTH) -> np.ndarray:
@@ -62,8 +62,8 @@ def read(path: Path) -> np.ndarray:
     return np.asarray(Image.open(path).convert("RGB"))
 
 
-def generated(text: str, out: Path) -> dict[str, np.ndarray]:
-    """Return a text's drawing, its scene and the expert at work there; and the method's stages."""
+def generate_pictures(text: str, out: Path) -> dict[str, np.ndarray]:
+    """Return pictures of a text's drawing, scene, expert run, and stages of the method."""
     made = generate(text, seed=0, name="hero")
     bundle = made.save(out / "scenes")
     frames = at_work(str(bundle), (720, 960))
@@ -104,7 +104,7 @@ def edits(text: str, out: Path) -> dict[str, np.ndarray]:
 
 
 PICTURES: Mapping[str, Callable[[str, Path], Mapping[str, np.ndarray]]] = MappingProxyType(
-    {"generated": generated, "starters": starters, "expert": expert, "edits": edits}
+    {"generated": generate_pictures, "starters": starters, "expert": expert, "edits": edits}
 )
 """What can be made, by name; "generated" makes two pictures, hero and stages."""
 

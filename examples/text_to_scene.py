@@ -1,4 +1,4 @@
-"""A sentence in, a simulated table out.
+"""Turn a sentence into a simulated table.
 
 python examples/text_to_scene.py "a craft desk with two paint bottles and a toy car" --out out/text
 """

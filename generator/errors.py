@@ -1,4 +1,4 @@
-"""The errors this project raises on purpose: one base class, its five children, and theirs.
+"""The errors this project raises on purpose, below one base class.
 
 Each message says what was wrong, what exists instead, and what to do: ``choices`` helps with names,
 ``require`` with the numbers of settings.
@@ -16,11 +16,11 @@ from collections.abc import Iterable
 class TabletopError(Exception):
     """Base of every error the project raises on purpose; catch this to catch them all.
 
-    Its text can be shown on a terminal, whatever foreign text it quotes.
+    Its text is safe to print on a terminal: control characters in quoted text are escaped.
     """
 
     def __str__(self) -> str:
-        return escaped(super().__str__())
+        return escape(super().__str__())
 
 
 class InputError(TabletopError, ValueError):
@@ -32,19 +32,19 @@ class BackendError(TabletopError, RuntimeError):
 
 
 class UnusableError(BackendError):
-    """A backend answered, and its answer is of no use; asked again it may answer otherwise."""
+    """A backend gave an unusable answer; another attempt may succeed."""
 
 
 class BudgetError(BackendError):
-    """A call was not sent since it might cost more than is left of the budget."""
+    """A call was not sent because it might exceed the budget."""
 
 
 class DryRunError(BackendError):
-    """A call was not sent since nothing is to be sent; the message says what would have been."""
+    """A dry run sends no calls; the message lists what would have been sent."""
 
 
 class StoppedError(BackendError):
-    """A call was not sent, or not tried again, since the session was stopped."""
+    """A call was not sent, or not retried, because the session was stopped."""
 
 
 class BundleError(TabletopError, RuntimeError):
@@ -52,7 +52,7 @@ class BundleError(TabletopError, RuntimeError):
 
 
 class MissingError(BundleError):
-    """There is no bundle there, or none any more: another process removed it."""
+    """The bundle does not exist, or another process removed it."""
 
 
 class StorageError(TabletopError, OSError):
@@ -73,11 +73,11 @@ EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (StorageError, 5),
     (SceneError, 6),
 )
-"""What the commands end with, by kind of error."""
+"""Exit codes of the commands by kind of error."""
 
 
 def exit_code(error: TabletopError) -> int:
-    """Return what a command ends with after an error."""
+    """Return the exit code of a command that failed with an error."""
     return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
 
 
@@ -93,30 +93,24 @@ def choices(wrong: str, available: Iterable[str]) -> str:
 def require(
     settings: object,
     *names: str,
-    least: float | None = None,
+    minimum: float | None = None,
     above: float | None = None,
-    most: float | None = None,
-    whole: bool = False,
-    endless: bool = False,
+    maximum: float | None = None,
+    integer: bool = False,
+    allow_inf: bool = False,
 ) -> None:
-    """Check that some fields of a settings object are numbers within a range.
+    """Check that the fields ``names`` of a settings object are numbers within a range.
 
-    Args:
-        settings: the object; its class is named by the message.
-        names: the fields.
-        least: the least value.
-        above: what the value is above.
-        most: the largest value.
-        whole: they are integers.
-        endless: infinity is a number too.
+    ``above`` is what the value is above; ``integer`` ones are integers; ``allow_inf`` lets infinity
+    pass.
 
     Raises:
-        InputError: one is not.
+        InputError: a value is no number or out of range.
     """
     for name in names:
         require_number(
             f"{type(settings).__name__} needs {name}", getattr(settings, name),
-            least=least, above=above, most=most, whole=whole, endless=endless,
+            minimum=minimum, above=above, maximum=maximum, integer=integer, allow_inf=allow_inf,
         )  # fmt: skip
 
 
@@ -124,66 +118,54 @@ def require_number(
     needs: str,
     value: object,
     *,
-    least: float | None = None,
+    minimum: float | None = None,
     above: float | None = None,
-    most: float | None = None,
-    whole: bool = False,
-    endless: bool = False,
+    maximum: float | None = None,
+    integer: bool = False,
+    allow_inf: bool = False,
 ) -> None:
-    """Check one number as ``require`` does.
-
-    Args:
-        needs: how the message begins: who needs what, as in "certify needs episodes".
-        value: the number.
-        least: see ``require``, as for the others.
-        above: likewise.
-        most: likewise.
-        whole: likewise.
-        endless: likewise.
+    """Check one number as ``require`` does; ``needs`` begins the message: "certify needs episodes".
 
     Raises:
-        InputError: it is none, or out of range.
+        InputError: the value is no number or out of range.
     """
-    kind = numbers.Integral if whole else numbers.Real
-    low, high = f" >= {least:g}" if least is not None else "", ""
+    kind = numbers.Integral if integer else numbers.Real
+    low, high = f" >= {minimum:g}" if minimum is not None else "", ""
     low = f" > {above:g}" if above is not None else low
-    if most is not None:
-        high = f" and <= {most:g}" if low else f" <= {most:g}"
+    if maximum is not None:
+        high = f" and <= {maximum:g}" if low else f" <= {maximum:g}"
     number = isinstance(value, kind) and not isinstance(value, bool)
     size = _as_float(value) if number else math.nan
-    good = endless or math.isfinite(size)
-    good = good and size >= (-math.inf if least is None else least)
+    good = allow_inf or math.isfinite(size)
+    good = good and size >= (-math.inf if minimum is None else minimum)
     good = good and size > above if above is not None else good
-    if not (good and size <= (math.inf if most is None else most)):
+    if not (good and size <= (math.inf if maximum is None else maximum)):
         raise InputError(
-            f"{needs} to be a {'whole ' if whole else ''}number{low}{high}, got {value!r}."
+            f"{needs} to be a {'whole ' if integer else ''}number{low}{high}, got {value!r}."
         )
 
 
-def require_seed(seed: object, most: int = MAX_SEED) -> None:
-    """Check a seed: the one rule for all commands and functions.
-
-    Args:
-        seed: it.
-        most: the largest that what it seeds takes.
+def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
+    """Check a seed; all commands and functions share this rule.
 
     Raises:
-        InputError: it is no whole number from 0 to ``most``.
+        InputError: it is no whole number from 0 to ``maximum``, the largest that what it seeds
+            takes.
     """
     whole = isinstance(seed, numbers.Integral) and not isinstance(seed, bool)
-    if not (whole and 0 <= seed <= most):  # type: ignore[operator]
-        raise InputError(f"A seed has to be a whole number from 0 to {most}, got {seed!r:.40}.")
+    if not (whole and 0 <= seed <= maximum):  # type: ignore[operator]
+        raise InputError(f"A seed has to be a whole number from 0 to {maximum}, got {seed!r:.40}.")
 
 
 def _as_float(value: object) -> float:
-    """Return a number as a float, infinite where it is too large for one."""
+    """Return a number as a float; infinity if it is too large."""
     try:
         return float(value)  # type: ignore[arg-type]
     except OverflowError:
         return math.inf
 
 
-def escaped(text: str) -> str:
+def escape(text: str) -> str:
     """Return a text that may be foreign as a terminal can show it, without controls."""
     return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
 

@@ -8,31 +8,15 @@ from pathlib import Path
 from typing import Literal, get_args
 
 from .errors import InputError, choices
-from .method.alignment import (
-    Alignment,
-    AlignmentConfig,
-)
+from .method.alignment import Alignment, AlignmentConfig
 from .method.assembly import AssemblyConfig
 from .method.extraction import ExtractionConfig
 from .method.figures import bundle_images, save_figures
 from .method.ledger import Seconds
-from .method.reference import (
-    ReferenceConfig,
-)
-from .method.refinement import (
-    Refinement,
-    RefinementConfig,
-)
+from .method.reference import ReferenceConfig
+from .method.refinement import Refinement, RefinementConfig
 from .method.rotation import RotationConfig
-from .scene import (
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    Scene,
-    SizePrior,
-    View,
-)
+from .scene import Instance, Model, Reference, Rotation, Scene, SizePrior, View
 
 STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "alignment",
           "refinement", "assembly")  # fmt: skip

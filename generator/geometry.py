@@ -53,6 +53,13 @@ def quaternion_yaw(quaternion: Float[np.ndarray, "4"]) -> float:
     return float(np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
 
 
+def turned_quaternion(quaternion: Float[np.ndarray, "4"], yaw: float) -> Float[np.ndarray, "4"]:
+    """Return a wxyz quaternion turned about the vertical by ``yaw`` radians."""
+    w, x, y, z = quaternion
+    c, s = np.cos(yaw / 2), np.sin(yaw / 2)
+    return np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
+
+
 def rotated_extent(extent: Float[np.ndarray, "3"], yaw: float) -> Float[np.ndarray, "2"]:
     """Return the world x, y extent of a box of ``extent`` turned by ``yaw``."""
     c, s = abs(np.cos(yaw)), abs(np.sin(yaw))

@@ -25,13 +25,7 @@ from .method.reference import (
 )
 from .method.refinement import refine_scene
 from .method.rotation import estimate_rotations
-from .scene import (
-    TABLE,
-    Instance,
-    Intrinsics,
-    Provenance,
-    Reference,
-)
+from .scene import TABLE, Instance, Intrinsics, Provenance, Reference
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
@@ -128,7 +122,7 @@ def generate(
     )  # fmt: skip
 
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
-    warnings = _hidden(reference, instances) + alignment.warnings
+    warnings = _warn_hidden(reference, instances) + alignment.warnings
     found = Reconstruction(
         reference, instances, sizes, models, view, alignment.table_scale,
         _provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
@@ -149,7 +143,7 @@ def _table(instances: tuple[Instance, ...]) -> Instance:
     raise InputError("No table was found in the picture. Show the whole tabletop.")
 
 
-def _hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:
+def _warn_hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:
     """Return a warning if fewer things were found than planned."""
     planned = len(reference.plan.objects) if reference.plan else 0
     found = len(instances) - 1

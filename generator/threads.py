@@ -1,4 +1,4 @@
-"""How many processors there are to compute on, and how many of them this process takes."""
+"""Processor count and the number of threads this process computes with."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-_TURN = threading.RLock()  # what torch computes on is the process's, not a thread's
+_TURN = threading.RLock()  # torch's thread count belongs to the process, not to a thread
 
 
 def cores() -> int:
@@ -18,18 +18,18 @@ def cores() -> int:
 
 
 def threads() -> int:
-    """Return on how many threads this process computes; no result depends on it.
+    """Return the number of threads to compute with; results do not depend on it.
 
-    That is OMP_NUM_THREADS, which says so to NumPy's BLAS and to torch, too, and which a batch and
-    Ray set for the processes that share a machine; else all processors.
+    This is OMP_NUM_THREADS if set, which NumPy's BLAS and torch read too, and which a batch and Ray
+    set for processes that share a machine; otherwise all processors.
     """
-    told = os.environ.get("OMP_NUM_THREADS", "").split(",")[0].strip()
-    return int(told) if told.isdecimal() and int(told) else cores()
+    setting = os.environ.get("OMP_NUM_THREADS", "").split(",")[0].strip()
+    return int(setting) if setting.isdecimal() and int(setting) else cores()
 
 
 @contextmanager
 def torch_threads(count: int) -> Iterator[None]:
-    """Run torch on so many threads inside the block. What blocks of several threads do, mixes."""
+    """Run torch on ``count`` threads inside the block; not for several Python threads at once."""
     import torch
 
     before = torch.get_num_threads()
@@ -44,9 +44,9 @@ def torch_threads(count: int) -> Iterator[None]:
 def single_thread() -> Iterator[None]:
     """Run torch on one thread inside the block.
 
-    One thread adds in one order, so results do not depend on the machine's cores. Small work, like
-    splats, is not worth sharing, either: more threads make it slower, and on a busy machine many
-    times slower. Threads take turns; what a block waits for must not enter another one.
+    One thread sums in a fixed order, so results do not depend on the number of cores. Small work
+    such as splats does not profit from more threads either; on a busy machine they make it many
+    times slower. Threads take turns: code that a block waits for must not enter another one.
     """
     with _TURN, torch_threads(1):
         yield

@@ -2,61 +2,42 @@
 
 from __future__ import annotations
 
-import inspect
 import os
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Literal
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Unpack
 
 import gymnasium as gym
 import numpy as np
 
 from generator.errors import BundleError, InputError, SceneError, choices, require_seed
 
-from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
-from .certificates.instances import sampled
+from .actions import check_action
+from .certificates.instances import sample_episode
 from .goals.goal import SPOT, Goal
-from .observations.grasp_hint import HintKind, grasp_hint_of
-from .observations.modes import (
-    ObservationMode,
-    flat_state,
-    observation_space,
-    slot_order,
-)
-from .randomization import Randomization, Randomizer
+from .observations.grasp_hint import grasp_hint_of
+from .observations.modes import flat_state, observation_space, slot_order
+from .randomization import Randomizer
+from .rendering.config import RENDER_MODES
 from .rendering.drawer import drawer
-from .rendering.kinds import RENDERERS, Drawer, Kind, RendererChoice
+from .rendering.kinds import Drawer
 from .rendering.point_cloud import point_cloud
-from .rendering.views import (
-    CameraName,
-    ObservationConfig,
-    picture_size,
-    pictures,
-)
+from .rendering.views import pictures
 from .rendering.window import Window
-from .robot.panda import Panda, panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
+from .settings import Settings, read_settings
 from .tasks.pick_place import PickPlace
 from .tasks.registry import task_named
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .world.composition import FRONT_CAMERA
 from .world.world import World
-from .world.worlds import Masters, WorldCache
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike
-
-RewardMode = Literal["dense", "sparse"]
 
 OPTIONS = ("scene", "target", "goal")
 """What ``TabletopEnv.reset`` takes as ``options``."""
-
-RENDER_MODES = ("rgb_array", "depth_array", "human")
-
-_LARGEST_SHOWN = 4096  # pixels along a side of what ``render`` returns
 
 DRAWS = 25
 """How many scenes a reset draws before it gives up finding one with something to do."""
@@ -68,33 +49,30 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     Args:
         scenes: where tables come from; see ``scenes.resolve``.
         task: what to do; None for ``PickPlace()``. See ``tasks``.
-        observation: "state", "pixels", "pixels+state", "point_cloud" or "point_cloud+state"; see
-            ``observations``. ("goal" is ``GoalTabletopEnv``; ``make_env`` chooses.)
-        cameras: what pictures and point clouds are taken with: some of "front", "wrist", "top".
-        kinds: what pixel observations hold of each: some of "rgb", "depth", "segmentation".
-        image_size: their height and width in pixels, or one number for both.
-        points: points of a point cloud.
-        grasp_hint: whether the state ends with a grasp of the target, or its place: "planned" (or
-            True) by the expert's planners, "detected" by a network that sees height maps; see
-            ``grasp_hint``. Not for "pixels" and "point_cloud" alone.
-        action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
-            "joint_target"; see ``actions``.
-        gripper: "continuous" or "binary"; what the last entry of an action means.
-        control_hz: actions per second; divides 500.
-        reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
-            -1 otherwise).
-        render_mode: None, "rgb_array", "depth_array" or "human".
-        render_size: (height, width) of what ``render`` returns, or one number for both.
-        renderer: "auto", "gl" or "software"; see ``rendering``.
-        randomization: what differs between episodes of the same scene, target and goal, which
-            without it all start alike: a ``Randomization``, "starts" for the arm a little off and
-            the things some centimetres, within free space, "light" or "strong" for everything
-            else, or None for nothing; see ``randomization``.
-        certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
-            among the instances of the task that the expert solved; False ignores certificates.
-        robot: the robot; None for ``Panda()``.
-        cache: how many compiled worlds are kept, at least 1.
-        masters: compiled worlds to copy, shared with other environments; None to compile.
+        settings: how it is played. Each group of ``settings.EnvConfig`` is given as a whole::
+
+                TabletopEnv("starter", observation=ObservationConfig("pixels", image_size=64))
+
+            or by keywords of their own, whose defaults and meaning are those of the group's fields:
+
+            ==================  ==============================================================
+            ``observation``     an ``ObservationConfig``, or: ``observation`` (the mode),
+                                ``cameras``, ``kinds``, ``image_size``, ``points``,
+                                ``grasp_hint``. ("goal" is ``GoalTabletopEnv``; ``make_env``
+                                chooses.)
+            ``action``          an ``ActionConfig``, or: ``action`` (the mode), ``gripper``,
+                                ``control_hz``
+            ``render``          a ``RenderConfig``, or: ``render_mode``, ``render_size``,
+                                ``renderer``
+            ``worlds``          a ``WorldConfig``, or: ``robot``, ``cache``, ``masters``
+            ``reward``          "dense" or "sparse"
+            ``randomization``   what differs between episodes
+            ``certified``       whether certificates are followed
+            ==================  ==============================================================
+
+    Raises:
+        InputError: a setting that there is not, or a wrong one; a group and its field together.
+        BundleError: no bundle fits ``scenes``.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
     and "goal" (an object's name, "spot", or a point in the world frame; see the task's page). What
@@ -121,64 +99,28 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         scenes: SceneChoice = STARTER,
         *,
         task: Task | None = None,
-        observation: ObservationMode = "state",
-        cameras: Sequence[CameraName] = ("front", "wrist"),
-        kinds: Sequence[Kind] = ("rgb",),
-        image_size: int | tuple[int, int] = 128,
-        points: int = 1024,
-        grasp_hint: bool | HintKind = False,
-        action: ActionMode = "ee_delta",
-        gripper: GripperMode = "continuous",
-        control_hz: int = CONTROL_HZ,
-        reward: RewardMode = "dense",
-        render_mode: str | None = None,
-        render_size: int | tuple[int, int] = (480, 640),
-        renderer: RendererChoice = "auto",
-        randomization: Randomization | str | None = None,
-        certified: bool = True,
-        robot: Panda | None = None,
-        cache: int = 16,
-        masters: Masters | None = None,
+        **settings: Unpack[Settings],
     ) -> None:
-        if reward not in ("dense", "sparse"):
-            raise InputError(
-                f"Unknown reward {reward!r}." + choices(str(reward), ["dense", "sparse"])
-            )
-        if render_mode is not None and render_mode not in RENDER_MODES:
-            raise InputError(
-                f"Unknown render mode {render_mode!r}." + choices(str(render_mode), RENDER_MODES)
-            )
-        if renderer not in RENDERERS:
-            raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
-        if not isinstance(certified, bool | np.bool_):
-            raise InputError(f"certified must be True or False, got {certified!r}.")
+        config = read_settings(settings)
         self.task = task or PickPlace()
         self.source = resolve(scenes, self.task.needs, self.task.scenes)
         self._closes_source = self.source is not scenes  # else others may draw from it, too
-        self._randomizer = Randomizer(randomization)
-        self._wants_certified = certified
-        self._views = ObservationConfig(cameras, kinds, image_size, points)
-        if grasp_hint and observation in ("pixels", "point_cloud"):
-            raise InputError(
-                f"The grasp hint is part of the state, and {observation!r} has none; use "
-                f"'{observation}+state'."
-            )
-        self.hint = grasp_hint_of(grasp_hint)
-        self.observation_space = observation_space(
-            observation, self._views, self.task.most, self.hint is not None
-        )
-        self.action_mode: ActionMode = action
-        self.controller = controller(action, gripper, control_hz)
+        self._randomizer = Randomizer(config.randomization)
+        self._wants_certified = config.certified
+        self._views = config.observation
+        self.hint = grasp_hint_of(config.observation.grasp_hint)
+        self.observation_space = observation_space(config.observation, self.task.most)
+        self.action_mode = config.action.mode
+        self.controller = config.action.controller()
         self.action_space = self.controller.space
-        self.metadata = {"render_modes": list(RENDER_MODES), "render_fps": control_hz}
-        self.reward = reward
-        self.render_mode = render_mode
-        self._observation: ObservationMode = observation
-        self._render_size = picture_size("render_size", render_size, _LARGEST_SHOWN)
-        self._renderer = renderer
-        self._worlds = WorldCache(panda(robot), cache, masters)
+        rate = config.action.control_hz
+        self.metadata = {"render_modes": list(RENDER_MODES), "render_fps": rate}
+        self.reward = config.reward
+        self.render_mode = config.render.mode
+        self._render = config.render
+        self._worlds = config.worlds.worlds()
         self._drawers: dict[tuple[str, int], Drawer] = {}
-        self._window = Window(1 / control_hz)
+        self._window = Window(1 / rate)
         self._world: World | None = None
         self._episode: Episode | None = None
         self._certified = False
@@ -221,10 +163,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 failed.
         """
         world = self.world
-        wanted = checked(action, self.controller.space)
+        wanted = check_action(action, self.controller.space)
         if self.task.closed:
             wanted[-1] = -1.0
-        command = self._randomizer.delayed(wanted)
+        command = self._randomizer.delay(wanted)
         if command is not None:
             self.controller.apply(world, command)
         world.step(self.controller.servos.substeps)
@@ -316,8 +258,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         The active goal and its marker follow.
         """
         world, episode = self.world, self.episode
-        desired = self.task.desired(world, episode)
-        achieved = self.task.achieved(world, episode, desired)
+        desired = self.task.desired_goal(world, episode)
+        achieved = self.task.achieved_goal(world, episode, desired)
         agreement = self.task.agreement(achieved, desired)
         if agreement.active != self._active:
             self._active = agreement.active
@@ -348,7 +290,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 world = self._world_of(ref)
                 self._randomizer.begin(world)
                 certified = self._wants_certified and not self._randomizer.rearranged
-                episode, known = sampled(self.task, world, self.np_random, options, certified)
+                episode, known = sample_episode(
+                    self.task, world, self.np_random, options, certified
+                )
                 return world, self._randomizer.finish(world, episode), known
             except SceneError as error:
                 tried.add(str(error))
@@ -375,18 +319,18 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         world = self.world
         noise = self._randomizer.noise()
         hint = None if self.hint is None else self.hint.entries(world, self.goal)
-        bare = self._observation == "goal"
+        bare = self._views.mode == "goal"
 
         def state() -> np.ndarray:
             return flat_state(world, self._order, self.goal, bare, noise, hint)
 
-        if self._observation == "state":
+        if self._views.mode == "state":
             return state()
         if bare:
             return {"observation": state(), "achieved_goal": achieved, "desired_goal": desired}
-        look = pictures if self._observation.startswith("pixels") else point_cloud
+        look = pictures if self._views.mode.startswith("pixels") else point_cloud
         seen = look(self._views, world, self._drawer("pixels"), self._order)
-        if self._observation.endswith("+state"):
+        if self._views.mode.endswith("+state"):
             seen["state"] = state()
         return seen
 
@@ -418,9 +362,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         key = purpose, os.getpid()
         if key not in self._drawers:
             pixels = purpose == "pixels"
-            size = self._views.size if pixels else self._render_size
+            size = self._views.size if pixels else self._render.shape
             profile = "fast" if pixels else "full"
-            self._drawers[key] = drawer(self._renderer, *size, profile)
+            self._drawers[key] = drawer(self._render.renderer, *size, profile)
         return self._drawers[key]
 
 
@@ -465,8 +409,7 @@ def make_env(
     *,
     task: Task | str = "PickPlace",
     preset: str | None = None,
-    observation: ObservationMode = "state",
-    **settings: Any,
+    **settings: Unpack[Settings],
 ) -> TabletopEnv:
     """Make the environment that fits ``observation``; the entry point of the registered ids.
 
@@ -474,28 +417,15 @@ def make_env(
         scenes: where tables come from; None for the task's own (``Task.scenes``).
         task: a task or its name.
         preset: a name of ``tasks.sequence.PRESETS``, for the task "Sequence".
-        observation: see ``TabletopEnv``.
-        settings: the other arguments of ``TabletopEnv``.
+        settings: those of ``TabletopEnv``.
 
     Raises:
         InputError: a setting that there is not, or a wrong one.
     """
-    check_settings(settings)
-    kind = GoalTabletopEnv if observation == "goal" else TabletopEnv
+    config = read_settings(settings)
+    kind = GoalTabletopEnv if config.observation.mode == "goal" else TabletopEnv
     scenes, task = played_at(scenes, task, preset)
-    return kind(scenes, task=task, observation=observation, **settings)
-
-
-def check_settings(given: Iterable[str], *more: str) -> None:
-    """Check that ``make_env`` has the settings of these names, or that they are of ``more``.
-
-    Raises:
-        InputError: there is no such setting.
-    """
-    known = {*inspect.signature(TabletopEnv).parameters, "preset", *more}
-    for name in given:
-        if name not in known:
-            raise InputError(f"An environment has no setting {name!r}." + choices(name, known))
+    return kind(scenes, task=task, **settings)
 
 
 def played_at(

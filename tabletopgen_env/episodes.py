@@ -19,11 +19,7 @@ def episode_seeds(*key: int) -> Iterator[int]:
 
 
 class Held:
-    """Tells when a success has held; made for one episode and told of each of its steps.
-
-    Args:
-        steps: for how many steps in a row it has to hold.
-    """
+    """Tells when a success has held for ``steps`` in a row; of one episode, told of each step."""
 
     def __init__(self, steps: int = HOLD) -> None:
         self._steps = steps

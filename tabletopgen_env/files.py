@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 
-def typed(value: Any, kind: type) -> Any:
+def check_type(value: Any, kind: type) -> Any:
     """Return a value that is of exactly this type.
 
     Raises:

@@ -11,13 +11,12 @@ does is bit for bit what a single environment with that seed does, whatever the 
 
 from __future__ import annotations
 
-import inspect
 import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, Unpack
 
 import numpy as np
 from gymnasium import spaces
@@ -29,10 +28,10 @@ from jaxtyping import Bool, Float
 from generator.errors import InputError, choices, require_number, require_seed
 from generator.threads import cores
 
-from .actions import checked
-from .env import as_options, check_settings, make_env, played_at
-from .robot.panda import Panda, panda
+from .actions import check_action
+from .env import as_options, make_env, played_at
 from .scenes import SceneChoice, SharedScenes, resolve
+from .settings import EnvConfig, Settings, check_settings, read_settings
 from .tasks.task import Task
 from .world.worlds import Masters
 
@@ -77,9 +76,8 @@ class TabletopVectorEnv(SyncVectorEnv):
             its action is ignored), "SameStep" (the slot is reset at once; what it saw last is in
             ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (reset it yourself).
         max_episode_steps: the time limit; None for none (the registered ids have theirs).
-        robot: the robot; None for ``Panda()``.
-        cache: how many compiled worlds each slot keeps, and how many scenes all of them share.
-        settings: the other arguments of ``env.make_env``.
+        settings: those of ``TabletopEnv``; ``cache`` is how many compiled worlds each slot keeps,
+            and how many scenes all of them share.
 
     Raises:
         InputError: a setting is wrong.
@@ -96,26 +94,23 @@ class TabletopVectorEnv(SyncVectorEnv):
         threads: int | None = None,
         autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
-        robot: Panda | None = None,
-        cache: int = 16,
-        **settings: Any,
+        **settings: Unpack[Settings],
     ) -> None:
         counts = {"num_envs": num_envs, "threads": threads, "max_episode_steps": max_episode_steps}
         for name, count in counts.items():
             if count is not None or name == "num_envs":
                 needs = f"A vector environment needs {name}"
-                require_number(needs, count, least=1, whole=True)
-        check_settings(settings, *inspect.signature(TabletopVectorEnv).parameters)
-        arm = panda(robot)
-        masters = Masters(arm, cache)
+                require_number(needs, count, minimum=1, integer=True)
+        check_settings(settings, *counts, "autoreset_mode")
+        config = read_settings(settings)
+        worlds = config.worlds
+        masters = worlds.masters or Masters(worlds.arm, worlds.cache)
+        config = replace(config, worlds=replace(worlds, masters=masters))
         scenes, task = played_at(scenes, task, preset)
         source = resolve(scenes, task.needs, task.scenes)
         self._source = SharedScenes(source)
         self._closes_source = source is not scenes
-        slot = partial(
-            _slot, max_episode_steps, scenes=self._source, task=task,
-            robot=arm, cache=cache, masters=masters, **settings,
-        )  # fmt: skip
+        slot = partial(_slot, max_episode_steps, self._source, task, config)
         super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
         self._hire(min(num_envs, threads or cores()))
         assert isinstance(self.single_action_space, spaces.Box)
@@ -143,7 +138,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         seeds = _seeds(seed, self.num_envs)
 
         def start(k: int) -> _Turn:
-            return _Turn(*self._restarted(k, seed=seeds[k], options=options or None))
+            return _Turn(*self._restart(k, seed=seeds[k], options=options or None))
 
         slots = np.flatnonzero(mask).tolist()
         turns = self._each(start, slots)
@@ -180,7 +175,7 @@ class TabletopVectorEnv(SyncVectorEnv):
                 f"The episodes of the slots {over} are over and autoreset is disabled: call "
                 "reset(options={'reset_mask': ...}) first."
             )
-        chosen = [self._checked(k, a) for k, a in enumerate(iterate(self.action_space, actions))]
+        chosen = [self._check(k, a) for k, a in enumerate(iterate(self.action_space, actions))]
         turns = self._each(lambda k: self._turn(k, chosen[k]), range(self.num_envs))
         infos: dict[str, Any] = {}
         for k, turn in enumerate(turns):
@@ -237,27 +232,27 @@ class TabletopVectorEnv(SyncVectorEnv):
         self._workers = [ThreadPoolExecutor(1, f"tabletop-{k}") for k in range(count)]
         self._process = os.getpid()
 
-    def _checked(self, k: int, action: Any) -> Float[np.ndarray, "a"]:
+    def _check(self, k: int, action: Any) -> Float[np.ndarray, "a"]:
         """Return a sound action; all are looked at before any slot moves."""
         try:
-            return checked(action, self._actions)
+            return check_action(action, self._actions)
         except InputError as error:
-            raise _noted(error, k) from None
+            raise _note(error, k) from None
 
     def _turn(self, k: int, action: Any) -> _Turn:
         """Step slot ``k``, or reset it if its episode is over."""
         env = self.envs[k]
         if self._over[k]:
-            return _Turn(*self._restarted(k))
+            return _Turn(*self._restart(k))
         observation, reward, terminated, truncated, info = env.step(action)
         ended = bool(terminated or truncated)
         if not (ended and self.autoreset_mode == AutoresetMode.SAME_STEP):
             return _Turn(observation, info, float(reward), bool(terminated), bool(truncated))
-        fresh, began = self._restarted(k)
+        fresh, began = self._restart(k)
         last = (observation, info)
         return _Turn(fresh, began, float(reward), bool(terminated), bool(truncated), last)
 
-    def _restarted(self, k: int, **given: Any) -> tuple[Any, dict[str, Any]]:
+    def _restart(self, k: int, **given: Any) -> tuple[Any, dict[str, Any]]:
         """Reset slot ``k``, which has nothing to show until that is done."""
         self._seen[k] = None
         return self.envs[k].reset(**given)
@@ -278,7 +273,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         count = len(self._workers)
 
         def work_off(mine: list[int]) -> dict[int, T | Exception]:
-            return {k: _caught(work, k) for k in mine}
+            return {k: _catch(work, k) for k in mine}
 
         shares = [[k for k in slots if k % count == w] for w in range(count)]
         jobs = [w.submit(work_off, s) for w, s in zip(self._workers, shares, strict=True) if s]
@@ -298,19 +293,19 @@ class TabletopVectorEnv(SyncVectorEnv):
         return concatenate(space, self._seen, create_empty_array(space, self.num_envs))
 
 
-def _slot(max_episode_steps: int | None, **settings: Any) -> gym.Env:
-    env = make_env(**settings)
-    return env if max_episode_steps is None else TimeLimit(env, max_episode_steps)
+def _slot(limit: int | None, scenes: SceneChoice, task: Task, config: EnvConfig) -> gym.Env:
+    env = make_env(scenes, task=task, **vars(config))
+    return env if limit is None else TimeLimit(env, limit)
 
 
-def _caught(work: Callable[[int], T], k: int) -> T | Exception:
+def _catch(work: Callable[[int], T], k: int) -> T | Exception:
     try:
         return work(k)
     except Exception as error:  # raised again by the caller's thread
-        return _noted(error, k)
+        return _note(error, k)
 
 
-def _noted(error: Exception, k: int) -> Exception:
+def _note(error: Exception, k: int) -> Exception:
     error.add_note(f"(in slot {k} of the vector environment)")
     return error
 

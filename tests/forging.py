@@ -10,8 +10,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+from generator import bundle
 from generator.bundle.decoding import decode_scene
 from generator.bundle.encoding import dumps
+from generator.errors import BundleError
 from generator.physics.mjcf import document, mesh_path, texture_path
 
 
@@ -63,3 +67,10 @@ def _give(path: Path, what: str, name: str, content: bytes) -> Path:
             model[what] = name
 
     return rewrite(put(path, name, content), change)
+
+
+def refused(path: Path, match: str) -> None:
+    """Check that a bundle is not read, for a reason, and that verifying it says so."""
+    with pytest.raises(BundleError, match=match):
+        bundle.load(path)
+    assert bundle.verify(path)

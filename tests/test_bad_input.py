@@ -37,7 +37,7 @@ from generator.errors import (
 from generator.generation import STAGES
 from generator.method.reference import read_image
 from generator.physics.gate import judge
-from generator.physics.parts import scaled
+from generator.physics.parts import scale_part
 from generator.pipeline import generate
 from generator.scene import ConvexPart, PlannedObject, PlannedTable, Relation, Scene, ScenePlan
 from tabletopgen_env.env import make_env
@@ -273,7 +273,7 @@ def test_a_flat_part_becomes_solid_however_it_lies() -> None:
 
     sheet = np.array([[-0.5, -0.5, -0.5], [0.5, -0.5, 0.5], [-0.5, 0.5, -0.5], [0.5, 0.5, 0.5]])
     for scale in ([0.3, 0.3, 0.3], [3e-4, 2e-3, 3e-4], [0.1, 1e-5, 0.1]):
-        part = scaled(ConvexPart(sheet), np.array(scale))
+        part = scale_part(ConvexPart(sheet), np.array(scale))
         assert ConvexHull(part.vertices).volume > 1e-12
 
 
@@ -326,7 +326,7 @@ def test_trouble_at_the_last_rename_leaves_nothing(
 
 
 STAGE_FUNCTIONS = ("refer", "extract", "estimate_view", "make_models", "estimate_rotations",
-                   "align", "refine_scene", "assemble")  # fmt: skip
+                   "align", "refine_scene", "publish")  # fmt: skip
 
 
 @pytest.mark.parametrize("at", range(len(STAGES)), ids=STAGES)
@@ -354,11 +354,11 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
         return stage
 
     for number, name in enumerate(STAGE_FUNCTIONS):
-        place = "generator.backends.embedded.reasoner.Reasoner" if number == 2 else (
+        place = "generator.backends.embedded.reasoner.EmbeddedReasoner" if number == 2 else (
             "generator.pipeline")  # fmt: skip
         monkeypatch.setattr(f"{place}.{name}", stub(number))
     monkeypatch.setattr(
-        "generator.backends.embedded.reasoner.Reasoner.estimate_sizes", lambda *args: {}
+        "generator.backends.embedded.reasoner.EmbeddedReasoner.estimate_sizes", lambda *args: {}
     )
     assert command("generate", TEXT) == 130
     assert ran == list(STAGE_FUNCTIONS[: at + 1])

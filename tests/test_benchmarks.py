@@ -19,7 +19,7 @@ from generator.composition import compose
 from generator.errors import InputError
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 from tabletopgen_env.certificates.certificate import Certificate, Terms
-from tabletopgen_env.certificates.certificate import Instance as Seen
+from tabletopgen_env.certificates.certificate import TaskInstance as Seen
 from tabletopgen_env.env import make_env
 
 
@@ -59,7 +59,7 @@ def built(*labels: str) -> Scene:
     ],
 )
 def test_names_are_compared_by_what_they_mean(labels: tuple[str, ...], expected: int) -> None:
-    assert script("end_to_end").named(built(*labels)) == expected
+    assert script("end_to_end").count_named(built(*labels)) == expected
 
 
 def test_a_table_of_an_older_version_gets_the_new_columns(tmp_path: Path) -> None:
@@ -130,11 +130,11 @@ def test_soundness_is_that_of_the_saved_bundle(tmp_path: Path) -> None:
     bench = script("soundness")
     sides = (0.05, 0.05, 0.05)
     apart = (toy_object("mug_1", sides, (0.0, 0.0)), toy_object("mug_2", sides, (0.2, 0.0)))
-    sound = bench.measured(save(toy_scene(apart), tmp_path, allow_failed=True))
+    sound = bench.measure(save(toy_scene(apart), tmp_path, allow_failed=True))
     assert (sound["objects"], sound["pairs"], sound["published"]) == (2, 1, 1)
     assert not sound["colliding"] and not sound["unstable"] and not sound["error"]
     close = (apart[0], toy_object("mug_2", sides, (0.03, 0.0)))
-    faulty = bench.measured(save(toy_scene(close), tmp_path, allow_failed=True))
+    faulty = bench.measure(save(toy_scene(close), tmp_path, allow_failed=True))
     assert faulty["colliding"] == 1 and faulty["overlap_mm"] == pytest.approx(20.0, abs=0.5)
     assert "plain: mug_1, mug_2" in faulty["unstable"]
     key = {"text": "mugs", "seconds": 1.0}
@@ -170,7 +170,7 @@ def test_renewing_costs_what_the_median_round_loses() -> None:
     parts = script("speed").parts
     fixed = [{"steps": 100.0, "with resets": 80.0}] * 2 + [{"steps": 900.0, "with resets": 9.0}]
     renewed = [{"steps": 95.0, "with resets": 60.0}, {"steps": 1.0, "with resets": 60.0}] * 2
-    found = parts.compared({"fixed": fixed, "renewed": [renewed[0], *renewed[:2]]})
+    found = parts.compare({"fixed": fixed, "renewed": [renewed[0], *renewed[:2]]})
     costs = {kind: (value, unit) for what, kind, value, unit in found if what.startswith("cost")}
     assert costs == {"steps": (pytest.approx(5.0), "%"), "with resets": (pytest.approx(25.0), "%")}
     assert ("fixed tables", "steps", 100.0, "steps per s") in found
@@ -217,7 +217,7 @@ def test_a_soak_counts_what_goes_wrong() -> None:
     env.world.step(500)
     assert bench.beside(env.world) == {"pen_1"} == set(env.world.off_table())
     env.world.teleport("pen_1", np.array([0.0, 2.0, -3.0]))
-    assert bench.escaped(env.world) == ["pen_1"]
+    assert bench.find_escaped(env.world) == ["pen_1"]
     env.world.teleport("pen_1", np.array([np.nan, 0.0, 1.0]))
     env.reset = lambda seed: None
     bench.soak(env, np.random.default_rng(0), 1, row)
@@ -278,9 +278,9 @@ def test_a_run_of_an_older_recipe_is_not_taken_for_one_of_this(tmp_path, monkeyp
     recipe = bench.recipe_named("lift-clone")
     old = dataclasses.replace(recipe, env={"grasp_hint": True})
     (tmp_path / "lift-clone-0").mkdir()
-    monkeypatch.setattr(bench, "opened", lambda _: SimpleNamespace(recipe=old))
+    monkeypatch.setattr(bench, "open_run", lambda _: SimpleNamespace(recipe=old))
     with pytest.raises(InputError, match="another recipe lift-clone; move it away"):
-        bench.trained("lift-clone", 0, tmp_path, 1)
+        bench.train_baseline("lift-clone", 0, tmp_path, 1)
 
 
 def test_rows_say_by_which_detector_they_were_played() -> None:
@@ -302,7 +302,7 @@ def test_a_baseline_that_was_cut_off_is_trained_anew(tmp_path, monkeypatch) -> N
     monkeypatch.setattr(bench, "train", cut_off)
     for _ in range(2):
         with pytest.raises(KeyboardInterrupt):
-            bench.trained("reach-clone", 0, tmp_path, 1)
+            bench.train_baseline("reach-clone", 0, tmp_path, 1)
     assert [path.name for path in tmp_path.iterdir()] == ["reach-clone-0.part"]
 
 
@@ -336,15 +336,15 @@ def test_the_expert_summary_counts_what_was_run() -> None:
 @pytest.mark.slow
 def test_the_experts_episodes_differ_where_there_is_one_thing_to_do() -> None:
     bench = script("expert")
-    rows = bench.work(bench.Job("Lift", "A die.", 0, 2), composed=True)
+    rows = bench.work(bench.EpisodesJob("Lift", "A die.", 0, 2), composed=True)
     assert [r["success"] for r in rows] == [1, 1]
     assert len({r["instruction"] for r in rows}) == 1 and len({r["start"] for r in rows}) == 2
-    assert rows == bench.work(bench.Job("Lift", "A die.", 0, 2), composed=True)
+    assert rows == bench.work(bench.EpisodesJob("Lift", "A die.", 0, 2), composed=True)
 
 
 def test_a_table_without_anything_to_do_is_a_row() -> None:
     bench = script("expert")
-    rows = bench.work(bench.Job("Swap", "A die.", 0, 2), composed=True)
+    rows = bench.work(bench.EpisodesJob("Swap", "A die.", 0, 2), composed=True)
     assert [(r["success"], r["rows"]) for r in rows] == [("", 1)]
     assert "nothing to move" in rows[0]["error"]
     assert bench.say(rows) == "Swap at 'A die.' seed 0: nothing to do"
@@ -352,8 +352,8 @@ def test_a_table_without_anything_to_do_is_a_row() -> None:
 
 def test_batches_are_compared_with_the_first_one() -> None:
     bench = script("batch")
-    one = bench.Run("processes", 1, 1, 60.0, 2, frozenset({"a", "b"}))
-    two = bench.Run("processes", 2, 1, 30.0, 2, frozenset({"a", "c"}))
+    one = bench.BatchRun("processes", 1, 1, 60.0, 2, frozenset({"a", "b"}))
+    two = bench.BatchRun("processes", 2, 1, 30.0, 2, frozenset({"a", "c"}))
     rows = bench.table([one, two], "head").splitlines()[-2:]
     assert rows == [
         "| processes | 1 | 1 | 2 | 60.0 | 2.0 | 1.00 | yes |",
@@ -363,8 +363,8 @@ def test_batches_are_compared_with_the_first_one() -> None:
 
 def test_the_share_of_a_pool_is_that_of_the_same_work() -> None:
     parallel = script("parallel")
-    one = parallel.Row((8.0, 10.0, 7.0), (7.0, 7.0, 7.0), 40.0)
-    many = parallel.Row((2.0, 2.5, 1.0), (1.0, 2.5, 1.0), 20.0)
+    one = parallel.ParallelRow((8.0, 10.0, 7.0), (7.0, 7.0, 7.0), 40.0)
+    many = parallel.ParallelRow((2.0, 2.5, 1.0), (1.0, 2.5, 1.0), 20.0)
     lines = parallel.table(one, many, 8, "head").splitlines()
     assert "| completing and modelling | 18.0 | 4.5 | 0.25 |" in lines
     assert "| the same, while a server was at work | 14.0 | 3.5 | 0.25 |" in lines

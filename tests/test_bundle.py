@@ -10,7 +10,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from forging import rewrite
+from forging import refused, rewrite
 from toy import toy_scene
 
 from generator import bundle
@@ -243,12 +243,6 @@ def test_an_interrupt_leaves_nothing(scene: Scene, tmp_path: Path, monkeypatch, 
 
 
 # ---------------------------------------------------------------------------------------- bad input
-
-
-def refused(path: Path, match: str) -> None:
-    with pytest.raises(BundleError, match=match):
-        bundle.load(path)
-    assert bundle.verify(path)
 
 
 def test_no_bundle(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from generator.composition import compose
 from generator.errors import InputError
-from generator.physics.simulation import Simulation, shifted
+from generator.physics.simulation import Simulation, shift_distances
 from generator.scene import PlannedObject, PlannedTable, Relation, ScenePlan
 
 TEXTS = [
@@ -53,7 +53,7 @@ def test_a_scene_starts_at_rest() -> None:
     for _ in range(10):
         simulation.run(0.01)
         assert simulation.speeds()[:, 0].max() < 0.01
-        assert shifted(start, simulation.poses).max() < 3e-4
+        assert shift_distances(start, simulation.poses).max() < 3e-4
 
 
 @pytest.mark.slow

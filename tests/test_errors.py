@@ -10,11 +10,11 @@ import sys
 
 import pytest
 
-from generator.errors import InputError, StorageError, escaped
+from generator.errors import InputError, StorageError, escape
 
 
 def test_what_is_shown_holds_no_controls():
-    shown = escaped("a\x1b[2Jb\x9bc\nd\u202ee\r\t\ud800 \u00e9\u00a0杯\u3000")
+    shown = escape("a\x1b[2Jb\x9bc\nd\u202ee\r\t\ud800 \u00e9\u00a0杯\u3000")
     assert shown == "a\\x1b[2Jb\\x9bc\nd\\u202ee\\r\\t\\ud800 \u00e9\u00a0杯\u3000"
 
 
@@ -27,11 +27,11 @@ def test_what_an_error_quotes_reaches_no_terminal():
 
 RUN = """
 import sys
-from generator.io.terminal import piped
+from generator.io.terminal import run_piped
 def run():
     {}
     return 0
-raise SystemExit(piped(run))
+raise SystemExit(run_piped(run))
 """
 
 

@@ -19,7 +19,7 @@ from generator.layout import (
     build_top,
     lay_out,
     table_size,
-    unmet,
+    unmet_relations,
 )
 from generator.layout.arranging import GAP, MARGIN
 from generator.layout.footprint import footprint, gaps, margins
@@ -238,6 +238,6 @@ def test_one_more_thing_faces_as_told_and_stands_where_it_was_asked_for() -> Non
     (mug,) = arrange_more(plan, placed, models, table, 0, {"mug_1": 1.25}).placements
     assert mug.yaw == 1.25
     planned = next(o for o in plan.objects if o.name == "mug_1")
-    assert unmet(planned, mug, placed, models, table) == ()
+    assert unmet_relations(planned, mug, placed, models, table) == ()
     other = replace(mug, translation=mug.translation * [-1, 1, 1])
-    assert unmet(planned, other, placed, models, table) == planned.relations
+    assert unmet_relations(planned, other, placed, models, table) == planned.relations

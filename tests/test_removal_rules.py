@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
-PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
+PACKAGES = ("generator", "tabletopgen_env", "assets_cache", "research")
 REMOVING = {"rmtree", "unlink", "rmdir", "removedirs"}
 OF_OS = {"remove", "removedirs", "rmdir", "unlink"}
 
@@ -17,8 +17,9 @@ ALLOWED = {
     "research/eye/shards.py": "its own partial file, as made",
     "generator/backends/huggingface/weights/pulling.py": "its own download, not what was pinned",
     "tabletopgen_env/scenes/making/pool.py": "jobs in a temporary folder of its own",
-    "tabletopgen_env/scenes/making/worker.py": "the temporary folder of its starting process",
-    "tabletopgen_env/scenes/making/crew.py": "temporary folders of its own",
+    "tabletopgen_env/scenes/making/background.py": "jobs in a temporary folder of its own",
+    "generator/jobs/workers.py": "the temporary folder that it was made for",
+    "generator/jobs/worker.py": "the temporary folder of its pool",
     "tabletopgen_env/recording/recorder.py": "a part folder of its own",
     "tabletopgen_env/learning/runs.py": "checkpoints of a run, by their pattern in its folder",
     "assets_cache/make_starter.py": "remakes what the package ships, run by hand",

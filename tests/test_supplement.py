@@ -10,12 +10,7 @@ import pytest
 from generator.language.planner import plan_scene
 from generator.layout import build_models, lay_out
 from generator.layout.footprint import footprint, gaps
-from generator.method.supplement import (
-    NOTHING,
-    Supplement,
-    matched,
-    supplement,
-)
+from generator.method.supplement import NOTHING, Supplement, match_planned, supplement
 from generator.scene import TABLE, Instance, Model, Placement, ScenePlan
 
 TEXT = (
@@ -111,7 +106,7 @@ def test_things_of_one_word_are_told_apart_by_their_support():
     free = next(n for n, kinds in on.items() if n.startswith("apple") and "on" not in kinds)
     assert free == "apple_1", "the first apple stands on the table"
     labels = {i.name: i.label for i in found.instances if i.name != TABLE}
-    pairs = matched(found.plan, labels, by_name(found.placements))
+    pairs = match_planned(found.plan, labels, by_name(found.placements))
     assert "apple_1" not in pairs and pairs["apple_2"] == "seen_apple_2"
 
 

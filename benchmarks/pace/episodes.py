@@ -15,7 +15,7 @@ import time
 from typing import Any
 
 
-def timed(module: str, name: str, steps: int, keywords: dict[str, Any]) -> dict[str, float]:
+def time_steps(module: str, name: str, steps: int, keywords: dict[str, Any]) -> dict[str, float]:
     """Return seconds a step by the clock and of CPU, and the median seconds of a reset."""
     import gymnasium
 
@@ -47,4 +47,4 @@ def timed(module: str, name: str, steps: int, keywords: dict[str, Any]) -> dict[
 if __name__ == "__main__":
     given = sys.argv[1:]
     words = json.loads(given[3]) if len(given) > 3 else {}
-    print(json.dumps(timed(given[0], given[1], int(given[2]), words)))
+    print(json.dumps(time_steps(given[0], given[1], int(given[2]), words)))

@@ -20,13 +20,7 @@ from generator.composition import compose
 from generator.scene import Scene
 from generator.threads import cores
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.scenes import (
-    STARTER,
-    FixedScenes,
-    FreshScenes,
-    RefreshingScenes,
-    SceneChoice,
-)
+from tabletopgen_env.scenes import STARTER, FixedScenes, FreshScenes, RefreshingScenes, SceneChoice
 from tabletopgen_env.scenes.refreshing import PER_MINUTE
 from tabletopgen_env.scenes.source import HeldRef
 from tabletopgen_env.vector import TabletopVectorEnv
@@ -89,17 +83,17 @@ def refreshing(scene: Scene, count: int) -> Found:
     for _ in range(ROUNDS + 1):
         for name, env in envs.items():
             time.sleep(PAUSE)
-            rounds[name].append(played(env, ROUND))
+            rounds[name].append(play(env, ROUND))
         renewals.append(pool.renewals)
     for env in envs.values():
         env.close()
     pool.close()
     renewed = 60 * (renewals[-1] - renewals[0]) / (ROUNDS * ROUND)
     timed = {name: of[1:] for name, of in rounds.items()}
-    return [*compared(timed), ("tables renewed", "in its rounds", renewed, "per minute")]
+    return [*compare(timed), ("tables renewed", "in its rounds", renewed, "per minute")]
 
 
-def played(env: TabletopEnv, seconds: float) -> Rates:
+def play(env: TabletopEnv, seconds: float) -> Rates:
     """Act at random for some seconds, in episodes; return the steps a second, by what counts."""
     env.action_space.seed(0)
     count, spent, begin = 0, np.zeros(2), _clocks()
@@ -114,7 +108,7 @@ def played(env: TabletopEnv, seconds: float) -> Rates:
     return dict(zip(kinds, (count / np.array([*spent, *total])).tolist(), strict=True))
 
 
-def compared(rounds: Mapping[str, Sequence[Rates]]) -> Found:
+def compare(rounds: Mapping[str, Sequence[Rates]]) -> Found:
     """Return the median rates at fixed and at renewed tables, and what renewing costs of them."""
     found: Found = []
     for kind in rounds["fixed"][0]:
@@ -194,7 +188,7 @@ def memory(scene: Scene, count: int) -> Found:
     found: Found = []
     for name, (scenes, settings, most) in kinds.items():
         with closing(make_env(scenes, **settings)) as env:
-            sizes = _watched(env, most)
+            sizes = _watch(env, most)
         found += [(name, f"after {resets} resets", size, "MB") for resets, size in sizes]
         growth = 100 * (sizes[-1][1] / sizes[0][1] - 1)
         found.append((name, f"growth from {sizes[0][0]} resets on", growth, "%"))
@@ -203,7 +197,7 @@ def memory(scene: Scene, count: int) -> Found:
     return found
 
 
-def _watched(env: TabletopEnv, count: int) -> list[tuple[int, float]]:
+def _watch(env: TabletopEnv, count: int) -> list[tuple[int, float]]:
     """Reset ``WARM`` times to warm up and then ``count`` times.
 
     Returns:

@@ -20,8 +20,7 @@ _OVER = 0.05  # metres above the end of its way at which the hand is aimed
 class HintRule:
     """Goes above the end of the way, aims, comes down, and closes or opens the fingers there.
 
-    Args:
-        lets_go: whether what it holds is to be let go at the end of the way (not in Lift).
+    ``lets_go`` says whether what it holds is to be let go at the end of the way (not in Lift).
     """
 
     def __init__(self, lets_go: bool) -> None:

@@ -60,7 +60,7 @@ _FAR = 10.0  # millimetres
 
 
 @dataclass(frozen=True)
-class Run:
+class AblationRun:
     """What the rows depend on besides the scene; ``strips`` is where pictures of it go.
 
     ``text`` is what every scene is of; without it, each is of a theme.
@@ -116,7 +116,7 @@ def rows_of(truth: Truth, made: Generation, seconds: float) -> list[Row]:
     return [blank | {f: row[f] for f in OBJECT} | shared for row in errors]
 
 
-def work(number: int, run: Run) -> list[Row]:
+def work(number: int, run: AblationRun) -> list[Row]:
     """Draw one scene, rebuild it in every variant, and compare; a failure is a row too."""
     rows: list[Row] = []
     tiles: dict[str, UInt8[np.ndarray, "h w 3"]] = {}
@@ -170,21 +170,22 @@ def sheet(numbers: Sequence[int], folder: Path) -> UInt8[np.ndarray, "h w 3"] | 
     return np.concatenate(even) if even else None
 
 
-def run(how: Run, cases: int, workers: int, table: Path, command: str, note: str = "") -> str:
+def run(
+    how: AblationRun, cases: int, workers: int, table: Path, command: str, note: str = ""
+) -> str:
     """Run what of the scenes ``table`` does not hold yet; return the table of all as Markdown.
 
     ``note`` is what a person who looked has to say; it goes below the table.
     """
-    rows = tables.resume(table, FIELDS, KEY, of="of")
-    done = {int(r["scene"]) for r in rows}
-    left = [k for k in range(cases) if k not in done]
-    rows = tables.run(table, FIELDS, KEY, rows, left, partial(work, run=how), workers, _say)
-    return summary([r for r in rows if int(r["scene"]) < cases], command, note)
+    asked = {(str(k),): k for k in range(cases)}
+    job = partial(work, run=how)
+    rows = tables.complete(table, FIELDS, KEY, asked, job, workers, _say, of="of")
+    return summary(rows, command, note)
 
 
 def _say(rows: list[Row]) -> str:
-    told = [f"{v} {median(column(_of(rows, v), 'place_percent'))}" for v in VARIANTS]
-    return f"scene {rows[0]['scene']} {rows[0]['text']}: place error, %: {', '.join(told)}"
+    cells = [f"{v} {median(column(_of(rows, v), 'place_percent'))}" for v in VARIANTS]
+    return f"scene {rows[0]['scene']} {rows[0]['text']}: place error, %: {', '.join(cells)}"
 
 
 def _of(rows: Sequence[Row], variant: str) -> list[Row]:

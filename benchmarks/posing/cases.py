@@ -21,7 +21,7 @@ from generator.scene import Instance, Model, Reference, View
 from research.eye.pictures import patterns
 
 from .distinct import DISTINCT, alike, window
-from .spoiling import Spoiling, blurred, eroded, holed, occluder, wrong_size
+from .spoiling import Spoiling, blur, erode, occluder, punch, wrong_size
 
 WIDTH, HEIGHT = 1024, 768
 TABLE_WIDTH = 1.2  # metres across the picture's middle
@@ -36,7 +36,7 @@ _TRIES = 150  # objects until one makes a case
 
 
 @dataclass(frozen=True, eq=False)
-class Case:
+class TurnCase:
     """One object to turn.
 
     ``true`` is the object as it is, ``model`` what the optimiser is told (its size may be wrong);
@@ -96,7 +96,7 @@ class Draw:
         return f"{key}:{number}", build(key, number)
 
 
-def draw_case(draw: Draw, number: int) -> Case:
+def draw_case(draw: Draw, number: int) -> TurnCase:
     """Return case ``number``: objects are drawn until one makes a well-posed case.
 
     Raises:
@@ -120,7 +120,7 @@ def draw_case(draw: Draw, number: int) -> Case:
 
 def pose_case(
     model: Model, variant: str, symmetry: float, draw: Draw, rng: np.random.Generator
-) -> Case | str:
+) -> TurnCase | str:
     """Put ``model`` somewhere, draw it and spoil the input; or say why that makes no case."""
     spoiling = draw.spoiling
     camera, view = _camera(draw, rng)
@@ -138,8 +138,8 @@ def pose_case(
     picture, mask = photograph(item, camera, light, rng)
     front = occluder(mask, float(rng.uniform(0, spoiling.occlude)), rng)
     hidden = float((mask & front).sum() / max(int(mask.sum()), 1))
-    picture = blurred(_painted(picture, front, rng), spoiling.blur)
-    visible = holed(eroded(mask & ~front, spoiling.erode), spoiling.holes, rng)
+    picture = blur(_paint(picture, front, rng), spoiling.blur)
+    visible = punch(erode(mask & ~front, spoiling.erode), spoiling.holes, rng)
     if visible.sum() < _LEAST:
         return "too small"
     apart = alike(model, yaw, position, camera, light, front, symmetry)
@@ -148,9 +148,9 @@ def pose_case(
     off = rng.uniform(-1, 1, 2) * np.deg2rad([spoiling.azimuth, spoiling.elevation])
     elevation = float(np.clip(view.elevation + off[1], 0.02, np.pi / 2))
     believed = View(view.azimuth + float(off[0]), elevation, view.fov)
-    told = dataclasses.replace(model, size=wrong_size(model.size, spoiling.size_error, rng))
-    return Case(
-        variant, model, told, cut_out(model, picture, visible, hidden > 0), Reference(picture),
+    given = dataclasses.replace(model, size=wrong_size(model.size, spoiling.size_error, rng))
+    return TurnCase(
+        variant, model, given, cut_out(model, picture, visible, hidden > 0), Reference(picture),
         camera, believed, light, yaw, position, symmetry, hidden, apart, front,
     )  # fmt: skip
 
@@ -204,7 +204,7 @@ def photograph(
     return picture, mask
 
 
-def _painted(
+def _paint(
     picture: UInt8[np.ndarray, "h w 3"], front: Bool[np.ndarray, "h w"], rng: np.random.Generator
 ) -> UInt8[np.ndarray, "h w 3"]:
     """Paint what stands in front."""

@@ -85,17 +85,17 @@ def alike(
     rows = np.clip(box[1] + at * (box[3] - box[1]), 0, camera.height - 1).astype(int)
     seen = ~front[np.ix_(rows, columns)]
 
-    def unlike(angle: float) -> float:
+    def differ(angle: float) -> float:
         other, _ = close_up(model, yaw + np.deg2rad(angle), position, camera, light, side)
         return difference(true, other, seen)
 
     period = 360.0 / symmetry
     reach = min(_APART, period / 3)
     angles = np.arange(reach, period - reach + 1e-6, 10.0)
-    costs = np.array([unlike(a) for a in angles])
+    costs = np.array([differ(a) for a in angles])
     least = float(costs.min())
     for k in np.argsort(costs)[:2]:
         finer = [a for a in angles[k] + np.array([-5, -2.5, 2.5, 5])
                  if reach <= a <= period - reach]  # fmt: skip
-        least = min([least, *(unlike(a) for a in finer)])
+        least = min([least, *(differ(a) for a in finer)])
     return least

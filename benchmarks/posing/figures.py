@@ -1,4 +1,4 @@
-"""Numbers of a table's columns, and the curves drawn of them (Pillow alone)."""
+"""Numbers of a table's columns, and the curves drawn of them."""
 
 from __future__ import annotations
 
@@ -6,13 +6,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from jaxtyping import Float, UInt8
-from PIL import Image, ImageDraw, ImageFont
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.ticker import PercentFormatter
 
 from .tables import Row
-
-_COLORS = ((31, 119, 180), (214, 69, 65), (44, 140, 60), (148, 90, 180))
-_INK, _PALE = (40, 44, 52), (214, 218, 224)
-_WIDTH, _HEIGHT, _LEFT, _TOP, _RIGHT, _BOTTOM = 720, 420, 64, 40, 24, 58
 
 
 def column(rows: Sequence[Row], field: str) -> Float[np.ndarray, "n"]:
@@ -43,35 +41,15 @@ def cumulative(
     high: float = 180.0,
 ) -> UInt8[np.ndarray, "h w 3"]:
     """Draw the share of cases up to each error, errors on a logarithmic axis."""
-    picture = Image.new("RGB", (_WIDTH, _HEIGHT), "white")
-    draw = ImageDraw.Draw(picture)
-    small, large = ImageFont.load_default(13), ImageFont.load_default(17)
-    wide, tall = _WIDTH - _LEFT - _RIGHT, _HEIGHT - _TOP - _BOTTOM
-
-    def x(value: float) -> float:
-        at = np.log(np.clip(value, low, high) / low) / np.log(high / low)
-        return _LEFT + wide * float(at)
-
-    def y(value: float) -> float:
-        return _TOP + tall * (1 - value)
-
-    draw.text((_LEFT, 10), title, _INK, large)
-    for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 180):
-        if low <= tick <= high:
-            draw.line((x(tick), _TOP, x(tick), _TOP + tall), _PALE)
-            draw.text((x(tick), _TOP + tall + 6), f"{tick:g}", _INK, small, anchor="mt")
-    for level in np.arange(0, 1.01, 0.2):
-        draw.line((_LEFT, y(level), _LEFT + wide, y(level)), _PALE)
-        draw.text((_LEFT - 8, y(level)), f"{100 * level:.0f} %", _INK, small, anchor="rm")
-    draw.text((_LEFT + wide / 2, _HEIGHT - 24), unit, _INK, small, anchor="mt")
-    for k, (name, values) in enumerate(curves.items()):
-        color = _COLORS[k % len(_COLORS)]
-        ordered = np.sort(values)
-        points = [(x(low), y(float((ordered <= low).mean()) if len(ordered) else 0.0))]
-        for number, value in enumerate(ordered, start=1):
-            points += [(x(value), points[-1][1]), (x(value), y(number / len(ordered)))]
-        points.append((x(high), points[-1][1]))
-        draw.line(points, color, 2)
-        draw.text((_LEFT + wide - 8, _TOP + tall - 22 * (len(curves) - k)),
-                  f"{name} ({len(ordered)})", color, small, anchor="ra")  # fmt: skip
-    return np.asarray(picture, np.uint8)
+    chart = Figure(figsize=(7.2, 4.2), dpi=100, layout="constrained")
+    axes = chart.add_subplot(title=title, xlabel=unit, xscale="log", xlim=(low, high), ylim=(0, 1))
+    axes.yaxis.set_major_formatter(PercentFormatter(1.0))
+    axes.grid(alpha=0.4)
+    for name, values in curves.items():
+        at = np.concatenate([[low], np.sort(values.clip(low, high)), [high]])
+        steps = np.concatenate([np.arange(len(values) + 1), [len(values)]]) / max(len(values), 1)
+        axes.step(at, steps, where="post", label=f"{name} ({len(values)})")
+    axes.legend(loc="lower right")
+    canvas = FigureCanvasAgg(chart)
+    canvas.draw()
+    return np.array(canvas.buffer_rgba())[..., :3]

@@ -13,7 +13,7 @@ from trimesh.resolvers import Resolver
 
 from generator.errors import InputError
 from generator.geometry import to_unit_box
-from generator.method.modeling import turned
+from generator.method.modeling import turn
 from generator.scene import Mesh, Model
 
 ENDINGS = (".obj", ".glb", ".ply")
@@ -45,11 +45,10 @@ def mesh_files(folder: Path) -> list[Path]:
 
 
 def load_model(path: Path, up: Up = "auto") -> Model:
-    """Read a mesh file as a canonical model whose size is that of the file, in metres.
+    """Read an OBJ, GLB or PLY file as a canonical model whose size is that of the file, in metres.
 
-    Args:
-        path: an OBJ, GLB or PLY file; textures and materials must lie beside or below it.
-        up: its axis that points up; "auto" is y in a GLB, as that format says, z in others.
+    Textures and materials must lie beside or below it. ``up`` is its axis that points up; "auto" is
+    y in a GLB, as that format says, z in others.
 
     Raises:
         InputError: the file is missing, too large, damaged, empty, refers to files elsewhere, or
@@ -79,7 +78,7 @@ def load_model(path: Path, up: Up = "auto") -> Model:
         raise InputError(f"{path.name} holds no triangle.")
     if sum(len(faces) for _, faces, _, _ in pieces) > MOST_FACES:
         raise InputError(f"{path.name} has more than {MOST_FACES:,} triangles. Simplify it first.")
-    mesh = _joined(path.name, pieces)
+    mesh = _join(path.name, pieces)
     unit, _, extent = to_unit_box(mesh)
     longest = float(extent.max())
     if not SMALLEST <= longest <= LARGEST:
@@ -89,7 +88,7 @@ def load_model(path: Path, up: Up = "auto") -> Model:
         )
     model = Model(path.stem, path.stem, unit, extent)
     upright = up == "z" or (up == "auto" and path.suffix.lower() != ".glb")
-    return model if upright else turned(model, (("x", 90),))
+    return model if upright else turn(model, (("x", 90),))
 
 
 class _Folder(Resolver):
@@ -170,7 +169,7 @@ def _texture(material: Any) -> UInt8[np.ndarray, "h w 3"]:
     return np.clip(pixels, 0, 255).astype(np.uint8)
 
 
-def _joined(name: str, pieces: list[Piece]) -> Mesh:
+def _join(name: str, pieces: list[Piece]) -> Mesh:
     """Return one mesh, the pieces' textures stacked into one."""
     width = max(texture.shape[1] for *_, texture in pieces)
     rows, tiles, heights = 0, [], []

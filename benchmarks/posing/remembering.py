@@ -20,12 +20,14 @@ def remembering(backends: Backends) -> Backends:
     Equal is by content, so a question that differs in a pixel is asked. The encoder, whose answers
     carry gradients, is left as it is.
     """
-    reasoner = _kept(backends.reasoner, Reasoner, PoseGuesser)
-    imager, segmenter = _kept(backends.imager, Imager), _kept(backends.segmenter, Segmenter)
-    return Backends(reasoner, imager, segmenter, _kept(backends.modeler, Modeler), backends.encoder)
+    reasoner = _remember(backends.reasoner, Reasoner, PoseGuesser)
+    imager, segmenter = _remember(backends.imager, Imager), _remember(backends.segmenter, Segmenter)
+    return Backends(
+        reasoner, imager, segmenter, _remember(backends.modeler, Modeler), backends.encoder
+    )
 
 
-def _kept(backend: Any, *protocols: type) -> Any:
+def _remember(backend: Any, *protocols: type) -> Any:
     names = [name for p in protocols for name in vars(p) if not name.startswith("_")]
     methods = {name: getattr(backend, name, None) for name in names}
     return SimpleNamespace(**{n: _memory(m) for n, m in methods.items() if callable(m)})

@@ -18,6 +18,7 @@ from scipy.optimize import linear_sum_assignment
 from generator.errors import SceneError
 from generator.evaluation.surfaces.symmetry import cloud, order, yaw_error
 from generator.generation import Generation
+from generator.meshes.pixels import mask_iou
 from generator.pipeline import generate
 from generator.scene import TABLE, Object
 
@@ -25,8 +26,8 @@ from . import tables
 from .distinct import DISTINCT
 from .figures import column, cumulative, error_cells, median, share
 from .tables import Row
-from .truth import Truth, apart, azimuth_error, draw_truth, seen, table_width
-from .turning import best_turn, posed
+from .truth import Truth, apart, azimuth_error, draw_truth, see, table_width
+from .turning import best_turn, turn_cloud
 
 KEY = ("scene",)
 FIELDS = (
@@ -63,14 +64,10 @@ def match(
     """
     if not true or not found:
         return {}
-    overlap = np.array([[_iou(a, b) for b in found] for a in true])
+    overlap = np.array([[mask_iou(a, b) for b in found] for a in true])
     rows, columns = linear_sum_assignment(-overlap)
     pairs = zip(rows, columns, strict=True)
     return {int(i): (int(j), float(overlap[i, j])) for i, j in pairs if overlap[i, j] >= MATCH}
-
-
-def _iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
-    return float((a & b).sum() / max(int((a | b).sum()), 1))
 
 
 def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:
@@ -104,18 +101,18 @@ def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:
         }  # fmt: skip
         if i in pairs:
             j, iou = pairs[i]
-            row |= {"iou": round(iou, 3)} | _held(truth, k, made, found[j], widths)
+            row |= {"iou": round(iou, 3)} | _compare(truth, k, made, found[j], widths)
             row["support_right"] = int(names.get(found[j].placement.on) == thing.placement.on)
         rows.append(row)
     return rows
 
 
-def _held(
+def _compare(
     truth: Truth, index: int, made: Generation, found: Object, widths: tuple[float, float]
 ) -> dict[str, Any]:
     """Return how one found object differs from the true one, ``index`` of the scene's."""
     true = truth.scene.objects[index]
-    a, b = seen(true, truth.view.azimuth), seen(found, made.scene.view.azimuth)
+    a, b = see(true, truth.view.azimuth), see(found, made.scene.view.azimuth)
     state, error, other = "judged", "", math.nan
     symmetry = order(true.model.mesh, np.asarray(true.scale))
     if math.isinf(symmetry):
@@ -126,7 +123,7 @@ def _held(
         state = "alike"
     else:
         clouds = [
-            posed(cloud(o.model.mesh, np.asarray(o.scale)), s.yaw)
+            turn_cloud(cloud(o.model.mesh, np.asarray(o.scale)), s.yaw)
             for o, s in ((found, b), (true, a))
         ]
         turn = best_turn(clouds[0], clouds[1])
@@ -187,12 +184,9 @@ def run(
     split: str, seed: int, cases: int, workers: int, table: Path, command: str, sheets: Path | None
 ) -> ScenesResult:
     """Run what of the scenes ``table`` does not hold yet, and sum up all of them."""
-    rows = tables.resume(table, FIELDS, KEY, of="of")
-    done = {int(r["scene"]) for r in rows}
-    left = [k for k in range(cases) if k not in done]
+    asked = {(str(k),): k for k in range(cases)}
     job = partial(work, split=split, seed=seed, sheets=sheets)
-    rows = tables.run(table, FIELDS, KEY, rows, left, job, workers, say)
-    rows = [r for r in rows if int(r["scene"]) < cases]
+    rows = tables.complete(table, FIELDS, KEY, asked, job, workers, say, of="of")
     plot = cumulative(
         "Objects of scenes rebuilt from their picture",
         {
@@ -217,8 +211,8 @@ def say(rows: list[Row]) -> str:
         return f"scene {r['scene']}: {r['error']}"
     found = sum(int(row["found"]) for row in rows)
     yaw = median(column(rows, "yaw_error_deg"), "°")
-    told = f"{found} of {len(rows)} found, yaw {yaw}, {r['cpu_seconds']} s"
-    return f"scene {r['scene']} {r['text']}: {told}"
+    message = f"{found} of {len(rows)} found, yaw {yaw}, {r['cpu_seconds']} s"
+    return f"scene {r['scene']} {r['text']}: {message}"
 
 
 def summary(rows: Sequence[Row], command: str) -> str:

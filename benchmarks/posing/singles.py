@@ -49,13 +49,10 @@ def run(
     draw: Draw, cases: int, paper: int, workers: int, table: Path, command: str
 ) -> SinglesResult:
     """Run what of the cases ``table`` does not hold yet, and sum up all of them."""
-    rows = tables.resume(table, FIELDS, KEY)
     jobs = [(k, "default") for k in range(cases)] + [(k, "paper") for k in range(min(paper, cases))]
-    asked = {(str(k), config) for k, config in jobs}
-    done = {(str(r["case"]), r["config"]) for r in rows}
-    left = [(k, config) for k, config in jobs if (str(k), config) not in done]
-    rows = tables.run(table, FIELDS, KEY, rows, left, partial(work, draw=draw), workers, say)
-    rows = [r for r in rows if (str(r["case"]), r["config"]) in asked]
+    asked = {(str(k), config): (k, config) for k, config in jobs}
+    job = partial(work, draw=draw)
+    rows = tables.complete(table, FIELDS, KEY, asked, job, workers, say)
     good = {c: [r for r in rows if r["config"] == c and not r["error"]] for c in configs(rows)}
     curves = {c: column(own, "error_deg") for c, own in good.items()}
     plot = cumulative("Yaw error of single objects", curves, "yaw error, degrees")
@@ -150,15 +147,15 @@ def _groups(rows: Sequence[Row]) -> list[str]:
         by_kind[str(r["object"]).partition(":")[0]].append(r)
     lines += ["", f"More than {BAD:g}° off: {share([r in worst for r in rows])} of the cases."]
     for kind, own in by_kind.items():
-        told = ", ".join(f"{float(r['error_deg']):.0f}° (case {r['case']})" for r in own)
-        lines.append(f"- {kind}: {told}")
+        shown = ", ".join(f"{float(r['error_deg']):.0f}° (case {r['case']})" for r in own)
+        lines.append(f"- {kind}: {shown}")
     return [*lines, ""]
 
 
 def sheet(rows: Sequence[Row], draw: Draw, count: int = 12) -> UInt8[np.ndarray, "h w 3"]:
     """Draw the worst cases: what the stage was given, the true yaw and the yaw it found."""
-    told = [r for r in rows if not r["error"]]
-    worst = sorted(told, key=lambda r: -float(r["error_deg"]))[:count]
+    shown = [r for r in rows if not r["error"]]
+    worst = sorted(shown, key=lambda r: -float(r["error_deg"]))[:count]
     pictures, captions = [], []
     for r in worst:
         case = draw_case(draw, int(r["case"]))

@@ -9,14 +9,12 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from generator.backends.embedded.encoder import Encoder
+from generator.backends.embedded.encoder import EmbeddedEncoder
 from generator.evaluation.surfaces.symmetry import yaw_error
 from generator.geometry import hull_points, mask_box, rotation_z
 from generator.method.rotation import RotationConfig, optimise_rotation
 
-from .cases import Case, looking_camera
-
-CONFIGS = ("default", "paper")
+from .cases import TurnCase, looking_camera
 
 FIELDS = (
     "case", "config", "object", "order", "yaw_deg", "found_deg", "error_deg", "flip",
@@ -27,7 +25,7 @@ FIELDS = (
 
 
 @dataclass(frozen=True)
-class Found:
+class SolvedPose:
     """What the stage found: yaw in radians in the believed world frame, its loss, how sure it is.
 
     ``margin`` and ``width`` are those of ``generator.scene.Rotation``.
@@ -39,18 +37,18 @@ class Found:
     width: float = float(np.pi)
 
 
-def solve(case: Case, config: str) -> Found:
+def solve(case: TurnCase, config: str) -> SolvedPose:
     """Ask the rotation stage for the yaw of a case, by its settings' name."""
     settings = RotationConfig.paper() if config == "paper" else RotationConfig()
     height, width = case.reference.image.shape[:2]
     found = optimise_rotation(
-        case.model, case.instance, case.view, Encoder(), settings, (width, height),
+        case.model, case.instance, case.view, EmbeddedEncoder(), settings, (width, height),
         hidden=case.front if case.hidden else None,
     )  # fmt: skip
-    return Found(found.yaw, found.loss, found.margin, found.width)
+    return SolvedPose(found.yaw, found.loss, found.margin, found.width)
 
 
-def implied_scale(case: Case, yaw: float) -> float:
+def implied_scale(case: TurnCase, yaw: float) -> float:
     """Return the factor on the believed size under which the object, so turned, fits its crop.
 
     It stands on the table as the believed camera sees it; its box agrees with the visible mask's
@@ -73,7 +71,7 @@ def implied_scale(case: Case, yaw: float) -> float:
     return factor
 
 
-def camera_yaw_error(case: Case, yaw: float) -> float:
+def camera_yaw_error(case: TurnCase, yaw: float) -> float:
     """Return the error of a yaw found in the believed world, degrees, modulo the symmetry.
 
     Both yaws are held against the camera: a believed azimuth that is off turns the whole world,
@@ -87,7 +85,7 @@ def _azimuth(rotation: Float[np.ndarray, "3 3"]) -> float:
     return float(np.arctan2(rotation[0, 1], rotation[0, 0]))
 
 
-def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
+def row_of(case: TurnCase, number: int, config: str) -> dict[str, Any]:
     """Solve a case and return its row of the table."""
     begin = time.process_time()
     found = solve(case, config)
@@ -96,6 +94,7 @@ def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
     sizes = np.prod(case.model.size / case.true.size) ** (1 / 3)
     scale = implied_scale(case, found.yaw) * sizes
     box = case.instance.box
+    elevation = float(np.arcsin(np.clip(-case.camera.rotation[2, 2], -1, 1)))
     reasons = [reason for _, reason in case.dropped]
     return start_of_row(number, config) | {
         "object": case.variant,
@@ -109,7 +108,7 @@ def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
         "scale_error_percent": round(100 * abs(float(scale) - 1), 2),
         "cpu_seconds": round(seconds, 2),
         "hidden": round(case.hidden, 3),
-        "elevation_off_deg": round(_off(case.view.elevation, _elevation(case)), 2),
+        "elevation_off_deg": round(_off(case.view.elevation, elevation), 2),
         "azimuth_off_deg": round(_off(case.view.azimuth, _azimuth(case.camera.rotation)), 2),
         "pixels": round(float((box[2:] - box[:2]).max())),
         "apart": round(case.apart, 3),
@@ -122,10 +121,6 @@ def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
 def start_of_row(number: int, config: str) -> dict[str, Any]:
     """Return a row that says no more than which case it is of."""
     return dict.fromkeys(FIELDS, "") | {"case": number, "config": config}
-
-
-def _elevation(case: Case) -> float:
-    return float(np.arcsin(np.clip(-case.camera.rotation[2, 2], -1, 1)))
 
 
 def _off(believed: float, true: float) -> float:

@@ -49,13 +49,13 @@ class Spoiling:
             if not 0 <= value <= most[name]:
                 raise InputError(f"{name} must lie in [0, {most[name]}], got {value}.")
 
-    def named(self) -> str:
+    def label(self) -> str:
         """Return what differs from the defaults, to be part of a file's name."""
         changed = [f for f in fields(self) if getattr(self, f.name) != f.default]
         return "".join(f"_{f.name}{getattr(self, f.name):g}" for f in changed)
 
 
-def eroded(mask: Mask, pixels: int) -> Mask:
+def erode(mask: Mask, pixels: int) -> Mask:
     """Return a mask without its outer ``pixels``."""
     if pixels <= 0:
         return mask
@@ -63,7 +63,7 @@ def eroded(mask: Mask, pixels: int) -> Mask:
     return cv2.erode(mask.astype(np.uint8), brush, borderValue=0) > 0
 
 
-def holed(mask: Mask, holes: int, rng: np.random.Generator) -> Mask:
+def punch(mask: Mask, holes: int, rng: np.random.Generator) -> Mask:
     """Return a mask with round holes of ``HOLE`` of its area each; they may meet or leave it."""
     out = mask.copy()
     ys, xs = np.nonzero(mask)
@@ -93,7 +93,7 @@ def occluder(mask: Mask, share: float, rng: np.random.Generator) -> Mask:
     return np.hypot(rows - y, columns - x) < radius
 
 
-def blurred(image: UInt8[np.ndarray, "h w 3"], sigma: float) -> UInt8[np.ndarray, "h w 3"]:
+def blur(image: UInt8[np.ndarray, "h w 3"], sigma: float) -> UInt8[np.ndarray, "h w 3"]:
     """Return a picture blurred by a Gaussian of ``sigma`` pixels."""
     return image if sigma <= 0 else cv2.GaussianBlur(image, (0, 0), sigma)
 

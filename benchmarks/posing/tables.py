@@ -10,7 +10,7 @@ import platform
 import shlex
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
@@ -25,11 +25,8 @@ def resume(
 ) -> list[Row]:
     """Return the rows of the cases that a table holds whole, and leave just these in the file.
 
-    Args:
-        path: the table; it is made if there is none.
-        fields: its columns. A table with other columns is another benchmark's, or an older one's.
-        key: the columns that tell cases apart.
-        of: the column that says how many rows the case has; None for one.
+    It is made if there is none. Columns ``key`` tell cases apart; column ``of`` says how many rows
+    a case has; None for one. A table with other columns is another benchmark's, or an older one's.
 
     Raises:
         InputError: the file holds another table.
@@ -82,7 +79,7 @@ def run(
     with path.open("a", newline="", encoding="utf-8") as file:
         writer: csv.DictWriter[str] = csv.DictWriter(file, fields)
 
-        def done(number: int, new: list[Row]) -> None:
+        def record(number: int, new: list[Row]) -> None:
             out.extend(new)
             writer.writerows(new)
             file.flush()
@@ -90,13 +87,34 @@ def run(
 
         if workers <= 1:
             for number, job in enumerate(jobs, start=1):
-                done(number, work(job))
+                record(number, work(job))
         else:
             with ProcessPoolExecutor(workers, initializer=alone) as pool:
                 futures = [pool.submit(work, job) for job in jobs]
                 for number, future in enumerate(as_completed(futures), start=1):
-                    done(number, future.result())
+                    record(number, future.result())
     return sorted(out, key=lambda r: [_sortable(r[k]) for k in key])
+
+
+def complete(
+    path: Path,
+    fields: Sequence[str],
+    key: Sequence[str],
+    asked: Mapping[tuple[str, ...], Any],
+    work: Callable[[Any], list[Row]],
+    workers: int,
+    say: Callable[[list[Row]], str],
+    of: str | None = None,
+) -> list[Row]:
+    """Do those of the jobs asked for that a table does not hold yet; return the rows of all.
+
+    Jobs are listed by the first columns of their rows' ``key``; see also ``resume`` and ``run``.
+    """
+    case = key[: len(next(iter(asked), key))]
+    rows = [r for r in resume(path, fields, case, of) if _key(r, case) in asked]
+    done = {_key(r, case) for r in rows}
+    left = [job for name, job in asked.items() if name not in done]
+    return run(path, fields, key, rows, left, work, workers, say)
 
 
 def where() -> str:
@@ -109,10 +127,10 @@ def _commit() -> str:
     """Return the commit of the working tree, nothing where there is no repository."""
     command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
     try:
-        told = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)
     except (OSError, subprocess.SubprocessError):
         return ""
-    return f", commit {told.stdout.strip()}"
+    return f", commit {done.stdout.strip()}"
 
 
 def command_line(*without: str) -> str:

@@ -20,8 +20,8 @@ from generator.geometry import (
     quaternion_matrix,
     quaternion_yaw,
     rotation_z,
+    turned_quaternion,
     wrap,
-    yaw_quaternion,
 )
 from generator.language.planner import plan_scene
 from generator.language.themes import THEMES
@@ -83,7 +83,7 @@ def turned_about(scene: Scene, rng: np.random.Generator) -> Scene:
     for thing in scene.objects:
         angle = float(rng.uniform(-np.pi, np.pi))
         alone = thing.placement.on == TABLE and thing.name not in bearing
-        turned = _turned(thing, angle)
+        turned = _turn(thing, angle)
         shape = _outline(turned)
         others = [s for name, s in shapes.items() if name != thing.name]
         free = top.contains(shape) and all(s.distance(shape) > _CLEAR for s in others)
@@ -95,11 +95,9 @@ def turned_about(scene: Scene, rng: np.random.Generator) -> Scene:
     return scene.replace(objects=tuple(objects))
 
 
-def _turned(thing: Object, angle: float) -> Object:
+def _turn(thing: Object, angle: float) -> Object:
     """Return an object turned about the vertical where it stands."""
-    turn, own = yaw_quaternion(angle), thing.pose.quaternion
-    w, z, (a, b, c, d) = turn[0], turn[3], own
-    quaternion = np.array([w * a - z * d, w * b - z * c, w * c + z * b, w * d + z * a])
+    quaternion = turned_quaternion(thing.pose.quaternion, angle)
     placement = dataclasses.replace(thing.placement, yaw=wrap(thing.placement.yaw + angle))
     pose = Pose(thing.pose.position, quaternion / np.linalg.norm(quaternion))
     return dataclasses.replace(thing, placement=placement, pose=pose)
@@ -147,7 +145,7 @@ def apart(truth: Truth, index: int, symmetry: float) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class SeenObject:
     """An object in its table's frame turned to the camera: +x right, +y away, metres, radians.
 
     ``place`` is from the table's centre, ``reach`` the root of its two longest sides' product.
@@ -160,13 +158,13 @@ class Seen:
     upright: bool
 
 
-def seen(thing: Object, azimuth: float) -> Seen:
+def see(thing: Object, azimuth: float) -> SeenObject:
     """Return an object as a camera of this azimuth (radians) sees it."""
     place = rotation_z(-azimuth)[:2, :2] @ thing.pose.position[:2]
     turn = quaternion_matrix(thing.pose.quaternion)
     reach = float(np.sqrt(np.prod(np.sort(thing.scale)[1:])))
     upright = bool(np.arccos(np.clip(turn[2, 2], -1, 1)) < _TILTED)
-    return Seen(place, wrap(quaternion_yaw(thing.pose.quaternion) - azimuth), reach, upright)
+    return SeenObject(place, wrap(quaternion_yaw(thing.pose.quaternion) - azimuth), reach, upright)
 
 
 def azimuth_error(truth: Truth, azimuth: float) -> float | None:

@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial import KDTree
 
-from generator.evaluation.surfaces.symmetry import Cloud, changed
+from generator.evaluation.surfaces.symmetry import Cloud, find_changes
 from generator.geometry import wrap
 
 _COARSE, _FINE = 1200, 4000  # points of each cloud as turns are searched, and refined
@@ -27,7 +27,7 @@ def best_turn(found: Cloud, true: Cloud) -> float | None:
     within ``_TIE`` of what turning changes. None if turning changes nothing: then one is round.
     """
     one, other = _normal(found), _normal(true)
-    near, far = one.thinned(_COARSE), other.thinned(_COARSE)
+    near, far = one.thin(_COARSE), other.thin(_COARSE)
     coarse = np.deg2rad(np.arange(0, 360, 5.0))
     costs = np.array([_apart(near, far, -angle) for angle in coarse])
     change = float(np.ptp(costs))
@@ -35,8 +35,8 @@ def best_turn(found: Cloud, true: Cloud) -> float | None:
         return None
     low = (costs <= np.roll(costs, 1)) & (costs <= np.roll(costs, -1))
     starts = coarse[low & (costs <= costs.min() + 0.35 * change)]
-    near, far = one.thinned(_FINE), other.thinned(_FINE)
-    ends = [_refined(near, far, float(start)) for start in starts]
+    near, far = one.thin(_FINE), other.thin(_FINE)
+    ends = [_refine(near, far, float(start)) for start in starts]
     least = min(cost for cost, _ in ends)
     close = [(cost > least + _TIE * change, abs(turn), turn)
              for cost, turn in ends if cost <= least + max(_TIE * change, _FLAT)]  # fmt: skip
@@ -46,12 +46,12 @@ def best_turn(found: Cloud, true: Cloud) -> float | None:
     return best
 
 
-def posed(points: Cloud, yaw: float) -> Cloud:
+def turn_cloud(points: Cloud, yaw: float) -> Cloud:
     """Return a cloud turned by ``yaw`` radians."""
-    return Cloud(points.turned(yaw), points.color, points.spacing)
+    return Cloud(points.turn(yaw), points.color, points.spacing)
 
 
-def _refined(one: Cloud, other: Cloud, turn: float) -> tuple[float, float]:
+def _refine(one: Cloud, other: Cloud, turn: float) -> tuple[float, float]:
     """Return the cost and the turn of the minimum near ``turn``."""
     cost = np.inf
     for reach, step in ((4.0, 1.0), (0.75, 0.25)):
@@ -68,7 +68,7 @@ def _fits_better(found: Cloud, true: Cloud, rival: float, best: float) -> bool:
     ``rival - best``: only where that changes it can the two be told apart.
     """
     between = rival - best
-    telling = changed(true, -between)
+    telling = find_changes(true, -between)
     if int(telling.sum()) < _FEW:
         return False
     asked = _features(true, 0.0)[telling]
@@ -87,7 +87,7 @@ def _normal(points: Cloud) -> Cloud:
 
 def _features(points: Cloud, angle: float) -> Float[np.ndarray, "n 6"]:
     """Return turned places and weighted colours side by side."""
-    return np.hstack([points.turned(angle), _INK * points.color])
+    return np.hstack([points.turn(angle), _INK * points.color])
 
 
 def _apart(one: Cloud, other: Cloud, angle: float) -> float:

@@ -11,12 +11,7 @@ from ..errors import BackendError
 
 
 def module(name: str, backend: str, how: str) -> ModuleType:
-    """Import a module of a model's package or repository.
-
-    Args:
-        name: the module.
-        backend: who needs it.
-        how: how to install it, as a sentence.
+    """Import a module that a backend needs; ``how`` says in a sentence how to install it.
 
     Raises:
         BackendError: it is not installed, or something that it needs is not.

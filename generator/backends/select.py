@@ -31,11 +31,11 @@ _HUGGINGFACE = "generator.backends.huggingface"
 
 TABLE: Mapping[str, Mapping[str, str]] = {
     "embedded": {
-        "reasoner": f"{_EMBEDDED}.reasoner:Reasoner",
-        "imager": f"{_EMBEDDED}.imager:Imager",
-        "segmenter": f"{_EMBEDDED}.segmenter:Segmenter",
-        "modeler": f"{_EMBEDDED}.modeler:Modeler",
-        "encoder": f"{_EMBEDDED}.encoder:Encoder",
+        "reasoner": f"{_EMBEDDED}.reasoner:EmbeddedReasoner",
+        "imager": f"{_EMBEDDED}.imager:EmbeddedImager",
+        "segmenter": f"{_EMBEDDED}.segmenter:EmbeddedSegmenter",
+        "modeler": f"{_EMBEDDED}.modeler:EmbeddedModeler",
+        "encoder": f"{_EMBEDDED}.encoder:EmbeddedEncoder",
     },
     "folder": {"modeler": f"{_MODELERS}.folder:Folder"},
     "hunyuan3d": {"modeler": f"{_MODELERS}.hunyuan3d:Hunyuan3D"},
@@ -44,12 +44,12 @@ TABLE: Mapping[str, Mapping[str, str]] = {
     "triposr": {"modeler": f"{_MODELERS}.triposr:TripoSR"},
     "sam3d": {"modeler": f"{_MODELERS}.sam3d:Sam3D"},
     "cloud": {
-        "reasoner": f"{_CLOUD}.reasoner:Reasoner",
-        "imager": f"{_CLOUD}.imager:Imager",
+        "reasoner": f"{_CLOUD}.reasoner:CloudReasoner",
+        "imager": f"{_CLOUD}.imager:CloudImager",
     },
     "huggingface": {
-        "segmenter": f"{_HUGGINGFACE}.segmenter:Segmenter",
-        "encoder": f"{_HUGGINGFACE}.encoder:Encoder",
+        "segmenter": f"{_HUGGINGFACE}.segmenter:HuggingFaceSegmenter",
+        "encoder": f"{_HUGGINGFACE}.encoder:HuggingFaceEncoder",
     },
 }
 """Backend name, then question set, to the class that answers; loaded when selected."""
@@ -87,12 +87,12 @@ def _load(name: str, role: str, session: Session) -> Any:
     kind = getattr(importlib.import_module(module), attribute)
     shared = {"session": session} if "session" in _fields(kind) else {}
     try:
-        return _backed(role, kind(**shared))
+        return _add_fallback(role, kind(**shared))
     except BackendError as error:
         raise BackendError(f"{role}: {error}") from error
 
 
-def _backed(role: str, backend: Any) -> Any:
+def _add_fallback(role: str, backend: Any) -> Any:
     """Return a backend that has a ``fallback`` with the embedded one for it, unless it has one."""
     if "fallback" not in _fields(type(backend)) or backend.fallback is not None:
         return backend
@@ -129,11 +129,9 @@ class Backends:
     ) -> Backends:
         """Return backends by name, with single roles replaced by a name or by your own object.
 
-        Args:
-            default: the backend that answers whatever ``roles`` leaves open.
-            session: what the backends chosen by name share that ask servers: store, ledger,
-                budget; None for a new one that keeps nothing.
-            roles: ``reasoner``, ``imager``, ``segmenter``, ``modeler``, ``encoder``.
+        ``default`` answers whatever ``roles`` (``reasoner``, ``imager``, ``segmenter``,
+        ``modeler``, ``encoder``) leave open. Backends chosen by name that ask servers share
+        ``session``: store, ledger, budget; None is a new one that keeps nothing.
 
         Raises:
             BackendError: unknown backend or role, a backend that does not answer a role's
@@ -149,7 +147,7 @@ class Backends:
             **{
                 role: _check(role, _load(pick, role, shared))
                 if isinstance(pick, str)
-                else _backed(role, _check(role, pick))
+                else _add_fallback(role, _check(role, pick))
                 for role, pick in chosen.items()
             }
         )
@@ -177,7 +175,7 @@ def _identity(backend: Any) -> dict[str, Any]:
     settings = {}
     if dataclasses.is_dataclass(backend) and not isinstance(backend, type):
         shown = (field.name for field in dataclasses.fields(backend) if field.repr)
-        settings = {name: _recorded(getattr(backend, name)) for name in shown}
+        settings = {name: _record(getattr(backend, name)) for name in shown}
     recorded = {k: v for k, v in settings.items() if v is not _UNTOLD}
     return {"class": stable_name(type(backend)), **recorded}
 
@@ -197,12 +195,12 @@ def stable_name(kind: type) -> str:
     return kind.__qualname__ if ours else place.replace(":", ".")
 
 
-def _recorded(value: Any) -> Any:
+def _record(value: Any) -> Any:
     """Return what provenance records of a setting, ``_UNTOLD`` where it cannot be written down."""
     if isinstance(value, str | int | float | bool | type(None)):
         return value
     if isinstance(value, tuple | list):
-        parts = [_recorded(part) for part in value]
+        parts = [_record(part) for part in value]
         return _UNTOLD if _UNTOLD in parts else parts
     return _identity(value) if dataclasses.is_dataclass(value) else _UNTOLD
 

@@ -48,12 +48,9 @@ class Bounds:
     all_texels: int = 96 * 2**20
 
     def check(self, name: str, count: int, what: str) -> None:
-        """Check a count.
+        """Check a count of the bundle against the field ``name``.
 
-        Args:
-            name: the field with the bound.
-            count: of the bundle.
-            what: who has it, and of what: "scene.json has {} models".
+        ``what`` says who has it, and of what: "scene.json has {} models".
 
         Raises:
             BundleError: it is out of bounds.
@@ -115,11 +112,8 @@ def check_drawn(
 ) -> None:
     """Check what is drawn, by what the headers of meshes and textures say.
 
-    Args:
-        meshes: vertices and triangles of each mesh that is kept.
-        shown: those of each body's mesh.
-        texels: of each texture that is kept.
-        bounds: what they are checked against.
+    ``meshes`` are the vertices and triangles of each mesh that is kept, ``shown`` those of each
+    body's mesh, ``texels`` those of each texture that is kept.
 
     Raises:
         BundleError: it is too much.

@@ -14,6 +14,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import BundleError
+from ..scene.triangles import areas
 from .bounds import BOUNDS, Bounds
 
 if TYPE_CHECKING:
@@ -103,8 +104,7 @@ def decode_obj(
     inside = faces.min() >= 0 and faces.max() < len(vertices)
     if len(vertices) < 4 or len(uv) != len(vertices) or not inside:
         raise BundleError(f"{name} is no mesh: its triangles and vertices do not fit together.")
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    if np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() < _LEAST_AREA:
+    if areas(vertices, faces).sum() < _LEAST_AREA:
         raise BundleError(f"{name} has no surface: its triangles are points and lines.")
     return vertices, faces, uv
 

@@ -32,7 +32,7 @@ from ..scene import (
 from .bounds import BOUNDS, check_counts, check_drawn
 from .contents import decode_obj, decode_png, mesh_counts, picture_size
 from .encoding import HIDDEN
-from .fields import made
+from .fields import make
 
 _ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")
 """Controls as ``dumps`` writes them."""
@@ -120,7 +120,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
         InputError: the values' own checks refuse it.
     """
     check_counts(dict(payload))
-    entry = made(
+    entry = make(
         _Scene, {k: v for k, v in payload.items() if k not in _BESIDE_THE_SCENE}, "scene.json"
     )
     bodies = [entry.table.model, *(thing.model for thing in entry.objects)]

@@ -11,12 +11,7 @@ import numpy as np
 
 from ..errors import BundleError, SceneError
 from ..io.png import encode_png
-from ..physics.mjcf import (
-    Document,
-    compiled,
-    document,
-    spec_of,
-)
+from ..physics.mjcf import Document, compile_spec, document, spec_of
 from .decoding import Decoded
 
 if TYPE_CHECKING:
@@ -48,7 +43,7 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
     """
     wanted = document(decoded.scene, paths=decoded.paths).xml
     if raw != wanted.encode():
-        difference = _difference(ET.fromstring(wanted), _parsed(raw, 2 * len(wanted)))
+        difference = _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted)))
         if difference:
             raise BundleError(
                 f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
@@ -60,12 +55,7 @@ def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> m
     """Return what MuJoCo builds of all that a scene's document draws, textures aside.
 
     It keeps three copies of a texture meanwhile, so textures are built one by one, and the scene
-    with a single pixel for each.
-
-    Args:
-        decoded: the scene.
-        xml: its document.
-        contents: the files that it refers to, by path.
+    with a single pixel for each. ``contents`` are the files that it refers to, by path.
 
     Raises:
         SceneError: it does not.
@@ -73,9 +63,9 @@ def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> m
     name, files = decoded.scene.name, dict(contents)
     pixel = encode_png(np.zeros((1, 1, 3), np.uint8))
     for path in {texture for _, texture in decoded.paths.values()}:
-        compiled(spec_of(Document(_ONE_TEXTURE, {"t.png": files[path]}), name), name)
+        compile_spec(spec_of(Document(_ONE_TEXTURE, {"t.png": files[path]}), name), name)
         files[path] = pixel
-    return compiled(spec_of(Document(xml, files), name), name)
+    return compile_spec(spec_of(Document(xml, files), name), name)
 
 
 def check_starts(model: mujoco.MjModel, name: str) -> None:
@@ -110,9 +100,9 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
         )
 
 
-def _parsed(raw: bytes, most: int) -> ET.Element:
-    """Parse plain elements of at most ``most`` bytes: no declarations, entities or comments."""
-    if len(raw) > most:
+def _parse(raw: bytes, maximum: int) -> ET.Element:
+    """Parse plain elements of at most ``maximum`` bytes: no declarations, entities or comments."""
+    if len(raw) > maximum:
         raise BundleError(f"scene.xml does not fit scene.json: it has {len(raw)} bytes.")
     if b"<!" in raw or b"<?" in raw:
         raise BundleError("scene.xml does not fit scene.json: it holds more than elements.")

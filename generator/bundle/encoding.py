@@ -78,15 +78,15 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         "models": models,
         "provenance": _encode_provenance(scene.provenance),
         "view": plain(scene.view),
-        "report": _shown(plain(scene.report)),
-        "plan": _shown(plain(scene.plan)),
+        "report": _printable(plain(scene.report)),
+        "plan": _printable(plain(scene.plan)),
     }
     return payload, files
 
 
 def _encode_provenance(provenance: Provenance) -> dict[str, Any]:
     """Return it without ``edits`` where there are none."""
-    encoded = _shown(plain(provenance))
+    encoded = _printable(plain(provenance))
     return encoded if provenance.edits else {k: v for k, v in encoded.items() if k != "edits"}
 
 
@@ -142,10 +142,10 @@ def one_line(text: str) -> str:
     return "".join(c if c.isprintable() else " " for c in text)[:MAX_NAME_LENGTH]
 
 
-def _shown(value: Any) -> Any:
+def _printable(value: Any) -> Any:
     """Return JSON values whose texts change nothing on a terminal that shows them."""
     if isinstance(value, str):
         return HIDDEN.sub(" ", value)
     if isinstance(value, dict):
-        return {_shown(key): _shown(inner) for key, inner in value.items()}
-    return [_shown(inner) for inner in value] if isinstance(value, list) else value
+        return {_printable(key): _printable(inner) for key, inner in value.items()}
+    return [_printable(inner) for inner in value] if isinstance(value, list) else value

@@ -20,13 +20,10 @@ T = TypeVar("T")
 _MOST_INTEGER = 2**64
 
 
-def made(kind: type[T], entry: object, what: str) -> T:
+def make(kind: type[T], entry: object, what: str) -> T:
     """Return the dataclass of an object of JSON: known fields only, each of its own type.
 
-    Args:
-        kind: the dataclass.
-        entry: the parsed JSON value.
-        what: where it stands: "objects[3]".
+    ``what`` says where it stands: "objects[3]".
 
     Raises:
         BundleError: a field is missing, unknown or of another type.
@@ -38,13 +35,13 @@ def made(kind: type[T], entry: object, what: str) -> T:
     unknown = sorted(entry.keys() - hints.keys())
     if unknown:
         raise BundleError(f"{what} has an unknown field {unknown[0][:80]!r}.")
-    missing = sorted(_needed(kind) - entry.keys())
+    missing = sorted(_required_fields(kind) - entry.keys())
     if missing:
         raise BundleError(f"{what} has no {missing[0]!r}.")
-    return kind(**{k: typed(hints[k], v, f"{what}.{k}") for k, v in entry.items()})
+    return kind(**{k: convert(hints[k], v, f"{what}.{k}") for k, v in entry.items()})
 
 
-def typed(kind: Any, value: Any, what: str) -> Any:
+def convert(kind: Any, value: Any, what: str) -> Any:
     """Return a JSON value as ``kind``, an annotation of a dataclass's field.
 
     Raises:
@@ -56,7 +53,7 @@ def typed(kind: Any, value: Any, what: str) -> Any:
         return value
     if origin in (Union, types.UnionType):
         plain = next(k for k in inner if k is not type(None))
-        return None if value is None and type(None) in inner else typed(plain, value, what)
+        return None if value is None and type(None) in inner else convert(plain, value, what)
     if origin is Literal:
         if not any(type(value) is type(known) and value == known for known in inner):
             raise BundleError(f"{what} is {repr(value)[:80]}; known: {', '.join(map(str, inner))}.")
@@ -66,11 +63,11 @@ def typed(kind: Any, value: Any, what: str) -> Any:
     if origin is not None and issubclass(origin, Mapping):
         if not isinstance(value, dict):
             raise BundleError(f"{what} must be a JSON object, not {type(value).__name__}.")
-        return {k: typed(inner[1], v, f"{what}[{k[:40]!r}]") for k, v in value.items()}
+        return {k: convert(inner[1], v, f"{what}[{k[:40]!r}]") for k, v in value.items()}
     if getattr(kind, "array_type", None) is np.ndarray:
         return numbers(value, what)
     if dataclasses.is_dataclass(kind):
-        return made(typing.cast(type, kind), value, what)
+        return make(typing.cast(type, kind), value, what)
     return _scalar(kind, value, what)
 
 
@@ -94,12 +91,12 @@ def numbers(value: object, what: str) -> np.ndarray:
 
 
 def _tuple(inner: tuple[Any, ...], value: Any, what: str) -> tuple[Any, ...]:
-    endless = len(inner) == 2 and inner[1] is Ellipsis
-    if not isinstance(value, list) or not (endless or len(value) == len(inner)):
-        raise BundleError(f"{what} must be a list{'' if endless else f' of {len(inner)}'}.")
-    kinds = [inner[0]] * len(value) if endless else inner
+    variadic = len(inner) == 2 and inner[1] is Ellipsis
+    if not isinstance(value, list) or not (variadic or len(value) == len(inner)):
+        raise BundleError(f"{what} must be a list{'' if variadic else f' of {len(inner)}'}.")
+    kinds = [inner[0]] * len(value) if variadic else inner
     return tuple(
-        typed(k, v, f"{what}[{i}]") for i, (k, v) in enumerate(zip(kinds, value, strict=True))
+        convert(k, v, f"{what}[{i}]") for i, (k, v) in enumerate(zip(kinds, value, strict=True))
     )
 
 
@@ -118,7 +115,7 @@ def _hints(kind: type) -> dict[str, Any]:
 
 
 @cache
-def _needed(kind: type) -> frozenset[str]:
+def _required_fields(kind: type) -> frozenset[str]:
     empty = dataclasses.MISSING
     return frozenset(
         f.name

@@ -24,7 +24,7 @@ from jaxtyping import UInt8
 
 from ..errors import BundleError, InputError, SceneError, StorageError
 from ..io.png import encode_png
-from ..physics.mjcf import compiled, document, spec_of
+from ..physics.mjcf import compile_spec, document, spec_of
 from ..scene import Scene
 from .bounds import BOUNDS, check_listed
 from .contents import decode_png, picture_size
@@ -57,14 +57,12 @@ def save(
     segments: Segments | None = None,
     allow_failed: bool = False,
 ) -> Path:
-    """Publish ``scene`` as a bundle inside ``folder``; return the bundle's path.
+    """Publish ``scene`` as a bundle inside ``folder``, made if missing; return the bundle's path.
 
-    Args:
-        scene: the scene; numbers are rounded (lengths to 0.1 micrometre) as they are written.
-        folder: made if missing.
-        images: pictures by file stem ("reference", "preview", ...), as pixels or PNG bytes.
-        segments: what was found in the reference picture, if there was one.
-        allow_failed: publish although the scene's report failed or is missing.
+    Numbers are rounded (lengths to 0.1 micrometre) as they are written. ``images`` are pictures by
+    file stem ("reference", "preview", ...), as pixels or PNG bytes; ``segments`` what was found in
+    the reference picture, if there was one. ``allow_failed`` publishes although the scene's report
+    failed or is missing.
 
     Raises:
         SceneError: the report failed or is missing, or a picture is none or too large to be read.
@@ -300,7 +298,7 @@ def _read(folder: Path, visuals: bool = False) -> Scene:
         if visuals:
             model = check_builds(decoded, xml, contents)
         else:
-            model = compiled(spec_of(document(scene, visuals=False), scene.name), scene.name)
+            model = compile_spec(spec_of(document(scene, visuals=False), scene.name), scene.name)
         check_starts(model, scene.name)
     except (BundleError, InputError, SceneError) as error:
         raise BundleError(f"{folder}: {error}") from error

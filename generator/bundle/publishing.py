@@ -47,15 +47,10 @@ Reader = Callable[Concatenate[str | Path, P], R]
 def publish(
     folder: Path, name: str, files: Mapping[str, bytes], *, beside: Collection[str] = ()
 ) -> Path:
-    """Publish files as ``folder / name``, all at once; return that path.
+    """Publish files, by their paths of at most two parts, as ``folder / name``; return that path.
 
-    What is there already stays if it holds the same, and makes way otherwise.
-
-    Args:
-        folder: made if missing.
-        name: plain name of the new folder.
-        files: contents by path within it, of at most two parts.
-        beside: other files that may lie in it.
+    All come at once. What is there already stays if it holds the same, and makes way otherwise;
+    files ``beside`` may lie in it too.
 
     Raises:
         OSError: the folder cannot be written, or the disk is full.
@@ -151,7 +146,7 @@ def steady(read: Reader[P, R]) -> Reader[P, R]:
     @functools.wraps(read)
     def reading(path: str | Path, *args: P.args, **kwargs: P.kwargs) -> R:
         for _ in range(_TRIES):
-            with _opened(Path(path)) as opened:
+            with _open(Path(path)) as opened:
                 try:
                     return read(path, *args, **kwargs)
                 except (BundleError, OSError):
@@ -230,7 +225,7 @@ def _remove(staging: Path) -> None:
 
 
 @contextlib.contextmanager
-def _opened(path: Path) -> Iterator[int | None]:
+def _open(path: Path) -> Iterator[int | None]:
     """Yield a descriptor of a folder: as long as it is open, no other has the same number.
 
     None where it cannot be opened for another reason than that it is not there.

@@ -12,16 +12,12 @@ from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
-from ..errors import (
-    BackendError,
-    DryRunError,
-    StoppedError,
-    require,
-)
+from ..errors import BackendError, DryRunError, StoppedError, require
 from .http.address import checked_address
-from .http.flight import Flight, Haste
-from .http.waiting import Breakers, Patience
+from .http.pending import Deadline, PendingCall
+from .http.waiting import Breakers, RetryPolicy
 from .money.account import Account
+from .money.database import LOCAL, Keeper
 from .money.prices import Prices
 from .money.spending import Spending
 from .store import CallStore
@@ -29,7 +25,7 @@ from .store import CallStore
 if TYPE_CHECKING:
     import httpx2
 
-    from .transport import Sign
+    from .asking import Sign
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -52,7 +48,7 @@ class Session:
     ``dry``: nothing is sent: the first call that the store cannot answer raises DryRunError.
     ``stop``: once set, calls that wait or are still to be sent raise StoppedError. So do those
     under way that do not end within ``grace``.
-    ``patience``: how long to wait between attempts.
+    ``retry_policy``: how long to wait between attempts.
     ``grace``: seconds that a call under way has after ``stop``, or Ctrl-C, to be answered, so that
     the answer is kept. A second Ctrl-C ends it at once.
 
@@ -62,22 +58,22 @@ class Session:
 
     store: CallStore | None = None
     account: Account = field(default_factory=Account)
-    prices: Prices = field(default_factory=Prices.shipped)
+    prices: Prices = field(default_factory=Prices.default)
     budget: float | None = None
     workers: int = 8
     attempts: int = 5
     dry: bool = False
     stop: threading.Event = field(default_factory=threading.Event, repr=False)
-    patience: Patience = field(default_factory=Patience)
+    retry_policy: RetryPolicy = field(default_factory=RetryPolicy)
     grace: float = 5.0
     breakers: Breakers = field(default_factory=Breakers, init=False, repr=False)
     _scope: threading.local = field(default_factory=threading.local, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        require(self, "workers", "attempts", least=1, whole=True)
+        require(self, "workers", "attempts", minimum=1, integer=True)
         if self.budget is not None:
-            require(self, "budget", least=0)
-        require(self, "grace", least=0)
+            require(self, "budget", minimum=0)
+        require(self, "grace", minimum=0)
 
     def client(
         self,
@@ -135,13 +131,14 @@ class Session:
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )
 
-    def resume(self, scene: str) -> Spending | None:
+    def resume(self, scene: str, keeper: Keeper = LOCAL) -> Spending | None:
         """Know what earlier runs of a scene spent, and write this one's calls down with theirs.
 
         To be called before any call.
 
         Args:
-            scene: names it, file-safe.
+            scene: names it.
+            keeper: who works on the database of what was spent.
 
         Returns:
             Where that is: beside the answers; None if none are kept.
@@ -152,7 +149,7 @@ class Session:
         """
         if self.store is None:
             return None
-        spending = Spending.beside(self.store.folder, scene, self.prices.currency)
+        spending = Spending(self.store.folder, scene, self.prices.currency, keeper)
         self.account.resume(spending, self.prices)
         return spending
 
@@ -172,16 +169,16 @@ class Session:
         """
         if min(self.workers, len(items)) <= 1 and not self.dry:
             return [work(item) for item in items]
-        halted, haste = threading.Event(), Haste()
-        scope = (*self._halts(), halted), (*self._hastes(), haste)
+        halted, deadline = threading.Event(), Deadline()
+        scope = (*self._halts(), halted), (*self._deadlines(), deadline)
 
         def one(item: T) -> R:
-            self._scope.halts, self._scope.hastes = scope
+            self._scope.halts, self._scope.deadlines = scope
             try:
                 self.check()
                 return work(item)
             finally:
-                self._scope.halts, self._scope.hastes = (), ()
+                self._scope.halts, self._scope.deadlines = (), ()
 
         with ThreadPoolExecutor(min(self.workers, len(items)) or 1) as pool:
             futures = [pool.submit(one, item) for item in items]
@@ -193,46 +190,46 @@ class Session:
                 wait(futures)
             except BaseException:  # an interrupt, or the end of what this is part of
                 halted.set()
-                self._hurried(futures, haste)
+                self._wait_for_pending(futures, deadline)
                 raise
         return _results(futures)
 
-    def _hurried(self, futures: Sequence[Future[R]], haste: Haste) -> None:
+    def _wait_for_pending(self, futures: Sequence[Future[R]], deadline: Deadline) -> None:
         """Wait for work under way for ``grace``; no longer after a second interrupt."""
-        haste.ask(self._allowed())
+        deadline.bring_forward(self._announce_grace())
         try:
             wait(futures)
         finally:
-            haste.ask(time.monotonic())
+            deadline.bring_forward(time.monotonic())
 
-    def landing(self, flight: Flight[T]) -> BaseException | None:
-        """Wait for a call under way; return the interrupt that came meanwhile, to raise it later.
+    def wait_for(self, call: PendingCall[T]) -> BaseException | None:
+        """Wait for a pending call; return the interrupt that came meanwhile, to raise it later.
 
         Raises:
             StoppedError: there is reason to stop, and it did not end within ``grace``.
             KeyboardInterrupt: the same for the main thread, or the second one.
         """
-        own, stopping = Haste(), False
+        own, stopping = Deadline(), False
         interrupt: BaseException | None = None
         while True:
             try:
-                if flight.landed(_SLICE):
+                if call.is_done(_SLICE):
                     return interrupt
             except KeyboardInterrupt as error:
                 if interrupt is not None:
                     raise
                 interrupt = error
-                own.ask(self._allowed())
+                own.bring_forward(self._announce_grace())
             if self.stop.is_set() and not stopping:
                 stopping = True
-                own.ask(time.monotonic() + self.grace)
-            if any(h.until is not None and time.monotonic() >= h.until
-                   for h in (own, *self._hastes())):  # fmt: skip
+                own.bring_forward(time.monotonic() + self.grace)
+            deadlines = (own, *self._deadlines())
+            if any(d.until is not None and time.monotonic() >= d.until for d in deadlines):
                 raise interrupt or StoppedError(
                     "Stopped; a call under way had no answer yet. What was answered is kept."
                 )
 
-    def _allowed(self) -> float:
+    def _announce_grace(self) -> float:
         """Tell an interrupted user what is waited for; return until when."""
         logging.getLogger(__name__).warning(
             "Interrupted: calls under way have %g s to be answered, so that what is paid for is "
@@ -259,8 +256,8 @@ class Session:
     def _halts(self) -> tuple[threading.Event, ...]:
         return getattr(self._scope, "halts", ())
 
-    def _hastes(self) -> tuple[Haste, ...]:
-        return getattr(self._scope, "hastes", ())
+    def _deadlines(self) -> tuple[Deadline, ...]:
+        return getattr(self._scope, "deadlines", ())
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:

@@ -42,7 +42,7 @@ _POLL = 0.05  # seconds between two looks at a lock
 
 
 @dataclass(frozen=True)
-class Answer:
+class StoredAnswer:
     """What a server answered: all that is kept of it."""
 
     status: int
@@ -64,7 +64,7 @@ class CallStore:
         Raises:
             InputError: ``most_bytes`` is no positive whole number.
         """
-        require_number("CallStore needs most_bytes", most_bytes, least=1, whole=True)
+        require_number("CallStore needs most_bytes", most_bytes, minimum=1, integer=True)
         self.folder = Path(folder)
         self.most_bytes = most_bytes
         self._most_answer = min(most_bytes, MOST_ANSWER_BYTES)
@@ -72,7 +72,7 @@ class CallStore:
         self._lock_room = threading.Lock()
         self._room = 0  # bytes that may be written before the folder is looked at again
 
-    def get(self, key: str) -> Answer | None:
+    def get(self, key: str) -> StoredAnswer | None:
         """Return the answer to a question, or None. A damaged one is dropped."""
         path = self._path(key)
         if not os.path.lexists(path):
@@ -81,7 +81,7 @@ class CallStore:
         with contextlib.suppress(StorageError):
             if not path.is_symlink():
                 raw = read_regular(path, "An answer", StorageError, max_bytes=self._most_answer)
-                answer = _decoded(key, raw)
+                answer = _decode(key, raw)
         with contextlib.suppress(OSError):
             if answer is None:
                 remove_file(path.parent, key)
@@ -89,7 +89,7 @@ class CallStore:
                 os.utime(path, follow_symlinks=False)  # the order in which answers go
         return answer
 
-    def put(self, key: str, answer: Answer) -> None:
+    def put(self, key: str, answer: StoredAnswer) -> None:
         """Keep an answer; whoever reads sees it whole or not at all.
 
         Call it while ``holding`` the question, where others may do so.
@@ -100,7 +100,7 @@ class CallStore:
         """
         if self._broken:
             return
-        path, raw = self._path(key), _encoded(key, answer)
+        path, raw = self._path(key), _encode(key, answer)
         if len(raw) > self._most_answer:
             raise StorageError(
                 f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
@@ -145,11 +145,11 @@ class CallStore:
 
     def __len__(self) -> int:
         """Return how many answers are kept."""
-        return len(self._kept())
+        return len(self._list_kept())
 
     def size(self) -> int:
         """Return how many bytes the answers take up."""
-        return sum(entry.bytes for entry in self._kept())
+        return sum(entry.bytes for entry in self._list_kept())
 
     def _path(self, key: str) -> Path:
         if not _KEY.fullmatch(key):
@@ -200,7 +200,7 @@ class CallStore:
 
         ``newest`` stays. More goes than has to, so that the next answers find room.
         """
-        kept = sorted(self._kept(), key=lambda entry: entry.used)
+        kept = sorted(self._list_kept(), key=lambda entry: entry.used)
         size = sum(entry.bytes for entry in kept)
         wanted = size if size <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
         for entry in kept:
@@ -211,7 +211,7 @@ class CallStore:
                 size -= entry.bytes
         return size
 
-    def _kept(self) -> list[_Kept]:
+    def _list_kept(self) -> list[_Kept]:
         """Return the answers that are there; what dead writers left half done is removed.
 
         What has no answer's name, or is a link or in a linked folder, is somebody else's.
@@ -236,13 +236,13 @@ class _Kept:
     used: float
 
 
-def _encoded(key: str, answer: Answer) -> bytes:
+def _encode(key: str, answer: StoredAnswer) -> bytes:
     facts = json.dumps({"status": answer.status, "content_type": answer.content_type})
     content = facts.encode() + b"\n" + answer.body
     return b"%s %s\n%s" % (_MAGIC, _checksum(key, content), content)
 
 
-def _decoded(key: str, raw: bytes) -> Answer | None:
+def _decode(key: str, raw: bytes) -> StoredAnswer | None:
     """Return the answer that ``raw`` holds, or None if it is not whole or another key's.
 
     Raises:
@@ -256,7 +256,9 @@ def _decoded(key: str, raw: bytes) -> Answer | None:
     status, kind = facts.get("status"), facts.get("content_type")
     if not isinstance(status, int) or isinstance(status, bool) or not 100 <= status <= 599:
         return None
-    return Answer(status, kind, body) if isinstance(kind, str) and kind.isprintable() else None
+    return (
+        StoredAnswer(status, kind, body) if isinstance(kind, str) and kind.isprintable() else None
+    )
 
 
 def _checksum(key: str, content: bytes) -> bytes:

@@ -1,49 +1,25 @@
-"""What all paid HTTP goes through: the store, the budget, the ledger, and another attempt."""
+"""What all paid HTTP goes through: the call store, then the server."""
 
 from __future__ import annotations
 
 import contextlib
-import dataclasses
 import functools
 import logging
 import re
 import ssl
-import time
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, Protocol
+from collections.abc import Mapping
 
 import httpx2
 
-from ..errors import (
-    BackendError,
-    DryRunError,
-    StorageError,
-    TabletopError,
-    UnusableError,
-)
+from ..errors import BackendError, StorageError
+from .asking import PaidCall, SessionState, Sign, entry_of
 from .http.address import local, near
 from .http.dialing import Wire, proxy_for
-from .http.exchange import (
-    UNPACKED,
-    Reply,
-    Trouble,
-    exchange,
-)
-from .http.flight import Flight
-from .http.redaction import excerpt, holds, redacted
-from .http.waiting import Breakers, Patience, retry_after
-from .money.account import Account
-from .money.entries import Entry, Outcome
-from .money.prices import Prices
-from .question import (
-    NOTHING,
-    Question,
-    Usage,
-    failed,
-    question,
-    usage,
-)
-from .store import Answer, CallStore
+from .http.exchange import UNPACKED, Reply, Trouble, exchange
+from .http.pending import PendingCall
+from .http.redaction import excerpt, holds
+from .question import Question, failed, question
+from .store import StoredAnswer
 from .used import KEY
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
@@ -52,46 +28,10 @@ _SENT = frozenset({
     "host", "transfer-encoding", "user-agent",
 })  # fmt: skip
 _SIGNED_BY = "x-tc-"  # headers of a call that a signature covers
-_LATE = 1  # how often a call is sent again that was waited for in vain: each may have been paid for
 _CONNECT = 30.0  # seconds in which a server takes a call, however long it may work on it
 _SAID = 2**14  # characters of a refusal that whoever asked gets to see
 _KIND = re.compile(r"[\w.+-]{1,99}/[\w.+-]{1,99}", re.ASCII)
 _LEAST = 6  # characters: shorter ones are no keys, and would redact words
-
-Sign = Callable[[httpx2.Request], Mapping[str, str]]
-
-
-class Pacing(Protocol):
-    """What the calls of a session share, as one call sees it; see ``Session``."""
-
-    @property
-    def store(self) -> CallStore | None: ...  # noqa: D102
-    @property
-    def account(self) -> Account: ...  # noqa: D102
-    @property
-    def prices(self) -> Prices: ...  # noqa: D102
-    @property
-    def budget(self) -> float | None: ...  # noqa: D102
-    @property
-    def attempts(self) -> int: ...  # noqa: D102
-    @property
-    def dry(self) -> bool: ...  # noqa: D102
-    @property
-    def patience(self) -> Patience: ...  # noqa: D102
-    @property
-    def breakers(self) -> Breakers: ...  # noqa: D102
-
-    def check(self) -> None:
-        """Raise StoppedError if there is a reason to stop."""
-        ...
-
-    def pause(self, seconds: float) -> None:
-        """Wait, unless there is a reason to stop."""
-        ...
-
-    def landing(self, flight: Flight[Any]) -> BaseException | None:
-        """Wait for a call under way; return what interrupted it."""
-        ...
 
 
 class PaidTransport(httpx2.BaseTransport):
@@ -99,7 +39,7 @@ class PaidTransport(httpx2.BaseTransport):
 
     def __init__(
         self,
-        session: Pacing,
+        session: SessionState,
         server: str,
         base_url: str,
         timeout: float,
@@ -121,7 +61,7 @@ class PaidTransport(httpx2.BaseTransport):
         self._sign = sign
         self._warn_of_open_keys()
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
-        self._breaker = session.breakers.of(server, origin, session.patience)
+        self._breaker = session.breakers.of(server, origin, session.retry_policy)
         self._trust = trust
         here = local(self._base.host)
         self._proxy = None if here else proxy_for(self._base.scheme, self._base.host)
@@ -151,18 +91,30 @@ class PaidTransport(httpx2.BaseTransport):
                 held.enter_context(store.holding(asked.key, self._session.check))
             kept = store.get(asked.key) if store is not None and asked.memo == "yes" else None
             if kept is not None:
-                self._session.account.add(_entry(asked, "cached", 0.0, 0.0))
+                self._session.account.add(entry_of(asked, "cached", 0.0, 0.0))
                 return _response(kept.status, kept.content_type, kept.body, request, asked.key)
-            interrupted = held.enter_context(_raised_later())
-            reply = self._ask(request, asked, secrets, interrupted)
+            call = PaidCall(
+                self._session, self._breaker, self._sendable(request), asked, secrets, self._send,
+                self._sign,
+            )  # fmt: skip
+            reply = call.answer()
             if store is not None and reply.good and not failed(reply.payload):
                 self._keep(asked, reply)
+            if call.interrupt is not None:
+                raise call.interrupt
         body = reply.body if reply.good else _clean(reply.body, secrets)
         return _response(reply.status, reply.content_type, body, request, asked.key)
 
-    def _dial(self, until: float, most_bytes: int) -> Wire:
-        """Return the connections of one attempt."""
-        return Wire(until, most_bytes, self._trust, self._proxy)
+    def _send(
+        self, request: httpx2.Request, secrets: tuple[str, ...]
+    ) -> PendingCall[Reply | Trouble]:
+        """Begin one attempt."""
+
+        def dial(until: float) -> Wire:
+            return Wire(until, self._trust, self._proxy)
+
+        sending = (dial, request, self._timeout, self._most_bytes, secrets)
+        return PendingCall(functools.partial(exchange, *sending))
 
     def _sendable(self, request: httpx2.Request) -> httpx2.Request:
         """Return a request with no more headers than this server is to see, and its time bounded.
@@ -175,7 +127,7 @@ class PaidTransport(httpx2.BaseTransport):
             if (name in self._headers or name.startswith(_SIGNED_BY))
             and (name != "authorization" or not self._secrets or holds(value, self._secrets))
         ] + [("accept-encoding", UNPACKED)]
-        times = _bounded(request.extensions.get("timeout", {}), self._timeout)
+        times = _bound(request.extensions.get("timeout", {}), self._timeout)
         return httpx2.Request(
             request.method, request.url, headers=headers, content=request.content,
             extensions={**request.extensions, "timeout": times},
@@ -196,139 +148,16 @@ class PaidTransport(httpx2.BaseTransport):
                 "Send it in a header."
             )
 
-    def _ask(
-        self,
-        request: httpx2.Request,
-        asked: Question,
-        secrets: tuple[str, ...],
-        interrupted: list[BaseException],
-    ) -> Reply:
-        """Send a request until it is answered; ``interrupted`` gets what to raise thereafter."""
-        session = self._session
-        if session.dry:
-            raise DryRunError(_would(asked, session.prices.currency))
-        request = self._sendable(request)
-        line, k, late = self._breaker.line(), 0, 0
-        while True:
-            session.check()
-            self._breaker.check(str(asked))
-            told, interrupt = self._attempt(request, asked, secrets)
-            if isinstance(told, Reply):
-                self._breaker.worked()
-                interrupted.extend(filter(None, [interrupt]))
-                return told
-            if interrupt is not None:
-                raise interrupt
-            reason = redacted(told.reason, secrets)
-            if told.alive:
-                self._breaker.worked()
-            else:
-                self._breaker.failed(reason, line)
-            if not told.again:
-                kind = UnusableError if told.unusable else BackendError
-                raise kind(f"{asked}: no answer. {reason}")
-            k, late = k + 1, late + told.late
-            if k >= session.attempts or late > _LATE:
-                break
-            session.pause(self._wait(told, k - 1, asked))
-        times = f"{k} times" if k > 1 else "once"
-        raise BackendError(
-            f"{asked}: no answer, asked {times}. {reason} What was answered before is kept; see "
-            "whether the server runs, and try again."
-        )
-
-    def _attempt(
-        self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
-    ) -> tuple[Reply | Trouble, BaseException | None]:
-        """Send a request once, within the budget, and enter it in the ledger.
-
-        Returns the answer, and the interrupt that came while it was waited for.
-        """
-        session, account = self._session, self._session.account
-        lost = _entry(asked, "failed", 0.0, asked.most)
-        with account.reserving(asked.most, session.budget, str(asked), session.check) as enter:
-            try:
-                if self._sign is not None:  # not earlier: what is signed is soon too old
-                    request.headers.update(self._sign(request))
-                record = account.record(lost, asked.key, must=session.budget is not None)
-            except BaseException as error:
-                enter(dataclasses.replace(lost, money=0.0))
-                if not isinstance(error, StorageError):
-                    raise
-                raise StorageError(
-                    f"{asked}: not sent, for a budget is to be kept. {error}"
-                ) from error
-            began = time.monotonic()
-
-            def end(outcome: Outcome, money: float | None, spent: Usage = NOTHING) -> None:
-                entry = _entry(asked, outcome, time.monotonic() - began, money, spent)
-                record(entry)
-                enter(entry)
-
-            sending = (self._dial, request, self._timeout, self._most_bytes, secrets)
-            flight = Flight(functools.partial(exchange, *sending))
-            try:
-                interrupt = session.landing(flight)
-                told = flight.result()
-            except BaseException as error:  # it may be answered, and paid for, all the same
-                end("failed", asked.most)
-                if isinstance(error, TabletopError) or not isinstance(error, Exception):
-                    raise
-                raise BackendError(
-                    f"{asked}: the call broke off by a {type(error).__name__}, a fault of this "
-                    "program. What was answered before is kept."
-                ) from None
-            spent = NOTHING if isinstance(told, Trouble) else usage(told.payload)
-            if isinstance(told, Trouble):
-                end("failed", asked.most if told.charged else 0.0)
-            elif not told.good or failed(told.payload):  # some answers break off in the middle
-                begun = spent.tokens_in or spent.tokens_out
-                end("failed", asked.money(spent) if begun else 0.0, spent)
-            else:
-                end("answered", asked.money(spent), spent)
-        return told, interrupt
-
-    def _wait(self, told: Trouble, k: int, asked: Question) -> float:
-        """Return how long to wait after the k-th failure."""
-        patience, wanted = self._session.patience, retry_after(told.wait)
-        if wanted is None:
-            return patience.drawn(k)
-        if wanted > patience.obeyed:
-            raise BackendError(
-                f"{asked}: the server asks to wait {wanted:.0f} s, more than the "
-                f"{patience.obeyed:g} s that are waited. What was answered is kept; run it again "
-                "then."
-            )
-        return wanted + patience.pause(0, 0.0) / 10  # not at the very moment that ends the wait
-
     def _keep(self, asked: Question, reply: Reply) -> None:
         """Keep an answer; a disk that refuses must not lose it."""
         assert self._session.store is not None
         try:
-            self._session.store.put(asked.key, Answer(reply.status, reply.content_type, reply.body))
+            self._session.store.put(
+                asked.key, StoredAnswer(reply.status, reply.content_type, reply.body)
+            )
         except StorageError as error:
             self._session.account.note(str(error))
             logging.getLogger(__name__).warning("%s", error)
-
-
-@contextlib.contextmanager
-def _raised_later() -> Iterator[list[BaseException]]:
-    """Yield a list; what is put there is raised at the end, when an answer is kept."""
-    later: list[BaseException] = []
-    try:
-        yield later
-    finally:
-        for error in later:
-            raise error
-
-
-def _entry(
-    asked: Question, outcome: Outcome, seconds: float, money: float | None, spent: Usage = NOTHING
-) -> Entry:
-    return Entry(
-        asked.server, asked.name, asked.model, outcome, seconds,
-        spent.tokens_in, spent.tokens_out, spent.images, money, at=asked.at,
-    )  # fmt: skip
 
 
 def _response(
@@ -355,14 +184,7 @@ def _clean(body: bytes, secrets: tuple[str, ...]) -> bytes:
     return excerpt(body, _SAID, secrets).encode()
 
 
-def _would(asked: Question, currency: str) -> str:
-    """Return what a dry run says of a call."""
-    if asked.most is None:
-        return f"Would ask {asked}, at a price that is not known."
-    return f"Would ask {asked}, for at most {asked.most:.4f} {currency}."
-
-
-def _bounded(given: Mapping[str, float | None], timeout: float) -> dict[str, float]:
+def _bound(given: Mapping[str, float | None], timeout: float) -> dict[str, float]:
     """Return the times of a request's parts: none above ``timeout``, whatever its maker allows."""
     most = {"connect": min(timeout, _CONNECT), "read": timeout, "write": timeout, "pool": timeout}
     return {part: min(most[part], given.get(part) or timeout) for part in most}

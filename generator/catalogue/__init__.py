@@ -1,6 +1,6 @@
 """Parametric everyday objects and tables, textured, watertight, with analytic collision shapes.
 
-``CATEGORIES`` holds what there is, ``build`` makes one variant of it, ``build_table`` a table.
+``CATEGORIES`` lists the categories, ``build`` makes one variant, ``build_table`` a table.
 """
 
 from .build.category import Category

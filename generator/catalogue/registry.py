@@ -13,23 +13,8 @@ from ..errors import InputError, choices
 from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
-from .things.electronics import (
-    devices,
-    electronics,
-    gadgets,
-    handhelds,
-    portables,
-)
-from .things.food import (
-    bakery,
-    food,
-    fruit,
-    groceries,
-    meals,
-    pantry,
-    produce,
-    sweets,
-)
+from .things.electronics import devices, electronics, gadgets, handhelds, portables
+from .things.food import bakery, food, fruit, groceries, meals, pantry, produce, sweets
 from .things.home import (
     decor,
     figurines,
@@ -41,33 +26,11 @@ from .things.home import (
     plants,
     vanity,
 )
-from .things.kitchen import (
-    bottles,
-    brewing,
-    cups,
-    cutlery,
-    dining,
-    kitchen,
-)
+from .things.kitchen import bottles, brewing, cups, cutlery, dining, kitchen
 from .things.lab import clinic, lab
-from .things.leisure import (
-    games,
-    leisure,
-    maps,
-    toys,
-)
-from .things.office import (
-    deskware,
-    office,
-    paper,
-    writing,
-)
-from .things.tools import (
-    craft,
-    hardware,
-    tools,
-    workbench,
-)
+from .things.leisure import games, leisure, maps, toys
+from .things.office import deskware, office, paper, writing
+from .things.tools import craft, hardware, tools, workbench
 
 _SHELVES = (
     *(cups, dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),

@@ -14,16 +14,9 @@ from ..scene import TABLE, ConvexPart, Model, Physics, PlannedTable
 from .build.collision import box_part, cylinder_part, hull_of
 from .build.outlines import ellipse, rectangle, rounded_polygon
 from .build.shape import Shape, mesh_of, shape
-from .build.solids import (
-    Solid,
-    box,
-    cylinder,
-    loft,
-    prism,
-    tube,
-)
+from .build.solids import Solid, box, cylinder, loft, prism, tube
 from .surfaces import textures
-from .surfaces.colors import RGB, rgb, tinted
+from .surfaces.colors import RGB, rgb, tint_color
 from .surfaces.look import METALS, WOODS
 from .surfaces.textures import Tile
 
@@ -101,8 +94,8 @@ def _top(plan: PlannedTable, low: float, high: float) -> tuple[list[Solid], Conv
         pitch = (y + 0.007) / count
         boards = [
             prism(rectangle(x, pitch - 0.007), low, high)
-            .painted((0, k / count), (1, (k + 1) / count))
-            .moved(y=-y / 2 + (pitch - 0.007) / 2 + k * pitch)
+            .paint((0, k / count), (1, (k + 1) / count))
+            .move(y=-y / 2 + (pitch - 0.007) / 2 + k * pitch)
             for k in range(count)
         ]
         return boards, box_part(x, y, high - low, (0, 0, low))
@@ -123,8 +116,8 @@ def _apron(plan: PlannedTable, top: float) -> list[Solid]:
     x, y, _ = plan.size
     inset, tall, thick = 0.07, 0.06, 0.018
     long, deep = x - 2 * inset, y - 2 * inset
-    return [box(long, thick, tall).moved(y=side * deep / 2, z=top - tall) for side in (-1, 1)] + [
-        box(thick, deep, tall).moved(x=side * long / 2, z=top - tall) for side in (-1, 1)
+    return [box(long, thick, tall).move(y=side * deep / 2, z=top - tall) for side in (-1, 1)] + [
+        box(thick, deep, tall).move(x=side * long / 2, z=top - tall) for side in (-1, 1)
     ]
 
 
@@ -160,18 +153,18 @@ def _post(foot: np.ndarray, top: float, low: float, high: float, lean: float = 0
 def _straight(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
     side = float(np.clip(0.075 * width, 0.03, 0.06))
     return (
-        [box(side, side, top).moved(*foot) for foot in feet],
+        [box(side, side, top).move(*foot) for foot in feet],
         [box_part(side, side, top, (*foot, 0)) for foot in feet],
     )
 
 
-def _tapered(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
+def _tapered_legs(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
     side = float(np.clip(0.08 * width, 0.03, 0.065))
     posts = [_post(foot, top, 0.5 * side, side) for foot in feet]
     return posts, [hull_of(post) for post in posts]
 
 
-def _splayed(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
+def _splayed_legs(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
     side = float(np.clip(0.07 * width, 0.03, 0.055))
     posts = [_post(foot * 0.82, top, 0.55 * side, side, 0.09 * width) for foot in feet]
     return posts, [hull_of(post) for post in posts]
@@ -192,7 +185,7 @@ def _trestle(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
         ]
     pieces.append(((2 * reach[0] * 0.86 - side, side * 0.7, 0.08), (0, 0, 0.3 * top)))
     return (
-        [box(*size).moved(*at) for size, at in pieces],
+        [box(*size).move(*at) for size, at in pieces],
         [box_part(*size, at) for size, at in pieces],
     )
 
@@ -201,9 +194,9 @@ def _pedestal(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
     base = 0.29 * width
     solids = [
         cylinder(base, 0.035, 32, bevel=0.01),
-        cylinder(0.1 * width, 0.12 * top, 24, top=0.05 * width).moved(z=0.03),
-        cylinder(0.05 * width, top - 0.05, 24).moved(z=0.04),
-        cylinder(0.05 * width, 0.06, 24, top=0.16 * width).moved(z=top - 0.06),
+        cylinder(0.1 * width, 0.12 * top, 24, top=0.05 * width).move(z=0.03),
+        cylinder(0.05 * width, top - 0.05, 24).move(z=0.04),
+        cylinder(0.05 * width, 0.06, 24, top=0.16 * width).move(z=top - 0.06),
     ]
     parts = [
         cylinder_part(base, 0.035),
@@ -227,21 +220,21 @@ def _hairpin(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
 
 def _metal(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
     side = 0.028
-    solids = [box(side, side, top).moved(*foot) for foot in feet]
+    solids = [box(side, side, top).move(*foot) for foot in feet]
     parts = [box_part(side, side, top, (*foot, 0)) for foot in feet]
     for a, b in zip(feet, np.roll(feet, -1, 0), strict=True):
         span, (x, y) = np.abs(b - a), (a + b) / 2
         if span.min() < 1e-9:
             size = np.maximum(span - side, 0) + np.where(span < 1e-9, side, 0)
-            solids.append(box(size[0], size[1], side).moved(x, y, top - side))
+            solids.append(box(size[0], size[1], side).move(x, y, top - side))
     return solids, parts
 
 
 LEGS: Mapping[str, Callable[[Float[np.ndarray, "k 2"], float, float], Legs]] = MappingProxyType(
     {
         "straight": _straight,
-        "tapered": _tapered,
-        "splayed": _splayed,
+        "tapered": _tapered_legs,
+        "splayed": _splayed_legs,
         "trestle": _trestle,
         "pedestal": _pedestal,
         "hairpin": _hairpin,
@@ -264,28 +257,30 @@ def _tiles(plan: PlannedTable, rng: np.random.Generator) -> tuple[Tile, Tile]:
         planks = max(4, round(plan.size[1] / 0.1))
     if "marble" in words or "stone" in words:
         ground = asked or (234, 232, 228)
-        return textures.marble(rng, ground, tinted(ground, 0.6), 256), textures.speckled(
+        return textures.marble(rng, ground, tint_color(ground, 0.6), 256), textures.speckles(
             rng, dark, 3
         )
     if "glass" in words:
         ground = asked or (196, 220, 218)
-        return textures.marble(rng, ground, tinted(ground, 1.2), 64), textures.brushed(
+        return textures.marble(rng, ground, tint_color(ground, 1.2), 64), textures.brushed_metal(
             rng, METALS["steel"]
         )
     for word in words:
         if word in METALS:
             ground = asked or METALS[word]
-            return textures.brushed(rng, ground, 128), textures.brushed(rng, tinted(ground, 0.75))
+            return textures.brushed_metal(rng, ground, 128), textures.brushed_metal(
+                rng, tint_color(ground, 0.75)
+            )
     for word in words:
         if word in WOODS:
             ground = asked or WOODS[word]
             top = textures.wood(rng, ground, side=256, planks=planks)
             legs = (
-                textures.speckled(rng, dark, 3, 16)
+                textures.speckles(rng, dark, 3, 16)
                 if plan.legs in ("hairpin", "metal")
-                else textures.wood(rng, tinted(ground, 0.88), side=64)
+                else textures.wood(rng, tint_color(ground, 0.88), side=64)
             )
             return top, legs
     ground = asked or rgb(plan.material) or WOODS["oak"]
     legs = ground if plan.legs not in ("hairpin", "metal") else dark
-    return textures.speckled(rng, ground, 2, 128), textures.speckled(rng, tinted(legs, 0.92), 3)
+    return textures.speckles(rng, ground, 2, 128), textures.speckles(rng, tint_color(legs, 0.92), 3)

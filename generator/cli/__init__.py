@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 
 import tyro
 
-from ..errors import TabletopError, escaped, exit_code
-from ..io.terminal import piped
+from ..errors import TabletopError, escape, exit_code
+from ..io.terminal import run_piped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
+from .machine.command import doctor
+from .plugins import find_commands, load
 
-DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
+DESCRIPTION = """Turn text or a photo of a tabletop into a MuJoCo scene and Gymnasium environments.
 
-The store of finished tables and the open models have commands of their own:
+The store of finished tables and the open models have subcommands of their own:
 tabletopgen cache --help, tabletopgen models --help.
 
 Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,
@@ -22,8 +25,7 @@ Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle,
 GROUPS = {"cache": cache.app, "models": models.app}
 """Commands with commands of their own."""
 
-app = tyro.extras.SubcommandApp()
-for command in (
+COMMANDS: tuple[Callable[..., int], ...] = (
     making.generate,
     making.compose,
     batching.batch,
@@ -33,31 +35,51 @@ for command in (
     looking.view,
     looking.compare,
     evaluating.evaluate,
-):
-    app.command(command)
+    doctor,
+)
+
+
+def app(name: str) -> tyro.extras.SubcommandApp:
+    """Return the commands: this package's, and of the others the one called ``name``.
+
+    If nothing is called so, as with ``--help``, they are all there.
+
+    Raises:
+        InputError: the one called ``name`` cannot be loaded.
+    """
+    made = tyro.extras.SubcommandApp()
+    for command in COMMANDS:
+        made.command(command)
+    own = {command.__name__ for command in COMMANDS}
+    others = {} if name in own else find_commands()
+    for entry in [others[name]] if name in others else others.values():
+        if entry.name not in own | GROUPS.keys() and (found := load(entry, entry.name == name)):
+            made.command(name=entry.name)(found)
+    return made
 
 
 def run(arguments: list[str]) -> int:
     """Run the command line; every expected error becomes one line, and an exit code is returned."""
+    name = arguments[0] if arguments else ""
     try:
-        if arguments and (group := GROUPS.get(arguments[0])):
-            return group.cli(
-                prog=f"tabletopgen {arguments[0]}", args=arguments[1:], use_underscores=False
-            )
-        return app.cli(
+        if group := GROUPS.get(name):
+            return group.cli(prog=f"tabletopgen {name}", args=arguments[1:], use_underscores=False)
+        code = app(name).cli(
             prog="tabletopgen", description=DESCRIPTION, args=arguments, use_underscores=False
         )
     except TabletopError as error:
-        print(escaped(f"error: {error}"), file=sys.stderr)
+        print(escape(f"error: {error}"), file=sys.stderr)
         return exit_code(error)
     except KeyboardInterrupt:
-        print("interrupted; nothing was published", file=sys.stderr)
+        ours = name in {command.__name__ for command in COMMANDS}
+        print("interrupted" + ("; nothing was published" if ours else ""), file=sys.stderr)
         return 130
+    return code or 0
 
 
 def main() -> None:
     """Run the process's command line and end it with the exit code."""
     interrupts.heed()
-    code = piped(lambda: run(sys.argv[1:]))
+    code = run_piped(lambda: run(sys.argv[1:]))
     interrupts.ignore()
     raise SystemExit(code)

@@ -5,26 +5,38 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from tyro.conf import Positional
+from tyro.conf import OmitArgPrefixes, Positional
 
-from ..errors import InputError, escaped, require_number, require_seed
+from ..errors import InputError, escape, require_number, require_seed
 from ..io.files import check_folder
-from .choosing import USUAL, Chosen, lines_of, roles_of
+from .paying import NO_CALLS, USUAL, CallOptions, Calls, Chosen, lines_of, roles_of
 from .printing import emit
 
 if TYPE_CHECKING:
     from ..backends import Backends, Mix
-    from ..jobs import (
-        Generating,
-        Job,
-        Maker,
-        Outcome,
-        Summary,
-    )
+    from ..jobs import Generating, Job, Maker, Outcome, Summary
+
+
+@dataclass(frozen=True)
+class PoolOptions:
+    """Where the scenes are made.
+
+    Attributes:
+        workers: Scenes made in parallel, each by a process with one thread: a worker for each
+            processor is fastest.
+        ray: Make them on the Ray cluster at this address, which shares the folder; "local" starts
+            Ray here (pip install 'tabletopgen[ray]').
+    """
+
+    workers: int = 1
+    ray: str | None = None
+
+
+_POOL = PoolOptions()
 
 
 def batch(
@@ -32,45 +44,33 @@ def batch(
     /,
     *,
     out: Path,
-    workers: int = 1,
-    ray: str | None = None,
+    pool: OmitArgPrefixes[PoolOptions] = _POOL,
     route: Literal["generate", "compose"] = "generate",
     mix: Chosen = USUAL,
     seed: int = 0,
     variants: int = 1,
     retry: bool = False,
-    budget: float | None = None,
-    dry_run: bool = False,
-    calls: Path | None = None,
-    prices: Path | None = None,
+    calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
-    """Make many scenes into one folder, some at a time; the same command goes on where it ended.
+    """Make many scenes into one folder, in parallel; run again, the same command resumes.
 
-    The same text and seed give the same bytes, however many workers there are. A text that cannot
-    be made does not stop the others; the exit code is then 1. Several batches may share a folder.
-    Scenes that the budget does not allow are left, without a failure, and made when the command is
-    run again with a larger one; if nothing else is missing, the exit code is 3.
+    The same text and seed produce identical bytes, however many workers there are. A text that
+    fails does not stop the others; the exit code is then 1. Several batches may share a folder.
+    Scenes beyond the budget are skipped and are no failures: run the command again with a larger
+    budget. If nothing else is missing, the exit code is 3.
 
     Args:
         prompts: A text or the path of a picture a line, # for remarks; or a .json array of texts,
             or of objects with text and seed.
         out: Folder the bundles go into, and summary.json.
-        workers: How many scenes are made at a time, each by a process that computes on one
-            thread, so a worker for each processor is fastest.
-        ray: Address of a Ray cluster to make them instead, which shares the folder; "local" starts
-            Ray here (pip install 'tabletopgen[ray]').
+        pool: Where the scenes are made.
         route: All stages of the paper, or composed without drawing a picture first.
         mix: Who answers the questions about text and image; roles can differ from the rest.
         seed: Of each text.
         variants: How many seeds each text is made with, from its own on.
-        retry: Try again what failed before by its text or its gate.
-        budget: With a backend that asks servers: what all scenes may cost together, those of
-            earlier runs into this folder too. It is not exceeded, however many workers there are.
-        dry_run: Send nothing to servers and make nothing; print who answers what, and the first
-            calls that each scene would make.
-        calls: Folder where answers of servers are kept; as for generate.
-        prices: Table of what calls cost (TOML); as for generate.
+        retry: Also repeat what failed before because of its text or its gate.
+        calls: What requests to servers may cost, and where responses are cached.
         json: Print one JSON object instead of a table.
     """
     from .. import jobs as batches
@@ -81,28 +81,28 @@ def batch(
     asks: Backends | None = None
     if route == "generate":
         asks = mix.select()  # one that cannot answer is refused before anything is made
-        make = _generating(mix, calls, prices)
-    elif mix != USUAL or budget is not None or dry_run:
+        make = _generating(mix, calls)
+    elif mix != USUAL or calls.budget is not None or calls.dry_run:
         raise InputError(
             "--route compose asks nobody; leave out --backend, the roles, --budget and --dry-run."
         )
-    if budget is not None:
-        require_number("batch needs --budget", budget, least=0)
+    if calls.budget is not None:
+        require_number("batch needs --budget", calls.budget, minimum=0)
     jobs = batches.jobs_of(batches.read_prompts(prompts, seed), variants=variants)
-    if dry_run and isinstance(make, batches.Generating) and asks is not None:
-        return _tried(jobs, out, make, asks, workers, retry, json)
+    if calls.dry_run and isinstance(make, batches.Generating) and asks is not None:
+        return _try(jobs, out, make, asks, pool.workers, retry, json)
     if isinstance(make, batches.Generating) and asks is not None and asks.asks_servers():
-        purse = batches.purse_of(out, make.prices)
-        make = replace(make, purse=purse, budget=budget)
+        shared = batches.shared_budget(out, make.prices)
+        make = replace(make, shared_budget=shared, budget=calls.budget)
     try:
         with _progress(len(jobs), quiet=json) as shown:
             summary = batches.run(
-                jobs, out, make, workers=workers, ray=ray, retry=retry, progress=shown
+                jobs, out, make, workers=pool.workers, ray=pool.ray, retry=retry, progress=shown
             )
     except KeyboardInterrupt:
         print("interrupted; what is made is kept, the same command goes on", file=sys.stderr)
         return 130
-    spent = _spent(make)
+    spent = _spending(make)
     if json:
         emit({"folder": str(out), **spent, **summary.facts()}, True, list)
     else:
@@ -112,32 +112,29 @@ def batch(
     return 3 if summary.unpaid else 0
 
 
-def _generating(mix: Mix, calls: Path | None, prices: Path | None) -> Generating:
-    from ..calls.money.prices import Prices
+def _generating(mix: Mix, calls: CallOptions) -> Generating:
     from ..jobs import Generating
-    from .paying import calls_folder
 
-    table = Prices.shipped() if prices is None else Prices.load(prices)
-    return Generating(mix, calls=str(calls_folder(calls).absolute()), prices=table)
+    return Generating(mix, calls=str(calls.folder().absolute()), prices=calls.table())
 
 
-def _spent(make: Maker) -> dict[str, Any]:
-    """Return what was spent from a maker's purse in all runs, nothing where it has none."""
-    purse, budget = getattr(make, "purse", None), getattr(make, "budget", None)
-    if purse is None:
+def _spending(make: Maker) -> dict[str, Any]:
+    """Return what was spent of a maker's shared budget in all runs, nothing where it has none."""
+    shared, budget = getattr(make, "shared_budget", None), getattr(make, "budget", None)
+    if shared is None:
         return {}
-    told = purse.sum()
+    shown = shared.total()
     return {
         "spent": {
-            "money": round(told.money, 6),
-            "currency": told.currency,
-            "unpriced": told.unpriced,
+            "money": round(shown.money, 6),
+            "currency": shown.currency,
+            "unpriced": shown.unpriced,
             "budget": budget,
         }
     }
 
 
-def _tried(
+def _try(
     jobs: Sequence[Job],
     out: Path,
     make: Generating,
@@ -154,13 +151,13 @@ def _tried(
     if backends.asks_servers():
         summary = batches.try_out(jobs, out, make, workers=workers, retry=retry)
         for o in summary.outcomes:
-            told = (o.error or "").splitlines() if o.state in ("unpaid", "failed") else []
+            shown = (o.error or "").splitlines() if o.state in ("unpaid", "failed") else []
             state = {"unpaid": "to ask", "made": "nothing to ask"}.get(o.state, o.state)
-            rows.append({"text": o.job.text, "seed": o.job.seed, "state": state, "calls": told})
+            rows.append({"text": o.job.text, "seed": o.job.seed, "state": state, "calls": shown})
 
     def lines() -> list[str]:
-        told = [f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}" for r in rows]
-        scenes = [part for r, line in zip(rows, told, strict=True)
+        shown = [f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}" for r in rows]
+        scenes = [part for r, line in zip(rows, shown, strict=True)
                   for part in (line, *(f"  {call}" for call in r["calls"]))]  # fmt: skip
         rest = "Nothing was sent; what comes after depends on the answers."
         return [*lines_of(roles), *scenes, rest if rows else "No server is asked."]
@@ -187,7 +184,7 @@ def _progress(total: int, *, quiet: bool) -> Iterator[Callable[[Outcome, int, in
         def show(outcome: Outcome, done: int, _: int) -> None:
             bar.update(task, completed=done)
             if outcome.state == "failed":
-                console.print(escaped(f"failed: {outcome.job.text[:60]!r}: {outcome.error}"))
+                console.print(escape(f"failed: {outcome.job.text[:60]!r}: {outcome.error}"))
 
         yield show
 
@@ -199,22 +196,22 @@ def _print(summary: Summary, out: Path, spent: Mapping[str, Any]) -> None:
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     counts = summary.counts()
     left = f", {counts['unpaid']} not paid for" if counts["unpaid"] else ""
-    told = f"{counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
-    console.print(escaped(f"{out}: {told}{left}"), soft_wrap=True)
+    shown = f"{counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
+    console.print(escape(f"{out}: {shown}{left}"), soft_wrap=True)
     if spent:
         paid = spent["spent"]
-        currency = escaped(paid["currency"])
+        currency = escape(paid["currency"])
         most = "" if paid["budget"] is None else f" of {paid['budget']:g}"
         unknown = f", and {paid['unpriced']} calls of unknown price" if paid["unpriced"] else ""
         console.print(f"  spent in all runs: {paid['money']:.4f}{most} {currency}{unknown}")
     for kind, count in summary.kinds().items():
-        console.print(escaped(f"  {count} {kind}"))
+        console.print(escape(f"  {count} {kind}"))
     table = Table("gate", "mean", "most")
     for name, figures in summary.gate().items():
-        table.add_row(escaped(name), f"{figures['mean']:g}", f"{figures['most']:g}")
+        table.add_row(escape(name), f"{figures['mean']:g}", f"{figures['most']:g}")
     if table.row_count:
         console.print(table)
     for outcome in (*summary.failures, *summary.unpaid):
         how = "failed" if outcome.state == "failed" else "not made"
-        text = escaped(f"  {how}: {outcome.job.text[:60]!r}: {outcome.error}")
+        text = escape(f"  {how}: {outcome.job.text[:60]!r}: {outcome.error}")
         console.print(text, soft_wrap=True)

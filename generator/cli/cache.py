@@ -7,7 +7,7 @@ import fnmatch
 import tyro
 from tyro.conf import Positional
 
-from ..errors import escaped
+from ..errors import escape
 from . import looking
 from .printing import emit
 from .store import some
@@ -16,7 +16,7 @@ app = tyro.extras.SubcommandApp()
 
 
 @app.command(name="list")
-def listed(pattern: Positional[str] = "*", /, *, json: bool = False) -> int:
+def list_bundles(pattern: Positional[str] = "*", /, *, json: bool = False) -> int:
     """List the bundles that can be found by name.
 
     They are the shipped ones, those of TABLETOPGEN_CACHE, and those in the user cache.
@@ -43,7 +43,7 @@ def remove(bundles: Positional[tuple[str, ...]], /) -> int:
 
     for path in [p for wanted in some(bundles) for p in assets_cache.find(wanted)]:
         assets_cache.remove(path)
-        print(escaped(f"removed {path.name}"))
+        print(escape(f"removed {path.name}"))
     return 0
 
 

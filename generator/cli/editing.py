@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from tyro import conf
-from tyro.conf import Positional
+from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import DryRunError, InputError, require_seed
-from .choosing import NOBODY, Chosen, roles_of
-from .paying import answering, open_session, paid, scene_key, told
+from .paying import (
+    NO_CALLS,
+    NOBODY,
+    Calls,
+    Chosen,
+    answering,
+    paid,
+    print_dry_run,
+    roles_of,
+    scene_key,
+)
 from .printing import print_scene, progress
 from .store import one, store
 
@@ -31,22 +41,34 @@ FORMS = {
 """What each action is given."""
 
 
+@dataclass(frozen=True)
+class MoveOptions:
+    """Where a moved thing goes.
+
+    Attributes:
+        to: With move: x and y of the thing's centre in metres from the table's, +x right, +y away.
+        turn: With move: degrees it turns, counter-clockwise seen from above.
+    """
+
+    to: tuple[float, float] | None = None
+    turn: float | None = None
+
+
+_MOVE = MoveOptions()
+
+
 def edit(
     bundle: Positional[str],
     action: Positional[Action],
     words: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="[NAME] [WORDS]")],
     /,
     *,
-    to: tuple[float, float] | None = None,
-    turn: float | None = None,
+    target: OmitArgPrefixes[MoveOptions] = _MOVE,
     out: Path | None = None,
     replace: bool = False,
     seed: int = 0,
     mix: Chosen = NOBODY,
-    budget: float | None = None,
-    dry_run: bool = False,
-    calls: Path | None = None,
-    prices: Path | None = None,
+    calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
     """Change one thing of a finished scene; everything else stays as it is, to the byte.
@@ -62,33 +84,28 @@ def edit(
         action: What is done.
         words: Name of the thing, what is asked for, or both. restyle takes plain, cartoon or
             low-poly, then names of things; all if none is named.
-        to: With move: x and y of the thing's centre in metres from the table's, +x right, +y away.
-        turn: With move: degrees it turns, counter-clockwise seen from above.
+        target: Where a moved thing goes.
         out: Folder the new bundle goes into; the user cache if left out.
         replace: Put the new bundle in the place of the one edited, which is removed.
         seed: The same bundle, edit and seed give the same scene.
         mix: Who draws and models what is new; the catalogue if nobody is named. The roles left
             open are then embedded, unless --backend says otherwise.
-        budget: With a backend that asks servers: stop before the calls cost more than this,
-            those of earlier runs of the same edit counted.
-        dry_run: Send nothing to servers; print who answers what, and the first calls
-            that would be made.
-        calls: Folder where answers of servers are kept; as for generate.
-        prices: Table of what calls cost (TOML); as for generate.
+        calls: What requests to servers may cost, and where responses are cached.
         json: Print one JSON object instead of text.
     """
     import assets_cache
 
     require_seed(seed)
     path, folder = one(bundle), store(out)
+    to, turn = target.to, target.turn
     _check_form(action, words, to, turn)
     if replace:
         if out is not None:
             raise InputError("--replace puts the bundle where the old one is; leave out --out.")
         assets_cache.check_removable(path, path.parent)
-    session = open_session(calls, prices, budget, dry_run)
+    session = calls.session()
     chosen = mix.select(session) if mix.given else None
-    roles = roles_of(mix, chosen) if dry_run and chosen is not None else None
+    roles = roles_of(mix, chosen) if calls.dry_run and chosen is not None else None
     yaw = 0.0 if turn is None else float(np.deg2rad(turn))
     who = None if chosen is None else chosen.identity()
     scene = scene_key("edit", path.name, action, words, to, turn, seed, who)
@@ -96,12 +113,12 @@ def edit(
         with answering(session, scene), progress(quiet=json) as shown:
             if shown is not None:
                 shown(action, 1, 1)
-            edited = _edited(path, action, words, to, yaw, seed, chosen)
-            if dry_run:  # it came to no call
+            edited = _edit(path, action, words, to, yaw, seed, chosen)
+            if calls.dry_run:  # it came to no call
                 raise DryRunError("")
             made = edited.save(path.parent if replace else folder)
     except DryRunError as error:
-        return told(error, roles, json)
+        return print_dry_run(error, roles, json)
     if paid(session, made):
         session.account.save(made, session.prices)
     if replace and made.resolve() != path.resolve():
@@ -127,7 +144,7 @@ def _check_form(
         raise InputError(f"Say tabletopgen edit BUNDLE {FORMS[action]}; got {' '.join(words)!r}.")
 
 
-def _edited(
+def _edit(
     path: Path,
     action: Action,
     words: tuple[str, ...],

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from tyro.conf import Positional
 
-from ..errors import DryRunError, InputError, escaped
-from .paying import answering, open_session, scene_key, told
+from ..errors import DryRunError, InputError, escape
+from .paying import NO_CALLS, Calls, answering, print_dry_run, scene_key
 from .printing import emit
 from .store import find, one, some
 
@@ -33,10 +33,7 @@ def evaluate(
     truth: str | None = None,
     sweep: bool = False,
     judge: str | None = None,
-    budget: float | None = None,
-    dry_run: bool = False,
-    calls: Path | None = None,
-    prices: Path | None = None,
+    calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
     """Measure scenes: collisions, what floats or drifts, sizes, likeness to picture and truth.
@@ -51,10 +48,7 @@ def evaluate(
         sweep: Also look from 160 views for the one nearest to the picture (about 20 s a scene).
         judge: Backend whose reasoner marks each scene from 1 to 7 (VF, IA, PP), and ranks them if
             --picture and several bundles are given. The embedded one cannot.
-        budget: What the judge may cost, earlier runs with the same words counted; as for generate.
-        dry_run: Send nothing to the judge; print the first calls that would be made.
-        calls: Folder where the judge's answers are kept; as for generate.
-        prices: Table of what calls cost (TOML); as for generate.
+        calls: With --judge: what its requests may cost, and where responses are cached.
         json: Print one JSON object instead of tables.
     """
     from ..bundle import load
@@ -64,10 +58,10 @@ def evaluate(
 
     session, asked, who = None, None, None
     if judge is not None:
-        session = open_session(calls, prices, budget, dry_run)
-        backends = _asked(judge, session)
+        session = calls.session()
+        backends = _ask_judge(judge, session)
         asked, who = backends.reasoner, backends.identity()["reasoner"]
-    elif budget is not None or dry_run or calls is not None or prices is not None:
+    elif calls != NO_CALLS:
         raise InputError(
             "--budget, --dry-run, --calls and --prices are of what a judge costs; name one with "
             "--judge."
@@ -78,9 +72,9 @@ def evaluate(
     paths = _paths(bundles)
     scene = scene_key("evaluate", who, [str(path.resolve()) for path in paths], picture)
     with answering(session, scene) if session is not None else contextlib.nullcontext():
-        found, order, would = _measured(paths, given, true, metrics, asked)
-    if dry_run:
-        return told(DryRunError("\n".join(would)), None, json)
+        found, order, would = _measure(paths, given, true, metrics, asked)
+    if calls.dry_run:
+        return print_dry_run(DryRunError("\n".join(would)), None, json)
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
@@ -98,13 +92,13 @@ def evaluate(
             f"Col_S {100 * summary.col_s:.1f} %"
         )
         if order:
-            print(f"ranked by {judge}, the best first: {', '.join(map(escaped, order))}")
+            print(f"ranked by {judge}, the best first: {', '.join(map(escape, order))}")
         if session is not None and (spent := session.account.text(session.prices.currency)):
-            print(escaped(spent))
+            print(escape(spent))
     return 0 if all(e.flawless for _, e in found) else 1
 
 
-def _asked(judge: str, session: Session) -> Backends:
+def _ask_judge(judge: str, session: Session) -> Backends:
     """Return backends whose reasoner judges, before anything is measured."""
     from ..backends import Backends
     from ..evaluation.judged import as_judge
@@ -114,7 +108,7 @@ def _asked(judge: str, session: Session) -> Backends:
     return backends
 
 
-def _measured(
+def _measure(
     paths: Sequence[Path],
     picture: Picture | None,
     true: Scene | None,
@@ -160,9 +154,9 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
 
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     for path, evaluation in found:
-        console.print(escaped(path), soft_wrap=True)
+        console.print(escape(path), soft_wrap=True)
         for line in _lines(evaluation.facts()):
-            console.print(escaped(f"  {line}"), soft_wrap=True)
+            console.print(escape(f"  {line}"), soft_wrap=True)
         if evaluation.flawless:
             console.print("  no defect found")
             continue
@@ -170,7 +164,7 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
         for f in evaluation.findings:
             value = "" if f.value is None else f"{f.value:.3g} {f.unit}"
             limit = "" if f.limit is None else f"{f.limit:.3g} {f.unit}"
-            table.add_row(escaped(f.name), f.kind, escaped(f.text), value, limit, f.evidence)
+            table.add_row(escape(f.name), f.kind, escape(f.text), value, limit, f.evidence)
         console.print(table)
 
 

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import InputError, MissingError, TabletopError, escaped
+from ..errors import InputError, MissingError, TabletopError, escape
 from ..io.files import check_target
 from .printing import emit, print_scene
 from .store import find, one, some
@@ -33,7 +33,7 @@ def inspect(bundle: Positional[str], /, *, json: bool = False) -> int:
 def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> int:
     """Check bundles: hashes, paths, numbers, and whether they still simulate soundly.
 
-    A certificate beside a bundle is no part of it; environments check it when they read it.
+    Certificates beside bundles are not checked here; environments check those they read.
 
     Args:
         bundles: Names, digests, globs or paths.
@@ -69,7 +69,7 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         picture: Write a PNG here instead of opening a window.
     """
     from ..bundle import load
-    from ..physics.mjcf import compiled, scene_spec
+    from ..physics.mjcf import compile_spec, scene_spec
 
     path = one(bundle)
     if picture is not None:
@@ -82,14 +82,14 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         import mujoco.viewer
 
         # What was checked, not the file, which may be another by now.
-        mujoco.viewer.launch(compiled(scene_spec(scene), scene.name))
+        mujoco.viewer.launch(compile_spec(scene_spec(scene), scene.name))
         return 0
     from ..io.pictures import write_picture
     from ..method.figures import preview
 
     target = picture or Path(f"{path.name}.png")
     write_picture(preview(scene), target)
-    print(escaped(str(target) if picture else f"No screen here; wrote {target}."))
+    print(escape(str(target) if picture else f"No screen here; wrote {target}."))
     return 0
 
 
@@ -100,7 +100,7 @@ def compare(
     out: Path | None = None,
     json: bool = False,
 ) -> int:
-    """Hold a bundle against its picture: masks, the scene from the same camera, both, figures.
+    """Compare a bundle with its picture: masks, the scene from its camera, an overlay, figures.
 
     Args:
         sources: A picture and a bundle (name, digest, glob or path); the bundle alone means the

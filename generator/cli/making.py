@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from tyro.conf import Positional
+from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import DryRunError, InputError, require_seed
 from ..io.files import check_folder
 from ..scene import Intrinsics
-from .choosing import USUAL, Chosen, roles_of
-from .paying import answering, open_session, paid, scene_key, told
+from .paying import (
+    NO_CALLS,
+    USUAL,
+    Calls,
+    Chosen,
+    answering,
+    paid,
+    print_dry_run,
+    roles_of,
+    scene_key,
+)
 from .printing import print_scene, progress
 from .store import store
 
@@ -19,50 +29,66 @@ if TYPE_CHECKING:
     from ..generation import Ablation
 
 
+@dataclass(frozen=True)
+class CameraOptions:
+    """What is known of the picture besides its colours.
+
+    Attributes:
+        depth: Depth map of the picture, of the same size: a 16-bit PNG in millimetres, 0 where
+            unknown. Sizes and places are then measured.
+        intrinsics: With --depth: fx,fy,cx,cy of the picture's camera, in its pixels.
+    """
+
+    depth: Path | None = None
+    intrinsics: str | None = None
+
+
+@dataclass(frozen=True)
+class OutputOptions:
+    """What is written, and where.
+
+    Attributes:
+        out: Folder of the new bundle; the user cache if left out.
+        name: Name of the scene; made from the text if left out.
+        figures: Also write the pictures of each stage (Sec. 6.1 of the paper) to this folder.
+        allow_failed: Publish the scene even if it fails its physical gate.
+    """
+
+    out: Path | None = None
+    name: str | None = None
+    figures: Path | None = None
+    allow_failed: bool = False
+
+
+_CAMERA, _OUTPUT = CameraOptions(), OutputOptions()
+
+
 def generate(
     source: Positional[str],
     /,
     *,
-    depth: Path | None = None,
-    intrinsics: str | None = None,
-    out: Path | None = None,
-    name: str | None = None,
+    output: OmitArgPrefixes[OutputOptions] = _OUTPUT,
     seed: int = 0,
-    mix: Chosen = USUAL,
-    figures: Path | None = None,
+    camera: OmitArgPrefixes[CameraOptions] = _CAMERA,
     without: Literal["dro", "tsa", "both"] | None = None,
     timings: bool = False,
-    budget: float | None = None,
-    dry_run: bool = False,
-    calls: Path | None = None,
-    prices: Path | None = None,
-    allow_failed: bool = False,
+    mix: Chosen = USUAL,
+    calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
     """Turn a text, or a picture of a tabletop, into a simulated table.
 
     Args:
         source: A description ("a desk with a laptop and two mugs") or the path of a picture.
-        depth: Depth map of the picture, of the same size: a 16-bit PNG in millimetres, 0 where
-            unknown. Sizes and places are then measured.
-        intrinsics: With --depth: fx,fy,cx,cy of the picture's camera, in its pixels.
-        out: Folder the bundle goes into; the user cache if left out.
-        name: Name of the scene; made from the text if left out.
+        output: What is written, and where.
         seed: The same source and seed give the same scene.
-        mix: Who answers the questions about text and image; roles can differ from the rest.
-        figures: Also write the stage-by-stage pictures of the paper's Sec. 6.1 here.
+        camera: What is known of the picture besides its colours.
         without: Leave a stage out, as in the paper's ablations: the backend guesses from the
             picture what dro (rotations), tsa (places and sizes) or both would have found. Nothing
             is refined then.
         timings: Also print the seconds of every stage.
-        budget: With a backend that asks servers: stop before the calls cost more than this, those
-            of earlier runs of the same scene counted.
-        dry_run: Send nothing to servers; print who answers what, and the first calls
-            that would be made.
-        calls: Folder where answers of servers are kept, so that nothing is paid for twice;
-            TABLETOPGEN_CALLS, else the user cache, if left out.
-        prices: Table of what calls cost (TOML); the one that comes with the package if left out.
-        allow_failed: Publish even if the scene fails its physical gate.
+        mix: Who answers the questions about text and image; roles can differ from the rest.
+        calls: What requests to servers may cost, and where responses are cached.
         json: Print one JSON object instead of text.
     """
     from ..bundle import check_name
@@ -71,32 +97,34 @@ def generate(
     from ..pipeline import generate as run
 
     require_seed(seed)
-    folder = store(out)
+    folder = store(output.out)
+    name, figures = output.name, output.figures
     if figures is not None:
         check_folder(figures, "--figures")
     if name is not None:
         check_name(name)
-    camera = None if intrinsics is None else _intrinsics(intrinsics)
-    session = open_session(calls, prices, budget, dry_run)
+    depth, intrinsics = camera.depth, camera.intrinsics
+    lens = None if intrinsics is None else _intrinsics(intrinsics)
+    session = calls.session()
     chosen = mix.select(session)
     what = Path(source) if is_picture_name(source) else source
     scene = scene_key("generate", what, depth, intrinsics, seed, without, chosen.identity())
-    roles = roles_of(mix, chosen) if dry_run else None
+    roles = roles_of(mix, chosen) if calls.dry_run else None
     try:
         with answering(session, scene), progress(quiet=json) as shown:
-            if dry_run and not chosen.asks_servers():
+            if calls.dry_run and not chosen.asks_servers():
                 raise DryRunError("")
             generation = run(
                 source, chosen, Config(without=_left_out(without)), seed, name=name,
-                progress=shown, depth=depth, intrinsics=camera,
+                progress=shown, depth=depth, intrinsics=lens,
             )  # fmt: skip
-            if dry_run:  # all answers are kept
+            if calls.dry_run:  # all answers are kept
                 raise DryRunError("")
             if figures is not None:
                 generation.save_figures(figures)
-            path = generation.save(folder, allow_failed=allow_failed)
+            path = generation.save(folder, allow_failed=output.allow_failed)
     except DryRunError as error:
-        return told(error, roles, json)
+        return print_dry_run(error, roles, json)
     if paid(session, path):
         session.account.save(path, session.prices)
     seconds = generation.seconds if timings else None

@@ -10,14 +10,14 @@ from tyro.conf import Positional
 
 from ..backends.huggingface.weights.folder import missing, models_folder, snapshot
 from ..backends.huggingface.weights.pins import Pin, pin, pins
-from ..errors import InputError, escaped
+from ..errors import InputError, escape
 from .printing import emit
 
 app = tyro.extras.SubcommandApp()
 
 
 @app.command(name="list")
-def listed(*, folder: Path | None = None, json: bool = False) -> int:
+def list_models(*, folder: Path | None = None, json: bool = False) -> int:
     """List the models: repository, commit, size of the weights, licence, whether it is here.
 
     Args:
@@ -42,9 +42,9 @@ def listed(*, folder: Path | None = None, json: bool = False) -> int:
 
 @app.command(name="pull")
 def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) -> int:
-    """Fetch models from Hugging Face: safetensors and configurations only, at their commits.
+    """Download models from Hugging Face: safetensors and configurations only, at fixed commits.
 
-    What is there already is not fetched again; an interrupted download goes on.
+    What is there is not downloaded again; an interrupted download resumes.
 
     Args:
         names: Names that `tabletopgen models list` shows.
@@ -56,7 +56,7 @@ def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) 
         raise InputError("Name at least one model; `tabletopgen models list` shows what there is.")
     home = models_folder(folder)
     for model in [pin(name) for name in names]:
-        print(escaped(f"{model.name}: {pull(model, home)}"))
+        print(escape(f"{model.name}: {pull(model, home)}"))
     return 0
 
 

@@ -1,4 +1,4 @@
-"""What commands that ask servers say of it: which calls, at what price."""
+"""What commands that ask backends share: who answers, which calls are sent, at what price."""
 
 from __future__ import annotations
 
@@ -6,47 +6,118 @@ import hashlib
 import json
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from ..errors import DryRunError, InputError, escaped
+from tyro.conf import OmitArgPrefixes, arg
+
+from ..backends import Mix
+from ..errors import DryRunError, InputError, escape
 from ..io.reading import read_regular
 from ..scene.provenance import plain
-from .choosing import Roles, lines_of
 
 if TYPE_CHECKING:
+    from ..backends import Backends
     from ..calls import Session
+    from ..calls.money.prices import Prices
 
 VARIABLE = "TABLETOPGEN_CALLS"
-"""Environment variable naming the folder where answers of servers are kept."""
+"""Environment variable naming the folder of cached responses."""
 
 _MOST_BYTES = 2**30  # of a file that decides a scene
 
+Chosen = OmitArgPrefixes[Annotated[Mix, arg(name="backend")]]
+"""The type of a command's argument that makes these options."""
 
-def calls_folder(calls: Path | None) -> Path:
-    """Return where answers of servers are kept: in ``calls``, else where this user's are."""
+Roles = Mapping[str, Mapping[str, Any]]
+"""Who each role is: its name, and its settings."""
+
+USUAL = Mix()
+"""What generating commands use unless told otherwise."""
+
+NOBODY = Mix(backend=None)
+"""What commands use that can do without backends."""
+
+
+def roles_of(mix: Mix, backends: Backends) -> Roles:
+    """Return for each role who it is by name, and the settings that decide its answers."""
+    names, settings = mix.roles(), backends.identity()
+    return {
+        role: {"name": names[role], **{k: v for k, v in settings[role].items() if k != "class"}}
+        for role in names
+    }
+
+
+def lines_of(roles: Roles) -> list[str]:
+    """Return ``roles_of`` as a line for each role."""
+    lines = []
+    for role, facts in roles.items():
+        settings = ", ".join(f"{k}={v}" for k, v in facts.items() if k != "name" and v != "")
+        lines.append(f"{role:<10} {facts['name']}" + (f" ({settings})" if settings else ""))
+    return lines
+
+
+@dataclass(frozen=True)
+class CallOptions:
+    """What requests to servers may cost, and where usable responses are cached.
+
+    Attributes:
+        budget: The most that the calls may cost; those of earlier runs of the same command
+            are counted. A batch counts all runs into its folder, and all its workers.
+        dry_run: Send nothing to servers and make nothing; print who answers what, and the first
+            calls that would be made.
+        calls: Folder of cached responses, so that none is billed twice; TABLETOPGEN_CALLS, else
+            the user cache, if left out.
+        prices: Price table (TOML); the shipped one if left out.
+    """
+
+    budget: float | None = None
+    dry_run: bool = False
+    calls: Path | None = None
+    prices: Path | None = None
+
+    def folder(self) -> Path:
+        """Return the folder of cached responses."""
+        return calls_folder(self.calls)
+
+    def table(self) -> Prices:
+        """Return the price table.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
+        from ..calls.money.prices import Prices
+
+        return Prices.default() if self.prices is None else Prices.load(self.prices)
+
+    def session(self) -> Session:
+        """Return a session with these settings."""
+        from ..calls import Session
+        from ..calls.store import CallStore
+
+        return Session(
+            store=CallStore(self.folder()),
+            prices=self.table(),
+            budget=self.budget,
+            dry=self.dry_run,
+        )
+
+
+Calls = OmitArgPrefixes[CallOptions]
+"""The type of a command's argument that makes these options."""
+
+NO_CALLS = CallOptions()
+
+
+def calls_folder(calls: Path | None = None) -> Path:
+    """Return where responses are cached: in ``calls``, else where this user's are."""
     import platformdirs
 
     usual = os.environ.get(VARIABLE) or Path(platformdirs.user_cache_dir("tabletopgen")) / "calls"
     return Path(calls or usual)
-
-
-def open_session(
-    calls: Path | None, prices: Path | None, budget: float | None, dry: bool
-) -> Session:
-    """Return a session that keeps answers in ``calls_folder(calls)``."""
-    from ..calls import Session
-    from ..calls.money.prices import Prices
-    from ..calls.store import CallStore
-
-    return Session(
-        store=CallStore(calls_folder(calls)),
-        prices=Prices.shipped() if prices is None else Prices.load(prices),
-        budget=budget,
-        dry=dry,
-    )
 
 
 def scene_key(*decisive: Any) -> str:
@@ -83,8 +154,8 @@ def answering(session: Session, scene: str) -> Iterator[None]:
         session.stop.set()
         spent = session.account.text(session.prices.currency)
         if spent and not isinstance(error, DryRunError):
-            told = f"{spent}\nWhat was answered is kept; {spending.path} says what was spent."
-            print(escaped(told), file=sys.stderr)
+            message = f"{spent}\nWhat was answered is kept; {spending.path} says what was spent."
+            print(escape(message), file=sys.stderr)
         raise
 
 
@@ -97,7 +168,7 @@ def paid(session: Session, made: Path) -> bool:
     return now or (any(e.earlier for e in entries) and not (made / LEDGER).exists())
 
 
-def told(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
+def print_dry_run(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
     """Print who answers, and what a dry run came to; return the exit code of success."""
     from .printing import emit
 

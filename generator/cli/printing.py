@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..errors import escaped
+from ..errors import escape
 
 if TYPE_CHECKING:
     from ..calls import Session
@@ -118,4 +118,4 @@ def _ledger(session: Session | None) -> list[str]:
 
 def emit(value: Any, as_json: bool, lines: Callable[[], list[str]]) -> None:
     """Print ``value`` as JSON, or the lines for people."""
-    print(json.dumps(value, indent=2) if as_json else escaped("\n".join(lines())))
+    print(json.dumps(value, indent=2) if as_json else escape("\n".join(lines())))

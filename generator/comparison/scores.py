@@ -94,10 +94,7 @@ class Comparison:
 def compare(scene: Scene, segments: Segments, picture: UInt8[np.ndarray, "h w 3"]) -> Comparison:
     """Draw ``scene`` as the picture's camera sees it and measure how the two agree.
 
-    Args:
-        scene: the rebuilt scene.
-        segments: what was found in the picture.
-        picture: the picture, in any resolution.
+    ``segments`` are what was found in the picture, which may be of any resolution.
 
     Raises:
         InputError: the picture has other proportions than ``segments``.

@@ -44,9 +44,9 @@ def comparison_sheet(comparison: Comparison) -> UInt8[np.ndarray, "h w 3"]:
     things = {name: masks[name] for name in names}
     panels = [
         ("picture", c.picture),
-        ("masks found", _named(_outlined(c.picture, masks, colors), _feet(things), colors)),
+        ("masks found", _label(_outline(c.picture, masks, colors), _feet(things), colors)),
         ("scene, from the picture's camera", c.rendered.image),
-        ("both, scene outlined", _outlined(blend.astype(np.uint8), bodies, colors)),
+        ("both, scene outlined", _outline(blend.astype(np.uint8), bodies, colors)),
         ("scene from above", _from_above(c, colors)),
     ]
     height = round(PANEL * min(_TALLEST, c.picture.shape[0] / c.picture.shape[1]))
@@ -58,7 +58,7 @@ def comparison_sheet(comparison: Comparison) -> UInt8[np.ndarray, "h w 3"]:
     for k, (caption, image) in enumerate(panels):
         x, y = _corner(k, height)
         draw.text((x, y), caption, _PALE, ImageFont.load_default(16))
-        fitted = _fitted(image, PANEL, height)
+        fitted = _fit(image, PANEL, height)
         left, top = (PANEL - fitted.width) // 2, (height - fitted.height) // 2
         sheet.paste(fitted, (x + left, y + _LINE + top))
     _figures(draw, _corner(5, height), height, [c.table, *c.scores], colors)
@@ -70,7 +70,7 @@ def _corner(panel: int, height: int) -> tuple[int, int]:
     return _GAP + column * (PANEL + _GAP), 2 * _GAP + _LINE + row * (height + _LINE + _GAP)
 
 
-def _fitted(image: Picture, width: int, height: int) -> Image.Image:
+def _fit(image: Picture, width: int, height: int) -> Image.Image:
     picture = Image.fromarray(np.ascontiguousarray(image))
     factor = min(width / picture.width, height / picture.height)
     size = (max(1, round(picture.width * factor)), max(1, round(picture.height * factor)))
@@ -84,7 +84,7 @@ def _color(index: int) -> Color:
     return round(255 * red), round(255 * green), round(255 * blue)
 
 
-def _outlined(
+def _outline(
     image: Picture, masks: Mapping[str, Bool[np.ndarray, "h w"]], colors: Mapping[str, Color]
 ) -> Picture:
     """Return ``image`` with the border of every mask drawn on it in its colour."""
@@ -106,7 +106,7 @@ def _feet(
     return {name: np.array([(box[0] + box[2]) / 2, box[3]]) for name, box in boxes.items()}
 
 
-def _named(
+def _label(
     image: Picture, places: Mapping[str, Float[np.ndarray, "2"]], colors: Mapping[str, Color]
 ) -> Picture:
     """Return ``image`` with names written under pixel places, moved apart where they would meet."""
@@ -140,7 +140,7 @@ def _from_above(c: Comparison, colors: Mapping[str, Color]) -> Picture:
     camera = framing_camera(points, TOP_DOWN, width, height)
     shown = render(items, camera)
     bodies = {thing.name: shown.ids == k for k, thing in enumerate(c.scene.objects, start=1)}
-    return _named(shown.image, _feet(bodies), colors)
+    return _label(shown.image, _feet(bodies), colors)
 
 
 def _title(c: Comparison) -> str:

@@ -1,6 +1,6 @@
 """Finished scenes changed in one place (Sec. 4.4, Fig. 7): swap, add, remove, move, restyle.
 
-Only what an edit touches is made anew. Every other thing keeps its mesh, texture, collision parts
+Only what an edit touches is made again. Every other thing keeps its mesh, texture, collision parts
 and mass to the byte, and its pose to the bit unless settling moves it. The scene is settled and
 judged again; its provenance names what it was edited from, and the edit.
 

@@ -17,12 +17,12 @@ from ..method.publish import without
 from ..scene import TABLE, Edit, EditKind, Model, Object, Placement, PlannedObject, Relation, Scene
 from ..scene.provenance import plain, versions
 from . import planning
-from .asking import Planner, as_planned, understood, whereabouts
+from .asking import Planner, as_planned, understand, whereabouts
 from .edited import Edited, Opened
-from .making import check_known, check_style, make, restyled
+from .making import check_known, check_style, make, remodel
 from .moving import moved_by, moved_to
-from .placing import beneath, loads, posed, related, set_down
-from .settling import settled, tried
+from .placing import beneath, loads, place_by_relations, pose, set_down
+from .settling import settle_again, try_places
 
 ATTEMPTS = 4
 """Places tried until one holds."""
@@ -46,15 +46,8 @@ def swap(
 
     It has its own usual size, and lies as the other did if both are long. Where it finds no room
     there, it stands at the nearest free place, which a warning says. What stood on or in the other
-    is set down on or in it.
-
-    Args:
-        bundle: a bundle's folder.
-        name: which thing goes.
-        text: what comes.
-        seed: the same bundle, edit and seed give the same scene.
-        backends: who draws and models it; None takes it from the catalogue.
-        config: settings of the stages.
+    is set down on or in it. ``backends`` draw and model it; with None it is the catalogue's. The
+    same bundle, edit and seed give the same scene.
 
     Raises:
         InputError: no such thing in the scene, or nothing to put there.
@@ -65,7 +58,7 @@ def swap(
     require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
     scene, old = opened.scene, opened.thing(name)
-    asked = understood(scene, text, _planner(backends), seed)
+    asked = understand(scene, text, _planner(backends), seed)
     if asked.planned.relations:
         raise InputError(
             f"{text!r} says a place, but what is swapped in takes {name}'s. Name the thing alone, "
@@ -84,13 +77,13 @@ def swap(
         )
     yaw = _facing(old, made.model.size, made.yaw)
     new = _body(planned.name, made.model, old, yaw)
-    wanted = _exchanged(scene, name, new)
+    wanted = _exchange(scene, name, new)
     arranged = set_down(wanted, [new.name])
-    done = settled(wanted, arranged, [new.name], config)
-    done = planning.swapped(done, name, asked.planned)
+    done = settle_again(wanted, arranged, [new.name], config)
+    done = planning.swap_in_plan(done, name, asked.planned)
     edit = _edit(opened, "swap", (name, new.name), text, seed, backends, config)
-    told = (f"{new.name} was put in the place of {name}.", *_aside(wanted, done, new.name))
-    return Edited.of(opened, done, edit, asked.warnings + told)
+    messages = (f"{new.name} was put in the place of {name}.", *_aside(wanted, done, new.name))
+    return Edited.of(opened, done, edit, asked.warnings + messages)
 
 
 def add(
@@ -102,13 +95,8 @@ def add(
 ) -> Edited:
     """Put one more thing on the table: ``add(bundle, "a red mug left of the laptop")``.
 
-    Args:
-        bundle: a bundle's folder.
-        text: the thing, and where it goes if that is not left open; things of the scene are meant
-            by their words, or by their names where several are alike.
-        seed: as for ``swap``.
-        backends: as for ``swap``.
-        config: as for ``swap``.
+    The text says where it goes, if that is not left open; things of the scene are meant by their
+    words, or by their names where several are alike. Seed and backends are as for ``swap``.
 
     Raises:
         InputError: nothing to put there, or a place beside what is not on the table.
@@ -117,28 +105,23 @@ def add(
     require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
     scene = opened.scene
-    asked = understood(scene, text, _planner(backends), seed)
+    asked = understand(scene, text, _planner(backends), seed)
     planned = asked.planned
     made = make(planned, asked.style, beneath(scene, planned), backends, config, seed)
 
-    def placed(attempt: int) -> Scene:
-        placement = related(scene, planned, made.model, made.yaw, (), seed + attempt)
+    def place(attempt: int) -> Scene:
+        placement = place_by_relations(scene, planned, made.model, made.yaw, (), seed + attempt)
         new = body(made.model, placement)
         return scene.replace(objects=(*scene.objects, new))
 
-    done = tried(placed, planned.name, [planned.name], config, attempts=ATTEMPTS)
-    done = planning.added(done, planned)
+    done = try_places(place, planned.name, [planned.name], config, attempts=ATTEMPTS)
+    done = planning.add_to_plan(done, planned)
     edit = _edit(opened, "add", (planned.name,), text, seed, backends, config)
     return Edited.of(opened, done, edit, asked.warnings)
 
 
 def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edited:
     """Take a thing off the table: what is in it goes along, what stood on it is set down.
-
-    Args:
-        bundle: a bundle's folder.
-        name: which thing goes.
-        config: settings of the assembly.
 
     Raises:
         InputError: no such thing in the scene.
@@ -155,12 +138,12 @@ def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edite
     loose = [o.name for o in scene.objects if o.name in left and o.placement.on in gone]
     kept = [replace(o, placement=left[o.name]) for o in scene.objects if o.name in left]
     wanted = scene.replace(objects=tuple(kept))
-    done = settled(wanted, set_down(wanted, loose), (), config, loose)
-    done = planning.removed(done, gone)
-    told = tuple(f"{n} was removed with {name}." for n in gone if n != name)
-    told += tuple(f"{n} was set down as {name} was removed." for n in loose)
+    done = settle_again(wanted, set_down(wanted, loose), (), config, loose)
+    done = planning.remove_from_plan(done, gone)
+    messages = tuple(f"{n} was removed with {name}." for n in gone if n != name)
+    messages += tuple(f"{n} was set down as {name} was removed." for n in loose)
     edit = _edit(opened, "remove", (name, *(n for n in gone if n != name)), name, 0, None, config)
-    return Edited.of(opened, done, edit, told)
+    return Edited.of(opened, done, edit, messages)
 
 
 def move(
@@ -174,15 +157,10 @@ def move(
 ) -> Edited:
     """Put a thing elsewhere, with what stands on and in it.
 
-    Args:
-        bundle: a bundle's folder.
-        name: which thing moves.
-        where: words ("left of the laptop", "on book_2"); or x and y of its centre in metres from
-            the table's, +x right and +y away; None turns it where it stands.
-        turn: by how much it turns, radians, counter-clockwise seen from above.
-        seed: of the choice among places.
-        backends: whose reasoner reads the words; None is the embedded one.
-        config: settings of the assembly.
+    ``where`` is words ("left of the laptop", "on book_2"), or x and y of its centre in metres from
+    the table's, +x right and +y away; None turns it where it stands. ``turn`` is in radians,
+    counter-clockwise seen from above. The reasoner of ``backends``, or the embedded one, reads
+    words; ``seed`` chooses among places.
 
     Raises:
         InputError: no such thing, or no place.
@@ -194,30 +172,30 @@ def move(
     opened, config = Opened.read(bundle), config or Config()
     scene, thing = opened.scene, opened.thing(name)
     _check_move(where, turn)
-    told: tuple[str, ...] = ()
+    messages: tuple[str, ...] = ()
     planned = PlannedObject(name, thing.label, thing.model.category)
     if isinstance(where, str):
         heard = whereabouts(scene, thing, where, _planner(backends), seed)
-        planned, told = heard.planned, heard.warnings
+        planned, messages = heard.planned, heard.warnings
     above = loads(scene, name)
     under = sorted({r.target for r in planned.relations} & {name, *above})
     if under:
         raise InputError(f"{name} cannot be put relative to {under[0]}, which moves with it.")
 
-    def placed(attempt: int) -> Scene:
+    def place(attempt: int) -> Scene:
         if not isinstance(where, str):
             return moved_to(scene, thing, where, turn)
         model = replace(thing.model, size=thing.scale)
         yaw = thing.placement.yaw + turn
-        place = related(scene, planned, model, yaw, (name, *above), seed + attempt)
+        place = place_by_relations(scene, planned, model, yaw, (name, *above), seed + attempt)
         return moved_by(scene, thing, place)
 
     attempts = ATTEMPTS if isinstance(where, str) else 1
-    done = tried(placed, name, (), config, (name, *above), attempts)
-    done = planning.moved(done, name, planned.relations)
+    done = try_places(place, name, (), config, (name, *above), attempts)
+    done = planning.move_in_plan(done, name, planned.relations)
     asked = where if isinstance(where, str) else _metres(where, turn)
     edit = _edit(opened, "move", (name, *above), asked, seed, backends, config)
-    return Edited.of(opened, done, edit, told)
+    return Edited.of(opened, done, edit, messages)
 
 
 def restyle(
@@ -228,15 +206,10 @@ def restyle(
     backends: Backends | None = None,
     config: Config | None = None,
 ) -> Edited:
-    """Make things again in another style, as large as they are and where they are.
+    """Make things, or all of them, again in another style, as large as they are and where they are.
 
-    Args:
-        bundle: a bundle's folder.
-        style: "plain", "cartoon" or "low-poly"; with backends, any word that they understand.
-        names: which things; none means all. The table stays as it is.
-        seed: as for ``swap``.
-        backends: as for ``swap``.
-        config: as for ``swap``.
+    A style is "plain", "cartoon" or "low-poly"; with backends, any word that they understand. The
+    table stays as it is. Seed and backends are as for ``swap``.
 
     Raises:
         InputError: no such style or thing, or a thing that the catalogue does not know.
@@ -252,16 +225,16 @@ def restyle(
         check_style(style)
         for thing in planned.values():
             check_known(thing)
-    models = {n: restyled(scene, p, style, backends, config, seed) for n, p in planned.items()}
+    models = {n: remodel(scene, p, style, backends, config, seed) for n, p in planned.items()}
     fresh = {
         n: _body(n, m, scene.object(n), scene.object(n).placement.yaw) for n, m in models.items()
     }
     objects = tuple(fresh.get(o.name, o) for o in scene.objects)
     wanted = scene.replace(objects=objects)
-    done = settled(wanted, set_down(wanted, chosen), chosen, config)
+    done = settle_again(wanted, set_down(wanted, chosen), chosen, config)
     edit = _edit(opened, "restyle", tuple(chosen), style, seed, backends, config)
-    told = tuple(w for n in chosen for w in _aside(wanted, done, n))
-    return Edited.of(opened, planning.restyled(done, chosen, style), edit, told)
+    messages = tuple(w for n in chosen for w in _aside(wanted, done, n))
+    return Edited.of(opened, planning.restyle_plan(done, chosen, style), edit, messages)
 
 
 # ------------------------------------------------------------------------------------------ parts
@@ -302,7 +275,7 @@ def _facing(old: Object, size: np.ndarray, natural: float) -> float:
     return float(min((yaw, yaw + np.pi), key=lambda a: -np.cos(a - natural)))
 
 
-def _exchanged(scene: Scene, name: str, new: Object) -> Scene:
+def _exchange(scene: Scene, name: str, new: Object) -> Scene:
     """Return the scene with another thing in the place of one, what stood on it now on the other.
 
     What was in it starts upright over its middle.
@@ -318,7 +291,7 @@ def _exchanged(scene: Scene, name: str, new: Object) -> Scene:
             there = replace(below, on=new.name)
             if below.inside:
                 middle = np.array([*new.pose.position[:2], thing.pose.position[2]])
-                objects.append(posed(thing, replace(there, translation=middle)))
+                objects.append(pose(thing, replace(there, translation=middle)))
             else:
                 objects.append(replace(thing, placement=there))
     return scene.replace(objects=tuple(objects))

@@ -27,7 +27,7 @@ class Asked:
     warnings: tuple[str, ...]
 
 
-def understood(scene: Scene, text: str, planner: Planner, seed: int) -> Asked:
+def understand(scene: Scene, text: str, planner: Planner, seed: int) -> Asked:
     """Return the one new thing that a text asks for ("a red mug left of the laptop").
 
     Things of the scene are meant by their words or by their names ("mug_2").
@@ -42,7 +42,7 @@ def understood(scene: Scene, text: str, planner: Planner, seed: int) -> Asked:
     subject = _subject(plan, words)
     by_name = {o.name: o for o in plan.objects}
     targets = [r.target for r in subject.relations if r.target != TABLE]
-    meant = {t: _meant(scene, by_name[t], named) for t in dict.fromkeys(targets)}
+    meant = {t: _resolve(scene, by_name[t], named) for t in dict.fromkeys(targets)}
     relations = tuple(replace(r, target=meant.get(r.target, TABLE)) for r in subject.relations)
     known = scene.plan.objects if scene.plan else ()
     taken = {TABLE, *(o.name for o in scene.objects), *(o.name for o in known)}
@@ -59,7 +59,7 @@ def whereabouts(scene: Scene, thing: Object, where: str, planner: Planner, seed:
         InputError: the text says no place, or refers to what is not there or not told apart.
         BackendError: the planner could not answer.
     """
-    asked = understood(scene, f"a {thing.label} {where}", planner, seed)
+    asked = understand(scene, f"a {thing.label} {where}", planner, seed)
     relations = asked.planned.relations
     if not relations:
         raise InputError(
@@ -109,7 +109,7 @@ def _subject(plan: ScenePlan, text: str) -> PlannedObject:
     return subject
 
 
-def _meant(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
+def _resolve(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
     """Return the name of the scene's thing that a planned target means."""
     if target.noun in named:
         return named[target.noun]
@@ -117,13 +117,14 @@ def _meant(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
     if not fits:
         words = sorted({o.label for o in scene.objects} | {o.name for o in scene.objects})
         raise InputError(f"There is no {target.noun} on the table." + choices(target.noun, words))
-    told = _of_look(scene, fits, target) if len(fits) > 1 else fits
-    if len(told) > 1:
-        names = " and ".join(o.name for o in told)
+    matching = _of_look(scene, fits, target) if len(fits) > 1 else fits
+    if len(matching) > 1:
+        names = " and ".join(o.name for o in matching)
         raise InputError(
-            f"{names} could be meant by {target.noun!r}. Say which, as in 'next to {told[0].name}'."
+            f"{names} could be meant by {target.noun!r}. "
+            f"Say which, as in 'next to {matching[0].name}'."
         )
-    return told[0].name
+    return matching[0].name
 
 
 def _fits(thing: Object, target: PlannedObject) -> bool:

@@ -6,14 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ..bundle import (
-    Segments,
-    load,
-    load_fingerprint,
-    load_pictures,
-    load_segments,
-    save,
-)
+from ..bundle import Segments, load, load_fingerprint, load_pictures, load_segments, save
 from ..errors import InputError, SceneError
 from ..method.figures import preview
 from ..scene import TABLE, Edit, Object, Scene
@@ -74,8 +67,8 @@ class Edited:
                 "Nothing was published. Try another seed, or make room first."
             )
         past = scene.provenance
-        told = past.warnings + tuple(w for w in warnings if w not in past.warnings)
-        provenance = replace(past, edits=(*past.edits, edit), warnings=told)
+        merged = past.warnings + tuple(w for w in warnings if w not in past.warnings)
+        provenance = replace(past, edits=(*past.edits, edit), warnings=merged)
         pictures = {stem: png for stem, png in opened.pictures.items() if stem != "preview"}
         return cls(scene.replace(provenance=provenance), pictures, opened.segments)
 

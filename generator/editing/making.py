@@ -28,7 +28,7 @@ EASEL = PlannedTable(size=(0.5, 0.4, 0.74))
 
 
 @dataclass(frozen=True, eq=False)
-class Made:
+class MadeModel:
     """A new model at its usual size, and the yaw (radians) that turns its front to the viewer."""
 
     model: Model
@@ -42,7 +42,7 @@ def make(
     backends: Backends | None,
     config: Config,
     seed: int,
-) -> Made:
+) -> MadeModel:
     """Make the model of a planned thing; ``supports`` are those that its relations name.
 
     Raises:
@@ -51,12 +51,12 @@ def make(
         SceneError: the thing does not show in its drawing.
     """
     if backends is not None:
-        return _drawn(planned, style, backends, config, seed)
+        return _draw(planned, style, backends, config, seed)
     plan = ScenePlan(planned.noun, PlannedTable(), (planned, *supports), style)
     check_known(planned)
     model = build_models(plan, seed)[planned.name]
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 23])
-    return Made(model, natural_yaw(planned, model, plan, rng))
+    return MadeModel(model, natural_yaw(planned, model, plan, rng))
 
 
 def check_known(planned: PlannedObject) -> None:
@@ -84,7 +84,7 @@ def check_style(style: str) -> None:
         raise InputError(f"Unknown style {style!r}." + choices(style, ("plain", *STYLES)))
 
 
-def restyled(
+def remodel(
     scene: Scene,
     planned: PlannedObject,
     style: str,
@@ -120,9 +120,9 @@ def _same_look(scene: Scene, planned: PlannedObject, style: str) -> Model | None
     return build_models(replace(plan, style=style), seed)[planned.name]
 
 
-def _drawn(
+def _draw(
     planned: PlannedObject, style: str, backends: Backends, config: Config, seed: int
-) -> Made:
+) -> MadeModel:
     """Draw a thing alone on a small table, and make its model of that (Secs. 3 to 3.3)."""
     b = backends
     alone = replace(planned, relations=())
@@ -132,7 +132,7 @@ def _drawn(
         reference, b.reasoner, b.segmenter, b.imager, seed, config.extraction,
         complete_each=b.each("imager"),
     )  # fmt: skip
-    table, instance = found[0], _shown(found[1:], planned)
+    table, instance = found[0], _pick(found[1:], planned)
     view = b.reasoner.estimate_view(reference, table)
     sizes = b.reasoner.estimate_sizes(reference, found, view)
     models = make_models(reference, (instance,), sizes, view, b.modeler, b.reasoner)
@@ -140,10 +140,10 @@ def _drawn(
         reference, (instance,), models, view, b.encoder, config.rotation, seed
     )
     model = replace(models[instance.name], name=planned.name, label=planned.noun)
-    return Made(model, turns[instance.name].yaw)
+    return MadeModel(model, turns[instance.name].yaw)
 
 
-def _shown(found: Sequence[Instance], planned: PlannedObject) -> Instance:
+def _pick(found: Sequence[Instance], planned: PlannedObject) -> Instance:
     """Return which of the instances is the thing: by its word, then the largest."""
     named = [i for i in found if i.label == planned.noun and i.name != TABLE]
     return max(named or found, key=lambda i: int(i.mask.sum()))

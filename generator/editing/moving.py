@@ -7,24 +7,26 @@ from dataclasses import replace
 import numpy as np
 
 from ..errors import SceneError
-from ..geometry import inside_margin
+from ..geometry import inside_margin, turned_quaternion
 from ..physics.parts import base
 from ..physics.seating import nearest_free, overlapping, seat_on_table
 from ..scene import TABLE, Object, Placement, Pose, Scene
-from .placing import carried_to, posed, turned
+from .placing import carried_to, pose
 
 
 def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, turn: float) -> Scene:
     """Return the scene with a thing, and its load, at a place on the table, or turned."""
     if where is None:
-        there = Pose(thing.pose.position, turned(thing.pose.quaternion, turn))
+        there = Pose(thing.pose.position, turned_quaternion(thing.pose.quaternion, turn))
         thing_now = replace(thing, pose=there)
     elif thing.placement.on == TABLE:
         position = np.array([*where, thing.pose.position[2]])
-        thing_now = replace(thing, pose=Pose(position, turned(thing.pose.quaternion, turn)))
+        thing_now = replace(
+            thing, pose=Pose(position, turned_quaternion(thing.pose.quaternion, turn))
+        )
     else:
         placement = replace(thing.placement, on=TABLE, inside=False)
-        thing_now = posed(thing, replace(placement, yaw=placement.yaw + turn))
+        thing_now = pose(thing, replace(placement, yaw=placement.yaw + turn))
         there = Pose(np.array([*where, 0.0]), thing_now.pose.quaternion)
         thing_now = seat_on_table(replace(thing_now, pose=there), scene.table.height)
     placement = replace(
@@ -41,10 +43,10 @@ def moved_by(scene: Scene, thing: Object, place: Placement) -> Scene:
     turn = place.yaw - thing.placement.yaw
     if place.on == TABLE == thing.placement.on:
         position = np.array([*place.translation[:2], thing.pose.position[2]])
-        there = Pose(position, turned(thing.pose.quaternion, turn))
+        there = Pose(position, turned_quaternion(thing.pose.quaternion, turn))
         now = replace(thing, placement=place, pose=there)
     else:
-        now = posed(thing, place)
+        now = pose(thing, place)
         now = seat_on_table(now, scene.table.height) if place.on == TABLE else now
     return _with(carried_to(scene, thing.name, now.pose, turn), now)
 

@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from ..errors import SceneError
-from ..geometry import rotation_z, yaw_quaternion
-from ..layout import arrange_more, unmet
+from ..geometry import rotation_z, turned_quaternion, yaw_quaternion
+from ..layout import arrange_more, unmet_relations
 from ..layout.arranging import sunk
 from ..physics.parts import highest, lowest
-from ..physics.seating import carried, nearest_free, seat_on_table, seat_stacked
+from ..physics.seating import carry, nearest_free, seat_on_table, seat_stacked
 from ..physics.separation import ancestry
 from ..physics.simulation import Simulation
 from ..scene import (
@@ -56,7 +56,7 @@ def set_down(scene: Scene, names: Sequence[str]) -> Scene:
                 f"There is no room on the table for {name} ({width:.0f} x {depth:.0f} cm). Remove "
                 "or move something first."
             )
-        scene = carried(scene, {name: place})
+        scene = carry(scene, {name: place})
     above = {n for name in names for n in loads(scene, name)}
     stacked = above | {n for n in names if scene.object(n).placement.on != TABLE}
     scene = seat_stacked(scene, stacked)
@@ -65,24 +65,19 @@ def set_down(scene: Scene, names: Sequence[str]) -> Scene:
     return scene
 
 
-def related(
+def place_by_relations(
     scene: Scene, planned: PlannedObject, model: Model, yaw: float, away: Sequence[str], seed: int
 ) -> Placement:
-    """Return a free place for a thing by its relations.
+    """Return a free place for a thing by its relations to things of the scene.
 
-    Args:
-        scene: what is there; ``away`` names what is not to be minded.
-        planned: the thing, its relations to things of the scene.
-        model: its model, at its size.
-        yaw: which way it faces on the table, radians.
-        away: things in hand.
-        seed: of the choice among places.
+    ``model`` is at its size, ``yaw`` is which way it faces on the table, radians; things ``away``
+    are in hand and not minded.
 
     Raises:
         SceneError: there is no room where it was asked for.
     """
     there = [o for o in scene.objects if o.name not in away]
-    placed = {o.name: _placed(o) for o in there}
+    placed = {o.name: _placement(o) for o in there}
     models = {o.name: replace(o.model, size=o.scale) for o in there} | {planned.name: model}
     table = replace(scene.table.model, size=scene.table.scale)
     plan = ScenePlan(
@@ -90,18 +85,18 @@ def related(
     )
     layout = arrange_more(plan, placed, models, table, seed, {planned.name: yaw})
     if layout.warnings or not layout.placements:
-        told = layout.warnings or (f"{planned.name} finds no free place on the table.",)
+        reasons = layout.warnings or (f"{planned.name} finds no free place on the table.",)
         raise SceneError(
-            f"{' '.join(told).split(';')[0].rstrip('.')}. Remove or move something first, or ask "
-            "for another place."
+            f"{' '.join(reasons).split(';')[0].rstrip('.')}. Remove or move something first, "
+            "or ask for another place."
         )
     (placement,) = layout.placements
-    wrong = unmet(planned, placement, placed, models, table)
+    wrong = unmet_relations(planned, placement, placed, models, table)
     if wrong and placement.on == TABLE:
         asked = " and ".join(f"{r.kind.replace('_', ' ')} {r.target}" for r in wrong)
         raise SceneError(
-            f"There is no room for {planned.name} {asked}. Remove or move something first, or ask "
-            "for another place."
+            f"There is no room for {planned.name} {asked}. Remove or move something first, "
+            "or ask for another place."
         )
     return placement
 
@@ -122,7 +117,7 @@ def beneath(
     return tuple(found)
 
 
-def posed(thing: Object, placement: Placement) -> Object:
+def pose(thing: Object, placement: Placement) -> Object:
     """Return an object upright at a placement."""
     pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
     return replace(thing, placement=placement, pose=pose)
@@ -133,24 +128,17 @@ def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
     start = scene.object(name).pose.position
     above = {*loads(scene, name)}
 
-    def moved(thing: Object) -> Object:
+    def move(thing: Object) -> Object:
         if thing.name == name:
             return replace(thing, pose=pose)
         if thing.name not in above:
             return thing
         aside = rotation_z(turn) @ (thing.pose.position - start)
         placement = replace(thing.placement, yaw=thing.placement.yaw + turn)
-        there = Pose(pose.position + aside, turned(thing.pose.quaternion, turn))
+        there = Pose(pose.position + aside, turned_quaternion(thing.pose.quaternion, turn))
         return replace(thing, placement=placement, pose=there)
 
-    return scene.replace(objects=tuple(moved(o) for o in scene.objects))
-
-
-def turned(quaternion: np.ndarray, yaw: float) -> np.ndarray:
-    """Return an orientation (wxyz) turned about the vertical by ``yaw`` radians."""
-    w, x, y, z = quaternion
-    c, _, _, s = yaw_quaternion(yaw)
-    return np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
+    return scene.replace(objects=tuple(move(o) for o in scene.objects))
 
 
 def check_held(scene: Scene, names: Sequence[str]) -> None:
@@ -176,7 +164,7 @@ def check_held(scene: Scene, names: Sequence[str]) -> None:
             )
 
 
-def _placed(thing: Object) -> Placement:
+def _placement(thing: Object) -> Placement:
     """Return a thing's placement where it rests."""
     return replace(thing.placement, translation=thing.pose.position)
 

@@ -8,33 +8,33 @@ from dataclasses import replace
 from ..scene import TABLE, PlannedObject, Relation, Scene
 
 
-def swapped(scene: Scene, old: str, new: PlannedObject) -> Scene:
+def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
     """Return the scene, its plan with ``new`` for ``old``; without a plan, as it is."""
     if scene.plan is None:
         return scene
     known = {o.name: o for o in scene.plan.objects}
     if old not in known:
-        return added(scene, new)
+        return add_to_plan(scene, new)
     took = replace(new, relations=known[old].relations)
-    objects = [took if o.name == old else _retold(o, {old: new.name}) for o in known.values()]
+    objects = [took if o.name == old else _rename(o, {old: new.name}) for o in known.values()]
     return _with(scene, objects)
 
 
-def added(scene: Scene, new: PlannedObject) -> Scene:
+def add_to_plan(scene: Scene, new: PlannedObject) -> Scene:
     """Return the scene, its plan with ``new``, related to what the plan knows."""
     if scene.plan is None:
         return scene
     return _with(scene, [*scene.plan.objects, new])
 
 
-def removed(scene: Scene, names: Collection[str]) -> Scene:
+def remove_from_plan(scene: Scene, names: Collection[str]) -> Scene:
     """Return the scene, its plan without ``names`` and what was said of places by them."""
     if scene.plan is None:
         return scene
     return _with(scene, [o for o in scene.plan.objects if o.name not in names])
 
 
-def moved(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
+def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
     """Return the scene, its plan with other relations of a thing, and none to it."""
     if scene.plan is None:
         return scene
@@ -47,7 +47,7 @@ def moved(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
     return _with(scene, objects)
 
 
-def restyled(scene: Scene, names: Collection[str], style: str) -> Scene:
+def restyle_plan(scene: Scene, names: Collection[str], style: str) -> Scene:
     """Return the scene, its plan in another style if everything is."""
     if scene.plan is None or {o.name for o in scene.objects} - {*names}:
         return scene
@@ -59,7 +59,7 @@ def _held(relation: Relation, name: str) -> bool:
     return relation.target != name or relation.kind in ("on", "in")
 
 
-def _retold(planned: PlannedObject, names: dict[str, str]) -> PlannedObject:
+def _rename(planned: PlannedObject, names: dict[str, str]) -> PlannedObject:
     relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
     return replace(planned, relations=relations)
 

@@ -12,7 +12,7 @@ from ..scene import TABLE, Scene
 from .placing import check_held, loads, set_down
 
 
-def settled(
+def settle_again(
     wanted: Scene,
     arranged: Scene,
     fresh: Collection[str],
@@ -26,7 +26,7 @@ def settled(
     return done
 
 
-def tried(
+def try_places(
     placed: Callable[[int], Scene],
     name: str,
     fresh: Sequence[str],
@@ -36,13 +36,8 @@ def tried(
 ) -> Scene:
     """Return the first scene to pass its gate of those with ``name`` placed so or so.
 
-    Args:
-        placed: gives the scene with the thing at its place, by the number of the attempt.
-        name: the thing.
-        fresh: what is new.
-        config: settings.
-        loose: what is not new, but elsewhere.
-        attempts: how many places are tried.
+    ``placed`` gives the scene with the thing at its place, by the number of the attempt. ``fresh``
+    is what is new, ``loose`` what is not new, but elsewhere.
 
     Raises:
         SceneError: none of the places is free, or holds the thing. Where they do, but no scene
@@ -56,7 +51,7 @@ def tried(
             stacked = [n for n in (name,) if wanted.object(n).placement.on != TABLE]
             arranged = set_down(wanted, stacked)
             _check_free(arranged, (name, *loose))
-            done = settled(wanted, arranged, fresh, config, loose)
+            done = settle_again(wanted, arranged, fresh, config, loose)
         except SceneError as failed:
             error = failed
             continue

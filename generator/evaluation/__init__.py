@@ -1,17 +1,17 @@
 """How good a scene is (Secs. 4.1 to 4.3): collisions, soundness, likeness, errors against truth."""
 
 from .external import load_external as load_external
+from .findings import DefectLimits as DefectLimits
 from .findings import Finding as Finding
-from .findings import Limits as Limits
 from .judged import Marks as Marks
-from .judged import judged as judged
-from .judged import ranked as ranked
+from .judged import judge_scene as judge_scene
+from .judged import rank_methods as rank_methods
 from .report import Evaluation as Evaluation
 from .report import evaluate as evaluate
 from .report import evaluate_bundle as evaluate_bundle
 from .report import ranking as ranking
-from .soundness import Rule as Rule
 from .soundness import Soundness as Soundness
+from .soundness import StillnessRule as StillnessRule
 from .soundness import soundness as soundness
 from .surfaces.collisions import Collisions as Collisions
 from .surfaces.collisions import collisions as collisions

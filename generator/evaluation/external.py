@@ -47,6 +47,7 @@ from ..scene import (
     Scene,
     Table,
 )
+from ..scene.triangles import scaled_normals
 from .glb import read_glb
 
 TRANSFORMS = "transforms.json"
@@ -67,13 +68,10 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     """Read a foreign result as a scene of ours, at the poses it states.
 
     Nothing is moved: what overlaps or floats does so in the scene, too. Mass and friction are this
-    project's defaults.
-
-    Args:
-        folder: holds ``transforms.json`` and its GLB files (see the module).
-        decompose: find convex parts for simulation (seconds to a minute an object, kept for the
-            next time). Otherwise each object has its convex hull, which is enough for meshes and
-            pictures, and a warning in its provenance says so.
+    project's defaults. The folder holds ``transforms.json`` and its GLB files (see the module).
+    ``decompose`` finds convex parts for simulation (seconds to a minute an object, kept for the
+    next time). Otherwise each object has its convex hull, which is enough for meshes and pictures,
+    and a warning in its provenance says so.
 
     Raises:
         InputError: a file is missing, damaged, too large or outside the folder, or a value is no
@@ -169,7 +167,7 @@ def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
 
     Surfaces count on both sides: not every file turns them outwards.
     """
-    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]) / 2
+    normals = scaled_normals(triangles) / 2
     areas = np.linalg.norm(normals, axis=1)
     level = np.abs(normals[:, 2]) > _LEVEL * areas
     order = np.argsort(triangles[level].mean(1)[:, 2], kind="stable")

@@ -12,9 +12,9 @@ from ..comparison import Comparison
 from ..errors import InputError
 from ..scene import TABLE
 from .sizes import UsualSize
-from .soundness import PLAIN, Rule, Soundness
+from .soundness import PLAIN, Soundness, StillnessRule
 from .surfaces.collisions import THRESHOLD, Collisions
-from .surfaces.silhouettes import Fit
+from .surfaces.silhouettes import SilhouetteFit
 from .truth import TruthErrors
 
 Kind = Literal[
@@ -25,7 +25,7 @@ Evidence = Literal["meshes", "simulation", "usual size", "picture", "truth"]
 
 
 @dataclass(frozen=True)
-class Limits:
+class DefectLimits:
     """What counts as a defect.
 
     overlap: depth in metres. ``rule``: of standing still.
@@ -36,7 +36,7 @@ class Limits:
     """
 
     overlap: float = THRESHOLD
-    rule: Rule = PLAIN
+    rule: StillnessRule = PLAIN
     usual_size: float = 1.7
     gain: float = 0.15
     yaw: float = float(np.deg2rad(15.0))
@@ -80,7 +80,7 @@ class Finding:
         }
 
 
-def of_collisions(found: Collisions, limits: Limits) -> list[Finding]:
+def of_collisions(found: Collisions, limits: DefectLimits) -> list[Finding]:
     """Return one finding an overlap, with both things that take part in it."""
     limit = 1e3 * limits.overlap
     pairs = [(o.b, o.a, 1e3 * o.depth) for o in found.overlaps]
@@ -122,7 +122,7 @@ def of_soundness(found: Soundness) -> list[Finding]:
     return findings
 
 
-def of_sizes(found: Sequence[UsualSize], limits: Limits) -> list[Finding]:
+def of_sizes(found: Sequence[UsualSize], limits: DefectLimits) -> list[Finding]:
     """Return what is much larger or smaller than such things usually are."""
     return [
         Finding(
@@ -134,7 +134,7 @@ def of_sizes(found: Sequence[UsualSize], limits: Limits) -> list[Finding]:
     ]  # fmt: skip
 
 
-def of_fits(found: Sequence[Fit], limits: Limits) -> list[Finding]:
+def of_fits(found: Sequence[SilhouetteFit], limits: DefectLimits) -> list[Finding]:
     """Return what would fit its mask in the picture much better if it were turned or scaled."""
     findings = []
     for fit in found:
@@ -169,7 +169,7 @@ def of_comparison(compared: Comparison) -> list[Finding]:
     ]
 
 
-def of_truth(found: TruthErrors, limits: Limits) -> list[Finding]:
+def of_truth(found: TruthErrors, limits: DefectLimits) -> list[Finding]:
     """Return what differs from the scene it should be."""
     findings = [
         Finding("missing", name, "is in the true scene, not in this one", "truth")

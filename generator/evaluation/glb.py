@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import BackendError, InputError
-from ..meshes.reading.surface import Surface, read_surface
+from ..meshes.reading.surface import ColoredSurface, read_surface
 from ..scene import Mesh
 
 MOST_FACES = 400_000
@@ -14,14 +14,10 @@ MOST_FACES = 400_000
 
 
 def read_glb(raw: bytes, what: str) -> Mesh:
-    """Return everything in a GLB file as one mesh, node transforms applied.
+    """Return everything in a GLB file as one mesh, node transforms applied; ``what`` names it.
 
     Of materials only the base colour counts: a texture if all faces show the same one, otherwise
     each face in one colour. Nothing outside the file is opened.
-
-    Args:
-        raw: the file's content.
-        what: how messages call it.
 
     Raises:
         InputError: no GLB, a damaged one, one without triangles or with NaN, or a too large one.
@@ -33,12 +29,12 @@ def read_glb(raw: bytes, what: str) -> Mesh:
     except BackendError as error:
         raise InputError(str(error)) from error
     if len(surface.pictures) != 1 or (surface.picture != 0).any():
-        return _colored(surface)
+        return _color(surface)
     uv = np.where((surface.uv < 0) | (surface.uv > 1), surface.uv % 1.0, surface.uv)
     return Mesh(surface.vertices, surface.faces, uv, surface.pictures[0])
 
 
-def _colored(surface: Surface) -> Mesh:
+def _color(surface: ColoredSurface) -> Mesh:
     """Return a mesh whose texture is a palette; each face shows one of its texels."""
     corners = surface.vertices[surface.faces].reshape(-1, 3)
     count = len(surface.faces)

@@ -1,8 +1,9 @@
 """Scores by a judge (Sec. 4.1 and supplement, Sec. 8.2): VF, IA and PP from 1 to 7, and a ranking.
 
 The paper asks GPT-4o; here any backend that has the ``Judge`` protocol's two methods is asked, with
-criteria in our own words. Without one, ``measured`` derives marks from measured figures. It calls
-itself that, and gives no mark where nothing was measured: realism cannot be told from geometry.
+criteria in our own words. Without one, ``marks_from_figures`` derives marks from measured figures.
+It calls itself that, and gives no mark where nothing was measured: realism cannot be told from
+geometry.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ LEAST, MOST = 1.0, 7.0
 """The scale."""
 
 MEASURED = "measured figures, no judge"
-"""Who gave the marks of ``measured``."""
+"""Who gave the marks of ``marks_from_figures``."""
 
 
 @dataclass(frozen=True)
@@ -76,13 +77,10 @@ class Marks:
         }
 
 
-def judged(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Marks:
-    """Ask a judge for marks on the scene that ``pictures`` show.
+def judge_scene(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Marks:
+    """Ask a judge, such as a reasoner, for marks on the scene that ``pictures`` show.
 
-    Args:
-        judge: a reasoner (or anything) with the ``Judge`` protocol's methods.
-        reference: the picture the scene was made from.
-        pictures: the scene from one or more sides.
+    ``reference`` is the picture that the scene was made from.
 
     Raises:
         BackendError: it is no judge, or its answer lacks a mark or leaves the scale.
@@ -104,7 +102,7 @@ def judged(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Ma
     return Marks(type(judge).__name__, marks, {})
 
 
-def ranked(
+def rank_methods(
     judge: object, reference: Picture, methods: Mapping[str, Sequence[Picture]]
 ) -> tuple[str, ...]:
     """Ask a judge for the overall ranking of several methods' scenes, the best first.
@@ -123,7 +121,7 @@ def ranked(
     return order
 
 
-def measured(
+def marks_from_figures(
     *,
     iou: float | None,
     built: float | None,

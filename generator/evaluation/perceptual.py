@@ -21,7 +21,7 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from ..backends.huggingface.detection.pixels import IMAGENET, Norm, normalised
+from ..backends.huggingface.detection.pixels import IMAGENET, Norm, normalise
 from ..errors import BackendError, choices
 from .surfaces.sweep import Metric
 
@@ -52,9 +52,9 @@ class FilterSimilarity:
 
     def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
         """Return the similarity of each picture to the reference, in [-1, 1]."""
-        from ..backends.embedded.encoder import Encoder
+        from ..backends.embedded.encoder import EmbeddedEncoder
 
-        return _map_cosine(lambda images: Encoder().features(images), pictures, reference)
+        return _map_cosine(lambda images: EmbeddedEncoder().features(images), pictures, reference)
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ class Lpips:
         def distance(images: Tensor, goal: Tensor) -> Tensor:
             return network(2 * images - 1, (2 * goal - 1).expand_as(images)).flatten()
 
-        return _paired(distance, pictures, reference)
+        return _compare(distance, pictures, reference)
 
 
 @dataclass(frozen=True)
@@ -153,7 +153,7 @@ class HubSimilarity:
         network = self._network
 
         def vectors(images: Tensor) -> Tensor:
-            values = normalised(images, self.norm)
+            values = normalise(images, self.norm)
             if self.method == "image":
                 found = network.get_image_features(pixel_values=values)
                 return found if isinstance(found, torch.Tensor) else found.pooler_output
@@ -228,7 +228,7 @@ def _tensor(pictures: Sequence[Picture]) -> Tensor:
     return torch.from_numpy(np.stack(small)).permute(0, 3, 1, 2).float() / 255
 
 
-def _paired(
+def _compare(
     compare: Callable[[Tensor, Tensor], Tensor], pictures: Sequence[Picture], reference: Picture
 ) -> Float[np.ndarray, "n"]:
     """Return ``compare`` of each picture with the reference, a batch at a time."""
@@ -248,7 +248,7 @@ def _vector_cosine(
 ) -> Float[np.ndarray, "n"]:
     from torch.nn import functional
 
-    return _paired(
+    return _compare(
         lambda images, goal: functional.cosine_similarity(vectors(images), vectors(goal), 1),
         pictures,
         reference,
@@ -269,4 +269,4 @@ def _map_cosine(
         ]
         return torch.stack(cosines).mean(0)
 
-    return _paired(compare, pictures, reference)
+    return _compare(compare, pictures, reference)

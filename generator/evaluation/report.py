@@ -18,13 +18,13 @@ from ..errors import InputError
 from ..scene import Scene
 from . import findings as found_in
 from .external import TRANSFORMS, load_external
-from .findings import Finding, Limits
-from .judged import Marks, as_judge, judged, measured, ranked
+from .findings import DefectLimits, Finding
+from .judged import Marks, as_judge, judge_scene, marks_from_figures, rank_methods
 from .perceptual import Available
 from .sizes import UsualSize, usual_sizes
 from .soundness import Soundness, soundness
 from .surfaces.collisions import Collisions, colliding, collisions
-from .surfaces.silhouettes import Fit, fits
+from .surfaces.silhouettes import SilhouetteFit, fits
 from .surfaces.sweep import Best, SweepConfig, best_views
 from .truth import TruthErrors, truth_errors
 
@@ -47,7 +47,7 @@ class Evaluation:
     marks: Marks
     soundness: Soundness | None = None
     comparison: Comparison | None = None
-    fits: tuple[Fit, ...] = ()
+    fits: tuple[SilhouetteFit, ...] = ()
     truth: TruthErrors | None = None
     perceptual: tuple[Best, ...] = ()
     missing: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
@@ -103,7 +103,7 @@ def evaluate(
     picture: Picture | None = None,
     segments: Segments | None = None,
     truth: Scene | None = None,
-    limits: Limits | None = None,
+    limits: DefectLimits | None = None,
     simulate: bool = True,
     metrics: Available | None = None,
     sweep: SweepConfig | None = None,
@@ -131,7 +131,7 @@ def evaluate(
         raise InputError("Metrics and judges compare with a picture; pass the reference picture.")
     if judge is not None:
         as_judge(judge)
-    limits = limits or Limits()
+    limits = limits or DefectLimits()
     notes = []
     overlaps = collisions(scene, limits.overlap)
     held = soundness(scene, limits.rule) if simulate else None
@@ -174,11 +174,8 @@ def evaluate_bundle(
 ) -> Evaluation:
     """Evaluate a bundle, or a folder of another method's result (see ``external``), from disk.
 
-    Args:
-        path: the folder.
-        picture: the reference picture; the one that the bundle keeps if left out.
-        metrics: perceptual metrics; left out, with a note, where there is no picture at all.
-        options: as for :func:`evaluate`.
+    The reference picture is the one that the bundle keeps, unless another is given; without any,
+    metrics are left out, with a note. Other ``options`` are those of :func:`evaluate`.
 
     Raises:
         BundleError: there is no bundle, or it is damaged.
@@ -206,21 +203,16 @@ def evaluate_bundle(
 def ranking(
     evaluations: Mapping[str, Evaluation], picture: Picture, judge: object
 ) -> tuple[str, ...]:
-    """Ask a judge to order several methods' scenes of one picture, the best first.
-
-    Args:
-        evaluations: one scene a method, by the method's name.
-        picture: the reference picture that all were made from.
-        judge: who ranks them.
+    """Ask a judge to order several methods' scenes of one picture, by method, the best first.
 
     Raises:
         BackendError: ``judge`` is none, or its answer does not name each method once.
     """
-    shown = {name: (_shown(e.scene, e.comparison),) for name, e in evaluations.items()}
-    return ranked(judge, picture, shown)
+    shown = {name: (_draw(e.scene, e.comparison),) for name, e in evaluations.items()}
+    return rank_methods(judge, picture, shown)
 
 
-def _shown(scene: Scene, compared: Comparison | None) -> Picture:
+def _draw(scene: Scene, compared: Comparison | None) -> Picture:
     """Draw a scene from its picture's camera; from the front above where that is not known."""
     from ..render.picture import render_scene
 
@@ -236,12 +228,12 @@ def _marks(
     picture: Picture | None,
 ) -> Marks:
     if judge is not None and picture is not None:
-        return judged(judge, picture, (_shown(scene, compared),))
+        return judge_scene(judge, picture, (_draw(scene, compared),))
     wrong: set[str] = set(colliding(overlaps))
     if held is not None:
         wrong |= {*held.unstable, *held.floating, *held.off_table}
     shown: Sequence[bool] = [s.built for s in compared.scores if s.found] if compared else []
-    return measured(
+    return marks_from_figures(
         iou=compared.mean_iou if compared else None,
         built=float(np.mean(shown)) if len(shown) else None,
         pair_collisions=overlaps.col_o,

@@ -16,13 +16,13 @@ import numpy as np
 
 from ..errors import InputError
 from ..geometry import inside_margin
-from ..physics.gate import fallen
-from ..physics.simulation import Simulation, shifted, supported, turned
+from ..physics.gate import find_fallen
+from ..physics.simulation import Simulation, find_supported, shift_distances, turn_angles
 from ..scene import Scene
 
 
 @dataclass(frozen=True)
-class Rule:
+class StillnessRule:
     """What counts as standing still. Lengths in metres, angles in radians, time in seconds.
 
     seconds: how long is simulated.
@@ -50,10 +50,10 @@ class Rule:
             raise InputError(f"Gravity leans by 0 to 45 degrees, got {np.rad2deg(self.lean):g}.")
 
 
-PLAIN = Rule()
+PLAIN = StillnessRule()
 """5 s, 5 mm, 2 degrees."""
 
-VARIANTS: Mapping[str, Rule] = MappingProxyType(
+VARIANTS: Mapping[str, StillnessRule] = MappingProxyType(
     {"plain": PLAIN}
     | {f"timestep {k} ms": replace(PLAIN, timestep=1e-3 * k) for k in (1, 2, 3, 4)}
     | {
@@ -92,7 +92,7 @@ class Soundness:
     no object counts as standing still.
     """
 
-    rule: Rule
+    rule: StillnessRule
     objects: tuple[Behaviour, ...]
     diverged: bool = False
 
@@ -146,7 +146,7 @@ class Soundness:
         }
 
 
-def soundness(scene: Scene, rule: Rule = PLAIN) -> Soundness:
+def soundness(scene: Scene, rule: StillnessRule = PLAIN) -> Soundness:
     """Simulate a scene from its settled poses and say how each object behaves.
 
     Collision parts are what is simulated, as in ``scene.xml``.
@@ -158,12 +158,12 @@ def soundness(scene: Scene, rule: Rule = PLAIN) -> Soundness:
     _set(simulation, rule)
     poses = [o.pose for o in scene.objects]
     simulation.place(poses)
-    held = supported(simulation.contacts(margin=rule.gap), len(poses))
+    held = find_supported(simulation.contacts(margin=rule.gap), len(poses))
     off = inside_margin(simulation.centers_of_mass[:, :2], scene.table.outline) < 0
     simulation.run(rule.seconds)
-    drift, turn = shifted(poses, simulation.poses), turned(poses, simulation.poses)
+    drift, turn = shift_distances(poses, simulation.poses), turn_angles(poses, simulation.poses)
     simulation.contacts()
-    fell = set(fallen(simulation))
+    fell = set(find_fallen(simulation))
     return Soundness(
         rule,
         tuple(
@@ -176,12 +176,7 @@ def soundness(scene: Scene, rule: Rule = PLAIN) -> Soundness:
     )
 
 
-def robustness(scene: Scene, variants: Mapping[str, Rule] = VARIANTS) -> Mapping[str, Soundness]:
-    """Return a scene's soundness under each of several rules, by their names."""
-    return {name: soundness(scene, rule) for name, rule in variants.items()}
-
-
-def _set(simulation: Simulation, rule: Rule) -> None:
+def _set(simulation: Simulation, rule: StillnessRule) -> None:
     options = simulation.model.opt
     if rule.timestep is not None:
         options.timestep = rule.timestep

@@ -11,13 +11,10 @@ from ..errors import StorageError
 
 
 def write_whole(path: Path, content: str | bytes, what: str, advice: str) -> None:
-    """Write a file that all may read, whole or not at all.
+    """Write bytes, or a text as UTF-8, to a file that all may read, whole or not at all.
 
-    Args:
-        path: where; the folder must be there.
-        content: bytes, or a text for UTF-8.
-        what: what it is, for the message of an error: "The policy".
-        advice: what to do then: "Choose another folder."
+    Its folder must be there. The message of an error names it by ``what`` ("The policy") and ends
+    with ``advice`` ("Choose another folder.").
 
     Raises:
         StorageError: it cannot be written.
@@ -58,9 +55,7 @@ def write_file(content: bytes, path: Path) -> Path:
 def check_folder(folder: Path, option: str = "--out") -> None:
     """Check, before any work is done for it, that files can be put into a folder.
 
-    Args:
-        folder: where they go; it and those above may be missing.
-        option: what names it, for the message of an error.
+    It and those above may be missing; ``option`` names it in the message of an error.
 
     Raises:
         StorageError: a file is in the way, or the folder may not be written.
@@ -109,13 +104,10 @@ def is_plain_name(name: object) -> bool:
 
 
 def remove_tree(parent: Path, name: str) -> None:
-    """Remove a folder inside ``parent``; nothing happens if there is none.
+    """Remove a folder inside ``parent``, which the caller owns; nothing happens if there is none.
 
-    It is the only way in which folders named by a file's content are removed.
-
-    Args:
-        parent: the folder that the caller owns.
-        name: the plain name of an entry of it: never a path, never a link.
+    It is the only way in which folders named by a file's content are removed: ``name`` is that of
+    an entry, never a path, never a link.
 
     Raises:
         StorageError: the name is not plain, is that of no folder, or the folder cannot be removed.
@@ -135,11 +127,8 @@ def remove_tree(parent: Path, name: str) -> None:
 def remove_file(parent: Path, name: str) -> None:
     """Remove a file or a link inside ``parent``; nothing happens if there is none.
 
-    It is the only way in which files named by a file's content are removed.
-
-    Args:
-        parent: the folder that the caller owns.
-        name: the plain name of an entry of it: never a path.
+    It is the only way in which files named by a file's content are removed: ``name`` is that of an
+    entry, never a path.
 
     Raises:
         StorageError: the name is not plain, is that of a folder, or the file cannot be removed.

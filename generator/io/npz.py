@@ -27,13 +27,10 @@ _COMPRESSIONS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 def read_arrays(
     path: str | Path, what: str, error: type[TabletopError], *, max_bytes: int
 ) -> dict[str, np.ndarray]:
-    """Read every array of a file.
+    """Read every array of a file, as ``numpy.savez`` writes it, compressed or not.
 
-    Args:
-        path: the file, as ``numpy.savez`` writes it, compressed or not.
-        what: begins the message of an error: "The replay buffer".
-        error: what is raised.
-        max_bytes: the most that the file, and all its arrays together, may have.
+    ``what`` begins the message of an error: "The replay buffer". ``max_bytes`` is the most that the
+    file, and all its arrays together, may have.
 
     Raises:
         TabletopError: ``error``, if it cannot be read, is damaged or too large, or holds pickles.

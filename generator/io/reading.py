@@ -55,13 +55,9 @@ def parse_json(
 ) -> Any:
     """Parse a foreign JSON text; every number in it is finite, every string is valid Unicode.
 
-    Args:
-        raw: the text, UTF-8 if bytes.
-        what: begins the message of an error: "The answer of the server".
-        error: what is raised.
-        max_bytes: the longest text that is parsed.
-        max_depth: how deep lists and objects may be nested.
-        unique: refuse objects that repeat a key (otherwise the last one counts, as usual).
+    ``what`` begins the message of an error: "The answer of the server". ``max_bytes`` bounds the
+    text, ``max_depth`` the nesting of lists and objects. ``unique`` refuses objects that repeat a
+    key (otherwise the last one counts, as usual).
 
     Raises:
         TabletopError: ``error``, if the text is too long, too deep, or not such JSON.
@@ -112,12 +108,9 @@ def parse_object(
 
 
 def parse_toml(raw: bytes, what: str, error: type[TabletopError]) -> dict[str, Any]:
-    """Parse a foreign TOML text; the caller bounds its length.
+    """Parse a foreign TOML text (UTF-8); the caller bounds its length.
 
-    Args:
-        raw: the text, UTF-8.
-        what: begins the message of an error: "The price table".
-        error: what is raised.
+    ``what`` begins the message of an error: "The price table".
 
     Raises:
         TabletopError: ``error``, if it is too deep, by brackets or by dotted keys, or no TOML.
@@ -133,11 +126,8 @@ def parse_toml(raw: bytes, what: str, error: type[TabletopError]) -> dict[str, A
 def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult:
     """Split a foreign http(s) URL; its ``hostname`` and ``port`` can be read without an error.
 
-    Args:
-        url: the URL, of any type.
-        what: begins the message of an error: "The link to the model". The URL is not repeated:
-            it may hold a signature.
-        error: what is raised.
+    ``what`` begins the message of an error: "The link to the model". The URL is not repeated: it
+    may hold a signature.
 
     Raises:
         TabletopError: ``error``, if it is no http(s) URL with a host.
@@ -167,14 +157,11 @@ def read_regular(
 ) -> bytes:
     """Read a regular file the user or a record names; never a pipe, a device or a folder.
 
-    Args:
-        path: the file; links to regular files are followed.
-        what: begins the message of an error: "The depth map".
-        error: what is raised.
-        max_bytes: the largest file that is read.
+    Links to regular files are followed. ``what`` begins the message of an error: "The depth map".
 
     Raises:
-        TabletopError: ``error``, if it is missing, no regular file, too large, or unreadable.
+        TabletopError: ``error``, if it is missing, no regular file, larger than ``max_bytes``, or
+            unreadable.
     """
     try:
         # A pipe without a writer would block the opening of it.
@@ -212,14 +199,14 @@ def printable(
     return text
 
 
-def is_number(value: object, *, least: float = 0.0, most: float = 1e12) -> bool:
+def is_number(value: object, *, minimum: float = 0.0, maximum: float = 1e12) -> bool:
     """Return whether a value of a foreign JSON text is a number in a range; ``true`` is none."""
-    return type(value) in (int, float) and least <= value <= most  # type: ignore[operator]
+    return type(value) in (int, float) and minimum <= value <= maximum  # type: ignore[operator]
 
 
-def is_count(value: object, *, most: float = 1e12) -> bool:
-    """Return whether a value of a foreign JSON text is an integer from 0 to ``most``."""
-    return type(value) is int and is_number(value, most=most)
+def is_count(value: object, *, maximum: float = 1e12) -> bool:
+    """Return whether a value of a foreign JSON text is an integer from 0 to ``maximum``."""
+    return type(value) is int and is_number(value, maximum=maximum)
 
 
 def _read(descriptor: int, count: int) -> bytes:

@@ -12,7 +12,7 @@ _UNREAD = 128 + 13  # as of a process that SIGPIPE ends
 _UNWRITTEN = 5  # as of a StorageError
 
 
-def piped(run: Callable[[], int]) -> int:
+def run_piped(run: Callable[[], int]) -> int:
     """Run a command; return its exit code, or one for what it printed and could not.
 
     It ends quietly where nobody reads on, as ``| head`` does, and says so where what it prints

@@ -1,14 +1,14 @@
 """Many scenes into one folder: by several processes or on Ray, resumed after any end.
 
 The same text and seed give the same bytes, whatever makes them and however many at a time. A scene
-is done or absent: whoever holds its lock makes it, in a folder of its own, writes down what came of
-it, and only then puts it among the others. So several batches may share a folder.
+is done or absent: the process that holds its lock makes it in a folder of its own, writes its
+record, and only then publishes it. So several batches may share a folder.
 """
 
 from .maker import Maker as Maker
 from .making import Composing as Composing
 from .making import Generating as Generating
-from .place import purse_of as purse_of
+from .place import shared_budget as shared_budget
 from .prompts import Job as Job
 from .prompts import jobs_of as jobs_of
 from .prompts import read_prompts as read_prompts

@@ -56,4 +56,4 @@ def _is_sound(facts: Facts) -> bool:
 
 
 def _are_figures(gate: Any) -> bool:
-    return isinstance(gate, dict) and all(is_number(v, least=-1e12) for v in gate.values())
+    return isinstance(gate, dict) and all(is_number(v, minimum=-1e12) for v in gate.values())

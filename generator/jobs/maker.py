@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from .prompts import Job
 
-if TYPE_CHECKING:
-    pass
-
 
 class Maker(Protocol):
-    """Makes scenes in whatever process; has to be picklable, and to repeat itself to the byte."""
+    """Makes scenes in any process; must be picklable and reproducible to the byte."""
 
     def identity(self) -> dict[str, Any]:
         """Return what decides its scenes, as JSON values."""

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..backends import Backends, Mix
-from ..calls.money.budget import Purse
+from ..calls.money.budget import SharedBudget
+from ..calls.money.database import LOCAL, Keeper
 from ..calls.money.prices import Prices
-from ..errors import (
-    BackendError,
-    InputError,
-    StorageError,
-    require,
-)
+from ..errors import BackendError, InputError, StorageError, require
 from ..threads import threads
 from .prompts import Job
 from .records import key_of
@@ -54,23 +50,25 @@ class Generating:
         calls: folder where answers of servers are kept, so that nothing is paid for twice; None
             keeps nothing.
         prices: what calls of servers cost; None: the table that comes with the package.
-        purse: the sum that all scenes are paid from, see ``purse_of``; None adds up nothing.
+        shared_budget: what all scenes are paid from, see ``shared_budget``; None adds up nothing.
         budget: what all scenes may cost together, those of earlier runs too, in the currency of
-            ``prices``; needs ``purse``. A call that might exceed it is not sent.
+            ``prices``; needs ``shared_budget``. A call that might exceed it is not sent.
         dry: nothing is sent: the first call that is not kept raises DryRunError.
 
     Raises:
         BackendError: the backends cannot be selected here.
-        InputError: a budget without a purse, or none from 0 on.
+        InputError: a budget that is not shared, or negative.
     """
 
     mix: Mix = field(default_factory=Mix)
     config: Config | None = None
     calls: str | None = None
     prices: Prices | None = None
-    purse: Purse | None = None
+    shared_budget: SharedBudget | None = None
     budget: float | None = None
     dry: bool = False
+    keeper: Keeper = field(default=LOCAL, repr=False, compare=False)
+    """Who works on the databases of money: over several machines, a process that owns them."""
     _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
     """Who answers, as of where this was made; a process elsewhere has to agree."""
 
@@ -83,12 +81,17 @@ class Generating:
         object.__setattr__(self, "_answering", told)
         if self.budget is None:
             return
-        require(self, "budget", least=0)
-        if self.purse is None:
+        require(self, "budget", minimum=0)
+        if self.shared_budget is None:
             raise InputError(
-                "Generating needs a purse for its budget: processes spend it together. Give "
-                "purse=purse_of(FOLDER) of the batch's folder."
+                "Generating needs a shared budget, which processes spend together. Give "
+                "shared_budget=shared_budget(FOLDER) of the batch's folder."
             )
+
+    def kept_by(self, keeper: Keeper) -> Generating:
+        """Return this maker, its databases of money worked on by ``keeper``."""
+        shared = self.shared_budget and replace(self.shared_budget, keeper=keeper)
+        return replace(self, shared_budget=shared, keeper=keeper)
 
     def identity(self) -> dict[str, Any]:
         """Return backends, their settings unless all are embedded, and the stages' settings."""
@@ -140,16 +143,17 @@ class Generating:
         from ..calls.store import CallStore
 
         with contextlib.ExitStack() as open_:
-            spender = None if self.purse is None else open_.enter_context(self.purse.spending())
+            shared = self.shared_budget
+            spending = None if shared is None else open_.enter_context(shared.spending())
             session = Session(
                 store=None if self.calls is None else CallStore(self.calls),
-                account=Account(spender),
-                prices=self.prices or Prices.shipped(),
+                account=Account(spending),
+                prices=self.prices or Prices.default(),
                 budget=self.budget,
                 dry=self.dry,
             )
             try:
-                session.resume(key_of(job, self))
+                session.resume(key_of(job, self), self.keeper)
             except InputError as error:  # of another currency: no fault of the scene's
                 raise StorageError(str(error)) from error
             yield session

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..calls.money.budget import Purse
+from ..calls.money.budget import SharedBudget
 from ..calls.money.prices import Prices
 from ..errors import StorageError
 
@@ -31,11 +31,11 @@ def place_of(folder: Path) -> Path:
     return place
 
 
-def purse_of(folder: str | Path, prices: Prices | None = None) -> Purse:
-    """Return the sum of money that all batches in a folder spend from, begun if there is none.
+def shared_budget(folder: str | Path, prices: Prices | None = None) -> SharedBudget:
+    """Return the budget that all batches in a folder spend from, begun if there is none.
 
     Raises:
-        InputError: the folder's sum is in another currency than ``prices``.
+        InputError: what was spent there is in another currency than ``prices``.
         StorageError: it cannot be read, or the folder not be written.
     """
-    return Purse.open(place_of(Path(folder)), (prices or Prices.shipped()).currency)
+    return SharedBudget.open(place_of(Path(folder)), (prices or Prices.default()).currency)

@@ -48,12 +48,12 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
     Raises:
         InputError: none, too many, or a number out of range.
     """
-    require_number("A batch needs variants", variants, least=1, most=MOST, whole=True)
+    require_number("A batch needs variants", variants, minimum=1, maximum=MOST, integer=True)
     first = dict.fromkeys(p if isinstance(p, Job) else Job(p, seed) for p in prompts)
     seeds: dict[str, list[int]] = {}
     for job in first:
         seeds.setdefault(job.text, []).append(job.seed)
-    count = sum(_covered(sorted(firsts), variants) for firsts in seeds.values())
+    count = sum(_count_seeds(sorted(firsts), variants) for firsts in seeds.values())
     if not 0 < count <= MOST:
         raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {count:,}.")
     jobs: dict[Job, None] = {}
@@ -66,7 +66,7 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
     return tuple(jobs)
 
 
-def _covered(firsts: Sequence[int], variants: int) -> int:
+def _count_seeds(firsts: Sequence[int], variants: int) -> int:
     """Return how many seeds the runs of ``variants`` from sorted first ones cover together."""
     steps = (min(b - a, variants) for a, b in itertools.pairwise(firsts))
     return sum(steps) + variants

@@ -98,7 +98,7 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
     try:
         with FileLock(place / f"{name}.lock", timeout=0):
             _put_in_place(folder, name)
-            return recorded(job, folder, name, retry) or _made(job, folder, name, make)
+            return find_outcome(job, folder, name, retry) or _make(job, folder, name, make)
     except Timeout:
         return Outcome(job, "busy")
     except StorageError:
@@ -110,7 +110,7 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
         ) from error
 
 
-def recorded(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
+def find_outcome(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
     """Return what came of a job before, its bundle in place; None if it is to be made."""
     facts = read(folder / PLACE, name)
     if facts is None:
@@ -122,7 +122,9 @@ def recorded(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome 
     return Outcome(job, "there", **dataclasses.asdict(facts)) if there else None
 
 
-def failed(job: Job, folder: Path, name: str, error: str, kind: str, seconds: float) -> Outcome:
+def record_failure(
+    job: Job, folder: Path, name: str, error: str, kind: str, seconds: float
+) -> Outcome:
     """Write down that a job failed; return that."""
     error = error.encode("utf-8", "backslashreplace").decode()  # a file's name need not be text
     outcome = Outcome(job, "failed", None, kind, error, round(seconds, 2))
@@ -130,7 +132,7 @@ def failed(job: Job, folder: Path, name: str, error: str, kind: str, seconds: fl
     return outcome
 
 
-def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
+def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
     """Make a job's scene; whatever goes wrong with it is written down."""
     own = folder / PLACE / name
     _clear(folder / PLACE, name)
@@ -145,10 +147,10 @@ def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
         return Outcome(job, "unpaid", None, type(error).__name__, str(error), spent)
     except TabletopError as error:
         kind = "BackendError" if isinstance(error, BackendError) else type(error).__name__
-        return failed(job, folder, name, str(error), kind, time.perf_counter() - start)
+        return record_failure(job, folder, name, str(error), kind, time.perf_counter() - start)
     except Exception as error:  # one scene must not end the batch
         spent = time.perf_counter() - start
-        return failed(job, folder, name, str(error), type(error).__name__, spent)
+        return record_failure(job, folder, name, str(error), type(error).__name__, spent)
     spent = round(time.perf_counter() - start, 2)
     outcome = Outcome(job, "made", made.name, seconds=spent, gate=_figures(report))
     _write(outcome, folder, name)

@@ -1,4 +1,4 @@
-"""What a batch would ask, and asks not."""
+"""Dry run of a batch."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .making import Generating
 from .prompts import Job, jobs_of
-from .records import key_of, recorded
+from .records import find_outcome, key_of
 from .running import run
 from .summary import Summary
 
@@ -35,10 +35,10 @@ def try_out(
         retry: also what failed before.
     """
     jobs, folder = jobs_of(prompts), Path(folder)
-    known = {job: recorded(job, folder, key_of(job, make), retry) for job in jobs}
+    known = {job: find_outcome(job, folder, key_of(job, make), retry) for job in jobs}
     left = [job for job, outcome in known.items() if outcome is None]
     if left:
-        dry = replace(make, dry=True, purse=None, budget=None)
+        dry = replace(make, dry=True, shared_budget=None, budget=None)
         with tempfile.TemporaryDirectory(prefix="tabletopgen-dry-") as elsewhere:
             known |= {o.job: o for o in run(left, elsewhere, dry, workers=workers).outcomes}
     return Summary(tuple(outcome for job in jobs if (outcome := known[job]) is not None))

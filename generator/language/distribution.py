@@ -72,7 +72,7 @@ class SceneDistribution:
 
     def _check_needs(self) -> None:
         """Make tuples of the needs, all of things that there are."""
-        from .filling import needed
+        from .filling import read_need
 
         given = self.needs
         whole = isinstance(given, tuple | list) and all(isinstance(n, tuple | list) for n in given)
@@ -82,7 +82,7 @@ class SceneDistribution:
                 f"(('tray', 'basket'), ('egg', 'die')), got {given!r}."
             )
         for phrase in (phrase for phrases in given for phrase in phrases):
-            if not isinstance(phrase, str) or needed(phrase) is None:
+            if not isinstance(phrase, str) or read_need(phrase) is None:
                 raise InputError(
                     f"SceneDistribution.needs: there is no {phrase!r}."
                     + choices(str(phrase), categories_known())

@@ -85,11 +85,13 @@ class Reading:
         """
         if noun.count is not None:
             if noun.count < 1 or noun.count % 1 > 0:
-                raise InputError(f"{said(noun)!r}: say a whole number of objects, from 1 up.")
+                raise InputError(
+                    f"{phrase_text(noun)!r}: say a whole number of objects, from 1 up."
+                )
             if noun.count > MAX_OBJECTS - len(self.objects):
                 raise InputError(
-                    f"{said(noun)!r} is too many: a table holds at most {MAX_OBJECTS} objects in "
-                    "all. Ask for fewer."
+                    f"{phrase_text(noun)!r} is too many: a table holds at most "
+                    f"{MAX_OBJECTS} objects in all. Ask for fewer."
                 )
             return int(noun.count)
         if noun.amount is None and not noun.plural:
@@ -127,7 +129,7 @@ class Reading:
         return self.objects[-1]
 
 
-def said(noun: Noun) -> str:
+def phrase_text(noun: Noun) -> str:
     """Return a noun phrase about as the text had it."""
     amount = f"{noun.count:g} " if noun.count is not None else ""
     return amount + " ".join(noun.words)

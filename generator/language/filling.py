@@ -11,13 +11,7 @@ import numpy as np
 from ..catalogue import CATEGORIES
 from ..catalogue.surfaces.look import SIZE_FACTORS
 from ..errors import InputError, choices
-from ..scene import (
-    OutlineKind,
-    PlannedObject,
-    PlannedTable,
-    Relation,
-    RelationKind,
-)
+from ..scene import OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind
 from . import relations
 from .drafts import Reading
 from .furniture import plan_table
@@ -78,7 +72,7 @@ def thing(entry: str) -> Thing:
     )
 
 
-def needed(phrase: str) -> PlannedObject | None:
+def read_need(phrase: str) -> PlannedObject | None:
     """Read a thing that a table needs: its name, after a size if there is one; None if unknown.
 
     "small cucumber" is the cucumber of a small size.
@@ -104,7 +98,7 @@ def supply(
     out = list(objects)
     for phrases in needs:
         there = {o.noun for o in out}
-        known = (needed(phrase) for phrase in phrases)
+        known = (read_need(phrase) for phrase in phrases)
         free = [o for o in known if o is not None and o.noun not in there]
         of_theme = [
             o for o in free if o.category in listed or theme in CATEGORIES[o.category].themes

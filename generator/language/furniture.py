@@ -8,14 +8,7 @@ import numpy as np
 
 from ..scene import OutlineKind, PlannedTable
 from .drafts import Reading
-from .parsing.vocabulary import (
-    COLORS,
-    LEGS,
-    OUTLINES,
-    SHADES,
-    SIZES,
-    TABLE_MATERIALS,
-)
+from .parsing.vocabulary import COLORS, LEGS, OUTLINES, SHADES, SIZES, TABLE_MATERIALS
 from .themes import Theme
 
 _FACTORS = {"tiny": 0.75, "small": 0.85, "large": 1.2, "huge": 1.35}

@@ -24,7 +24,7 @@ _NEVER = 1e3  # cost of a pair that is none
 _RARE = 1e-4  # probability that no category falls below
 
 
-def known(word: str) -> Category | None:
+def find_category(word: str) -> Category | None:
     """Return the catalogue's category for a word, or None if it has none."""
     try:
         return category(word)
@@ -32,7 +32,7 @@ def known(word: str) -> Category | None:
         return None
 
 
-def weighed(
+def weigh(
     names: Float[np.ndarray, "n k"],
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     metric: bool = False,
@@ -40,13 +40,10 @@ def weighed(
     """Return the probabilities after a look at sizes and shapes, on the likeliest table.
 
     All things share one table, so that one scale must do for all: it is chosen to make the names
-    likeliest together. A category that was not looked at is as likely as one that is unlike.
-
-    Args:
-        names: probabilities of each thing over the categories and, last, "unknown".
-        looks: by category index, what ``apparent_scale`` returns on a table of usual size; None for
-            a thing that the frame cuts.
-        metric: whether the table's scale was measured, so that there is none to choose.
+    likeliest together, unless ``metric`` says that it was measured. A category that was not looked
+    at is as likely as one that is unlike. ``names`` are probabilities of each thing over the
+    categories and, last, "unknown"; ``looks``, by category index, what ``apparent_scale`` returns
+    on a table of usual size; None for a thing that the frame cuts.
     """
     shifts = np.zeros(1) if metric else _SHIFTS
     joint = [names * _likely(names, looks, shift) for shift in shifts]
@@ -91,7 +88,7 @@ def shape_word(width: float, height: float, share: float) -> str:
     return "round object" if 0.72 < share < 0.86 else "object"
 
 
-def assigned(
+def assign(
     names: Float[np.ndarray, "n k"],
     keys: Sequence[str],
     scores: Float[np.ndarray, "n"],
@@ -106,7 +103,7 @@ def assigned(
         Pairs (thing, index into ``wanted``); words or things may be left over.
     """
     at = {key: k for k, key in enumerate(keys)}
-    found = [known(word) for word in wanted]
+    found = [find_category(word) for word in wanted]
     columns = [at.get(c.key, len(keys)) if c else len(keys) for c in found]
     likely = np.maximum(names[:, columns], _RARE)
     cost = -np.log(likely) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
@@ -118,4 +115,4 @@ def assigned(
 
 def known_category(instance: Instance, size: SizePrior) -> Category | None:
     """Return the catalogue's category for an instance's label or its prior's name, if any."""
-    return known(instance.label) or known(size.name.rstrip("_0123456789"))
+    return find_category(instance.label) or find_category(size.name.rstrip("_0123456789"))

@@ -75,10 +75,13 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     _check_text(prompt)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
     text = _REQUEST.sub(" ", " ".join(lexicon.tokens(prompt)))
-    text, drawn = _drawn(text)
+    text, drawn = _split_style(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    spelt, fixes = corrected(words_of(_undrawn(prompt)), _ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary())
+    spelt, fixes = corrected(
+        words_of(_undrawn(prompt)),
+        _ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary(),
+    )
     parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
     reading = Interpreter(rng).read(parser.sentences())
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
@@ -100,9 +103,9 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
         fewest = most if objects else max(THEMES[name].core, most - 2)
         objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
-    objects, doubts = relations.checked(grown(objects))
+    objects, doubts = relations.check_relations(grown(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
-    warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown(objects), *doubts]))
+    warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown_nouns(objects), *doubts]))
     return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))
 
 
@@ -156,7 +159,7 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
         )
 
 
-def _unknown(objects: Sequence[PlannedObject]) -> list[str]:
+def _unknown_nouns(objects: Sequence[PlannedObject]) -> list[str]:
     nouns = dict.fromkeys(o.noun for o in objects if o.category == "generic")
     return [
         f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
@@ -167,7 +170,7 @@ def _unknown(objects: Sequence[PlannedObject]) -> list[str]:
 # -------------------------------------------------------------------------------------- themes
 
 
-def _drawn(text: str) -> tuple[str, str | None]:
+def _split_style(text: str) -> tuple[str, str | None]:
     """Take "cartoon style" or "low poly" out of a text; return the rest and the way to draw."""
     for phrase, drawn in DRAWN.items():
         found = re.search(rf"\b{phrase}\b(?: styled?\b)?", text)

@@ -8,12 +8,7 @@ from typing import cast, get_args
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from ..scene import (
-    TABLE,
-    PlannedObject,
-    Relation,
-    RelationKind,
-)
+from ..scene import TABLE, PlannedObject, Relation, RelationKind
 
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))
 OPPOSITE: Mapping[str, str] = {
@@ -33,7 +28,7 @@ def kind(word: str) -> RelationKind:
     return cast(RelationKind, word)
 
 
-def checked(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObject], list[str]]:
+def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObject], list[str]]:
     """Return the objects with relations that can hold together, and warnings for changed ones.
 
     "In" a thing that is no vessel becomes "on"; "in" or "on" a thing too small becomes "next to";

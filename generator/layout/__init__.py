@@ -1,6 +1,6 @@
 """Where planned objects go: relations into free, natural places on the tabletop."""
 
-from .arranging import Layout, arrange, arrange_more, unmet
+from .arranging import Layout, arrange, arrange_more, unmet_relations
 from .facing import natural_yaw
 from .fitting import lay_out
 from .furnishing import build_models, build_top, table_size
@@ -14,5 +14,5 @@ __all__ = [
     "lay_out",
     "natural_yaw",
     "table_size",
-    "unmet",
+    "unmet_relations",
 ]

@@ -17,7 +17,7 @@ from .facing import natural_yaw
 from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
 from .furnishing import outline_of
-from .scoring import Neighbour, Request, broken, proposals, score
+from .scoring import Neighbour, Request, proposals, score, violation
 from .seats import seat_center
 from .units import Unit, units_of
 
@@ -111,7 +111,7 @@ BROKEN = 1.5
 """From this cost on (see ``scoring.broken``) a relation does not hold."""
 
 
-def unmet(
+def unmet_relations(
     planned: PlannedObject,
     placement: Placement,
     placed: Mapping[str, Placement],
@@ -129,7 +129,7 @@ def unmet(
     return tuple(
         r
         for r in planned.relations
-        if r.kind not in ("on", "in") and broken(request, r, own.center[None])[0] >= BROKEN
+        if r.kind not in ("on", "in") and violation(request, r, own.center[None])[0] >= BROKEN
     )
 
 
@@ -174,7 +174,7 @@ def _place_all(
     inside = {name for unit in units.values() for name in unit.offsets}
     alone = [o for o in standing if o.name not in inside]
     wholes = [unit.planned for unit in units.values()]
-    for planned in _ordered([*alone, *wholes], models, rng, units):
+    for planned in _order([*alone, *wholes], models, rng, units):
         unit = units.get(planned.name)
         if unit is not None:
             if not _stand_unit(unit, models, table, outline, rng, state, shapes, carrying):
@@ -233,7 +233,7 @@ def _beside(planned: PlannedObject, support: str) -> PlannedObject:
     return replace(planned, relations=relations)
 
 
-def _ordered(
+def _order(
     objects: list[PlannedObject],
     models: Mapping[str, Model],
     rng: np.random.Generator,
@@ -390,7 +390,7 @@ def _put(
         cost = _resting_cost(planned, support, ground, height, empty, alone, base, shapes, state)
         for cell in _best_cells(cost):
             start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
-            placement = stacking.lowered(
+            placement = stacking.lower(
                 model, Placement(planned.name, yaw, start, model.size, support, inside), below
             )
             if not inside or sunk(placement, top, heaped=bool(siblings)):

@@ -1,4 +1,4 @@
-"""Which way things face: fronts to the viewer, cutlery in line, pens as they fell."""
+"""Orientation of things: fronts to the viewer, cutlery in line, pens at random."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..catalogue import CATEGORIES
 from ..scene import Model, PlannedObject, ScenePlan
 
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
-"""Categories that lie parallel; their business end (-x) points away from who eats."""
+"""Categories laid in parallel; their working end (-x) points away from the eater."""
 
 STRAIGHT = frozenset({"laptop", "keyboard", "monitor", "mousepad", "cutting_board", "tray"})
 """Categories that people line up with the table's edge."""

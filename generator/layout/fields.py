@@ -87,9 +87,7 @@ def samples(model: Model, placement: Placement, step: float) -> Float[np.ndarray
     vertices = vertices @ rotation_z(placement.yaw).T + placement.translation
     corners = vertices[model.mesh.faces]
     flat = corners[..., :2]
-    longest = np.max(
-        [np.hypot(*(flat[:, k] - flat[:, (k + 1) % 3]).T) for k in range(3)], axis=0
-    )
+    longest = np.max([np.hypot(*(flat[:, k] - flat[:, (k + 1) % 3]).T) for k in range(3)], axis=0)
     counts = np.clip(np.ceil(longest / step * _DENSITY), 1, 160).astype(int)
     found = [vertices]
     for count in np.unique(counts):

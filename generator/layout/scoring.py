@@ -1,4 +1,4 @@
-"""Candidate places for one object, and how good each is."""
+"""Candidate places for one object, and their costs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _SIGHT = 0.7  # cotangent of the 55 degrees from which the table is seen
 
 @dataclass(frozen=True, eq=False)
 class Neighbour:
-    """Something that already has its place."""
+    """An object that is already placed."""
 
     shape: Footprint
     center: Float[np.ndarray, "2"]
@@ -103,7 +103,7 @@ def score(
     size = high - low
     cost = np.zeros(len(centers))
     for relation in request.relations:
-        cost += 3.0 * broken(request, relation, centers)
+        cost += 3.0 * violation(request, relation, centers)
     cost += 0.9 * _hiding(request.shape, centers, others)
     cost += 0.5 * np.clip(0.05 - room, 0, None) / 0.05
     if request.relations:
@@ -115,7 +115,7 @@ def score(
     return cost + 0.3 * np.clip(room - 0.16, 0, None) / 0.1
 
 
-def broken(
+def violation(
     request: Request, relation: Relation, centers: Float[np.ndarray, "m 2"]
 ) -> Float[np.ndarray, "m"]:
     """Return how badly each centre breaks a relation; 0 where it holds well."""

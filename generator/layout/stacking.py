@@ -1,4 +1,4 @@
-"""Things on and in other things: a body lowered onto what is below it, by their real surfaces."""
+"""Stacking: a body is lowered onto the real surface of what is below it."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def surface(
     return z.max(1) if upper else z.min(1)
 
 
-def lowered(
+def lower(
     model: Model, placement: Placement, below: Sequence[Float[np.ndarray, "m 3 3"]]
 ) -> Placement:
     """Return the placement lowered (or raised) until the model touches what is below it.

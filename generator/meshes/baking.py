@@ -29,21 +29,23 @@ _LIKE = 22.0  # grey levels by which mirrored places of a symmetric object diffe
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class SurfacePoints:
     """Points on an object's surface with their unit normals, in the object frame."""
 
     point: Float[np.ndarray, "t 3"]
     normal: Float[np.ndarray, "t 3"]
 
-    def at(self, index: np.ndarray) -> Surface:
+    def at(self, index: np.ndarray) -> SurfacePoints:
         """Return some of the points."""
-        return Surface(self.point[index], self.normal[index])
+        return SurfacePoints(self.point[index], self.normal[index])
 
-    def mirrored(self, plane: Float[np.ndarray, "4"]) -> Surface:
+    def mirror(self, plane: Float[np.ndarray, "4"]) -> SurfacePoints:
         """Return the points reflected about a plane (unit normal, offset)."""
         n = plane[:3]
         away = (self.point @ n - plane[3])[:, None]
-        return Surface(self.point - 2 * away * n, self.normal - 2 * (self.normal @ n)[:, None] * n)
+        return SurfacePoints(
+            self.point - 2 * away * n, self.normal - 2 * (self.normal @ n)[:, None] * n
+        )
 
 
 def opaque_colors(
@@ -57,17 +59,19 @@ def opaque_colors(
     return crop[rows, columns, :3], mask
 
 
-def surface_of(atlas: Atlas, vertices: Float[np.ndarray, "n 3"]) -> Surface:
+def surface_of(atlas: Atlas, vertices: Float[np.ndarray, "n 3"]) -> SurfacePoints:
     """Return where each texel of ``atlas`` lies, given the original vertices' positions."""
     placed = vertices[atlas.source]
     corner = placed[atlas.faces[atlas.face]]
     point = (corner * atlas.weights[:, :, None]).sum(1)
     normal = (corner_normals(placed, atlas.faces)[atlas.face] * atlas.weights[:, :, None]).sum(1)
-    return Surface(point, normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9))
+    return SurfacePoints(
+        point, normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+    )
 
 
 @dataclass(frozen=True, eq=False)
-class Sight:
+class CropView:
     """What the camera sees of a mesh: ``near`` is the largest 1/depth around each crop pixel."""
 
     projection: Projection
@@ -80,7 +84,7 @@ class Sight:
         vertices: Float[np.ndarray, "n 3"],
         faces: Int[np.ndarray, "m 3"],
         projection: Projection,
-    ) -> Sight:
+    ) -> CropView:
         """Look at a mesh in the object frame."""
         corners = projection.corners(vertices, faces)
         near = nearest(corners, projection.width, projection.height)[1]
@@ -88,10 +92,10 @@ class Sight:
         near = cv2.dilate(near, np.ones((3, 3)), borderType=cv2.BORDER_REPLICATE)
         return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))
 
-    def sees(self, surface: Surface, least: float = _GRAZING) -> Bool[np.ndarray, "t"]:
+    def sees(self, surface: SurfacePoints, minimum: float = _GRAZING) -> Bool[np.ndarray, "t"]:
         """Tell which points are seen well: on the nearest surface, and not at a grazing angle.
 
-        ``least`` is the cosine between normal and line of sight that is needed.
+        ``minimum`` is the cosine between normal and line of sight that is needed.
         """
         view, pixel = self.projection, np.floor(self.projection.project(surface.point)).astype(int)
         line = view.position - surface.point
@@ -100,7 +104,7 @@ class Sight:
         front = 1.0 / np.maximum(self.near[y, x], 1e-9)
         depth = view.to_camera(surface.point)[:, 2]
         slack = np.minimum(0.012 / np.maximum(cosine, 0.15), 0.06) * self.size
-        return (cosine > least) & (np.abs(depth - front) < slack)
+        return (cosine > minimum) & (np.abs(depth - front) < slack)
 
 
 def sample(
@@ -173,27 +177,29 @@ def paint(
     atlas = unwrap(vertices, faces, size)
     surface = surface_of(atlas, vertices)
     image, _ = opaque_colors(crop)
-    sight = Sight.of(vertices, faces, projection)
+    sight = CropView.of(vertices, faces, projection)
     if not sure:
         planes = tuple(p for p in planes if agrees(surface, sight, image, p))
     colors, known = seen_colors(surface, sight, image, shading_of(surface, sight, image), planes)
     return atlas, lay_out(atlas, fill_nearest(surface, known, colors, sight.size))
 
 
-def shading_of(surface: Surface, sight: Sight, image: UInt8[np.ndarray, "h w 3"]) -> Shading:
+def shading_of(
+    surface: SurfacePoints, sight: CropView, image: UInt8[np.ndarray, "h w 3"]
+) -> Shading:
     """Return how the picture's light falls on what the camera sees of a surface."""
     colors = sample(image, sight.projection.project(surface.point))
     return estimate_shading(colors, surface.normal, sight.sees(surface))
 
 
 def agrees(
-    surface: Surface,
-    sight: Sight,
+    surface: SurfacePoints,
+    sight: CropView,
     image: UInt8[np.ndarray, "h w 3"],
     plane: Float[np.ndarray, "4"],
 ) -> bool:
     """Tell whether points seen together with their mirror images mostly have the same colour."""
-    twin = surface.mirrored(plane)
+    twin = surface.mirror(plane)
     both = sight.sees(surface) & sight.sees(twin)
     if both.sum() < 0.02 * len(both):
         return True
@@ -202,8 +208,8 @@ def agrees(
 
 
 def seen_colors(
-    surface: Surface,
-    sight: Sight,
+    surface: SurfacePoints,
+    sight: CropView,
     image: UInt8[np.ndarray, "h w 3"],
     shading: Shading,
     planes: tuple[Float[np.ndarray, "4"], ...] = (),
@@ -221,16 +227,16 @@ def seen_colors(
         todo = np.flatnonzero(~known)
         moved = surface.at(todo)
         for plane in turn:
-            moved = moved.mirrored(plane)
+            moved = moved.mirror(plane)
         hit = sight.sees(moved, _MIRRORED if turn else _GRAZING)
         found = sample(image, sight.projection.project(moved.point[hit]))
-        colors[todo[hit]] = shading.removed(found, moved.normal[hit])
+        colors[todo[hit]] = shading.remove(found, moved.normal[hit])
         known[todo[hit]] = True
     return colors, known
 
 
 def fill_nearest(
-    surface: Surface,
+    surface: SurfacePoints,
     known: Bool[np.ndarray, "t"],
     colors: Float[np.ndarray, "t 3"],
     size: float,
@@ -263,7 +269,7 @@ def lay_out(atlas: Atlas, colors: Float[np.ndarray, "t 3"]) -> UInt8[np.ndarray,
     return texture.reshape(*side, 3)[nearest_inside(filled.reshape(side))]
 
 
-def textured(
+def apply_texture(
     atlas: Atlas,
     vertices: Float[np.ndarray, "n 3"],
     texture: UInt8[np.ndarray, "s s 3"],

@@ -11,10 +11,11 @@ from jaxtyping import Float, Int
 from scipy.spatial import KDTree
 
 from ..scene import Mesh
-from .baking import lay_out, textured
-from .reading.surface import Surface, areas
+from ..scene.triangles import areas, face_normals
+from .baking import apply_texture, lay_out
+from .reading.surface import ColoredSurface
 from .reading.textures import MOST_TEXTURE
-from .unwrap import Atlas, face_normals, unwrap
+from .unwrap import Atlas, unwrap
 
 _SAMPLES = 60_000  # points by which the nearest triangles are found, besides one on each
 _MOST_SAMPLES = 400_000  # of them; more triangles than that do not have one each
@@ -25,7 +26,7 @@ _ROOM = 40  # texels for each face, its gutter included, where none lie together
 _SLACK = 1e-3  # by which places in a texture may lie outside it
 
 
-def own_texture(surface: Surface) -> Mesh | None:
+def own_texture(surface: ColoredSurface) -> Mesh | None:
     """Return a surface as it is, if one picture without repeats or one plain colour has it all."""
     used, faces = np.unique(surface.faces, return_inverse=True)
     faces = faces.reshape(-1, 3)
@@ -43,18 +44,18 @@ def own_texture(surface: Surface) -> Mesh | None:
     return Mesh(vertices, faces, uv.clip(0, 1), picture, surface.opacity)
 
 
-def painted_faces(surface: Surface, size: int) -> Mesh:
+def painted_faces(surface: ColoredSurface, size: int) -> Mesh:
     """Return a surface with all its materials in one new texture of side ``size``, texels."""
     atlas = unwrap(surface.vertices, surface.faces, size)
     colors = [surface.colors_at(atlas.face[k], atlas.weights[k]) for k in _chunks(atlas)]
     texture = lay_out(atlas, np.concatenate(colors))
-    return textured(atlas, surface.vertices, texture, surface.opacity)
+    return apply_texture(atlas, surface.vertices, texture, surface.opacity)
 
 
 def painted_shape(
     vertices: Float[np.ndarray, "n 3"],
     faces: Int[np.ndarray, "m 3"],
-    surface: Surface,
+    surface: ColoredSurface,
     size: int,
 ) -> Mesh:
     """Return a shape of other triangles in the colours that ``surface`` has next to them."""
@@ -66,17 +67,17 @@ def painted_shape(
         face = atlas.face[part]
         point = (vertices[faces[face]] * atlas.weights[part, :, None]).sum(1)
         colors.append(surface.colors_at(*nearby.places(point, normals[face])))
-    return textured(atlas, vertices, lay_out(atlas, np.concatenate(colors)), surface.opacity)
+    return apply_texture(atlas, vertices, lay_out(atlas, np.concatenate(colors)), surface.opacity)
 
 
-def best_size(surface: Surface, most: int, faces: int) -> int:
+def best_size(surface: ColoredSurface, maximum: int, faces: int) -> int:
     """Return the side of a new texture for so many ``faces``, in texels.
 
-    As fine as the pictures that it is made of, at least 512, and at most ``most``, unless the faces
-    need more to lie apart.
+    As fine as the pictures that it is made of, at least 512, and at most ``maximum``, unless the
+    faces need more to lie apart.
     """
     sides = [np.sqrt(picture.shape[0] * picture.shape[1]) for picture in surface.pictures]
-    size = int(min(most, max(512.0, *(2.0 ** round(np.log2(side)) for side in (*sides, 1.0)))))
+    size = int(min(maximum, max(512.0, *(2.0 ** round(np.log2(side)) for side in (*sides, 1.0)))))
     while size < MOST_TEXTURE and _ROOM * faces > size * size:
         size *= 2
     return min(size, MOST_TEXTURE)
@@ -89,13 +90,13 @@ class Nearby:
     ``samples`` are points all over it, each on the face ``owner`` with the unit normal ``normals``.
     """
 
-    surface: Surface
+    surface: ColoredSurface
     owner: Int[np.ndarray, "s"]
     samples: Float[np.ndarray, "s 3"]
     normals: Float[np.ndarray, "s 3"]
 
     @classmethod
-    def of(cls, surface: Surface) -> Nearby:
+    def of(cls, surface: ColoredSurface) -> Nearby:
         """Spread samples over a surface."""
         owner, samples = _spread(surface)
         normals = face_normals(surface.vertices, surface.faces[owner])
@@ -139,7 +140,7 @@ def _chunks(atlas: Atlas) -> Iterator[slice]:
         yield slice(first, first + _AT_ONCE)
 
 
-def _spread(surface: Surface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
+def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
     """Return points all over a surface, by area, and whose they are.
 
     At least one on each face, unless there are too many.

@@ -15,36 +15,12 @@ from ..catalogue.build.matter import friction
 from ..errors import require
 from ..geometry import to_unit_box
 from ..language.naming import known_category
-from ..scene import (
-    Instance,
-    Mesh,
-    Model,
-    Physics,
-    SizePrior,
-)
-from .coloring import (
-    best_size,
-    own_texture,
-    painted_faces,
-    painted_shape,
-)
-from .reading.surface import (
-    Axis,
-    Kind,
-    Surface,
-    read_surface,
-    surface_of,
-)
+from ..scene import Instance, Mesh, Model, Physics, SizePrior
+from .coloring import best_size, own_texture, painted_faces, painted_shape
+from .reading.surface import Axis, ColoredSurface, Kind, read_surface, surface_of
 from .reading.textures import MOST_TEXTURE
-from .reducing import reduced, volume
-from .repairing import (
-    check_surface,
-    cleaned,
-    filled,
-    inside_out,
-    tidied,
-    welded_shape,
-)
+from .reducing import reduce, volume
+from .repairing import check_surface, clean, fill_holes, inside_out, tidy, welded_shape
 
 _FILLED = 0.4  # share of its box that an open mesh is taken to fill
 
@@ -55,15 +31,15 @@ class Normal:
 
     Attributes:
         faces: most triangles, 50 to 25,000; up to four times as many where the shape needs them.
-        texture: side of a texture made anew, texels, at most 2048; more where many faces need it.
+        texture: side of a texture made again, texels, at most 2048; more where many faces need it.
     """
 
     faces: int = 6000
     texture: int = 1024
 
     def __post_init__(self) -> None:
-        require(self, "faces", least=50, most=25_000, whole=True)
-        require(self, "texture", least=16, most=MOST_TEXTURE, whole=True)
+        require(self, "faces", minimum=50, maximum=25_000, integer=True)
+        require(self, "texture", minimum=16, maximum=MOST_TEXTURE, integer=True)
 
 
 def normal_mesh(
@@ -84,13 +60,9 @@ def normal_mesh(
     triangles stay as are wanted, and a texture that all parts share, does not repeat, and needs no
     other triangles stays as it is, of 2048 texels at most.
 
-    Args:
-        raw: the file's content.
-        what: how messages call it: backend, question, name.
-        kind: the format.
-        up: the file's upward axis.
-        to: how light it is to be.
-        beside: the files that an OBJ names, by name; see ``companions``.
+    ``what`` names it in messages: backend, question, name. ``up`` is the file's upward axis, ``to``
+    how light it is to be; ``beside`` holds the files that an OBJ names, by name; see
+    ``companions``.
 
     Raises:
         BackendError: it cannot be read (``inspection``), repaired (``repairing``) or reduced.
@@ -103,23 +75,25 @@ def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | N
     return normal_surface(surface_of([mesh], what), what, up=up, to=to)
 
 
-def normal_surface(surface: Surface, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:
+def normal_surface(
+    surface: ColoredSurface, what: str, *, up: Axis, to: Normal | None = None
+) -> Mesh:
     """Return a surface as one textured mesh with +z up; see ``normal_mesh``."""
     to = to or Normal()
-    surface = cleaned(surface.upright(up), what)
+    surface = clean(surface.upright(up), what)
     vertices, faces = welded_shape(surface.vertices, surface.faces)
     if len(faces) > to.faces:
-        vertices, faces = reduced(vertices, faces, to.faces, what)
-        faces = tidied(vertices, faces)
+        vertices, faces = reduce(vertices, faces, to.faces, what)
+        faces = tidy(vertices, faces)
     own = len(faces) == len(surface.faces)
     over = inside_out(vertices, faces)
     faces = np.where(over[:, None], faces[:, ::-1], faces)
-    vertices, faces = filled(vertices, faces)
+    vertices, faces = fill_holes(vertices, faces)
     check_surface(faces, what)
     size = best_size(surface, to.texture, len(faces))
     if not own or len(faces) > len(surface.faces):
         return painted_shape(vertices, faces, surface, size)
-    surface = surface.flipped(over)
+    surface = surface.flip(over)
     return own_texture(surface) or painted_faces(surface, size)
 
 

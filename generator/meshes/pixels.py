@@ -65,16 +65,16 @@ def largest_piece(mask: Mask) -> Mask:
     return (labels == int(counts.argmax())) & mask
 
 
-def in_one_piece(mask: Mask, least: float = 0.02) -> Mask:
+def in_one_piece(mask: Mask, minimum: float = 0.02) -> Mask:
     """Return a mask with its pieces joined where they are nearest to each other, as one thing is.
 
     A bridge is as wide as the narrower of the two ends that it joins. Specks of less than
-    ``least`` of the whole stay as they are.
+    ``minimum`` of the whole stay as they are.
     """
     labels = np.asarray(cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)[1])
     counts = np.bincount(labels.ravel())
     counts[0] = 0
-    order = [int(k) for k in np.argsort(-counts) if counts[k] > max(8, least * mask.sum())]
+    order = [int(k) for k in np.argsort(-counts) if counts[k] > max(8, minimum * mask.sum())]
     if len(order) < 2:
         return mask
     inside = cv2.distanceTransform(np.pad(mask, 1).astype(np.uint8), cv2.DIST_L2, 5)[1:-1, 1:-1]

@@ -75,7 +75,7 @@ class Projection:
         center = (np.array([columns / 2, rows / 2]) - [x0, y0]) * zoom
         return cls(rotation, position, focal * zoom, center, width, height)
 
-    def resized(self, longest: int) -> Projection:
+    def resize(self, longest: int) -> Projection:
         """Return the same projection onto a picture whose longer side has ``longest`` pixels."""
         zoom = longest / max(self.width, self.height)
         size = max(1, round(self.width * zoom)), max(1, round(self.height * zoom))

@@ -9,6 +9,8 @@ from jaxtyping import Bool, Float, Int
 
 from ..errors import BackendError
 from ..render.scanlines import nearest
+from ..scene.triangles import closed
+from .pixels import mask_iou
 
 _TRIES = (1, 2, 4)  # times the wanted number of faces
 _OVERLAP = 0.97  # least overlap of the silhouettes before and after
@@ -23,8 +25,8 @@ Vertices = Float[np.ndarray, "n 3"]
 Faces = Int[np.ndarray, "m 3"]
 
 
-def reduced(vertices: Vertices, faces: Faces, most: int, what: str) -> tuple[Vertices, Faces]:
-    """Return a shape with about ``most`` triangles, up to four times as many if it needs them.
+def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[Vertices, Faces]:
+    """Return a shape with about ``maximum`` triangles, up to four times as many if it needs them.
 
     By quadric error. It is held against the shape it was made of: silhouettes from four sides
     overlap by 97 % or more, and the volume of a closed one changes by 5 % at most.
@@ -36,21 +38,21 @@ def reduced(vertices: Vertices, faces: Faces, most: int, what: str) -> tuple[Ver
     solid = volume(vertices, faces)
     said = ""
     for times in _TRIES:
-        if times * most >= len(faces):
+        if times * maximum >= len(faces):
             return vertices, faces
-        fewer = _simplified(vertices, faces, times * most)
-        if len(fewer[1]) > _TRIES[-1] * most:
+        fewer = _simplify(vertices, faces, times * maximum)
+        if len(fewer[1]) > _TRIES[-1] * maximum:
             said = f"no fewer than {len(fewer[1])} can hold it"
             continue
         after = silhouettes(*fewer, vertices)
-        overlap = min(_overlap(a, b) for a, b in zip(before, after, strict=True))
+        overlap = min(mask_iou(a, b) for a, b in zip(before, after, strict=True))
         change = abs(volume(*fewer) / solid - 1) if solid else 0.0
         if overlap >= _OVERLAP and change <= _VOLUME:
             return fewer
         said = f"silhouettes overlap by {overlap:.0%}, the volume changes by {change:.0%}"
     raise BackendError(
         f"{what} has {len(faces)} triangles and does not keep its shape with "
-        f"{_TRIES[-1] * most}: {said}. Reduce it yourself, or allow more (faces)."
+        f"{_TRIES[-1] * maximum}: {said}. Reduce it yourself, or allow more (faces)."
     )
 
 
@@ -76,11 +78,7 @@ def silhouettes(
 
 def volume(vertices: Vertices, faces: Faces) -> float:
     """Return the volume that a closed shape encloses; 0 for an open one."""
-    radix = int(faces.max()) + 1
-    ends = [(faces[:, k].astype(np.int64), faces[:, (k + 1) % 3]) for k in range(3)]
-    there = np.sort(np.concatenate([a * radix + b for a, b in ends]))
-    back = np.sort(np.concatenate([b * radix + a for a, b in ends]))
-    if not np.array_equal(there, back):
+    if not closed(faces):
         return 0.0
     centred, total = vertices - vertices.mean(0), 0.0
     for first in range(0, len(faces), _AT_ONCE):
@@ -89,7 +87,7 @@ def volume(vertices: Vertices, faces: Faces) -> float:
     return abs(total) / 6
 
 
-def _simplified(vertices: Vertices, faces: Faces, count: int) -> tuple[Vertices, Faces]:
+def _simplify(vertices: Vertices, faces: Faces, count: int) -> tuple[Vertices, Faces]:
     import fast_simplification
 
     span = float(np.ptp(vertices, axis=0).max())
@@ -97,7 +95,3 @@ def _simplified(vertices: Vertices, faces: Faces, count: int) -> tuple[Vertices,
         vertices / span, faces.astype(np.int32), target_count=count, agg=_CARE
     )
     return np.asarray(made[0], np.float64) * span, np.asarray(made[1], np.int64)
-
-
-def _overlap(a: Bool[np.ndarray, "s s"], b: Bool[np.ndarray, "s s"]) -> float:
-    return float((a & b).sum() / max((a | b).sum(), 1))

@@ -1,7 +1,7 @@
 """Loose, doubled and inside-out triangles of a foreign mesh put right; what stays torn is refused.
 
 In this order: vertices at one place are one; slivers, doubled faces, crumbs and fins go
-(``cleaned``); faces are turned outwards; small holes are closed (``filled``). What then has more
+(``clean``); faces are turned outwards; small holes are closed (``fill_holes``). What then has more
 than 1 % of flawed edges is refused (``check_surface``).
 """
 
@@ -14,8 +14,8 @@ from scipy import sparse
 from scipy.sparse.csgraph import connected_components
 
 from ..errors import BackendError
-from .reading.surface import Surface, areas
-from .unwrap import welded
+from ..scene.triangles import areas, weld_index
+from .reading.surface import ColoredSurface
 
 _CRUMB = 5e-4  # share of the whole area below which a loose piece is none
 _SHEET = 0.5  # share of faces with a back of their own from which a mesh is a doubled sheet
@@ -27,7 +27,7 @@ _FLAT = 1e-3  # of the longest side: thinner things are flat
 Faces = Int[np.ndarray, "m 3"]
 
 
-def cleaned(surface: Surface, what: str) -> Surface:
+def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
     """Return a surface without slivers, doubled faces, loose crumbs and fins.
 
     A crumb is a piece with less than 0.05 % of the area; fins hang on edges of two other faces, and
@@ -37,7 +37,7 @@ def cleaned(surface: Surface, what: str) -> Surface:
     Raises:
         BackendError: nothing is left, or it is flat.
     """
-    surface = surface.kept(_sound(surface.vertices, surface.faces, welded(surface.vertices)))
+    surface = surface.keep(_sound(surface.vertices, surface.faces, weld_index(surface.vertices)))
     if not len(surface.faces):
         raise BackendError(f"{what} has only triangles without area. Export a mesh with faces.")
     used = surface.vertices[surface.faces].reshape(-1, 3)
@@ -51,14 +51,14 @@ def welded_shape(
     vertices: Float[np.ndarray, "v 3"], faces: Faces
 ) -> tuple[Float[np.ndarray, "n 3"], Faces]:
     """Return a shape with vertices at the same place made one, and unused ones left out."""
-    weld = welded(vertices)
+    weld = weld_index(vertices)
     used, joined = np.unique(weld[faces], return_inverse=True)
     first = np.unique(weld, return_index=True)[1]
     return np.asarray(vertices, np.float64)[first[used]], joined.reshape(-1, 3)
 
 
-def tidied(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Faces:
-    """Return a welded shape's faces put right as ``cleaned`` does a surface's."""
+def tidy(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Faces:
+    """Return a welded shape's faces put right as ``clean`` does a surface's."""
     return faces[_sound(vertices, faces, np.arange(len(vertices)))]
 
 
@@ -71,7 +71,7 @@ def inside_out(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Bool[np.ndar
     return (mesh.faces != faces).any(1)
 
 
-def filled(
+def fill_holes(
     vertices: Float[np.ndarray, "n 3"], faces: Faces
 ) -> tuple[Float[np.ndarray, "n 3"], Faces]:
     """Close holes with a rim of at most a fifth of the diagonal; a bowl's mouth stays open.
@@ -239,7 +239,7 @@ def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.nda
 
 def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
     """Tell which faces stay where several have the same corners."""
-    group = _grouped(np.sort(corner, axis=1))
+    group = _group(np.sort(corner, axis=1))
     if int(group.max()) + 1 == len(corner):
         return np.ones(len(corner), bool)
     lowest = corner.argmin(1)
@@ -255,7 +255,7 @@ def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
     return first & ~both
 
 
-def _grouped(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
+def _group(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
     """Return a number for each row, the same for equal ones, in their order."""
     group = np.zeros(len(rows), np.int64)
     for column in rows.T:

@@ -31,7 +31,7 @@ class Shading:
         """Return the factor that light puts on the colours of a surface with these normals."""
         return np.clip(1.0 + (normal - [0.0, 0.0, 1.0]) @ self.slope, _DARKEST, 1.25)
 
-    def removed(
+    def remove(
         self, colors: Float[np.ndarray, "t 3"], normal: Float[np.ndarray, "t 3"]
     ) -> Float[np.ndarray, "t 3"]:
         """Return colours as an even light from above would show them."""

@@ -9,6 +9,7 @@ from jaxtyping import Float, Int
 from scipy import sparse
 
 from ..render.scanlines import rasterise
+from ..scene.triangles import face_normals, weld_index
 
 _GUTTER = 2.0  # texels between charts
 
@@ -30,30 +31,13 @@ class Atlas:
     weights: Float[np.ndarray, "t 3"]
 
 
-def welded(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
-    """Return one common index for vertices that share a position."""
-    span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
-    keys = np.round(vertices / span * 1e5).astype(np.int64)
-    x, y, z = (keys - keys.min(0)).T  # each below 2**17
-    return np.unique((x << 40) + (y << 20) + z, return_inverse=True)[1].reshape(-1)
-
-
-def face_normals(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "m 3"]:
-    """Return the unit normal of each face (zero for degenerate faces)."""
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    normal = np.cross(b - a, c - a)
-    return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
-
-
 def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return per face its chart and its dominant direction (0..5: -x +x -y +y -z +z)."""
     normal = face_normals(vertices, faces)
     # A slight preference keeps the faces of a 45-degree bevel together.
     axis = np.abs(normal * [1.0, 1.001, 1.002]).argmax(1)
     side = axis * 2 + (np.take_along_axis(normal, axis[:, None], 1)[:, 0] > 0)
-    corner = welded(vertices)[faces]
+    corner = weld_index(vertices)[faces]
     pairs = np.sort(np.concatenate([corner[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     owner = np.tile(np.arange(len(faces)), 3)
     order = np.lexsort((pairs[:, 1], pairs[:, 0]))

@@ -1,6 +1,6 @@
-"""Sec. 4.3, ablations: the reasoner asked for the numbers themselves, in place of a stage.
+"""Sec. 4.3, ablations: the reasoner gives the numbers in place of a stage.
 
-Without DRO it says the rotations (here); without TSA it says places and sizes
+Without DRO it gives the rotations (here); without TSA, places and sizes
 (``method.alignment.direct``).
 """
 
@@ -13,14 +13,7 @@ import numpy as np
 from ..backends.protocols import PoseGuesser, Reasoner
 from ..errors import BackendError
 from ..geometry import wrap
-from ..scene import (
-    TABLE,
-    Instance,
-    Reference,
-    Rotation,
-    SizePrior,
-    View,
-)
+from ..scene import TABLE, Instance, Reference, Rotation, SizePrior, View
 
 QUESTIONS = ("guess_rotations", "guess_layout")
 
@@ -29,7 +22,7 @@ def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
     """Return the reasoner as one that can be asked for poses.
 
     Raises:
-        BackendError: it cannot.
+        BackendError: the reasoner cannot.
     """
     if isinstance(reasoner, PoseGuesser):
         return reasoner
@@ -48,17 +41,17 @@ def ask_rotations(
     view: View,
     guesser: PoseGuesser,
 ) -> dict[str, Rotation]:
-    """Return the yaw of every instance but the table as the reasoner says it; no loss is known.
+    """Return the yaw that the reasoner gives for every instance but the table, without a loss.
 
     Raises:
         BackendError: an answer is missing, or no finite angle.
     """
-    told = guesser.guess_rotations(reference, instances, sizes, view)
+    guesses = guesser.guess_rotations(reference, instances, sizes, view)
     rotations = {}
     for name in (i.name for i in instances if i.name != TABLE):
-        if name not in told or not np.isfinite(told[name]):
+        if name not in guesses or not np.isfinite(guesses[name]):
             raise BackendError(
                 f"guess_rotations: {type(guesser).__name__} gave no finite yaw for {name!r}."
             )
-        rotations[name] = Rotation(name, wrap(float(told[name])), float("nan"))
+        rotations[name] = Rotation(name, wrap(float(guesses[name])), float("nan"))
     return rotations

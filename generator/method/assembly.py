@@ -16,28 +16,13 @@ from jaxtyping import Float
 
 from ..errors import InputError, choices, require
 from ..geometry import convex_outline, yaw_quaternion
-from ..physics.gate import (
-    Limits,
-    fallen,
-    judge,
-    overturned,
-)
-from ..physics.inertia import (
-    MassProperties,
-    body_mass,
-    box_mass,
-    joined,
-)
+from ..physics.gate import GateLimits, find_fallen, find_toppling, judge
+from ..physics.inertia import MassProperties, body_mass, box_mass, join_bodies
 from ..physics.parts import body_parts, lowest, model_parts
-from ..physics.seating import (
-    carried,
-    relocate,
-    seat_on_table,
-    seat_stacked,
-)
+from ..physics.seating import carry, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
-from ..physics.simulation import Simulation, shifted, turned
+from ..physics.simulation import Simulation, shift_distances, turn_angles
 from ..scene import (
     TABLE,
     ConvexPart,
@@ -77,13 +62,13 @@ class AssemblyConfig:
     topple: float = float(np.deg2rad(30.0))
     attempts: int = 4
     drop_failing: bool = False
-    limits: Limits = field(default_factory=Limits)
+    limits: GateLimits = field(default_factory=GateLimits)
 
     def __post_init__(self) -> None:
-        require(self, "clearance", least=0)
+        require(self, "clearance", minimum=0)
         require(self, "settle_seconds", above=0)
-        require(self, "topple", above=0, most=np.pi)
-        require(self, "attempts", least=1, whole=True)
+        require(self, "topple", above=0, maximum=np.pi)
+        require(self, "attempts", minimum=1, integer=True)
 
 
 def assemble(
@@ -120,7 +105,7 @@ def assemble(
     """
     config = config or AssemblyConfig()
     table = _table(table_model, np.asarray(table_scale, float))
-    objects = tuple(body(_model(models, p.name), p) for p in _checked(placements))
+    objects = tuple(body(_model(models, p.name), p) for p in _check_supports(placements))
     scene = Scene(name, table, objects, provenance, plan=plan)
     if view is not None:
         scene = scene.replace(view=view)
@@ -133,16 +118,15 @@ def assemble(
         rested, unstable = rest(arranged, config)
     else:
         dropped = set()
-    return _recorded(scene, arranged, rested, stuck, unstable, dropped, config)
+    return _record(scene, arranged, rested, stuck, unstable, dropped, config)
 
 
 def reassemble(
     wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig | None = None
 ) -> Scene:
-    """Settle and judge a scene again of which some things are new, or elsewhere.
+    """Settle and judge a scene again after things were added or moved.
 
-    What is not new stays as it is: no foot is put under it, and where settling does not move it,
-    it keeps its pose to the bit.
+    Things that are not new get no foot, and keep their pose bit for bit unless settling moves them.
 
     Args:
         wanted: the scene with everything where it was asked to be.
@@ -152,15 +136,15 @@ def reassemble(
     """
     config = config or AssemblyConfig()
     rested, unstable = rest(arranged, config, fresh)
-    rested = _unmoved(arranged, rested, fresh)
-    scene = _recorded(wanted, arranged, rested, (), unstable, set(), config, fresh)
+    rested = _keep_unmoved(arranged, rested, fresh)
+    scene = _record(wanted, arranged, rested, (), unstable, set(), config, fresh)
     if scene.report is None or arranged.report is None:
         return scene
     return scene.replace(report=replace(scene.report, dropped=arranged.report.dropped))
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
-    """Free a scene of overlaps: stand, separate, stack, separate again, at last relocate.
+    """Remove overlaps from a scene: stand, separate, stack, separate again, and finally relocate.
 
     Returns the scene and the names of objects for which there is no free place.
     """
@@ -169,7 +153,7 @@ def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...
     scene = scene.replace(objects=tuple(standing))
     roots = tuple(o for o in scene.objects if o.placement.on == TABLE)
     apart, _ = separate(scene.replace(objects=roots), config.clearance)
-    scene = seat_stacked(carried(scene, {o.name: o.pose for o in apart.objects}))
+    scene = seat_stacked(carry(scene, {o.name: o.pose for o in apart.objects}))
     scene, stuck = separate(scene, config.clearance)
     return relocate(scene, stuck, {o.name: o.pose for o in standing})
 
@@ -185,7 +169,7 @@ def rest(
     footed: set[str] = set()
     while True:
         poses = settle(scene, config.settle_seconds)
-        down = _toppled(scene, poses, config.topple)
+        down = _find_toppled(scene, poses, config.topple)
         able = _only(down, may)
         if able <= footed or len(footed) >= len(scene.objects):
             return scene.replace(objects=with_poses(scene.objects, poses)), tuple(sorted(down))
@@ -209,7 +193,7 @@ def on_foot(thing: Object) -> Object:
     share = float(np.clip(needed, *_FOOT))
     aside = np.clip((1 - 1 / share) * (thing.com * [1, 1, 0]), -size / 2, size / 2)
     rest = MassProperties((1 - share) * thing.mass, thing.com, (1 - share) * thing.inertia)
-    whole = joined((rest, box_mass(share * thing.mass, middle + aside, size)))
+    whole = join_bodies((rest, box_mass(share * thing.mass, middle + aside, size)))
     corners = middle + size * (np.indices((2, 2, 2)).reshape(3, 8).T - 0.5)
     parts = (*thing.parts, ConvexPart(corners, "box"))
     return replace(thing, parts=parts, com=whole.com, inertia=whole.inertia)
@@ -242,8 +226,8 @@ def _model(models: Mapping[str, Model], name: str) -> Model:
     return models[name]
 
 
-def _checked(placements: Sequence[Placement]) -> Sequence[Placement]:
-    """Check that what things stand on is there, and that no thing stands on itself."""
+def _check_supports(placements: Sequence[Placement]) -> Sequence[Placement]:
+    """Check that every support exists, and that no thing stands on itself."""
     on = {p.name: p.on for p in placements}
     for name, below in on.items():
         seen = {name}
@@ -260,12 +244,12 @@ def _checked(placements: Sequence[Placement]) -> Sequence[Placement]:
 # -------------------------------------------------------------------------------------- the scene
 
 
-def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
-    """Return what leans too far, though it should stand, and what left the table."""
+def _find_toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
+    """Return things that lean too far though they should stand, and things that left the table."""
     simulation = Simulation(scene)
     simulation.place(poses)
     simulation.contacts()
-    gone = set(fallen(simulation))
+    gone = set(find_fallen(simulation))
     return {
         thing.name
         for k, (thing, pose) in enumerate(zip(scene.objects, poses, strict=True))
@@ -274,19 +258,19 @@ def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
 
 
 def _again(scene: Scene, config: AssemblyConfig) -> Scene:
-    """Let a scene settle on, shaken by more than the gate leans it unless that topples a thing."""
-    down = _toppled(scene, [o.pose for o in scene.objects], config.topple)
+    """Settle a scene further, shaken by more than the gate's lean unless that topples a thing."""
+    down = _find_toppled(scene, [o.pose for o in scene.objects], config.topple)
     for shake in (_SHAKE * config.limits.lean, 0.0):
         poses = settle(scene, config.settle_seconds, config.settle_seconds / 4, shake)
-        if _toppled(scene, poses, config.topple) <= down:
+        if _find_toppled(scene, poses, config.topple) <= down:
             break
     return scene.replace(objects=with_poses(scene.objects, poses))
 
 
-def _unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
-    """Return the scene at rest with what is not new, and has not moved, just as it was."""
+def _keep_unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
+    """Return the scene at rest; things that are neither new nor moved keep their exact pose."""
     poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
-    moved = (shifted(*poses) > _STAYS[0]) | (turned(*poses) > _STAYS[1])
+    moved = (shift_distances(*poses) > _STAYS[0]) | (turn_angles(*poses) > _STAYS[1])
     triples = zip(arranged.objects, rested.objects, moved, strict=True)
     objects = (b if b.name in fresh or far else a for a, b, far in triples)
     return rested.replace(objects=tuple(objects))
@@ -296,19 +280,22 @@ def _only(names: set[str], may: Collection[str] | None) -> set[str]:
     return names if may is None else names & {*may}
 
 
-def _steadied(
+def _steady(
     arranged: Scene, rested: Scene, config: AssemblyConfig, may: Collection[str] | None
 ) -> Scene:
     """Return the scene at rest with a foot under what topples as the gate leans."""
     if not config.limits.lean:
         return rested
-    known = {*_footed(arranged, rested), *(o.name for o in rested.objects if o.placement.inside)}
-    down = _only(set(overturned(rested, config.limits, config.topple)) - known, may)
+    known = {
+        *_list_footed(arranged, rested),
+        *(o.name for o in rested.objects if o.placement.inside),
+    }
+    down = _only(set(find_toppling(rested, config.limits, config.topple)) - known, may)
     objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)
     return rested.replace(objects=objects) if down else rested
 
 
-def _footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
+def _list_footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
     """Return what :func:`rest` has put on a foot, in the scene's order."""
     pairs = zip(arranged.objects, rested.objects, strict=True)
     return tuple(after.name for before, after in pairs if len(after.parts) > len(before.parts))
@@ -323,7 +310,7 @@ def _without(scene: Scene, names: set[str]) -> Scene:
     return scene.replace(objects=tuple(kept))
 
 
-def _recorded(
+def _record(
     wanted: Scene,
     arranged: Scene,
     rested: Scene,
@@ -333,7 +320,7 @@ def _recorded(
     config: AssemblyConfig,
     may: Collection[str] | None = None,
 ) -> Scene:
-    """Judge the scene; where something does not hold, let it settle on from there, shaken.
+    """Judge the scene; if it fails the gate, let it settle further, shaken.
 
     What stands, but topples as gravity leans, gets a weighted foot if it ``may``.
     """
@@ -344,21 +331,21 @@ def _recorded(
     )
     scene = rested
     for _ in range(config.attempts):
-        settling = shifted(poses[1], [o.pose for o in scene.objects])
+        settling = shift_distances(poses[1], [o.pose for o in scene.objects])
         report = replace(report, settling=float(settling.max(initial=0.0)))
         report = judge(scene.replace(report=report), config.limits)
         if report.passed:
             break
-        scene = _again(_steadied(arranged, scene, config, may), config)
+        scene = _again(_steady(arranged, scene, config, may), config)
         if may is not None:
-            scene = _unmoved(arranged, scene, may)
+            scene = _keep_unmoved(arranged, scene, may)
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (
         *(f"{name} has no free place on the table" for name in stuck),
         *(f"{name} would not stand" for name in unstable),
         *(f"{name} stands on a weighted foot that the model does not have"
-          for name in _footed(arranged, scene)),
+          for name in _list_footed(arranged, scene)),
         *(f"{name} was left out" for name in sorted(dropped)),
     )  # fmt: skip
     provenance = replace(scene.provenance, warnings=scene.provenance.warnings + warnings)

@@ -1,4 +1,4 @@
-"""Instance extraction (Sec. 3.1): list what is there, segment it, complete each thing."""
+"""Instance extraction (Sec. 3.1): list the things, segment them, complete each one."""
 
 from __future__ import annotations
 
@@ -10,21 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..backends.protocols import (
-    Each,
-    Imager,
-    Reasoner,
-    Segmenter,
-    in_turn,
-)
+from ..backends.protocols import Each, Imager, Reasoner, Segmenter, in_turn
 from ..errors import SceneError, require
 from ..geometry import fill_holes, main_parts, mask_box
-from ..scene import (
-    TABLE,
-    Detection,
-    Instance,
-    Reference,
-)
+from ..scene import TABLE, Detection, Instance, Reference
 
 SPECK = 1e-4
 """A region below this share of the picture is dropped."""
@@ -37,7 +26,7 @@ _APART = 1_000_003  # between the seeds of two drawings
 
 @dataclass(frozen=True)
 class ExtractionConfig:
-    """``drawings``: how often a plan is drawn at most, until all that it asks for shows.
+    """``drawings``: the largest number of times a plan is drawn until all planned things show.
 
     Raises:
         InputError: not a whole number from 1.
@@ -46,7 +35,7 @@ class ExtractionConfig:
     drawings: int = 3
 
     def __post_init__(self) -> None:
-        require(self, "drawings", least=1, whole=True)
+        require(self, "drawings", minimum=1, integer=True)
 
 
 def extract(
@@ -69,16 +58,16 @@ def extract(
         SceneError: no table in the picture, or nothing stands on it.
     """
     plan = reference.plan
-    best, found = reference, _found(reference, reasoner, segmenter)
+    best, found = reference, _find(reference, reasoner, segmenter)
     for k in range(1, (config or ExtractionConfig()).drawings):
         if plan is None or len(found.things) >= len(plan.objects):
             break
-        with contextlib.suppress(SceneError):  # a drawing of no use; the one before stays
+        with contextlib.suppress(SceneError):  # an unusable drawing; keep the previous one
             drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
-            again = _found(drawn, reasoner, segmenter)
+            again = _find(drawn, reasoner, segmenter)
             if again.tables and len(again.things) > len(found.things):
                 best, found = drawn, again
-    return best, _completed(best, found.checked(), imager, complete_each)
+    return best, _complete(best, found.check(), imager, complete_each)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,8 +77,8 @@ class _Found:
     tables: tuple[Detection, ...]
     things: tuple[Detection, ...]
 
-    def checked(self) -> tuple[Detection, ...]:
-        """Return the largest table and the things, or say what is missing."""
+    def check(self) -> tuple[Detection, ...]:
+        """Return the largest table and the things; raise if either is missing."""
         if not self.tables:
             raise SceneError(
                 "No table found in the picture. Show the whole tabletop on a plain, light ground."
@@ -102,7 +91,7 @@ class _Found:
         return max(self.tables, key=lambda d: int(d.mask.sum())), *self.things
 
 
-def _found(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _Found:
+def _find(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _Found:
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
@@ -114,7 +103,7 @@ def _found(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _F
     )
 
 
-def _completed(
+def _complete(
     reference: Reference, found: tuple[Detection, ...], imager: Imager, complete_each: Each
 ) -> tuple[Instance, ...]:
     """Return what was found (the table first), each cut out, whole, with a name of its own."""

@@ -16,21 +16,13 @@ from ..io.pictures import write_picture
 from ..render.picture import TOP_DOWN, framing_camera, render_scene
 from ..render.raster import place, render
 from ..render.sheet import draw_boxes, grid
-from ..scene import (
-    TABLE,
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    Scene,
-    View,
-)
+from ..scene import TABLE, Instance, Model, Reference, Rotation, Scene, View
 from ..scene.paper_json import to_paper
 from .alignment import Alignment
 
 
 class Stagewise(Protocol):
-    """A ``Generation``, as its figures see it."""
+    """The part of a ``Generation`` that the figures need."""
 
     @property
     def reference(self) -> Reference: ...  # noqa: D102

@@ -1,4 +1,4 @@
-"""How long each stage took. Seconds never reach a bundle: the same input gives the same bytes."""
+"""Times of the stages. They never reach a bundle: the same input gives the same bytes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from types import MappingProxyType
 
 @dataclass(frozen=True)
 class Seconds:
-    """Seconds by the clock on the wall, and of CPU.
+    """Wall-clock and CPU seconds.
 
     ``cpu`` counts all threads of this process, but not what processes that it started used.
     """
@@ -21,7 +21,7 @@ class Seconds:
 
 
 class Stopwatch:
-    """Goes through stages in order, tells a listener, and keeps the seconds of each."""
+    """Goes through stages in order, notifies a listener, and records the seconds of each."""
 
     def __init__(
         self, stages: Sequence[str], progress: Callable[[str, int, int], None] | None = None
@@ -39,7 +39,7 @@ class Stopwatch:
             self._progress(self._stages[number - 1], number, len(self._stages))
 
     def stop(self) -> Mapping[str, Seconds]:
-        """Return the seconds of every stage that was begun, in their order."""
+        """Return the seconds of every started stage, in order."""
         marks = [*self._marks, (time.perf_counter(), time.process_time())]
         spent = [Seconds(b[0] - a[0], b[1] - a[1]) for a, b in itertools.pairwise(marks)]
         return MappingProxyType(dict(zip(self._stages, spent, strict=False)))

@@ -8,29 +8,16 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from jaxtyping import Float, Int
 
-from ..backends.protocols import (
-    Each,
-    Modeler,
-    Reasoner,
-    in_turn,
-)
+from ..backends.protocols import Each, Modeler, Reasoner, in_turn
 from ..errors import BackendError, InputError, choices
 from ..geometry import ray_view
-from ..scene import (
-    ConvexPart,
-    Instance,
-    Mesh,
-    Model,
-    Reference,
-    SizePrior,
-    View,
-)
+from ..scene import ConvexPart, Instance, Mesh, Model, Reference, SizePrior, View
 
 Steps = Sequence[tuple[str, int]]
 """Turns about the fixed axes "x", "y" or "z", in degrees, applied in order."""
 
 SQUARISH = 1.15
-"""Below this ratio of length to width, which is which is left open."""
+"""Below this ratio of length to width, the two are not told apart."""
 
 STRETCH = 1.8
 """A measured size changes a model's proportions by at most this factor."""
@@ -83,8 +70,8 @@ def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner:
     """
     extent = np.asarray(raw.size, np.float32)
     shown = dataclasses.replace(raw.mesh, vertices=raw.mesh.vertices * extent)
-    model = turned(raw, reasoner.review_orientation(shown, instance, size))
-    model = turned(model, size_axes_turn(model.size, size.extent))
+    model = turn(raw, reasoner.review_orientation(shown, instance, size))
+    model = turn(model, size_axes_turn(model.size, size.extent))
     if size.measured:
         model = dataclasses.replace(model, size=measured_size(model, size.extent))
     return dataclasses.replace(model, name=instance.name, label=instance.label)
@@ -119,7 +106,7 @@ def size_axes_turn(
     return (("z", 90),) if clear and own * asked < 0 else ()
 
 
-def turned(model: Model, steps: Steps) -> Model:
+def turn(model: Model, steps: Steps) -> Model:
     """Return a model turned by multiples of 90 degrees, size and orientation carried along."""
     turn = quarter_turn(steps)
     if (turn == np.eye(3, dtype=int)).all():

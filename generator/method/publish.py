@@ -170,7 +170,7 @@ def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -
         other_misfit = found.misfit(other)
         if (_is_sound(other), -other_misfit) > (_is_sound(scene), -misfit):
             scene, misfit = other, other_misfit
-    return _reported(scene, misfit=(round(refined.before, 6), round(misfit, 6)))
+    return _with_report(scene, misfit=(round(refined.before, 6), round(misfit, 6)))
 
 
 def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
@@ -181,8 +181,8 @@ def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
     while True:
         scene = found.assemble(attempt)
         if scene.report is None or scene.report.passed:
-            dropped = tuple(sorted({*_dropped(scene), *attempt.left_out}))
-            return _reported(scene, dropped=dropped) if attempt.left_out else scene
+            dropped = tuple(sorted({*_dropped_names(scene), *attempt.left_out}))
+            return _with_report(scene, dropped=dropped) if attempt.left_out else scene
         failures = scene.report.failures
         if attempt.added.placements:
             attempt = attempt.without_added(failures)
@@ -250,11 +250,11 @@ def _is_sound(scene: Scene) -> bool:
     return scene.report is None or scene.report.passed
 
 
-def _dropped(scene: Scene) -> tuple[str, ...]:
+def _dropped_names(scene: Scene) -> tuple[str, ...]:
     return scene.report.dropped if scene.report else ()
 
 
-def _reported(scene: Scene, **entries: Any) -> Scene:
+def _with_report(scene: Scene, **entries: Any) -> Scene:
     """Return the scene with these entries of its report, if it has one."""
     if scene.report is None:
         return scene

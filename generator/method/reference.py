@@ -30,7 +30,7 @@ DepthSource = str | Path | bytes | np.ndarray
 16-bit PNG of millimetres (a path, or its bytes). 0, NaN and infinity mean unknown."""
 
 FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF")
-"""What pictures may come as; nothing that starts another program to be read."""
+"""Accepted picture formats; none starts another program to be read."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ def read_image(
 ) -> UInt8[np.ndarray, "h w 3"]:
     """Decode a picture into sRGB on white, upright, at most ``config.work_side`` long."""
     config = config or ReferenceConfig()
-    return _prepared(_decode(source, config), config)
+    return _prepare(_decode(source, config), config)
 
 
 def _decode(source: str | Path | bytes | np.ndarray, config: ReferenceConfig) -> Image.Image:
@@ -140,7 +140,7 @@ def _upright(picture: Image.Image) -> Image.Image:
         return picture
 
 
-def _prepared(picture: Image.Image, config: ReferenceConfig) -> UInt8[np.ndarray, "h w 3"]:
+def _prepare(picture: Image.Image, config: ReferenceConfig) -> UInt8[np.ndarray, "h w 3"]:
     """Return a picture upright, in sRGB on white, at most ``config.work_side`` long."""
     from PIL import Image
 
@@ -179,14 +179,14 @@ def _refer_depth(
     size = picture.width, picture.height
     _check_intrinsics(intrinsics, *size)
     metres = read_depth(depth, size, config)
-    image = _prepared(picture, config)
+    image = _prepare(picture, config)
     height, width = image.shape[:2]
     rows = ((np.arange(height) + 0.5) * size[1] / height).astype(int)
     columns = ((np.arange(width) + 0.5) * size[0] / width).astype(int)
     return Reference(
         image,
         depth=metres[np.ix_(rows, columns)],  # nearest: blending would invent surfaces
-        intrinsics=intrinsics.scaled(width / size[0], height / size[1]),
+        intrinsics=intrinsics.scale(width / size[0], height / size[1]),
     )
 
 

@@ -15,15 +15,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ..layout import arrange_more, build_models
 from ..layout.arranging import support_of
-from ..scene import (
-    TABLE,
-    Instance,
-    Model,
-    Placement,
-    PlannedObject,
-    ScenePlan,
-    names_in,
-)
+from ..scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan, names_in
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,11 +37,11 @@ class Supplement:
             gone = {p.name for p in self.placements}
         while more := {p.name for p in self.placements if p.on in gone} - gone:
             gone |= more
-        told = tuple(f"{name} would not stand there and was left out." for name in sorted(gone))
+        messages = tuple(f"{name} would not stand there and was left out." for name in sorted(gone))
         return Supplement(
             {name: model for name, model in self.models.items() if name not in gone},
             tuple(p for p in self.placements if p.name not in gone),
-            self.warnings + told,
+            self.warnings + messages,
         )
 
 
@@ -82,7 +74,7 @@ def supplement(
         return NOTHING
     placed = {p.name: p for p in placements}
     labels = {i.name: i.label for i in instances if i.name in placed}
-    shown = matched(plan, labels, placed)
+    shown = match_planned(plan, labels, placed)
     missing = [planned for planned in plan.objects if planned.name not in shown]
     if not missing:
         return NOTHING
@@ -91,7 +83,7 @@ def supplement(
     added = {names[planned.name]: built[planned.name] for planned in missing}
     there = {name: replace(models[name], size=p.scale) for name, p in placed.items()}
     table = replace(models[TABLE], size=table_scale)
-    layout = arrange_more(_renamed(plan, names), placed, {**there, **added}, table, seed)
+    layout = arrange_more(_rename(plan, names), placed, {**there, **added}, table, seed)
     lost = {*added} - {p.name for p in layout.placements}
     unfit = {i.label for i in instances if i.name in gone}
     nouns = {names[planned.name]: planned.noun for planned in missing}
@@ -104,7 +96,7 @@ def supplement(
     return Supplement(kept, layout.placements, (*warnings, *layout.warnings))
 
 
-def matched(
+def match_planned(
     plan: ScenePlan, labels: Mapping[str, str], placed: Mapping[str, Placement]
 ) -> dict[str, str]:
     """Return which instance shows which planned object: planned name to instance name.
@@ -139,7 +131,7 @@ def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, 
     return names
 
 
-def _renamed(plan: ScenePlan, names: Mapping[str, str]) -> ScenePlan:
+def _rename(plan: ScenePlan, names: Mapping[str, str]) -> ScenePlan:
     objects = tuple(
         replace(
             planned,

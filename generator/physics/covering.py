@@ -23,6 +23,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
 from ..scene import ConvexPart
+from ..scene.triangles import scaled_normals
 from .mjcf import primitive
 
 TOLERANCE = 2.5e-4
@@ -50,12 +51,7 @@ def covering(
     """Return parts that hold the mesh to ``TOLERANCE``: ``parts`` grown, and hulls added to them.
 
     A piece of the mesh that is convex by itself and sticks out is hulled as it is; parts that lie
-    within such a hull are left out.
-
-    Args:
-        parts: convex parts, metres.
-        vertices: the drawn mesh's vertices, metres, same frame.
-        faces: its triangles.
+    within such a hull are left out. All is in metres and in one frame.
     """
     places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces]
@@ -113,8 +109,7 @@ def _surface(
 
     Two parts may hold the ends of an edge and not its middle.
     """
-    a, b, c = places[faces].transpose(1, 0, 2)
-    turn = np.cross(b - a, c - a)
+    turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
     for k in range(3):
         np.add.at(normals, faces[:, k], turn)
@@ -165,17 +160,17 @@ def _convex_pieces(
         except QhullError:  # flat
             continue
         if volume > _CONVEX * hull.volume:
-            hulls.append(_thinned(points[hull.vertices]))
+            hulls.append(_thin(points[hull.vertices]))
     return hulls
 
 
-def _thinned(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
+def _thin(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
     """Return the hull of ``corners``, all of them extreme, without those it can do without."""
     if len(corners) <= _FEW:
         return ConvexPart(corners.round(6))
     start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
     try:
-        return _grown(ConvexPart(start), corners)
+        return _grow(ConvexPart(start), corners)
     except QhullError:  # a sheet whose extreme corners lie in a plane
         return ConvexPart(corners.round(6))
 
@@ -203,7 +198,7 @@ def _beyond(hull: ConvexHull, points: Float[np.ndarray, "n 3"]) -> Float[np.ndar
     return (points @ hull.equations[:, :3].T + hull.equations[:, 3]).max(1)
 
 
-def _grown(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
+def _grow(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
     """Return the part with as many of the points as it takes to hold them all."""
     corners, left = part.vertices, lacking
     for _ in range(_ROUNDS):
@@ -234,7 +229,7 @@ def _grown_where_solid(
     axis = np.abs(normals).argmax(1)
     facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
     for way in np.unique(facing):
-        wider = _grown(part, lacking[facing == way])
+        wider = _grow(part, lacking[facing == way])
         if not _buries(wider, bare):
             part = wider
     return part
@@ -258,7 +253,7 @@ def _patches(
         return []
     points = places[np.unique(faces)]
     try:
-        hull = _thinned(points[ConvexHull(points).vertices])
+        hull = _thin(points[ConvexHull(points).vertices])
     except QhullError:  # flat
         hull = ConvexPart((points[:, None] + _SPECK).reshape(-1, 3).round(6))
     if not halvings or len(faces) <= 2 or not _buries(hull, bare):

@@ -21,7 +21,8 @@ from jaxtyping import Float, Int
 from ..errors import SceneError
 from ..io.npz import read_arrays
 from ..scene import ConvexPart, Mesh
-from .inertia import closed, welded
+from ..scene.triangles import closed
+from .inertia import weld
 
 MOST_FACES = 1200
 """Meshes are reduced to this many faces: CoACD's time grows with them."""
@@ -59,13 +60,13 @@ def decompose(
         SceneError: CoACD failed or took longer than ``seconds``.
     """
     proportions = np.round(np.asarray(scale, float) / np.max(scale), 3).clip(1e-3)
-    vertices, faces = welded(mesh)
+    vertices, faces = weld(mesh)
     if not len(faces):
         raise SceneError("The mesh has no triangle with an area. Give the model convex parts.")
     digest = hashlib.sha256(_CHILD.encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())
-    kept = (cache or _user_cache()) / f"{digest.hexdigest()[:24]}.npz"
+    kept = (cache or hulls_folder()) / f"{digest.hexdigest()[:24]}.npz"
     hulls = _read(kept) if kept.is_file() else None
     if not hulls:
         hulls = _coacd(vertices * proportions, faces, seconds)
@@ -77,7 +78,7 @@ def _coacd(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], seconds: float
 ) -> list[Float[np.ndarray, "k 3"]]:
     """Run CoACD in a child process on a reduced mesh."""
-    vertices, faces = _reduced(vertices, faces)
+    vertices, faces = _reduce(vertices, faces)
     mode = "off" if closed(faces) and not _overlaps(vertices, faces) else "on"
     with tempfile.TemporaryDirectory() as folder:
         given, made = Path(folder) / "mesh.npz", Path(folder) / "hulls.npz"
@@ -103,7 +104,7 @@ def _overlaps(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"])
     """Return whether a closed mesh may overlap itself.
 
     It does if it holds more than its hull, and may if the boxes about two of its pieces meet. CoACD
-    does not end with such a mesh, unless its surface is made anew first.
+    does not end with such a mesh, unless its surface is made again first.
     """
     from scipy.spatial import ConvexHull, QhullError
 
@@ -118,9 +119,9 @@ def _overlaps(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"])
 
 
 def _pieces_meet(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], most: int = 200
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], maximum: int = 200
 ) -> bool:
-    """Return whether the boxes about two connected pieces meet; of more than ``most``, yes."""
+    """Return whether the boxes about two connected pieces meet; of more than ``maximum``, yes."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
@@ -128,7 +129,7 @@ def _pieces_meet(
     links = coo_array((np.ones(ends.shape[1]), tuple(ends)), (len(vertices), len(vertices)))
     pieces = connected_components(links, directed=False)[1][faces[:, 0]]
     names, pieces = np.unique(pieces, return_inverse=True)
-    if len(names) > most:
+    if len(names) > maximum:
         return True
     corners = vertices[faces]
     low, high = np.full((2, len(names), 3), [[[np.inf]], [[-np.inf]]])
@@ -138,7 +139,7 @@ def _pieces_meet(
     return bool(meet.sum() > len(names))
 
 
-def _reduced(
+def _reduce(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
     """Reduce to ``MOST_FACES`` by quadric error."""
@@ -172,5 +173,6 @@ def _keep(path: Path, hulls: list[Float[np.ndarray, "k 3"]]) -> None:
         Path(part.name).replace(path)
 
 
-def _user_cache() -> Path:
+def hulls_folder() -> Path:
+    """Return where decompositions are cached on this machine."""
     return Path(platformdirs.user_cache_dir("tabletopgen")) / "hulls"

@@ -14,11 +14,11 @@ from ..errors import require
 from ..geometry import inside_margin
 from ..scene import Report, Scene
 from .settling import has_toppled
-from .simulation import ON_FLOOR, ON_TABLE, Simulation, shifted, supported, turned
+from .simulation import ON_FLOOR, ON_TABLE, Simulation, find_supported, shift_distances, turn_angles
 
 
 @dataclass(frozen=True)
-class Limits:
+class GateLimits:
     """What passes. Lengths in metres, angles in radians, time in seconds.
 
     penetration: deepest overlap of two collision shapes at the start.
@@ -40,35 +40,35 @@ class Limits:
     lean: float = float(np.deg2rad(2.0))
 
     def __post_init__(self) -> None:
-        require(self, "penetration", "drift", "tilt", "gap", least=0)
+        require(self, "penetration", "drift", "tilt", "gap", minimum=0)
         require(self, "seconds", above=0)
-        require(self, "lean", least=0, most=1)
+        require(self, "lean", minimum=0, maximum=1)
 
 
 _STRIDE = 0.25  # seconds between two looks
 _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
 
 
-def judge(scene: Scene, limits: Limits | None = None) -> Report:
+def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     """Simulate a scene from its settled poses and report what happens.
 
     Penetration and floating are judged at the start; drift, turning and falling over
-    ``limits.seconds`` (:func:`watched`), then drift and turning again on a table that leans, up to
+    ``limits.seconds`` (:func:`watch`), then drift and turning again on a table that leans, up to
     the first side to which something moves. ``moved``, ``settling`` and ``dropped`` are kept from
     ``scene.report``.
     """
-    limits = limits or Limits()
+    limits = limits or GateLimits()
     simulation = Simulation(scene)
     poses = [o.pose for o in scene.objects]
     simulation.place(poses)
     names = [o.name for o in scene.objects]
     overlaps = simulation.contacts().deepest()
-    held = supported(simulation.contacts(margin=limits.gap), len(names))
+    held = find_supported(simulation.contacts(margin=limits.gap), len(names))
     off = inside_margin(simulation.centers_of_mass[:, :2], scene.table.outline) < 0
-    drift, tilt = watched(simulation, limits)
+    drift, tilt = watch(simulation, limits)
     simulated = simulation.time
     level = _moving(simulation, drift, tilt, limits, "")
-    fell = fallen(simulation)
+    fell = find_fallen(simulation)
     leaning, leans = 0.0, []
     if limits.lean and not level:
         leaning, shortest, leans = _leaning(simulation, limits)
@@ -99,8 +99,8 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
     return dataclasses.replace(report, failures=tuple(failures))
 
 
-def watched(
-    simulation: Simulation, limits: Limits
+def watch(
+    simulation: Simulation, limits: GateLimits
 ) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
     """Simulate ``limits.seconds``; return how far each object moved and turned.
 
@@ -121,7 +121,7 @@ def watched(
         if simulation.diverged:
             break
         now = simulation.poses
-        gone = np.stack([shifted(start, now), turned(start, now)], axis=1)
+        gone = np.stack([shift_distances(start, now), turn_angles(start, now)], axis=1)
         step = np.abs(gone - before)
         steady = (step <= np.maximum(1.05 * last, 1e-3 * bounds)).all()
         forecast = gone + step * (looks - 1 - k)
@@ -132,12 +132,12 @@ def watched(
     return gone[:, 0], gone[:, 1]
 
 
-def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, float, list[str]]:
+def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[str]]:
     """Return how far anything moves as gravity leans, the least time simulated, and failures."""
     worst, shortest = 0.0, limits.seconds
     for side in range(4):
         with _leaning_to(side, simulation, limits):
-            drift, tilt = watched(simulation, limits)
+            drift, tilt = watch(simulation, limits)
         worst = max(worst, float(drift.max(initial=0.0)))
         shortest = min(shortest, simulation.time)
         if failures := _moving(simulation, drift, tilt, limits, " on a leaning table"):
@@ -145,7 +145,7 @@ def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, float, list
     return worst, shortest, []
 
 
-def overturned(scene: Scene, limits: Limits, angle: float) -> tuple[str, ...]:
+def find_toppling(scene: Scene, limits: GateLimits, angle: float) -> tuple[str, ...]:
     """Return what topples (``has_toppled`` by ``angle``, radians) as gravity leans to any side."""
     simulation = Simulation(scene)
     down: set[str] = set()
@@ -158,7 +158,7 @@ def overturned(scene: Scene, limits: Limits, angle: float) -> tuple[str, ...]:
 
 
 @contextmanager
-def _leaning_to(side: int, simulation: Simulation, limits: Limits) -> Iterator[None]:
+def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterator[None]:
     """Start anew from the scene's poses, with gravity leaning to one of four sides."""
     simulation.place([o.pose for o in simulation.scene.objects])
     with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
@@ -169,7 +169,7 @@ def _moving(
     simulation: Simulation,
     drift: Float[np.ndarray, "n"],
     tilt: Float[np.ndarray, "n"],
-    limits: Limits,
+    limits: GateLimits,
     where: str,
 ) -> list[str]:
     """Say what the run just ended shows: what moved too far, or at what it broke down."""
@@ -206,7 +206,7 @@ def _overlapping(
     ]
 
 
-def fallen(simulation: Simulation) -> tuple[int, ...]:
+def find_fallen(simulation: Simulation) -> tuple[int, ...]:
     """Return the objects that touch the floor, or whose mass hangs 5 cm below the tabletop."""
     low = simulation.centers_of_mass[:, 2] < simulation.scene.table.height - 0.05
     touching = {int(b) for a, b in simulation.contacts().pairs if a == ON_FLOOR}

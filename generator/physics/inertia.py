@@ -10,6 +10,7 @@ from jaxtyping import Float, Int
 
 from ..errors import SceneError
 from ..scene import ConvexPart, Mesh, Physics
+from ..scene.triangles import closed, scaled_normals
 
 LEAST_MASS = 2e-3
 """Lighter things are given this mass, kg, so that contacts stay well conditioned."""
@@ -48,7 +49,7 @@ def body_mass(
         found = volume_mass(triangles, physics.density)
     else:
         found = parts_mass(parts, physics.density)
-    return _bounded(found, np.asarray(scale, float))
+    return _bound(found, np.asarray(scale, float))
 
 
 def volume_mass(triangles: Float[np.ndarray, "m 3 3"], density: float) -> MassProperties:
@@ -67,8 +68,7 @@ def surface_mass(triangles: Float[np.ndarray, "m 3 3"], areal_density: float) ->
 
     A triangle's second moment is A / 12 (aaᵀ + bbᵀ + ccᵀ + ssᵀ).
     """
-    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
-    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    areas = np.linalg.norm(scaled_normals(triangles), axis=1) / 2
     return _from_moments(areal_density * areas, triangles, 3.0, 12.0)
 
 
@@ -80,8 +80,7 @@ def parts_mass(parts: Sequence[ConvexPart], density: float) -> MassProperties:
     for part in parts:
         hull = ConvexHull(part.vertices)
         triangles = part.vertices[hull.simplices]
-        normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-        inward = np.einsum("ij,ij->i", normals, hull.equations[:, :3]) < 0
+        inward = np.einsum("ij,ij->i", scaled_normals(triangles), hull.equations[:, :3]) < 0
         triangles[inward] = triangles[inward][:, ::-1]
         pieces.append(triangles)
     if not pieces:
@@ -97,7 +96,7 @@ def box_mass(
     return MassProperties(mass, center, mass / 12 * np.diag(squares.sum() - squares))
 
 
-def joined(bodies: Sequence[MassProperties]) -> MassProperties:
+def join_bodies(bodies: Sequence[MassProperties]) -> MassProperties:
     """Return bodies fixed to each other as one, by Steiner's theorem."""
     mass = sum(body.mass for body in bodies)
     com = sum((body.mass * body.com for body in bodies), np.zeros(3)) / mass
@@ -110,22 +109,14 @@ def joined(bodies: Sequence[MassProperties]) -> MassProperties:
 
 def is_watertight(mesh: Mesh) -> bool:
     """Whether a mesh encloses a volume, faces outwards, its texture's seams taken as joined."""
-    vertices, faces = welded(mesh)
+    vertices, faces = weld(mesh)
     if not closed(faces):
         return False
     a, b, c = vertices[faces].transpose(1, 0, 2)
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) > 0
 
 
-def closed(faces: Int[np.ndarray, "m 3"]) -> bool:
-    """Whether every edge is used as often in one direction as in the other."""
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
-    radix = int(edges.max()) + 1
-    there, back = edges @ [radix, 1], edges @ [1, radix]
-    return bool(np.array_equal(np.sort(there), np.sort(back)))
-
-
-def welded(mesh: Mesh) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+def weld(mesh: Mesh) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
     """Return vertices and faces with vertices at the same place made one, slivers left out."""
     cells = np.round(mesh.vertices.astype(np.float64) / _WELD).astype(np.int64)
     places, index = np.unique(cells, axis=0, return_inverse=True)
@@ -152,7 +143,7 @@ def _from_moments(
     return MassProperties(total, com, np.trace(about_com) * np.eye(3) - about_com)
 
 
-def _bounded(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
+def _bound(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
     """Keep the centre inside the box, and mass and inertia away from zero."""
     mass = max(found.mass, LEAST_MASS)
     inertia = found.inertia * (mass / found.mass)

@@ -22,14 +22,7 @@ from jaxtyping import Float
 from ..errors import SceneError
 from ..geometry import framing_camera, quaternion_matrix
 from ..io.png import encode_png
-from ..scene import (
-    TABLE,
-    ConvexPart,
-    Mesh,
-    Object,
-    Scene,
-    View,
-)
+from ..scene import TABLE, ConvexPart, Mesh, Object, Scene, View
 
 if TYPE_CHECKING:
     import mujoco
@@ -131,7 +124,7 @@ def spec_of(made: Document, name: str) -> mujoco.MjSpec:
         raise _unbuildable(name, error) from error
 
 
-def compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
+def compile_spec(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
     """Compile the specification of the scene called ``name``.
 
     Raises:
@@ -260,7 +253,7 @@ class _Assets:
         if not self._visuals:
             return
         if mesh not in self._paths:
-            self._paths[mesh] = self._written(mesh)
+            self._paths[mesh] = self._write(mesh)
         shape, picture = self._paths[mesh]
         size = _text(scale)
         mesh_name = self._add(
@@ -275,7 +268,7 @@ class _Assets:
         )  # fmt: skip
         ET.SubElement(body, "geom", {"class": "visual"}, mesh=mesh_name, material=material)
 
-    def _written(self, mesh: Mesh) -> tuple[str, str]:
+    def _write(self, mesh: Mesh) -> tuple[str, str]:
         obj, png = encode_obj(mesh), encode_png(mesh.texture)
         shape, picture = mesh_path(obj), texture_path(png)
         self.files[shape], self.files[picture] = obj, png

@@ -20,7 +20,7 @@ _HAIR = 2e-4  # metres
 _ROOM = 1.5e-3  # what stands within the widest foot, or beyond it by this much, is raised, metres
 
 
-def scaled(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
+def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
     """Return a canonical part in metres at ``scale``, rounded to a micrometre."""
     vertices = part.vertices * scale
     low, high = vertices.min(0), vertices.max(0)
@@ -43,7 +43,7 @@ def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart
     from .decomposition import decompose
 
     parts = model.parts or decompose(model.mesh, scale)
-    return tuple(scaled(part, scale) for part in parts)
+    return tuple(scale_part(part, scale) for part in parts)
 
 
 def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
@@ -54,7 +54,7 @@ def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart,
     """
     vertices = model.mesh.vertices.astype(np.float64) * scale
     covered = covering(model_parts(model, scale), vertices, model.mesh.faces)
-    return on_base([scaled(part, np.ones(3)) for part in covered])
+    return on_base([scale_part(part, np.ones(3)) for part in covered])
 
 
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
@@ -70,7 +70,7 @@ def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
         return tuple(parts)
     outline = convex_outline(widest)
     return tuple(
-        _raised(part, low + _HAIR)
+        _raise(part, low + _HAIR)
         if foot is not widest and len(foot) and _within(foot, outline) and _upright(part)
         else part
         for part, foot in zip(parts, feet, strict=True)
@@ -86,7 +86,7 @@ def _upright(part: ConvexPart) -> bool:
     return part.kind in ("hull", "box") or (part.kind == "cylinder" and part.axis == 2)
 
 
-def _raised(part: ConvexPart, level: float) -> ConvexPart:
+def _raise(part: ConvexPart, level: float) -> ConvexPart:
     heights = np.maximum(part.vertices[:, 2], level)
     return replace(part, vertices=np.column_stack([part.vertices[:, :2], heights]))
 

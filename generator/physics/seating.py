@@ -63,7 +63,7 @@ def relocate(
         if place is None:
             homeless.append(name)
         else:
-            scene = carried(scene, {name: place})
+            scene = carry(scene, {name: place})
     return scene, tuple(
         name
         for name in homeless
@@ -103,7 +103,7 @@ def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
     return _depth(simulation, index, _others(scene, name, absent)) > TOLERANCE
 
 
-def carried(scene: Scene, places: Mapping[str, Pose]) -> Scene:
+def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
     """Put objects at new places, and what stands on them along."""
     poses = []
     for chain, thing in zip(ancestry(scene.objects), scene.objects, strict=True):

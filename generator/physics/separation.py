@@ -56,7 +56,7 @@ def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
     pairs: list[tuple[int, int]] = []
     fewest, stalled = len(start) ** 2, 0
     while stalled < _PATIENCE:
-        poses = _moved(start, _least_squares(cuts, chains))
+        poses = _move(start, _least_squares(cuts, chains))
         simulation.place(poses)
         pairs = _overlapping(simulation, chains)
         if not pairs:
@@ -198,7 +198,7 @@ def _overlapping(
     ]
 
 
-def _moved(poses: Sequence[Pose], shifts: Float[np.ndarray, "n 2"]) -> list[Pose]:
+def _move(poses: Sequence[Pose], shifts: Float[np.ndarray, "n 2"]) -> list[Pose]:
     return [
         Pose(p.position + np.append(shift, 0.0), p.quaternion)
         for p, shift in zip(poses, shifts, strict=True)

@@ -15,9 +15,9 @@ _STILL = np.array([2e-4, 2e-3])  # m/s, rad/s: a twentieth of what the gate lets
 
 
 def settle(
-    scene: Scene, seconds: float, least: float = 0.0, shake: float = 0.0
+    scene: Scene, seconds: float, minimum: float = 0.0, shake: float = 0.0
 ) -> tuple[Pose, ...]:
-    """Simulate until everything rests, from ``least`` to ``seconds`` long; return the poses.
+    """Simulate until everything rests, from ``minimum`` to ``seconds`` long; return the poses.
 
     Before that, gravity leans by ``shake`` (radians) to each of four sides in turn: a brush that
     stands free in a mug falls against its rim, where it stays.
@@ -36,7 +36,7 @@ def settle(
         simulation.run(_CHUNK, _DAMPING)
         calm = bool((simulation.speeds() < _STILL).all())
         still = still + 1 if calm else 0
-        if still >= 3 and (k + 1) * _CHUNK >= least:
+        if still >= 3 and (k + 1) * _CHUNK >= minimum:
             break
     simulation.run(_CHUNK)
     return tuple(o.pose for o in scene.objects) if simulation.diverged else simulation.poses

@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from ..scene import Pose, Scene
-from .mjcf import FLOOR, compiled, scene_spec
+from .mjcf import FLOOR, compile_spec, scene_spec
 
 ON_TABLE = -1
 """Index of the table among a scene's objects, in contacts."""
@@ -44,7 +44,7 @@ class Simulation:
         import mujoco
 
         self.scene = scene
-        self.model = compiled(scene_spec(scene, visuals=False), scene.name)
+        self.model = compile_spec(scene_spec(scene, visuals=False), scene.name)
         self.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.data = mujoco.MjData(self.model)
         bodies = [self.model.body(o.name).id for o in scene.objects]
@@ -87,8 +87,8 @@ class Simulation:
 
         kinds = mujoco.mjtWarning
         lengths = {kinds.mjWARN_BADQPOS: 7, kinds.mjWARN_BADQVEL: 6, kinds.mjWARN_BADQACC: 6}
-        told = [(self.data.warning[int(kind)], length) for kind, length in lengths.items()]
-        return tuple(sorted({w.lastinfo // length for w, length in told if w.number}))
+        raised = [(self.data.warning[int(kind)], length) for kind, length in lengths.items()]
+        return tuple(sorted({w.lastinfo // length for w, length in raised if w.number}))
 
     def place(self, poses: Iterable[Pose]) -> None:
         """Put the objects at ``poses``, at rest, at time 0."""
@@ -147,7 +147,7 @@ class Simulation:
         return np.linalg.norm(velocity, axis=2)
 
 
-def supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
+def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
     """Whether each object is held by the table or floor through a chain of touching objects."""
     held = {ON_TABLE, ON_FLOOR}
     links = {(a, b) for a, b in contacts.pairs.tolist()}
@@ -158,13 +158,13 @@ def supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
         held |= more
 
 
-def turned(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
+def turn_angles(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
     """Return the angle between two orientations of each object, radians."""
     dots = [abs(float(a.quaternion @ b.quaternion)) for a, b in zip(before, after, strict=True)]
     return 2 * np.arccos(np.clip(dots, 0.0, 1.0))
 
 
-def shifted(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
+def shift_distances(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
     """Return the distance between two positions of each object, metres."""
     pairs = zip(before, after, strict=True)
     return np.array([np.linalg.norm(b.position - a.position) for a, b in pairs], float)

@@ -38,7 +38,7 @@ class Backdrop:
     fade: tuple[float, float]
     id: int
 
-    def seen(
+    def sample(
         self, camera: Camera, pixels: Float[np.ndarray, "p 2"], light: Light, lit: Lit | None
     ) -> tuple[Float[np.ndarray, "p 3"], Float[np.ndarray, "p"]]:
         """Return the colours in [0, 1] and the depths (metres, inf where no floor is) at pixels."""
@@ -50,14 +50,14 @@ class Backdrop:
         up = np.broadcast_to([0.0, 0.0, 1.0], floor.shape)
         share = np.ones(len(floor)) if lit is None else lit(floor, up)
         matt = replace(light, gloss=0.0)
-        albedo = self._tiled(floor, depth[on_floor] / camera.focal)
+        albedo = self._sample_tiles(floor, depth[on_floor] / camera.focal)
         near, far = self.fade
         faded = np.clip((depth[on_floor] - near) / (far - near), 0, 1)[:, None]
         shaded = shade(albedo, up, camera.position - floor, share, matt)
         color[on_floor] = (1 - faded) * shaded + faded * np.asarray(self.haze)
         return color, depth
 
-    def _tiled(
+    def _sample_tiles(
         self, points: Float[np.ndarray, "p 3"], pixel: Float[np.ndarray, "p"]
     ) -> Float[np.ndarray, "p 3"]:
         """Return the tiles' colours at points; blended where a pixel (m) is large."""

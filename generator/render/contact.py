@@ -59,14 +59,10 @@ def height_field(
 def resting_height(body: Body, support: Body | None, table_height: float) -> float:
     """Return the height of the box centre at which ``body`` first touches what is below it.
 
-    Args:
-        body: the object; its own height is ignored.
-        support: what it stands on or in, or None for the table alone.
-        table_height: height of the tabletop, metres.
-
-    Lowered straight down, the body meets its support where the gap between its lower surface and
-    the support's upper surface closes first: an apple on the inner wall of a bowl, not at the
-    height of its rim. It never sinks into the tabletop.
+    ``support`` is what it stands on or in, None the table alone, whose top is at ``table_height``,
+    metres; the body's own height is ignored. Lowered straight down, it meets its support where the
+    gap between its lower surface and the support's upper surface closes first: an apple on the
+    inner wall of a bowl, not at the height of its rim. It never sinks into the tabletop.
     """
     lying = body.at_height(0.0)
     vertices = lying.vertices

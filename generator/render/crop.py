@@ -23,16 +23,11 @@ def tight_crop(
     resolution: int,
     keep_aspect: bool = True,
 ) -> Float[np.ndarray, "r r 4"]:
-    """Fit ``box`` (pixels of ``rgba``) into a square crop of side ``resolution``.
+    """Fit ``box`` (pixels of ``rgba``, the object's tight bounds) into a square crop.
 
-    Args:
-        rgba: the picture; what is transparent stays so.
-        box: the object's tight bounds.
-        resolution: side of the crop, pixels.
-        keep_aspect: fit the longer side and pad the other; False stretches both to the crop.
-
-    Returns:
-        float32 RGBA in [0, 1], colours multiplied by alpha.
+    Returns float32 RGBA in [0, 1] of side ``resolution``, colours multiplied by alpha; what is
+    transparent stays so. ``keep_aspect`` fits the longer side and pads the other; else both are
+    stretched.
     """
     import cv2
 

@@ -127,7 +127,7 @@ class _Shadow:
         p[:, :2] = (p[:, :2] - self._low[:2]) * self._scale + 4
         return p
 
-    def lit(
+    def lit_share(
         self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
     ) -> Float[np.ndarray, "p"]:
         """Return the lit share of each point in [0, 1]; points off the map are lit.
@@ -161,7 +161,7 @@ def _colors(
         point = (item.vertices[item.faces[face]] * w).sum(1)
         normal = (normals[face] * w).sum(1)
         albedo = sample_texture(item.texture, (item.uv[item.faces[face]] * w).sum(1))
-        lit = np.ones(len(own)) if shadow is None else shadow.lit(point, normal)
+        lit = np.ones(len(own)) if shadow is None else shadow.lit_share(point, normal)
         color[own] = shade(albedo, normal, camera.position - point, lit, light)
 
     pieces = []
@@ -195,7 +195,7 @@ def _ground_shade(
     points = camera.on_plane(_centers(empty, camera, width), 0.0)
     seen = np.isfinite(points).all(1)
     up = np.broadcast_to([0.0, 0.0, 1.0], points[seen].shape)
-    factor[empty[seen]] = 1 - strength * (1 - shadow.lit(points[seen], up))
+    factor[empty[seen]] = 1 - strength * (1 - shadow.lit_share(points[seen], up))
     return factor
 
 
@@ -210,17 +210,12 @@ def render(
     ground_shadow: float = 0.0,
     backdrop: Backdrop | None = None,
 ) -> Rendered:
-    """Draw ``items`` as ``camera`` sees them.
+    """Draw ``items``, meshes in the world frame, as ``camera`` sees them.
 
-    Args:
-        items: world-frame meshes; those with ``opacity`` below 1 are blended in front.
-        camera: pinhole camera; its width and height are the picture's.
-        light: the sun and the ambient light; None for the default.
-        background: colour of empty pixels.
-        supersample: samples per pixel and axis (1 is fast, 2 or 3 smooth).
-        shadows: whether the sun casts shadows.
-        ground_shadow: how strongly shadows darken the background as if a floor lay at z = 0.
-        backdrop: floor and haze in place of the background.
+    Items with ``opacity`` below 1 are blended in front. ``supersample`` is samples per pixel and
+    axis (1 is fast, 2 or 3 smooth); ``background`` the colour of empty pixels; ``ground_shadow``
+    how strongly shadows darken it as if a floor lay at z = 0; ``backdrop`` floor and haze in place
+    of it.
     """
     light = light or Light()
     width, height = camera.width * supersample, camera.height * supersample
@@ -238,8 +233,8 @@ def render(
     if backdrop is not None:
         behind = np.flatnonzero(empty)
         pixels = _centers(behind, camera, width)
-        lit = None if shadow is None else shadow.lit
-        color[behind], depth[behind] = backdrop.seen(camera, pixels, light, lit)
+        lit = None if shadow is None else shadow.lit_share
+        color[behind], depth[behind] = backdrop.sample(camera, pixels, light, lit)
         ids[behind] = np.where(np.isfinite(depth[behind]), backdrop.id, BACKGROUND)
     if glass:
         layer = _trace(glass, camera, width, height)

@@ -23,14 +23,11 @@ _TINY = 1e-6
 def relit(
     images: SoftImages, picture: Float[Tensor, "b 3 h w"], weight: Float[Tensor, "b h w"]
 ) -> Float[Tensor, "b 3 h w"]:
-    """Return the renders' images in the light of their pictures.
+    """Return the renders' images, over grey and with normals, in the light of their pictures.
 
-    Args:
-        images: renders with normals, over grey; see ``generator.render.soft.render``.
-        picture: what each is compared with, over the same grey.
-        weight: how much each pixel tells about the light, >= 0; 0 outside of the picture's mask.
-
-    The light is found without gradient: the image's gradients are those of a given light.
+    ``weight`` is how much each pixel of ``picture``, over the same grey, tells about the light, >=
+    0; 0 outside of its mask. The light is found without gradient: the image's gradients are those
+    of a given light.
 
     Raises:
         InputError: the renders have no normals.
@@ -41,9 +38,9 @@ def relit(
     own = images.image - 0.5 * (1 - cover)
     with torch.no_grad():
         counted = (weight * images.silhouette.square())[:, None]
-        grey, told = own.mean(1, keepdim=True), picture.mean(1, keepdim=True)
+        grey, target = own.mean(1, keepdim=True), picture.mean(1, keepdim=True)
         terms = torch.cat([grey, grey * images.normal], 1)
-        light = _fitted(terms, told, counted)
+        light = _fit(terms, target, counted)
         shade = light[:, :, None, None] * torch.cat([torch.ones_like(grey), images.normal], 1)
         shade = shade.sum(1, keepdim=True).clamp(*_SHADE)
         lit = own * shade
@@ -54,9 +51,9 @@ def relit(
     return own * (shade * gain) + 0.5 * (1 - cover)
 
 
-def _fitted(
+def _fit(
     terms: Float[Tensor, "b 4 h w"],
-    told: Float[Tensor, "b 1 h w"],
+    target: Float[Tensor, "b 1 h w"],
     counted: Float[Tensor, "b 1 h w"],
 ) -> Float[Tensor, "b 4"]:
     """Return the least-squares factors of ``terms``, drawn towards one even light.
@@ -66,11 +63,11 @@ def _fitted(
     weighted = counted * terms
     rows = [(weighted[:, k : k + 1] * terms).sum((-2, -1)) for k in range(4)]
     moments = torch.stack(rows, 1).double()
-    sums = (weighted * told).sum((-2, -1)).double()
+    sums = (weighted * target).sum((-2, -1)).double()
     told_any = moments[:, 0, 0] > _TINY
     even = torch.where(told_any, sums[:, 0] / (moments[:, 0, 0] + _TINY), 1.0)
     ridge = _RIDGE * moments[:, 0, 0] + _TINY
     start = torch.zeros_like(sums)
     start[:, 0] = even
     matrix = moments + ridge[:, None, None] * torch.eye(4, dtype=moments.dtype, device=sums.device)
-    return torch.linalg.solve(matrix, sums + ridge[:, None] * start).to(told.dtype)
+    return torch.linalg.solve(matrix, sums + ridge[:, None] * start).to(target.dtype)

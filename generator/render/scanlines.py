@@ -55,15 +55,9 @@ def rasterise(
 ) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw 3"], Float[np.ndarray, "hw"]]:
     """Find the nearest triangle of every pixel, and where in it the pixel's centre is.
 
-    Args:
-        corners: per triangle and corner, pixel x, pixel y and 1/depth (perspective) or any
-            quantity that grows towards the viewer and is linear in the image.
-        width: width of the image in pixels.
-        height: height of the image in pixels.
-
-    Returns:
-        Per pixel (row-major): triangle index or -1, screen-space barycentric weights, and the
-        interpolated third coordinate (0 where nothing is).
+    A corner is pixel x, pixel y and 1/depth (perspective) or any quantity that grows towards the
+    viewer and is linear in the image. Returns per pixel (row-major): triangle index or -1,
+    screen-space barycentric weights, and the interpolated third coordinate (0 where nothing is).
     """
     owner, near = nearest(corners, width, height)
     return owner, _weights(corners[..., :2], owner, width), near

@@ -8,6 +8,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..scene import frozen_array
+from ..scene.triangles import scaled_normals, weld_index
 
 _CREASE = np.cos(np.deg2rad(40.0))
 _MOST_PAIRS = 64  # of corners in the same place, for each corner on average; solids have about 6
@@ -49,13 +50,9 @@ def corner_normals(
     Vertices that share a position (seams of the texture) are smoothed together. Where far more
     faces meet in points than in any solid, all normals are those of the faces.
     """
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    scaled = np.cross(b - a, c - a)
+    scaled = scaled_normals(vertices[faces])
     flat = _unit(scaled)
-    span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
-    keys = np.round(vertices / span * 1e5).astype(np.int64)
-    _, merged = np.unique(keys, axis=0, return_inverse=True)
-    corner = merged.reshape(-1)[faces.reshape(-1)]
+    corner = weld_index(vertices)[faces.reshape(-1)]
     order = np.argsort(corner, kind="stable")
     counts = np.bincount(corner)
     starts = np.cumsum(counts) - counts

@@ -20,11 +20,8 @@ def grid(
 ) -> UInt8[np.ndarray, "gh gw 3"]:
     """Lay pictures (RGB or RGBA, any sizes) out in a grid of square cells on white.
 
-    Args:
-        images: the pictures; each is shrunk or grown to fit its cell, aspect kept.
-        captions: one line under each picture, or none at all.
-        columns: cells a row.
-        cell: side of a cell in pixels.
+    Each is shrunk or grown to fit its cell of ``cell`` pixels, aspect kept, with a line of caption
+    below it, if there are captions.
     """
     columns = max(1, min(columns, len(images)))
     rows = -(-len(images) // columns)

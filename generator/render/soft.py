@@ -23,6 +23,7 @@ from torch.nn import functional
 from ..errors import InputError
 from ..geometry import hull_points
 from ..scene import Mesh
+from ..scene.triangles import scaled_normals
 from .crop import MARGIN
 from .shading import sample_texture
 
@@ -31,7 +32,7 @@ _FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial, sigma of one pix
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class SampledSurface:
     """Sample points of ``s`` objects' textured surfaces, each in its object frame in metres.
 
     ``area`` (m^2) is what one point stands for; ``covered`` marks points just under another
@@ -46,7 +47,7 @@ class Surface:
     covered: Bool[Tensor, "s n"]
     corners: Float[Tensor, "s k 3"]
 
-    def thinned(self, step: int, first: int = 0) -> Surface:
+    def thin(self, step: int, first: int = 0) -> SampledSurface:
         """Return every ``step``-th point, standing for as much more area; they stay even."""
         count = self.position.shape[1]
         return replace(
@@ -58,12 +59,12 @@ class Surface:
             covered=self.covered[:, first::step],
         )
 
-    def to(self, device: torch.device | str) -> Surface:
+    def to(self, device: torch.device | str) -> SampledSurface:
         """Return the surfaces on another device."""
-        return Surface(*(getattr(self, field.name).to(device) for field in fields(self)))
+        return SampledSurface(*(getattr(self, field.name).to(device) for field in fields(self)))
 
 
-def stack(surfaces: Sequence[Surface]) -> Surface:
+def stack(surfaces: Sequence[SampledSurface]) -> SampledSurface:
     """Return several surfaces of equally many points as one."""
     most = max(s.corners.shape[1] for s in surfaces)
     corners = [
@@ -71,21 +72,21 @@ def stack(surfaces: Sequence[Surface]) -> Surface:
         for s in surfaces
     ]
 
-    def joined(name: str) -> Tensor:
+    def join(name: str) -> Tensor:
         return torch.cat([getattr(s, name) for s in surfaces])
 
-    return Surface(
-        joined("position"),
-        joined("normal"),
-        joined("color"),
-        joined("area"),
-        joined("covered"),
+    return SampledSurface(
+        join("position"),
+        join("normal"),
+        join("color"),
+        join("area"),
+        join("covered"),
         torch.cat(corners),
     )
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class CropFit:
     """Where in its crop an object is drawn, if not tightly: for masks that are not quite right.
 
     ``shift`` (x right, y down) is a share of the crop's side, ``zoom`` the logarithm of a factor.
@@ -96,7 +97,7 @@ class Fit:
 
 
 @dataclass(frozen=True, eq=False)
-class Window:
+class CropWindow:
     """What part of the image a crop shows, if it is not to be tight around the object.
 
     ``middle`` is its centre in x/z, y/z; ``scale`` is in pixels per unit of those.
@@ -119,7 +120,7 @@ class SoftImages:
     normal: Float[Tensor, "b 3 h w"] | None = None
 
 
-def _covered(
+def _find_covered(
     position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
 ) -> Bool[np.ndarray, "n"]:
     """Mark points that lie under another, parallel surface no farther off than ``spacing``.
@@ -143,7 +144,7 @@ def sample_surface(
     count: int,
     seed: int,
     dtype: torch.dtype = torch.float32,
-) -> Surface:
+) -> SampledSurface:
     """Spread ``count`` points evenly over one canonical mesh scaled to ``size`` metres.
 
     Points are stratified over the faces by area, and low-discrepancy within a face.
@@ -154,8 +155,8 @@ def sample_surface(
         InputError: the surface has no area.
     """
     vertices = np.asarray(mesh.vertices, np.float64) * np.asarray(size)
-    a, b, c = (vertices[mesh.faces[:, k]] for k in range(3))
-    cross = np.cross(b - a, c - a)
+    corners = vertices[mesh.faces]
+    cross = scaled_normals(corners)
     areas = np.linalg.norm(cross, axis=1) / 2
     total = float(areas.sum())
     if total <= 0:
@@ -167,16 +168,16 @@ def sample_surface(
     u, v = (index[:, None] * (0.7548776662466927, 0.5698402909980532) + shift[1:]).T % 1.0
     root = np.sqrt(u)
     weights = np.stack([1 - root, root * (1 - v), root * v], 1)[:, :, None]
-    position = (np.stack([a, b, c], 1)[face] * weights).sum(1)
+    position = (corners[face] * weights).sum(1)
     normal = cross[face] / np.maximum(2 * areas[face, None], 1e-30)
     color = sample_texture(mesh.texture, (mesh.uv[mesh.faces[face]] * weights).sum(1))
     color = color * (0.75 + 0.25 * normal[:, 2:])
-    covered = _covered(position, normal, float(np.sqrt(total / count)))
+    covered = _find_covered(position, normal, float(np.sqrt(total / count)))
 
     def tensor(array: np.ndarray) -> Tensor:
         return torch.as_tensor(np.ascontiguousarray(array), dtype=dtype)
 
-    return Surface(
+    return SampledSurface(
         tensor(position[None]),
         tensor(normal[None]),
         tensor(color[None]),
@@ -199,7 +200,7 @@ def object_to_camera(
     return torch.stack([right, ct * down - st * ahead, st * down + ct * ahead], 1)
 
 
-def turned(
+def rotate(
     points: Float[Tensor, "b n 3"], rotation: Float[Tensor, "b 3 3"]
 ) -> Float[Tensor, "b n 3"]:
     """Return the points rotated, added up in one order: a matrix product's depends on memory."""
@@ -212,7 +213,7 @@ def bounds(
     corners: Float[Tensor, "b k 3"], rotation: Float[Tensor, "b 3 3"], center: Float[Tensor, "b 3"]
 ) -> tuple[Float[Tensor, "b 2"], Float[Tensor, "b 2"]]:
     """Return the lowest and highest x/z, y/z of objects whose centres are at ``center``."""
-    p = turned(corners, rotation) + center[:, None]
+    p = rotate(corners, rotation) + center[:, None]
     xy = p[..., :2] / p[..., 2:]
     return xy.amin(1), xy.amax(1)
 
@@ -252,28 +253,24 @@ def pixel_scale(
 
 
 def render(
-    surface: Surface,
+    surface: SampledSurface,
     rotation: Float[Tensor, "b 3 3"],
     center: Float[Tensor, "b 3"],
     resolution: int,
     keep_aspect: bool = True,
     owner: Int[Tensor, "b"] | None = None,
-    fit: Fit | None = None,
-    window: Window | None = None,
+    fit: CropFit | None = None,
+    window: CropWindow | None = None,
     normals: bool = False,
 ) -> SoftImages:
-    """Draw objects in ``b`` poses, each in its own square crop.
+    """Draw objects in ``b`` poses, each in its own square crop of side ``resolution``.
 
-    Args:
-        surface: sample points of the objects.
-        rotation: object frame to camera axes, see ``object_to_camera``.
-        center: the objects' centres in camera axes, metres, in front of the camera.
-        resolution: side of the crops in pixels.
-        keep_aspect: fit the longer side and pad the other; False stretches both to the crop.
-        owner: which object each pose is of; None if there is only one.
-        fit: moves the objects in their crops; None leaves them tight.
-        window: what the crops show; None makes them tight.
-        normals: draw the surface's normals as well.
+    ``surface`` are sample points of the objects, ``owner`` which object each pose is of; None if
+    there is only one. ``rotation`` takes object frames to camera axes, see ``object_to_camera``;
+    ``center`` are the objects' centres in camera axes, metres, in front of the camera.
+    ``keep_aspect`` fits the longer side and pads the other; else both are stretched. ``fit`` moves
+    the objects in their crops, which are tight around them, or around what ``window`` says.
+    ``normals`` are drawn as well if asked for.
     """
     index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
     if window is None:
@@ -281,8 +278,8 @@ def render(
         middle, scale = (low + high) / 2, pixel_scale(high - low, resolution, keep_aspect)
     else:
         middle, scale = window.middle, window.scale.expand(-1, 2)
-    p = turned(surface.position[index], rotation) + center[:, None]
-    normal = turned(surface.normal[index], rotation)
+    p = rotate(surface.position[index], rotation) + center[:, None]
+    normal = rotate(surface.normal[index], rotation)
     depth = p[..., 2]
     if fit is not None:
         scale = scale * fit.zoom.exp()[:, None]

@@ -21,11 +21,11 @@ def frozen_array(
     shape: tuple[int | None, ...],
     what: str,
     *,
-    most: float | None = None,
+    maximum: float | None = None,
 ) -> np.ndarray:
     """Return a read-only copy of ``value`` with ``dtype``, checked for shape and finiteness.
 
-    ``None`` in ``shape`` accepts any length along that axis; ``most`` bounds the numbers' size.
+    ``None`` in ``shape`` accepts any length along that axis; ``maximum`` bounds the numbers' size.
 
     Raises:
         InputError: wrong number of axes or length, a NaN or infinity, or a number out of bounds.
@@ -39,8 +39,8 @@ def frozen_array(
         raise InputError(f"{what} must have shape {wanted}, got {array.shape}.")
     if np.issubdtype(array.dtype, np.floating) and not np.isfinite(array).all():
         raise InputError(f"{what} holds NaN or infinity; every number must be finite.")
-    if most is not None and array.size and np.abs(array).max() > most:
-        raise InputError(f"{what} holds numbers beyond {most:g}: at most that is simulated.")
+    if maximum is not None and array.size and np.abs(array).max() > maximum:
+        raise InputError(f"{what} holds numbers beyond {maximum:g}: at most that is simulated.")
     array.setflags(write=False)
     return array
 

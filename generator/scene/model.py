@@ -69,7 +69,7 @@ class ConvexPart:
 
     def __post_init__(self) -> None:
         vertices = frozen_array(
-            self.vertices, np.float64, (None, 3), "ConvexPart.vertices", most=FARTHEST
+            self.vertices, np.float64, (None, 3), "ConvexPart.vertices", maximum=FARTHEST
         )
         if len(vertices) < 4:
             raise InputError(f"A convex part needs at least 4 points, got {len(vertices)}.")
@@ -123,7 +123,7 @@ class Model:
     orientation: Float[np.ndarray, "3 3"] | None = None
 
     def __post_init__(self) -> None:
-        size = frozen_array(self.size, np.float64, (3,), "Model.size", most=FARTHEST)
+        size = frozen_array(self.size, np.float64, (3,), "Model.size", maximum=FARTHEST)
         if (size < SMALLEST).any():
             raise InputError(f"Model.size must be metres, {SMALLEST:g} or more, got {size}.")
         if not np.allclose(self.mesh.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3):

@@ -32,10 +32,10 @@ class Intrinsics:
     def __post_init__(self) -> None:
         for name, above in (("fx", 0.0), ("fy", 0.0), ("cx", None), ("cy", None)):
             value = getattr(self, name)
-            require_number(f"Intrinsics need {name}", value, above=above, most=_FAR)
+            require_number(f"Intrinsics need {name}", value, above=above, maximum=_FAR)
             object.__setattr__(self, name, float(value))
 
-    def scaled(self, across: float, down: float) -> Intrinsics:
+    def scale(self, across: float, down: float) -> Intrinsics:
         """Return the intrinsics of the picture resized by these factors."""
         cx, cy = (self.cx + 0.5) * across - 0.5, (self.cy + 0.5) * down - 0.5
         return Intrinsics(self.fx * across, self.fy * down, cx, cy)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib import metadata
 from typing import Any
 
@@ -21,9 +21,9 @@ def scene_name(prompt: str | None) -> str:
     return "-".join(words.lower().split())[:40].strip("-") or "scene"
 
 
-def versions() -> dict[str, str]:
-    """Return the versions that decide a scene's bytes, for its provenance."""
-    return {package: metadata.version(package) for package in _DECISIVE}
+def versions(packages: Iterable[str] = _DECISIVE) -> dict[str, str]:
+    """Return the versions of packages; of those that decide a scene's bytes, unless told."""
+    return {package: metadata.version(package) for package in packages}
 
 
 def plain(value: Any) -> Any:

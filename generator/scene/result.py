@@ -64,11 +64,6 @@ class Rotation:
                 f"width in (0, pi], got yaw {self.yaw}, margin {self.margin}, width {self.width}."
             )
 
-    @property
-    def confidence(self) -> float:
-        """How much ``margin`` speaks for this side, in [0, 1): 0.5 where others fit 10 % worse."""
-        return self.margin / (self.margin + 0.1)
-
 
 @dataclass(frozen=True)
 class Stacking:
@@ -94,14 +89,14 @@ class Placement:
     inside: bool = False
 
     def __post_init__(self) -> None:
-        scale = frozen_array(self.scale, np.float64, (3,), "Placement.scale", most=FARTHEST)
+        scale = frozen_array(self.scale, np.float64, (3,), "Placement.scale", maximum=FARTHEST)
         if (scale < SMALLEST).any() or not abs(self.yaw) < MOST_TURN:
             raise InputError(
                 f"Placement {self.name!r}: scale must be {SMALLEST:g} m or more, and yaw finite, "
                 f"got {scale} and {self.yaw}."
             )
         translation = frozen_array(
-            self.translation, np.float64, (3,), "Placement.translation", most=FARTHEST
+            self.translation, np.float64, (3,), "Placement.translation", maximum=FARTHEST
         )
         freeze(self, translation=translation, scale=scale)
 
@@ -137,7 +132,7 @@ class Pose:
         quaternion = frozen_array(self.quaternion, np.float64, (4,), "Pose.quaternion")
         if abs(np.linalg.norm(quaternion) - 1) > 1e-4:
             raise InputError(f"Pose.quaternion must have length 1, got {quaternion}.")
-        position = frozen_array(self.position, np.float64, (3,), "Pose.position", most=FARTHEST)
+        position = frozen_array(self.position, np.float64, (3,), "Pose.position", maximum=FARTHEST)
         freeze(self, position=position, quaternion=quaternion)
 
 
@@ -171,8 +166,8 @@ class Object:
             raise InputError(f"Object {self.name!r}: a body needs at least one convex part.")
         freeze(
             self,
-            com=frozen_array(self.com, np.float64, (3,), "Object.com", most=FARTHEST),
-            inertia=frozen_array(self.inertia, np.float64, (3, 3), "Object.inertia", most=1e9),
+            com=frozen_array(self.com, np.float64, (3,), "Object.com", maximum=FARTHEST),
+            inertia=frozen_array(self.inertia, np.float64, (3, 3), "Object.inertia", maximum=1e9),
         )
 
     @property
@@ -205,9 +200,9 @@ class Table:
     def __post_init__(self) -> None:
         freeze(
             self,
-            scale=frozen_array(self.scale, np.float64, (3,), "Table.scale", most=FARTHEST),
+            scale=frozen_array(self.scale, np.float64, (3,), "Table.scale", maximum=FARTHEST),
             outline=frozen_array(
-                self.outline, np.float64, (None, 2), "Table.outline", most=FARTHEST
+                self.outline, np.float64, (None, 2), "Table.outline", maximum=FARTHEST
             ),
         )
         if (self.scale < SMALLEST).any() or len(self.outline) < 3 or not self.parts:

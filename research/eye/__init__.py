@@ -1,1 +1,1 @@
-"""Making what the embedded vision learns from: rendered tabletops with exact ground truth."""
+"""Training of the embedded vision on rendered tabletops with exact ground truth."""

@@ -21,7 +21,7 @@ from generator.errors import InputError
 from .train import STATE, Crops, collate
 
 
-def averaged(run: Path) -> tuple[Eye, tuple[str, ...], int, float]:
+def load_averaged(run: Path) -> tuple[Eye, tuple[str, ...], int, float]:
     """Return a run's averaged eye, its categories, its steps and the seconds it took.
 
     Raises:
@@ -37,7 +37,7 @@ def averaged(run: Path) -> tuple[Eye, tuple[str, ...], int, float]:
     return eye, tuple(state["categories"]), state["steps"], state["spent"]
 
 
-def calibrated(eye: Eye, data: Path, batches: int, seed: int) -> float:
+def calibrate(eye: Eye, data: Path, batches: int, seed: int) -> float:
     """Return the temperature at which the names' probabilities fit pictures not trained on.
 
     The temperature of least cross entropy: Guo et al., "On Calibration of Modern Neural
@@ -88,8 +88,8 @@ def main() -> None:
     parser.add_argument("--batches", type=int, default=40)
     parser.add_argument("--seed", type=int, default=0)
     args = parser.parse_args()
-    eye, categories, steps, seconds = averaged(args.run)
-    temperature = calibrated(eye, args.data, args.batches, args.seed)
+    eye, categories, steps, seconds = load_averaged(args.run)
+    temperature = calibrate(eye, args.data, args.batches, args.seed)
     notes = {"categories": json.dumps(list(categories)), "temperature": f"{temperature:.4f}"}
     save_weights(PATH, eye.state_dict(), notes)
     PATH.with_name("CARD.md").write_text(card(args.run, eye, categories, temperature))

@@ -1,10 +1,10 @@
-"""Train the judge of what the eye finds (``eye.judge``), on renders the eye never learned from.
+"""Train the judge of the eye's detections (``eye.judge``) on renders not used to train the eye.
 
     python -m research.eye.pictures.renders --out DIR/judging --count 800 --split hard --seed 21
     python -m research.eye.judging --data DIR/judging --work DIR/judged
 
-The eye looks at every picture first, a shard at a time, and what it finds is kept in ``--work``;
-an interrupted run goes on there. The networks are so small that they then learn in a minute.
+The eye first processes every picture, a shard at a time; its detections are kept in ``--work``,
+from where an interrupted run resumes. The networks are small and then train in a minute.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from jaxtyping import Bool, Float, UInt8
 from rich.progress import track
 from torch.nn import functional
 
-from generator.backends.embedded.eye.judge import Judge, Panel, clues_of
+from generator.backends.embedded.eye.judge import DetectionJudge, Panel, clues_of
 from generator.backends.embedded.eye.sight import glance_at
 from generator.backends.embedded.eye.weights import JUDGE_PATH, load_weights, save_weights
 from generator.errors import InputError
@@ -35,7 +35,7 @@ _STEPS, _BATCH, _RATE, _DECAY = 3000, 512, 2e-3, 1e-2
 
 
 @dataclass(frozen=True, eq=False)
-class Lesson:
+class JudgeLesson:
     """Clues with their truths: finds that show a thing, and pairs that show two.
 
     ``counts`` is False for finds of things that hardly show: they are neither right nor wrong.
@@ -55,13 +55,13 @@ class Lesson:
         partial.replace(path)
 
     @classmethod
-    def load(cls, path: Path) -> Lesson:
+    def load(cls, path: Path) -> JudgeLesson:
         """Read a lesson that :meth:`save` wrote."""
         with np.load(path, allow_pickle=False) as file:
             return cls(**{key: file[key] for key in cls.__dataclass_fields__})
 
     @classmethod
-    def joined(cls, lessons: list[Lesson]) -> Lesson:
+    def join(cls, lessons: list[JudgeLesson]) -> JudgeLesson:
         """Return several lessons as one."""
         parts = {k: [getattr(x, k) for x in lessons] for k in cls.__dataclass_fields__}
         return cls(**{key: np.concatenate(part) for key, part in parts.items()})
@@ -71,13 +71,11 @@ def lesson(
     image: UInt8[np.ndarray, "h w 3"],
     visible: UInt8[np.ndarray, "h w"],
     full: Bool[np.ndarray, "n h w"],
-) -> Lesson:
-    """Return what one picture teaches: the eye looks at it, ``Sample`` says what there is to see.
+) -> JudgeLesson:
+    """Return what one sRGB picture teaches: the eye looks, ``Sample`` says what there is to see.
 
-    Args:
-        image: sRGB.
-        visible: which thing each pixel shows, from 1; 0 none.
-        full: each thing's whole mask.
+    ``visible`` is which thing each pixel shows, from 1, 0 none; ``full`` is each thing's whole
+    mask.
     """
     glance = glance_at(load_weights(), np.ascontiguousarray(image))
     clues = clues_of(glance.finds, glance.region)
@@ -85,33 +83,33 @@ def lesson(
     area = np.bincount(visible.ravel(), minlength=count + 1)[1:]
     shows = worth_finding(area, full.sum((1, 2)))
     overlap = np.zeros((len(glance.finds), count + 1))  # the first column: no thing
-    for row, find in zip(overlap, glance.finds, strict=True):
-        shared = np.bincount(visible[find.visible], minlength=count + 1)[1:]
-        row[1:] = shared / (area + find.visible.sum() - shared)
+    for row, detection in zip(overlap, glance.finds, strict=True):
+        shared = np.bincount(visible[detection.visible], minlength=count + 1)[1:]
+        row[1:] = shared / (area + detection.visible.sum() - shared)
     thing, right = overlap.argmax(1), overlap.max(1) >= _RIGHT
     counts = ~right | np.append(True, shows)[thing]
     i, j = clues.pairs.T
     apart = right[i] & right[j] & (thing[i] != thing[j])
-    return Lesson(clues.alone, right, counts, clues.both, apart)
+    return JudgeLesson(clues.alone, right, counts, clues.both, apart)
 
 
-def taught(path: Path, work: Path) -> Path:
+def write_lesson(path: Path, work: Path) -> Path:
     """Write the lesson of one shard into ``work``, unless it is there; return its path."""
     target = work / f"{path.stem}.npz"
     if not target.is_file():
         torch.set_num_threads(1)
         reader = ShardReader(path)
         samples = (reader.read(k, depth=False) for k in range(len(reader)))
-        Lesson.joined([lesson(s.image, s.visible, s.full) for s in samples]).save(target)
+        JudgeLesson.join([lesson(s.image, s.visible, s.full) for s in samples]).save(target)
     return target
 
 
-def learned(told: Lesson, seed: int, steps: int = _STEPS) -> Judge:
-    """Return a judge that learned a lesson."""
+def train_judge(lesson: JudgeLesson, seed: int, steps: int = _STEPS) -> DetectionJudge:
+    """Return a judge trained on a lesson."""
     torch.manual_seed(seed)
-    judge = Judge()
-    _fit(judge.alone, told.alone[told.counts], told.right[told.counts], steps)
-    _fit(judge.both, told.both, told.apart, steps)
+    judge = DetectionJudge()
+    _fit(judge.alone, lesson.alone[lesson.counts], lesson.right[lesson.counts], steps)
+    _fit(judge.both, lesson.both, lesson.apart, steps)
     return judge.eval()
 
 
@@ -151,12 +149,14 @@ def main() -> None:
         )
     args.work.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor(args.workers, multiprocessing.get_context("spawn")) as pool:
-        paths = pool.map(partial(taught, work=args.work), shards)
-        told = Lesson.joined([Lesson.load(p) for p in track(paths, "looking", total=len(shards))])
-    judge = learned(told, args.seed)
-    notes = {"pictures": args.data.name, "finds": str(len(told.right)), "seed": str(args.seed)}
+        paths = pool.map(partial(write_lesson, work=args.work), shards)
+        lesson = JudgeLesson.join(
+            [JudgeLesson.load(p) for p in track(paths, "looking", total=len(shards))]
+        )
+    judge = train_judge(lesson, args.seed)
+    notes = {"pictures": args.data.name, "finds": str(len(lesson.right)), "seed": str(args.seed)}
     save_weights(args.out, judge.state_dict(), notes)
-    print(f"{args.out.name}: {len(told.right)} finds, {len(told.apart)} overlapping pairs")
+    print(f"{args.out.name}: {len(lesson.right)} finds, {len(lesson.apart)} overlapping pairs")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What the network is marked on: one function a term, and their weighted sum."""
+"""Training losses: one function per term, and their weighted sum."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _ASKED, _JUDGED = 0.1, 64  # certainty of cells whose masks are judged, and how 
 
 
 @dataclass(frozen=True, eq=False)
-class Batch:
+class CropBatch:
     """Crops side by side; fields as in ``targets.Crop``, ``owner`` (k,) the cells' pictures."""
 
     image: Tensor
@@ -38,9 +38,9 @@ class Batch:
     hints: Tensor
     category: Tensor
 
-    def to(self, device: str) -> Batch:
+    def to(self, device: str) -> CropBatch:
         """Return the batch on another device."""
-        return Batch(**{name: value.to(device) for name, value in vars(self).items()})
+        return CropBatch(**{name: value.to(device) for name, value in vars(self).items()})
 
 
 def heat_loss(logits: Tensor, wished: Tensor, weight: Tensor) -> Tensor:
@@ -62,7 +62,7 @@ def overlap_loss(logits: Tensor, wished: Tensor) -> Tensor:
     return (dice + 0.3 * cross).mean()
 
 
-def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
+def terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
     """Return every term for a batch; their names are the keys of ``WEIGHTS``."""
     maps = eye(batch.image)
     wished_top = batch.top.float()[:, None]
@@ -89,8 +89,8 @@ def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
     return found
 
 
-def _quality_loss(eye: Eye, maps: Maps, batch: Batch) -> Tensor:
-    """Judge masks of cells that might be asked, good ones and bad ones."""
+def _quality_loss(eye: Eye, maps: Maps, batch: CropBatch) -> Tensor:
+    """Loss of the mask quality at likely cells, good and bad ones."""
     with torch.no_grad():
         asked = ((maps.heat[:, 0].sigmoid() > _ASKED) | (batch.heat > 0.5)) & (batch.weight > 0)
         owner, row, column = asked.nonzero(as_tuple=True)
@@ -117,7 +117,7 @@ def best_overlap(drawn: Tensor, things: Tensor) -> Tensor:
     return best
 
 
-def _name_loss(eye: Eye, batch: Batch) -> Tensor:
+def _name_loss(eye: Eye, batch: CropBatch) -> Tensor:
     looks = batch.looks.contiguous(memory_format=torch.channels_last)
     names = eye.names(looks, batch.shown, batch.hints)
     category = torch.where(batch.category < 0, names.shape[1] - 1, batch.category)

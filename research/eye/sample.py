@@ -20,10 +20,10 @@ _PIXELS, _SHARE = 100, 0.15  # least that shows of a thing worth finding, and of
 
 
 def worth_finding(
-    visible: Int[np.ndarray, "n"], whole: Int[np.ndarray, "n"]
+    visible: Int[np.ndarray, "n"], full: Int[np.ndarray, "n"]
 ) -> Bool[np.ndarray, "n"]:
     """Tell which things show enough to be found, from the pixels of their masks."""
-    return (visible >= _PIXELS) & (visible >= _SHARE * np.maximum(whole, 1))
+    return (visible >= _PIXELS) & (visible >= _SHARE * np.maximum(full, 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +79,7 @@ def latitude(view: View, height: int, width: int) -> Float[np.ndarray, "h w"]:
     return np.arcsin(np.clip(-rays[:, 2], -1, 1)).reshape(height, width).astype(np.float32)
 
 
-def filled(outline: Float[np.ndarray, "k 2"], height: int, width: int) -> Bool[np.ndarray, "h w"]:
+def fill(outline: Float[np.ndarray, "k 2"], height: int, width: int) -> Bool[np.ndarray, "h w"]:
     """Return the pixels whose centre lies inside a polygon given in pixels."""
     import cv2
 

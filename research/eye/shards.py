@@ -23,14 +23,7 @@ from jaxtyping import Bool, Float, UInt8, UInt16
 from generator.errors import InputError, StorageError
 from generator.scene import View
 
-from .sample import (
-    BACKGROUND,
-    OBJECT,
-    TABLE_REST,
-    TOP,
-    Sample,
-    filled,
-)
+from .sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample, fill
 
 FORMAT = 1
 _NEAREST = 0.1  # metres; nearness is _NEAREST / depth in units of 2^-16
@@ -73,11 +66,11 @@ class ShardWriter:
             raise InputError(f"A shard holds at most 252 instances a sample: {len(sample.full)}.")
         stem = f"{self._count:05d}"
         quality = [cv2.IMWRITE_JPEG_QUALITY, self._quality]
-        self._put(f"{stem}.jpg", _encoded(".jpg", sample.image[..., ::-1], quality))
+        self._put(f"{stem}.jpg", _encode(".jpg", sample.image[..., ::-1], quality))
         code = np.where(sample.visible > 0, sample.visible + np.uint8(2), sample.region)
-        self._put(f"{stem}.map.png", _encoded(".png", code.astype(np.uint8)))
-        self._put(f"{stem}.depth.png", _encoded(".png", _nearness(sample.depth)))
-        boxes, packed = _packed(sample.full)
+        self._put(f"{stem}.map.png", _encode(".png", code.astype(np.uint8)))
+        self._put(f"{stem}.depth.png", _encode(".png", _nearness(sample.depth)))
+        boxes, packed = _pack(sample.full)
         self._put(f"{stem}.masks", packed)
         self._put(f"{stem}.json", json.dumps(_facts(sample, boxes)).encode())
         self._count += 1
@@ -97,7 +90,7 @@ class ShardReader:
             self._count, self.keys = int(head["count"]), tuple(map(str, head["keys"]))
             known = type(head["format"]) is int and head["format"] == FORMAT
         except (OSError, KeyError, ValueError, zipfile.BadZipFile, zlib.error) as error:
-            raise self._damaged(error) from error
+            raise self._damage(error) from error
         if not known:
             raise StorageError(
                 f"{self.path} has shard format {head['format']}, this reads {FORMAT}: render again."
@@ -115,23 +108,23 @@ class ShardReader:
             raise IndexError(f"{self.path} has {self._count} samples, no {index}.")
         stem = f"{index:05d}"
         try:
-            image = _decoded(self._zip.read(f"{stem}.jpg"), cv2.IMREAD_COLOR)[..., ::-1]
-            code = _decoded(self._zip.read(f"{stem}.map.png"), cv2.IMREAD_UNCHANGED)
+            image = _decode(self._zip.read(f"{stem}.jpg"), cv2.IMREAD_COLOR)[..., ::-1]
+            code = _decode(self._zip.read(f"{stem}.map.png"), cv2.IMREAD_UNCHANGED)
             facts = json.loads(self._zip.read(f"{stem}.json"))
-            full = _unpacked(facts["boxes"], self._zip.read(f"{stem}.masks"), code.shape)
+            full = _unpack(facts["boxes"], self._zip.read(f"{stem}.masks"), code.shape)
             far = np.zeros((0, 0), np.float16)
             if depth:
-                near = _decoded(self._zip.read(f"{stem}.depth.png"), cv2.IMREAD_UNCHANGED)
+                near = _decode(self._zip.read(f"{stem}.depth.png"), cv2.IMREAD_UNCHANGED)
                 far = _distance(near, code.shape)
             return _sample(np.ascontiguousarray(image), code, full, far, facts)
         except (OSError, KeyError, ValueError, zipfile.BadZipFile, zlib.error) as error:
-            raise self._damaged(error) from error
+            raise self._damage(error) from error
 
     def close(self) -> None:
         """Close the file."""
         self._zip.close()
 
-    def _damaged(self, error: Exception) -> StorageError:
+    def _damage(self, error: Exception) -> StorageError:
         return StorageError(
             f"{self.path} is missing, damaged or no shard ({type(error).__name__}: {error}). "
             "Delete it and render again: finished shards are kept."
@@ -153,7 +146,7 @@ def _sample(
         full=full,
         category=np.array(facts["category"], np.int16),
         region=np.array([BACKGROUND, TOP, TABLE_REST, OBJECT], np.uint8)[np.minimum(code, 3)],
-        top=filled(outline, *code.shape),
+        top=fill(outline, *code.shape),
         outline=outline,
         view=View(*facts["view"]),
         focal=float(facts["focal"]),
@@ -182,11 +175,11 @@ def _facts(sample: Sample, boxes: list[list[int]]) -> dict:
     }
 
 
-def _encoded(kind: str, picture: np.ndarray, options: Sequence[int] = ()) -> bytes:
+def _encode(kind: str, picture: np.ndarray, options: Sequence[int] = ()) -> bytes:
     return cv2.imencode(kind, np.ascontiguousarray(picture), list(options))[1].tobytes()
 
 
-def _decoded(content: bytes, flag: int) -> np.ndarray:
+def _decode(content: bytes, flag: int) -> np.ndarray:
     picture = cv2.imdecode(np.frombuffer(content, np.uint8), flag)
     if picture is None:
         raise ValueError("a picture in it cannot be decoded")
@@ -207,7 +200,7 @@ def _distance(
     return far.repeat(2, 0).repeat(2, 1)[: shape[0], : shape[1]]
 
 
-def _packed(full: Bool[np.ndarray, "n h w"]) -> tuple[list[list[int]], bytes]:
+def _pack(full: Bool[np.ndarray, "n h w"]) -> tuple[list[list[int]], bytes]:
     boxes, bits = [], []
     for mask in full:
         ys, xs = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
@@ -217,7 +210,7 @@ def _packed(full: Bool[np.ndarray, "n h w"]) -> tuple[list[list[int]], bytes]:
     return boxes, zlib.compress(b"".join(bits), 6)
 
 
-def _unpacked(
+def _unpack(
     boxes: list[list[int]], packed: bytes, shape: tuple[int, ...]
 ) -> Bool[np.ndarray, "n h w"]:
     content, at = np.frombuffer(zlib.decompress(packed), np.uint8), 0

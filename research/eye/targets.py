@@ -1,4 +1,4 @@
-"""What the network should answer for a picture: crops of samples, and their dense targets."""
+"""Training targets: crops of samples, and their dense targets."""
 
 from __future__ import annotations
 
@@ -80,33 +80,33 @@ def cut(sample: Sample, size: int, rng: np.random.Generator, entire: bool = Fals
     inside = np.s_[y : y + side, x : x + side]
     step = -1 if flip else 1
 
-    def scaled(picture: np.ndarray, to: int, way: int) -> np.ndarray:
+    def scale(picture: np.ndarray, to: int, way: int) -> np.ndarray:
         part = np.ascontiguousarray(picture[inside][:, ::step])
         return cv2.resize(part, (to, to), interpolation=way)
 
     way = cv2.INTER_AREA if side > size else cv2.INTER_LINEAR
-    visible = scaled(sample.visible, size, cv2.INTER_NEAREST)
-    image = scaled(sample.image, size, way)
+    visible = scale(sample.visible, size, cv2.INTER_NEAREST)
+    image = scale(sample.image, size, way)
     heat, weight, chosen = _hearts(visible, rng, _MOST[entire])
     grid = size // STRIDE
     cells, boxes, masks = [], [], []
     fine = size // _FINE
     for index, spots in chosen:
-        whole = scaled(sample.full[index - 1].astype(np.uint8), size, cv2.INTER_NEAREST) > 0
+        whole = scale(sample.full[index - 1].astype(np.uint8), size, cv2.INTER_NEAREST) > 0
         seen = visible == index
-        both = np.stack([_shrunk(seen, fine), _shrunk(whole | seen, fine)])
+        both = np.stack([_shrink(seen, fine), _shrink(whole | seen, fine)])
         for spot in spots:
             cells.append(spot)
             boxes.append(np.concatenate([_reach(seen, spot), _reach(whole | seen, spot)]))
             masks.append(both)
     half = size // (2 * STRIDE)
     return Crop(
-        _jittered(image, rng),
+        _jitter(image, rng),
         heat,
         weight,
         cv2.resize(visible, (grid, grid), interpolation=cv2.INTER_NEAREST),
-        scaled(sample.region, grid, cv2.INTER_NEAREST),
-        scaled(sample.top.astype(np.uint8), grid, cv2.INTER_NEAREST) > 0,
+        scale(sample.region, grid, cv2.INTER_NEAREST),
+        scale(sample.top.astype(np.uint8), grid, cv2.INTER_NEAREST) > 0,
         _angles(sample, (x, y, side), half, flip),
         np.array(cells, np.int64).reshape(-1, 2),
         np.array(boxes, np.float32).reshape(-1, 8),
@@ -119,7 +119,7 @@ def blank(size: int, rng: np.random.Generator) -> Crop:
     """Return a picture without a table: nothing to find, and no view to tell."""
     grid, half, fine = size // STRIDE, size // (2 * STRIDE), size // _FINE
     return Crop(
-        _jittered(nothing(size, rng), rng),
+        _jitter(nothing(size, rng), rng),
         np.zeros((grid, grid), np.float32),
         np.ones((grid, grid), np.float32),
         np.zeros((grid, grid), np.uint8),
@@ -134,26 +134,26 @@ def blank(size: int, rng: np.random.Generator) -> Crop:
 
 
 def closeups(
-    sample: Sample, rng: np.random.Generator, most: int
+    sample: Sample, rng: np.random.Generator, maximum: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Look closely at some things of a sample: the last four fields of a :class:`Crop`."""
     area = np.bincount(sample.visible.ravel(), minlength=len(sample.full) + 1)[1:]
     share = area / np.maximum(sample.full.sum((1, 2)), 1)
     readable = np.flatnonzero((area >= _READABLE) & (share >= 0.15))
     looks: list[Closeup] = []
-    chosen = rng.permutation(readable)[:most]
+    chosen = rng.permutation(readable)[:maximum]
     for k in chosen:
-        mask = _roughened(sample.visible == k + 1, rng)
+        mask = _roughen(sample.visible == k + 1, rng)
         slip = rng.normal(0.0, 0.05, 4)
         look = closeup(sample.image, mask, float(sample.top.sum()), slip)
         if rng.random() < 0.5:
             image, visible = look.image[:, ::-1], look.visible[:, ::-1]
             look = replace(look, image=np.ascontiguousarray(image), visible=visible)
-        looks.append(replace(look, image=_jittered(look.image, rng)))
+        looks.append(replace(look, image=_jitter(look.image, rng)))
     return _side_by_side(looks, [int(c) for c in sample.category[chosen]])
 
 
-def _roughened(mask: Bool[np.ndarray, "h w"], rng: np.random.Generator) -> np.ndarray:
+def _roughen(mask: Bool[np.ndarray, "h w"], rng: np.random.Generator) -> np.ndarray:
     """Return a mask as the eye might draw it: a little too wide or too narrow."""
     grow = int(rng.integers(-1, 3))
     if grow == 0:
@@ -189,7 +189,7 @@ def _angles(
 
 
 def _hearts(
-    visible: UInt8[np.ndarray, "s s"], rng: np.random.Generator, most: int
+    visible: UInt8[np.ndarray, "s s"], rng: np.random.Generator, maximum: int
 ) -> tuple[np.ndarray, np.ndarray, list[tuple[int, np.ndarray]]]:
     """Return the wished-for certainty, its weight, and cells (column, row) for some things."""
     grid = visible.shape[0] // STRIDE
@@ -213,7 +213,7 @@ def _hearts(
         picked = core[rng.permutation(len(core))[: _CELLS - 1]]
         best = np.array(np.unravel_index(int(blocks.argmax()), blocks.shape))[None]
         found.append((int(index), np.concatenate([best, picked])[:, ::-1]))
-    order = rng.permutation(len(found))[:most]
+    order = rng.permutation(len(found))[:maximum]
     return heat, weight, [found[k] for k in order]
 
 
@@ -225,11 +225,11 @@ def _reach(mask: Bool[np.ndarray, "s s"], cell: Int[np.ndarray, "2"]) -> Float[n
     return np.maximum(sides / STRIDE, 0.25)
 
 
-def _shrunk(mask: Bool[np.ndarray, "s s"], size: int) -> Bool[np.ndarray, "f f"]:
+def _shrink(mask: Bool[np.ndarray, "s s"], size: int) -> Bool[np.ndarray, "f f"]:
     return cv2.resize(mask.astype(np.uint8) * 255, (size, size), interpolation=cv2.INTER_AREA) > 127
 
 
-def _jittered(image: UInt8[np.ndarray, "s s 3"], rng: np.random.Generator) -> np.ndarray:
+def _jitter(image: UInt8[np.ndarray, "s s 3"], rng: np.random.Generator) -> np.ndarray:
     """Change brightness, contrast and colour a little; blur, grey or noise now and then."""
     if rng.random() < 0.3:
         image = cv2.GaussianBlur(image, (0, 0), rng.uniform(0.4, 1.3))

@@ -4,7 +4,7 @@
     python -m research.eye.train --data DIR/train --minutes 120 --out DIR/run
     python -m research.eye.export --run DIR/run --data DIR/tuning
 
-A run keeps its state in ``--out`` and goes on from it; the learning rate falls along a cosine of
+A run keeps its state in ``--out`` and resumes from it; the learning rate falls along a cosine of
 the share of ``--minutes`` that is spent. Late in the run every other batch holds whole pictures at
 the scale the eye looks with, a quarter as many. ``export`` writes the averaged weights where the
 embedded backend reads them. The encoder starts from EfficientNet-Lite0's ImageNet weights, which
@@ -30,17 +30,12 @@ import torch
 from rich.progress import BarColumn, Progress, TextColumn
 from torch.utils.data import DataLoader, Dataset
 
-from generator.backends.embedded.eye.lite0 import folded
+from generator.backends.embedded.eye.lite0 import fold
 from generator.backends.embedded.eye.network import Eye
 from generator.catalogue import CATEGORIES
 from generator.errors import BackendError, InputError
 
-from .losses import (
-    WEIGHTS,
-    Batch,
-    terms,
-    total,
-)
+from .losses import WEIGHTS, CropBatch, terms, total
 from .sample import UNKNOWN
 from .shards import ShardReader
 from .targets import Crop, blank, cut
@@ -86,7 +81,7 @@ class Crops:
         return [ShardReader(path) for path in self.paths]
 
 
-class Steps(Dataset[Batch]):
+class Steps(Dataset[CropBatch]):
     """The batches of a run's steps from ``first`` on; ``late``, every other one is of pictures."""
 
     def __init__(self, crops: Crops, batch: int, first: int, late: bool) -> None:
@@ -95,39 +90,39 @@ class Steps(Dataset[Batch]):
     def __len__(self) -> int:
         return _EPOCH
 
-    def __getitem__(self, k: int) -> Batch:
+    def __getitem__(self, k: int) -> CropBatch:
         step = self._first + k
         entire = self._late and step % 2 == 0
         count = max(1, self._batch // 4) if entire else self._batch
         return collate([self._crops.crop(step * self._batch + i, entire) for i in range(count)])
 
 
-def collate(crops: list[Crop]) -> Batch:
+def collate(crops: list[Crop]) -> CropBatch:
     """Put crops side by side."""
 
-    def stacked(name: str) -> torch.Tensor:
+    def stack(name: str) -> torch.Tensor:
         return torch.from_numpy(np.stack([getattr(c, name) for c in crops]))
 
-    def joined(name: str) -> torch.Tensor:
+    def join(name: str) -> torch.Tensor:
         return torch.from_numpy(np.concatenate([getattr(c, name) for c in crops]))
 
     owner = np.repeat(np.arange(len(crops)), [len(c.cells) for c in crops])
-    return Batch(
-        stacked("image").permute(0, 3, 1, 2).float() / 255,
-        stacked("heat"),
-        stacked("weight"),
-        stacked("things"),
-        stacked("region"),
-        stacked("top"),
-        stacked("latitude"),
+    return CropBatch(
+        stack("image").permute(0, 3, 1, 2).float() / 255,
+        stack("heat"),
+        stack("weight"),
+        stack("things"),
+        stack("region"),
+        stack("top"),
+        stack("latitude"),
         torch.from_numpy(owner),
-        joined("cells"),
-        joined("boxes"),
-        joined("masks"),
-        joined("looks").permute(0, 3, 1, 2).float() / 255,
-        joined("shown"),
-        joined("hints"),
-        joined("category"),
+        join("cells"),
+        join("boxes"),
+        join("masks"),
+        join("looks").permute(0, 3, 1, 2).float() / 255,
+        join("shown"),
+        join("hints"),
+        join("category"),
     )
 
 
@@ -145,7 +140,7 @@ def new_eye() -> Eye:
         )
     (path,) = (Path(spec.origin).parent / "models").glob("*.pth")
     eye = Eye(len(CATEGORIES) + 1)
-    eye.encoder.load_state_dict(folded(torch.load(path, map_location="cpu", weights_only=True)))
+    eye.encoder.load_state_dict(fold(torch.load(path, map_location="cpu", weights_only=True)))
     for part in (eye.encoder.stem, eye.encoder.blocks[:_FROZEN]):
         part.requires_grad_(False)
     return eye
@@ -159,7 +154,7 @@ def _groups(eye: Eye, rate: float) -> list[dict[str, Any]]:
     return [{"params": encoder, "lr": rate / 8}, {"params": rest, "lr": rate}]
 
 
-class Run:
+class TrainingRun:
     """A training run: the eye, its average, the optimiser, and where they are kept."""
 
     def __init__(self, folder: Path, rate: float, device: str) -> None:
@@ -173,7 +168,7 @@ class Run:
         if (folder / STATE).is_file():
             self._restore()
 
-    def step(self, batch: Batch, share: float) -> dict[str, float]:
+    def step(self, batch: CropBatch, share: float) -> dict[str, float]:
         """Learn from one batch; ``share`` in [0, 1] of the run is over."""
         warm = min(1.0, (self.steps + 1) / 200)
         fall = 0.02 + 0.98 * 0.5 * (1 + math.cos(math.pi * min(share, 1.0)))
@@ -216,7 +211,7 @@ class Run:
 
     def _restore(self) -> None:
         state = torch.load(self.folder / STATE, map_location=self.device, weights_only=True)
-        eye = renamed(state["eye"], state["categories"], list(CATEGORIES))
+        eye = rename_categories(state["eye"], state["categories"], list(CATEGORIES))
         own = self.eye.state_dict()
         if (
             all(k in own and own[k].shape == v.shape for k, v in eye.items())
@@ -226,7 +221,7 @@ class Run:
             self.optimiser.load_state_dict(state["optimiser"])
             self.average = state["average"]
         else:  # another list of names, or another network: what fits is kept
-            kept = renamed(state["average"], state["categories"], list(CATEGORIES))
+            kept = rename_categories(state["average"], state["categories"], list(CATEGORIES))
             fits = {k: v for k, v in kept.items() if k in own and own[k].shape == v.shape}
             self.eye.load_state_dict(fits, strict=False)
             self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
@@ -234,7 +229,7 @@ class Run:
         self.shards = set(state.get("shards", ()))
 
 
-def renamed(
+def rename_categories(
     state: dict[str, torch.Tensor], old: list[str], new: list[str]
 ) -> dict[str, torch.Tensor]:
     """Carry weights over to another list of categories; new ones start as "unknown" does."""
@@ -245,8 +240,8 @@ def renamed(
     return {**state, **changed}
 
 
-def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
-    """Yield batches for ever; which crops they hold depends on the seed and the step alone."""
+def batches(args: argparse.Namespace, run: TrainingRun) -> Iterator[CropBatch]:
+    """Yield batches without end; their crops depend only on the seed and the step."""
     while True:
         crops = Crops(args.data, args.size, args.seed)  # look again which shards there are
         run.shards |= {path.name for path in crops.paths}
@@ -261,7 +256,7 @@ def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
 
 def train(args: argparse.Namespace) -> None:
     """Train until ``--minutes`` are spent, or until interrupted; log and save on the way."""
-    run = Run(args.out, args.rate, args.device)
+    run = TrainingRun(args.out, args.rate, args.device)
     torch.manual_seed(args.seed + run.steps)
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
     with Progress(*columns) as progress:
@@ -276,8 +271,8 @@ def train(args: argparse.Namespace) -> None:
             run.save()
 
 
-def _learn(args: argparse.Namespace, run: Run, show: Callable[[str], None]) -> None:
-    """Take steps for as long as there is time; log every hundred, save every few minutes."""
+def _learn(args: argparse.Namespace, run: TrainingRun, show: Callable[[str], None]) -> None:
+    """Train until the time is spent; log every hundred steps, save every few minutes."""
     recent: list[dict[str, float]] = []
     last = saved = time.monotonic()
     for batch in batches(args, run):
@@ -297,7 +292,7 @@ def _learn(args: argparse.Namespace, run: Run, show: Callable[[str], None]) -> N
             return
 
 
-def _log(path: Path, run: Run, means: dict[str, float]) -> None:
+def _log(path: Path, run: TrainingRun, means: dict[str, float]) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     new = not path.exists()
     with path.open("a", newline="") as file:

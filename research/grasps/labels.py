@@ -1,4 +1,4 @@
-"""What the detector learns from: height maps of objects, and the grasps of the expert's planner."""
+"""Training data of the detector: height maps of objects, and the grasps of the expert's planner."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from generator.errors import SceneError
-from tabletopgen_env.detection.look import Look, look
+from tabletopgen_env.detection.look import HeightView, look
 from tabletopgen_env.detection.network import TURNS
 from tabletopgen_env.expert.planning.grasps import grasps_along
 from tabletopgen_env.robot.panda import Panda
@@ -24,7 +24,7 @@ COLUMNS = ("turn", "x", "y", "z", "opening", "width", "score")
 
 
 @dataclass(frozen=True, eq=False)
-class Lesson:
+class GraspLesson:
     """An object seen, and the planner's grasps of it, the best first.
 
     ``facing`` is the first of the turns that were looked at, radians; ``grasps`` has ``COLUMNS``.
@@ -35,13 +35,13 @@ class Lesson:
     grasps: Float[np.ndarray, "g 7"]
 
     @property
-    def look(self) -> Look:
+    def look(self) -> HeightView:
         """What was seen, with the object's centre over the origin of a table at height 0."""
-        return Look(self.heights, np.zeros(2), self.facing, 0.0)
+        return HeightView(self.heights, np.zeros(2), self.facing, 0.0)
 
 
-def lessons(source: SceneSource, scenes: int, seed: int) -> Iterator[list[Lesson]]:
-    """Yield what ``scenes`` drawn scenes teach, scene by scene."""
+def lessons(source: SceneSource, scenes: int, seed: int) -> Iterator[list[GraspLesson]]:
+    """Yield the lessons of ``scenes`` generated scenes, scene by scene."""
     rng = np.random.default_rng(seed)
     worlds = WorldCache(Panda(), 1)
     for _ in range(scenes):
@@ -54,8 +54,8 @@ def lessons(source: SceneSource, scenes: int, seed: int) -> Iterator[list[Lesson
         yield [each for each in found if each is not None]
 
 
-def lesson(world: World, name: str, rng: np.random.Generator) -> Lesson | None:
-    """Return what one object teaches, None if it has no grasp.
+def lesson(world: World, name: str, rng: np.random.Generator) -> GraspLesson | None:
+    """Return the lesson of one object, None if it has no grasp.
 
     Every other object is seen at turns that do not go with its faces.
     """
@@ -70,4 +70,4 @@ def lesson(world: World, name: str, rng: np.random.Generator) -> Lesson | None:
     if not rows:
         return None
     rows.sort(key=lambda row: -row[-1])
-    return Lesson(seen.heights, facing, np.array(rows, np.float32))
+    return GraspLesson(seen.heights, facing, np.array(rows, np.float32))

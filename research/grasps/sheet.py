@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from tabletopgen_env.detection.look import CELL, CELLS, Look
+from tabletopgen_env.detection.look import CELL, CELLS, HeightView
 from tabletopgen_env.expert.planning.grasps import Grasp
 from tabletopgen_env.expert.planning.runs import FINGER_HALF
 
@@ -19,7 +19,9 @@ _OWN, _REST = (235, 150, 60), (90, 120, 160)
 _FINGERS, _EMPTY = (60, 230, 90), (240, 60, 60)
 
 
-def sheet(looks: Sequence[Look], grasps: Sequence[Grasp | None]) -> UInt8[np.ndarray, "h w 3"]:
+def sheet(
+    looks: Sequence[HeightView], grasps: Sequence[Grasp | None]
+) -> UInt8[np.ndarray, "h w 3"]:
     """Return a contact sheet: objects orange, all else blue, higher is brighter.
 
     The two bars are the fingers as they come down, the line is how they close; where no grasp is
@@ -32,7 +34,7 @@ def sheet(looks: Sequence[Look], grasps: Sequence[Grasp | None]) -> UInt8[np.nda
     return np.vstack(rows)
 
 
-def _tile(seen: Look, grasp: Grasp | None) -> UInt8[np.ndarray, "h w 3"]:
+def _tile(seen: HeightView, grasp: Grasp | None) -> UInt8[np.ndarray, "h w 3"]:
     own, rest = np.clip(seen.heights / _TALL, 0.0, 1.0)
     shade = [0.35 + 0.65 * part[..., None] for part in (own, rest)]
     drawn = np.full((CELLS, CELLS, 3), 25.0)

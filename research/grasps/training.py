@@ -32,19 +32,12 @@ from generator.io.pictures import write_picture
 from tabletopgen_env.detection.detector import GraspDetector, save_weights
 from tabletopgen_env.detection.look import CELLS
 from tabletopgen_env.detection.model import GraspNetwork
-from tabletopgen_env.detection.network import (
-    PLACE,
-    PLACES,
-    TURNS,
-    UNITS,
-    Rated,
-    turned,
-)
+from tabletopgen_env.detection.network import PLACE, PLACES, TURNS, UNITS, Rated, turn_views
 from tabletopgen_env.expert.planning.grasps import Grasp
 from tabletopgen_env.scenes import FreshScenes, split
 from tabletopgen_env.scenes.splitting import Side
 
-from .labels import COLUMNS, Lesson, lessons
+from .labels import COLUMNS, GraspLesson, lessons
 from .sheet import sheet
 
 CHUNK = 100
@@ -57,8 +50,8 @@ _MAX_LESSONS = 512 * 2**20  # bytes of one file of lessons
 _NEAR = (0.004, 0.008, 0.008)  # metres along, across and up within which grasps are the same
 
 
-class Batch(NamedTuple):
-    """Objects as the network sees them, and what it is to say of p = TURNS * PLACES**2 places.
+class GraspBatch(NamedTuple):
+    """Objects as the network sees them, and the targets at p = TURNS * PLACES**2 places.
 
     ``share`` is the share of the best grasps that a place has, ``possible`` whether it has any,
     ``grasp`` its best one: where (along, across, height), width and room (metres).
@@ -71,8 +64,8 @@ class Batch(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Marks:
-    """What a detector makes of lessons.
+class DetectorScores:
+    """A detector's scores on lessons.
 
     ``found`` is the share of the objects where the grasp it rates best is one of the planner's,
     ``worse`` by how much the planner rates that one lower than its own best (mean).
@@ -83,12 +76,12 @@ class Marks:
     worse: float
 
 
-def batch_of(taught: Sequence[Lesson], mirrored: Int[np.ndarray, "b 2"]) -> Batch:
+def batch_of(taught: Sequence[GraspLesson], mirrored: Int[np.ndarray, "b 2"]) -> GraspBatch:
     """Return lessons as a batch; ``mirrored`` has -1 where an axis of the hand is to be mirrored.
 
     A grasp's mirror image is one of the object's mirror image.
     """
-    seen = torch.from_numpy(np.stack([turned(one.heights, one.facing) for one in taught]))
+    seen = torch.from_numpy(np.stack([turn_views(one.heights, one.facing) for one in taught]))
     share = torch.zeros(len(taught), TURNS * PLACES**2)
     grasp = torch.zeros(*share.shape, 5)
     for row, (lesson, signs) in enumerate(zip(taught, mirrored, strict=True)):
@@ -98,11 +91,11 @@ def batch_of(taught: Sequence[Lesson], mirrored: Int[np.ndarray, "b 2"]) -> Batc
         if len(places):
             share[row, places] = torch.softmax(scores / _SHARPNESS, 0)
             grasp[row, places] = best
-    return Batch(seen, share, (share > 0).float(), grasp)
+    return GraspBatch(seen, share, (share > 0).float(), grasp)
 
 
 def _best(
-    lesson: Lesson, signs: Int[np.ndarray, "2"]
+    lesson: GraspLesson, signs: Int[np.ndarray, "2"]
 ) -> tuple[Int[Tensor, "k"], Float[Tensor, "k 5"], Float[Tensor, "k"]]:
     """Return the places that have a grasp, their best ones, and how good those are."""
     turn, x, y, z, opening, width, score = lesson.grasps.T
@@ -119,7 +112,7 @@ def _best(
     return torch.from_numpy(places), kept[:, :5], kept[:, 5]
 
 
-def loss_of(rated: Rated, batch: Batch) -> Float[Tensor, ""]:
+def loss_of(rated: Rated, batch: GraspBatch) -> Float[Tensor, ""]:
     """Return how far ratings are from what they are to be."""
     best, possible, *grasp = (part.flatten(1) for part in rated)
     share = -(batch.share * functional.log_softmax(best, 1)).sum(1).mean()
@@ -129,7 +122,7 @@ def loss_of(rated: Rated, batch: Batch) -> Float[Tensor, ""]:
     return share + _RARE * there + ((batch.share + every) / 2 * off).sum(1).mean()
 
 
-def train(taught: Sequence[Lesson], steps: int, seed: int, size: int = 16) -> GraspNetwork:
+def train(taught: Sequence[GraspLesson], steps: int, seed: int, size: int = 16) -> GraspNetwork:
     """Return a network trained for ``steps`` batches of ``size`` objects."""
     torch.manual_seed(seed)
     rng = np.random.default_rng(seed)
@@ -148,25 +141,27 @@ def train(taught: Sequence[Lesson], steps: int, seed: int, size: int = 16) -> Gr
     return network
 
 
-def judged(detector: GraspDetector, taught: Sequence[Lesson]) -> Marks:
-    """Return what a detector makes of lessons."""
+def evaluate(detector: GraspDetector, taught: Sequence[GraspLesson]) -> DetectorScores:
+    """Return a detector's scores on lessons."""
     worse = []
     for lesson in taught:
         found = detector.detect(lesson.look)
         near = lesson.grasps[_same(lesson, found[0])] if found else lesson.grasps[:0]
         if len(near):
             worse.append(float(lesson.grasps[0, -1] - near[:, -1].max()))
-    return Marks(len(taught), len(worse) / len(taught), float(np.mean(worse or [np.nan])))
+    return DetectorScores(len(taught), len(worse) / len(taught), float(np.mean(worse or [np.nan])))
 
 
-def drawn(detector: GraspDetector, taught: Sequence[Lesson]) -> UInt8[np.ndarray, "h w 3"]:
+def draw_sheet(
+    detector: GraspDetector, taught: Sequence[GraspLesson]
+) -> UInt8[np.ndarray, "h w 3"]:
     """Return a contact sheet of lessons with the grasps that a detector rates best."""
     looks = [lesson.look for lesson in taught]
     found = [detector.detect(seen) for seen in looks]
     return sheet(looks, [grasps[0] if grasps else None for grasps in found])
 
 
-def gather(folder: Path, side: Side, number: int) -> list[Lesson]:
+def gather(folder: Path, side: Side, number: int) -> list[GraspLesson]:
     """Return the lessons of one file, which is made if it is not there.
 
     Raises:
@@ -191,7 +186,7 @@ def gather(folder: Path, side: Side, number: int) -> list[Lesson]:
     return read(path)
 
 
-def read(path: Path) -> list[Lesson]:
+def read(path: Path) -> list[GraspLesson]:
     """Return the lessons of a file.
 
     Raises:
@@ -216,10 +211,10 @@ def read(path: Path) -> list[Lesson]:
         raise BundleError(f"{path} holds no lessons ({error}). Remove it.") from error
     ends = np.cumsum(counts)
     parts = np.split(grasps, ends[:-1])
-    return [Lesson(h, float(f), g) for h, f, g in zip(heights, facing, parts, strict=True)]
+    return [GraspLesson(h, float(f), g) for h, f, g in zip(heights, facing, parts, strict=True)]
 
 
-def _same(lesson: Lesson, grasp: Grasp) -> Bool[np.ndarray, "g"]:
+def _same(lesson: GraspLesson, grasp: Grasp) -> Bool[np.ndarray, "g"]:
     """Return which of a lesson's grasps a detected one is."""
     turns = lesson.facing + lesson.grasps[:, 0] * np.pi / TURNS
     off = (lesson.grasps[:, 1:4] - grasp.point) @ rotation_z(grasp.angle)
@@ -228,7 +223,7 @@ def _same(lesson: Lesson, grasp: Grasp) -> Bool[np.ndarray, "g"]:
 
 
 def main() -> None:
-    """Make what lessons are missing, train, and write the weights."""
+    """Make missing lessons, train, and write the weights."""
     parser = argparse.ArgumentParser(description="Train the grasp detector.")
     parser.add_argument("--lessons", type=Path, required=True, help="folder of the lessons")
     parser.add_argument("--scenes", type=int, default=1500, help="to learn from")
@@ -247,11 +242,11 @@ def main() -> None:
     detector = GraspDetector({key: value.astype(np.float32) for key, value in weights.items()})
     card = {
         "scenes": len(files) * CHUNK, "objects": len(taught), "steps": chosen.steps,
-        "seed": chosen.seed, "held_out": asdict(judged(detector, held_out)),
+        "seed": chosen.seed, "held_out": asdict(evaluate(detector, held_out)),
     }  # fmt: skip
     save_weights(weights, chosen.out, card)
     if chosen.sheet:
-        write_picture(drawn(detector, held_out[:_DRAWN]), chosen.sheet)
+        write_picture(draw_sheet(detector, held_out[:_DRAWN]), chosen.sheet)
     print(json.dumps(card, indent=2))
 
 

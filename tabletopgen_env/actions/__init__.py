@@ -37,13 +37,14 @@ to the millimetre.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Literal
+from typing import Literal, get_args
 
 from generator.errors import InputError, choices
 
 from .joints import JOINT_LEASH, JOINT_STEP, JointDelta, JointTarget
-from .servos import CONTROL_HZ, SUBSTEPS, Controller, GripperMode, Servos, checked
+from .servos import CONTROL_HZ, Controller, GripperMode, Servos, check_action
 from .tool import (
     EE_LEASH,
     EE_STEP,
@@ -64,22 +65,21 @@ __all__ = [
     "EE_TURN",
     "JOINT_LEASH",
     "JOINT_STEP",
-    "SUBSTEPS",
     "WORKSPACE",
     "YAW_LEASH",
+    "ActionConfig",
     "ActionMode",
     "Controller",
     "GripperMode",
     "Servos",
-    "checked",
-    "controller",
+    "check_action",
 ]
 
 ActionMode = Literal[
     "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta", "joint_target"
 ]
 
-ACTIONS: Mapping[str, Callable[[Servos], Controller]] = MappingProxyType(
+ACTIONS: Mapping[ActionMode, Callable[[Servos], Controller]] = MappingProxyType(
     {
         "ee_delta": ToolDelta,
         "ee_delta_pos": ToolDeltaPosition,
@@ -92,19 +92,31 @@ ACTIONS: Mapping[str, Callable[[Servos], Controller]] = MappingProxyType(
 """The controller of each action mode."""
 
 
-def controller(
-    mode: str, gripper: GripperMode = "continuous", control_hz: int = CONTROL_HZ
-) -> Controller:
-    """Return a controller for an action mode.
+@dataclass(frozen=True)
+class ActionConfig:
+    """How a policy moves the robot.
 
     Args:
-        mode: the action mode, see the module's table.
-        gripper: "continuous" or "binary".
+        mode: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
+            "joint_target"; see the module's table.
+        gripper: "continuous" or "binary": what the last entry of an action means.
         control_hz: actions per second; divides 500.
 
     Raises:
         InputError: no such mode or gripper, or a rate that does not divide 500.
     """
-    if mode not in list(ACTIONS):  # what is wrong may have no hash
-        raise InputError(f"Unknown action mode {mode!r}." + choices(str(mode), ACTIONS))
-    return ACTIONS[mode](Servos(control_hz, gripper))
+
+    mode: ActionMode = "ee_delta"
+    gripper: GripperMode = Servos.gripper
+    control_hz: int = Servos.hz
+
+    def __post_init__(self) -> None:
+        if self.mode not in get_args(ActionMode):  # an invalid value may be unhashable
+            raise InputError(
+                f"Unknown action mode {self.mode!r}." + choices(str(self.mode), ACTIONS)
+            )
+        Servos(self.control_hz, self.gripper)
+
+    def controller(self) -> Controller:
+        """Return a new controller of this mode."""
+        return ACTIONS[self.mode](Servos(self.control_hz, self.gripper))

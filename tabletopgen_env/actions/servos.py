@@ -1,4 +1,4 @@
-"""What all action modes share: checked actions, the rate, the gripper, commands to the servos."""
+"""Shared by all action modes: checking of actions, rate, gripper and servo commands."""
 
 from __future__ import annotations
 
@@ -37,18 +37,10 @@ _STEPS = round(1 / TIMESTEP)  # simulation steps in a second
 
 _NO_NUMBERS = "cmMSU"  # complex numbers, times, texts: NumPy would cast them to float
 
-SUBSTEPS = _STEPS // CONTROL_HZ
-"""Simulation steps per action at ``CONTROL_HZ``."""
-
 
 @dataclass(frozen=True)
 class Servos:
-    """How often the servos are commanded, and what the gripper's entry means.
-
-    Args:
-        hz: actions per second; a divisor of the 500 simulation steps.
-        gripper: "continuous" or "binary".
-    """
+    """How often per second the servos are commanded, and what the gripper's entry means."""
 
     hz: int = CONTROL_HZ
     gripper: GripperMode = "continuous"
@@ -121,7 +113,7 @@ class Controller(Protocol):
         ...
 
 
-def checked(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
+def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
     """Return ``action`` as float64, clipped to ``space``.
 
     Raises:

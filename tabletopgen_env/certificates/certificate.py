@@ -15,7 +15,7 @@ from generator.errors import BundleError, InputError, choices, require, require_
 from generator.io.files import write_whole
 from generator.io.reading import parse_object, printable
 
-from ..files import typed
+from ..files import check_type
 from ..tasks.names import NAMES, TaskName
 from ..tasks.registry import task_named
 
@@ -42,7 +42,7 @@ _MOST_FILE, _DEPTH = 2**20, 4
 
 
 @dataclass(frozen=True)
-class Instance:
+class TaskInstance:
     """One thing to do at a table, as ``reset`` takes it, and how often the expert did it.
 
     ``goal`` is an object's name, "spot" (drawn anew for each episode) or None, ``target`` an
@@ -104,8 +104,8 @@ class Terms:
         for task in self.tasks:
             if task not in NAMES:
                 raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
-        require(self, "episodes", least=1, most=MOST_EPISODES, whole=True)
-        require(self, "most", least=1, most=MOST_INSTANCES // (2 * len(NAMES)), whole=True)
+        require(self, "episodes", minimum=1, maximum=MOST_EPISODES, integer=True)
+        require(self, "most", minimum=1, maximum=MOST_INSTANCES // (2 * len(NAMES)), integer=True)
         require_seed(self.seed)
         if not self.tasks:
             raise InputError("A certificate needs at least one task." + choices("", NAMES))
@@ -125,17 +125,12 @@ class Certificate:
     scene: str
     terms: Terms
     versions: Mapping[str, str]
-    instances: tuple[Instance, ...]
+    instances: tuple[TaskInstance, ...]
 
-
-def certified_instances(path: str | Path) -> tuple[Instance, ...]:
-    """Return the certified instances of a bundle; none where there is no certificate.
-
-    Raises:
-        BundleError: the certificate is damaged, or another scene's.
-    """
-    found = read_certificate(path)
-    return () if found is None else tuple(i for i in found.instances if i.certified)
+    @property
+    def certified(self) -> tuple[TaskInstance, ...]:
+        """Those of the instances that count as certified."""
+        return tuple(i for i in self.instances if i.certified)
 
 
 def read_certificate(path: str | Path) -> Certificate | None:
@@ -150,12 +145,12 @@ def read_certificate(path: str | Path) -> Certificate | None:
     raw = read_inside(folder, FILE, _MOST_FILE)
     try:
         payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE, max_depth=_DEPTH)
-        schema = typed(payload.get("schema"), int)
+        schema = check_type(payload.get("schema"), int)
         if 1 <= schema < SCHEMA:
             return None
         if schema != SCHEMA:
             raise ValueError(f"it is of schema {schema}, not {SCHEMA}")
-        found = _decoded(payload)
+        found = _decode(payload)
     except (ValueError, TypeError, KeyError, BundleError) as error:
         raise BundleError(
             f"{folder}: {FILE} is no sound certificate ({type(error).__name__}: {error}). "
@@ -184,35 +179,35 @@ def write_certificate(folder: Path, certificate: Certificate) -> None:
     write_whole(folder / FILE, text, "The certificate", "Certify a copy of the bundle.")
 
 
-def _decoded(payload: dict[str, Any]) -> Certificate:
-    scene, terms = typed(payload["scene"], str), typed(payload["terms"], dict)
+def _decode(payload: dict[str, Any]) -> Certificate:
+    scene, terms = check_type(payload["scene"], str), check_type(payload["terms"], dict)
     asked = Terms(
-        tuple(typed(task, str) for task in typed(terms["tasks"], list)),
-        *(typed(terms[name], int) for name in ("episodes", "most", "seed")),
+        tuple(check_type(task, str) for task in check_type(terms["tasks"], list)),
+        *(check_type(terms[name], int) for name in ("episodes", "most", "seed")),
     )
-    listed_versions = typed(payload["versions"], dict).items()
+    listed_versions = check_type(payload["versions"], dict).items()
     versions = {_name(k, "A package"): _name(v, "A version") for k, v in listed_versions}
-    listed = typed(payload["instances"], list)
+    listed = check_type(payload["instances"], list)
     if len(listed) > MOST_INSTANCES:
         raise ValueError(f"it lists more than {MOST_INSTANCES} instances")
     return Certificate(
-        scene, asked, versions, tuple(_decoded_instance(typed(i, dict), asked) for i in listed)
+        scene, asked, versions, tuple(_decoded_instance(check_type(i, dict), asked) for i in listed)
     )
 
 
-def _decoded_instance(entry: dict[str, Any], terms: Terms) -> Instance:
+def _decoded_instance(entry: dict[str, Any], terms: Terms) -> TaskInstance:
     target, goal, preset = entry["target"], entry["goal"], entry["preset"]
     for name in (target, goal, preset):
         if name is not None:
             _name(name, "A name")
-    task = typed(entry["task"], str)
+    task = check_type(entry["task"], str)
     task_named(task, preset)  # refuses what there is not
     if task not in terms.tasks:
         raise ValueError(f"it lists {task}, which it was not made for")
-    solved, played = typed(entry["successes"], int), typed(entry["episodes"], int)
+    solved, played = check_type(entry["successes"], int), check_type(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:
         raise ValueError(f"{solved} of {played} episodes cannot be")
-    return Instance(task, target, goal, solved, played, preset)
+    return TaskInstance(task, target, goal, solved, played, preset)
 
 
 def _name(value: Any, what: str) -> str:

@@ -15,19 +15,17 @@ task's id.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import closing
 from dataclasses import replace
-from importlib import metadata
 from itertools import chain, repeat
-from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from generator.errors import BundleError, SceneError, TabletopError, require_number
+from generator.jobs.workers import WorkerPool
+from generator.scene.provenance import versions
 
 from ..episodes import Held
 from ..goals.goal import SPOT
@@ -38,13 +36,12 @@ from ..tasks.registry import task_named
 from ..world.worlds import Masters
 from .certificate import (
     Certificate,
-    Instance,
+    TaskInstance,
     Terms,
     read_certificate,
     scene_digest,
     write_certificate,
 )
-from .certificate import certified_instances as certified_instances
 
 if TYPE_CHECKING:
     from ..env import TabletopEnv
@@ -63,10 +60,7 @@ _VERSIONS = ("tabletopgen", "mujoco", "numpy")
 def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certificate:
     """Let the expert play what a bundle's scene offers, write the certificate and return it.
 
-    Args:
-        path: the bundle.
-        terms: tasks, episodes, instances and seed.
-        workers: processes; they do not change what is written.
+    The number of processes, ``workers``, does not change what is written.
 
     Raises:
         InputError: ``workers`` is out of range.
@@ -83,37 +77,31 @@ def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certi
 def certify_all(
     paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
-    """Certify bundles, and yield each with its certificate once that is written.
+    """Certify bundles, see ``certify``, and yield each with its certificate once that is written.
 
-    One that cannot be certified comes with the error that says why, and the others follow. What
-    is written stays when it is interrupted.
-
-    Args:
-        paths: the bundles.
-        terms: see ``certify``.
-        workers: see ``certify``.
+    One that cannot be certified comes with the error that says why, and the others follow. What is
+    written stays when it is interrupted.
 
     Raises:
         InputError: ``workers`` is out of range.
         SceneError: a process has ended abruptly.
     """
-    require_number("certify needs workers", workers, least=1, most=1024, whole=True)
+    require_number("certify needs workers", workers, minimum=1, maximum=1024, integer=True)
     jobs = [(path, task, terms) for path in paths for task in terms.tasks]
     listed = iter(_in_turn(jobs, workers))
     for path in paths:
-        yield path, _written(path, terms, [next(listed) for _ in terms.tasks])
+        yield path, _write(path, terms, [next(listed) for _ in terms.tasks])
 
 
-def _written(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate | TabletopError:
+def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate | TabletopError:
     """Write what the jobs of a bundle gave as its certificate; return it, or why there is none."""
-    instances: list[Instance] = []
+    instances: list[TaskInstance] = []
     for found in listed:
         if isinstance(found, TabletopError):
             return found
         instances += found
-    versions = {name: metadata.version(name) for name in _VERSIONS}
     try:
-        made = Certificate(scene_digest(path), terms, versions, tuple(instances))
+        made = Certificate(scene_digest(path), terms, versions(_VERSIONS), tuple(instances))
         write_certificate(path, made)
     except TabletopError as error:
         return error
@@ -133,26 +121,16 @@ def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
 
 
 _Job = tuple[Path, str, Terms]
-_Listed = tuple[Instance, ...] | TabletopError
+_Listed = tuple[TaskInstance, ...] | TabletopError
 
 
 def _in_turn(jobs: Sequence[_Job], workers: int) -> Iterator[_Listed]:
     """Yield what each job gives, in their order."""
     if workers == 1 or len(jobs) < 2:
-        yield from map(_played, jobs)
+        yield from map(_play, jobs)
         return
-    pool = ProcessPoolExecutor(min(workers, len(jobs)), get_context("spawn"))
-    try:
-        begun: list[Future[_Listed]] = [pool.submit(_played, job) for job in jobs]
-        for future in begun:
-            yield future.result()
-    except BrokenProcessPool as error:
-        raise SceneError(
-            "A process that played episodes has ended abruptly: killed, or out of memory. Use "
-            "fewer workers. A script calls certify under `if __name__ == '__main__':`."
-        ) from error
-    finally:
-        pool.shutdown(cancel_futures=True)
+    with closing(WorkerPool(min(workers, len(jobs)))) as pool:
+        yield from pool.map(_play, jobs)
 
 
 # ------------------------------------------------------------------------------------- instances
@@ -166,9 +144,9 @@ def names(task: str) -> tuple[TaskName, ...]:
     return (TaskName(task), *(TaskName(task, preset) for preset in presets))
 
 
-def offered(world: World, task: Task, seed: int, most: int) -> tuple[Instance, ...]:
-    """Return up to ``most`` different instances of a task that its sampling draws at a table."""
-    found: dict[tuple[Any, ...], Instance] = {}
+def find_instances(world: World, task: Task, seed: int, maximum: int) -> tuple[TaskInstance, ...]:
+    """Return up to ``maximum`` different instances of a task that its sampling draws at a table."""
+    found: dict[tuple[Any, ...], TaskInstance] = {}
     failures = 0
     for number in range(_DRAWS):
         world.reset()
@@ -182,32 +160,32 @@ def offered(world: World, task: Task, seed: int, most: int) -> tuple[Instance, .
         failures = 0
         instance = instance_of(task, drawn)
         found.setdefault((instance.target, instance.goal), instance)
-        if len(found) == most or not instance.options:  # as drawn: there are no others
+        if len(found) == maximum or not instance.options:  # as drawn: there are no others
             break
     return tuple(found.values())
 
 
-def instance_of(task: Task, episode: Episode) -> Instance:
+def instance_of(task: Task, episode: Episode) -> TaskInstance:
     """Return the instance of a task of this package that an episode plays."""
     assert task.listed_as is not None
     name, preset = task.listed_as
     first = episode.goals[0]
     if name == "Sequence":
-        return Instance(name, None, None, preset=preset)
+        return TaskInstance(name, None, None, preset=preset)
     if name == "Tidy":
-        return Instance(name, None, first.reference)
+        return TaskInstance(name, None, first.reference)
     if name == "Swap":  # its goals: the second aside, the first there, the second here
-        return Instance(name, episode.goals[1].target, first.target)
+        return TaskInstance(name, episode.goals[1].target, first.target)
     if first.reference is not None:
-        return Instance(name, first.target, first.reference)
+        return TaskInstance(name, first.target, first.reference)
     drawn = None if first.spot is None or name == "Reach" else SPOT
-    return Instance(name, first.target, drawn)
+    return TaskInstance(name, first.target, drawn)
 
 
 # --------------------------------------------------------------------------------------- playing
 
 
-def _played(job: _Job) -> _Listed:
+def _play(job: _Job) -> _Listed:
     """Return what ``_instances`` does, or the bundle's error."""
     try:
         return _instances(*job)
@@ -215,13 +193,13 @@ def _played(job: _Job) -> _Listed:
         return error
 
 
-def _instances(folder: Path, task: str, terms: Terms) -> tuple[Instance, ...]:
+def _instances(folder: Path, task: str, terms: Terms) -> tuple[TaskInstance, ...]:
     """Return the instances of a task at a table, with how often the expert solved them."""
     masters = Masters(Panda(), 1)
     world = masters.twin(bundle_ref(folder))
-    found: list[Instance] = []
+    found: list[TaskInstance] = []
     for name in names(task):
-        instances = offered(world, task_named(*name), terms.seed, terms.most)
+        instances = find_instances(world, task_named(*name), terms.seed, terms.most)
         if not instances:
             continue
         with (
@@ -231,13 +209,13 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[Instance, ...]:
             for instance in instances:
                 rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
                 starts = chain([own], repeat(perturbed, terms.episodes - 1))
-                found.append(_tried(starts, instance, rng))
+                found.append(_try(starts, instance, rng))
     return tuple(found)
 
 
 def played_again(
-    folder: Path, instances: Sequence[Instance], episodes: int, seed: int
-) -> Iterator[Instance]:
+    folder: Path, instances: Sequence[TaskInstance], episodes: int, seed: int
+) -> Iterator[TaskInstance]:
     """Yield instances of a bundle with how many of ``episodes`` the expert solves from new starts.
 
     All episodes are played, from perturbed starts alone. ``seed`` draws these: one other than the
@@ -254,7 +232,9 @@ def played_again(
         yield replace(instance, successes=solved, episodes=episodes)
 
 
-def _tried(starts: Iterable[TabletopEnv], instance: Instance, rng: np.random.Generator) -> Instance:
+def _try(
+    starts: Iterable[TabletopEnv], instance: TaskInstance, rng: np.random.Generator
+) -> TaskInstance:
     """Play an instance once in each of ``starts``, until it fails."""
     solved = played = 0
     for env in starts:
@@ -265,7 +245,7 @@ def _tried(starts: Iterable[TabletopEnv], instance: Instance, rng: np.random.Gen
     return replace(instance, successes=solved, episodes=played)
 
 
-def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:
+def _solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
     """Play one episode; return whether it was a success."""
     from ..expert.run import TaskExpert
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..world.world import World
 
 
-def sampled(
+def sample_episode(
     task: Task,
     world: World,
     rng: np.random.Generator,

@@ -17,11 +17,11 @@ from generator.errors import StorageError
 from generator.geometry import rotation_z
 from generator.io.files import write_whole
 
-from ..expert.planning.choosing import Plan, reached
+from ..expert.planning.choosing import GraspPlan, first_reachable
 from ..expert.planning.grasps import TIP, Grasp, is_like
 from ..robot import franka
-from .look import Look, look
-from .network import LAYERS, TURNS, Rated, rate, turned
+from .look import HeightView, look
+from .network import LAYERS, TURNS, Rated, rate, turn_views
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -50,7 +50,9 @@ class GraspDetector:
 
     weights: Mapping[str, Float32[np.ndarray, "..."]]
 
-    def __call__(self, world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
+    def __call__(
+        self, world: World, target: str, failed: tuple[Grasp, ...] = ()
+    ) -> GraspPlan | None:
         """Return the grasp rated best that the arm can reach, None if none; as ``choose``.
 
         Args:
@@ -60,11 +62,11 @@ class GraspDetector:
         """
         found = self.detect(look(world, target))
         found.sort(key=lambda grasp: any(is_like(grasp, other) for other in failed))
-        return reached(world, target, found)
+        return first_reachable(world, target, found)
 
-    def detect(self, seen: Look) -> list[Grasp]:
+    def detect(self, seen: HeightView) -> list[Grasp]:
         """Return the grasps seen in height maps, best first."""
-        rated = rate(self.weights, turned(seen.heights, seen.facing))
+        rated = rate(self.weights, turn_views(seen.heights, seen.facing))
         middle = np.append(seen.center, seen.floor)
         grasps = []
         for where in _peaks(rated):
@@ -122,12 +124,7 @@ def shipped_digest() -> str:
 def save_weights(
     weights: Mapping[str, Float[np.ndarray, "..."]], path: Path, card: Mapping[str, object]
 ) -> None:
-    """Write a network's weights, whole or not at all.
-
-    Args:
-        weights: what to write.
-        path: where.
-        card: what it learned from.
+    """Write a network's weights, with the card of what it learned from, whole or not at all.
 
     Raises:
         StorageError: the file cannot be written.

@@ -10,7 +10,7 @@ from jaxtyping import Float, UInt8
 
 from generator.geometry import rotation_yaw
 
-from ..expert.planning.heights import height_map, moved, surroundings
+from ..expert.planning.heights import height_map, move_parts, surroundings
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -20,7 +20,7 @@ CELLS, CELL, STEP = 64, 0.004, 0.002
 
 
 @dataclass(frozen=True, eq=False)
-class Look:
+class HeightView:
     """Two height maps around an object, axes along the world's: its own, and that of all else.
 
     ``heights[m, i, j]`` is map m (0 the object, 1 all else) at ``center + CELL * ((i, j) - 31.5)``
@@ -35,16 +35,18 @@ class Look:
     floor: float
 
 
-def look(world: World, target: str) -> Look:
+def look(world: World, target: str) -> HeightView:
     """Return what is seen of an object where it is now; the robot is not seen."""
     position, rotation = world.position(target), world.rotation(target)
     low = _origin(position[:2])
     high = low + CELL * (CELLS - 1.5)  # half a cell short: rounding adds none
-    own = height_map(moved(world.scene.object(target).parts, position, rotation), low, high, CELL)
+    own = height_map(
+        move_parts(world.scene.object(target).parts, position, rotation), low, high, CELL
+    )
     rest = surroundings(world, target, low, high, CELL)
     above = np.stack([own.heights, rest.heights]) - world.scene.table.height
     heights = np.rint(np.clip(above / STEP, 0.0, 255.0)).astype(np.uint8)
-    return Look(heights, position[:2], rotation_yaw(rotation), world.scene.table.height)
+    return HeightView(heights, position[:2], rotation_yaw(rotation), world.scene.table.height)
 
 
 def _origin(center: Float[np.ndarray, "2"]) -> Float[np.ndarray, "2"]:

@@ -6,7 +6,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor, nn
 
-from .network import LAYERS, MIDDLES, Rated, rated
+from .network import LAYERS, MIDDLES, Rated, rate_output
 
 
 class GraspNetwork(nn.Module):
@@ -21,7 +21,7 @@ class GraspNetwork(nn.Module):
         values = seen.flatten(0, 1)
         for number, layer in enumerate(self.layers):
             values = layer(values if number == 0 else values.relu())
-        return rated(values.unflatten(0, seen.shape[:2]), torch.from_numpy(MIDDLES.copy()))
+        return rate_output(values.unflatten(0, seen.shape[:2]), torch.from_numpy(MIDDLES.copy()))
 
     def weights(self) -> dict[str, Tensor]:
         """Return the weights by the names that the network has them by."""

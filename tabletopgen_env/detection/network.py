@@ -52,7 +52,7 @@ LAYERS = (
     Layer(32, 32, 3, 1, 1),
     Layer(32, 7, 1),
 )
-"""The network, a rectifier between each two. What its last channels mean: ``rated``."""
+"""The network, a rectifier between each two. What its last channels mean: ``rate_output``."""
 
 _HEIGHT = 0.05  # metres that are 1 to the network
 UNITS = (PLACE, PLACE, _HEIGHT, 0.04, 0.02)
@@ -79,19 +79,14 @@ class Rated(NamedTuple):
     room: Any
 
 
-def rated(out: Any, middles: Any) -> Rated:
-    """Return what the network's last layer says.
-
-    Args:
-        out: its values (..., 7, i, j), an array or a tensor.
-        middles: ``MIDDLES``, the same.
-    """
+def rate_output(out: Any, middles: Any) -> Rated:
+    """Return what the network's last layer (..., 7, i, j) says; of arrays or of tensors."""
     best, possible, *answers = (out[..., k, :, :] for k in range(7))
     along, across, *rest = (part * unit for part, unit in zip(answers, UNITS, strict=True))
     return Rated(best, possible, middles[:, None] + along, middles + across, *rest)
 
 
-def turned(
+def turn_views(
     heights: UInt8[np.ndarray, "2 64 64"], facing: float
 ) -> Float32[np.ndarray, "t 3 48 48"]:
     """Return height maps as the network sees them, at turns from ``facing`` (radians) on.
@@ -125,21 +120,19 @@ def _between(
 def rate(
     weights: Mapping[str, Float32[np.ndarray, "..."]], seen: Float32[np.ndarray, "t 3 48 48"]
 ) -> Rated:
-    """Return the ratings of an object seen at every turn.
+    """Return the ratings of an object seen at every turn, as ``turn_views`` gives it.
 
-    Args:
-        weights: of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
-        seen: what ``turned`` gives.
+    Weights are of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
     """
     values = np.ascontiguousarray(np.moveaxis(seen, 1, -1))
     for number, layer in enumerate(LAYERS):
-        values = _convolved(values, layer, weights[f"{number}.weight"], weights[f"{number}.bias"])
+        values = _convolve(values, layer, weights[f"{number}.weight"], weights[f"{number}.bias"])
         if number < len(LAYERS) - 1:
             np.maximum(values, 0.0, out=values)
-    return rated(np.moveaxis(values, -1, 1), MIDDLES)
+    return rate_output(np.moveaxis(values, -1, 1), MIDDLES)
 
 
-def _convolved(
+def _convolve(
     values: Float32[np.ndarray, "t a b c"],
     layer: Layer,
     weight: Float32[np.ndarray, "o c s s"],

@@ -1,8 +1,8 @@
-"""What the arm can reach with the hand pointing down, and how the hand turns on the way.
+"""Reach of the arm with the hand pointing down, and how the hand turns on the way.
 
 With the hand pointing straight down, its turn about the vertical *relative to the bearing of the
-tool* is the last joint's angle alone. Kept in that joint's range it tells the turn that can be
-made, which is not always the shorter one.
+tool* is the last joint's angle alone. That joint's range decides which way the hand can turn, which
+is not always the shorter one.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ INSIDE = 0.05
 """Radians that planned joints keep from their limits."""
 
 NARROW = 0.38
-"""Metres from the base's axis within which the hand does not pass: it would fold the arm."""
+"""Metres from the base's axis that the hand keeps; nearer, the arm would have to fold."""
 
 _NEAREST = 0.28  # metres from the base's axis: nearer the arm would have to fold otherwise
 _ROLL_MARGIN = 0.1
@@ -43,19 +43,16 @@ _DISC = np.array([
     for r, n in ((0.0, 1), (1 / 3, 6), (2 / 3, 12), (1.0, 18))
     for a in np.arange(n) * 2 * np.pi / n
 ])  # fmt: skip
-"""Points of the unit disc, so dense that the thin screen of a laptop does not slip between."""
+"""Points of the unit disc, dense enough to hit the thin screen of a laptop."""
 
 _ROLL = rotation_yaw(forward(HOME)[1])
 """The hand's yaw at home, where the tool is straight ahead."""
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
-    """Return how far from home the joints are at most at ``points``, None if one is out of reach.
+    """Return how far the joints get from home at ``points``, None if one is out of reach.
 
-    Args:
-        world: says where the base is.
-        points: of the tool centre point, world frame.
-        yaw: of the hand, base frame, radians.
+    Points are of the tool centre point, world frame; ``yaw`` is the hand's, base frame, radians.
     """
     most = 0.0
     for point in points:

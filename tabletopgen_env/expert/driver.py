@@ -1,7 +1,7 @@
-"""What the scripted experts share: feeling where the hand is, and moving it like any policy.
+"""Shared by the scripted experts: sensing the hand, and moving it as a policy does.
 
 They drive the environment through its own normalised actions, by a proportional law on the tool's
-present pose, so that demonstrations hold nothing a learner cannot see.
+present pose, so that demonstrations depend only on what a learner can observe.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .plant import Plant
 
 NEAR = 0.02
-"""How near a place counts as there while travelling, metres."""
+"""Distance at which a waypoint counts as reached, metres."""
 
 _GAIN, _TURN_GAIN = 0.3, 0.4
 
@@ -34,12 +34,8 @@ class Expert(ABC):
     """Solves one kind of goal in the action mode "ee_delta".
 
     Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` says what
-    it is doing.
-
-    Args:
-        env: the environment, wrapped or not.
-        patience: how much longer than usual each phase may take: more than 1 where another acts,
-            who is to be advised and not given up on.
+    it is doing. ``patience`` is how much longer than usual each phase may take: more than 1 where
+    another acts, who is to be advised and not given up on.
 
     Raises:
         InputError: the environment has another action mode, rate or gripper.
@@ -85,7 +81,7 @@ class Expert(ABC):
 
     @property
     def _commanded_gap(self) -> float:
-        """What the fingers are told to be open, metres."""
+        """Commanded opening of the fingers, metres."""
         world = self._env.world
         share = float(world.data.ctrl[world.actuators[7]]) / HOME_CTRL[7]
         return 2 * franka.FINGER_STROKE * share

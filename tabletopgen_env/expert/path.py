@@ -1,4 +1,4 @@
-"""How high to travel so that nothing on the table is hit."""
+"""The height to travel at so that nothing on the table is hit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Picking up and putting down, planned from what is seen now; a phase ends when its aim is met.
+"""Picking up and putting down, planned from the present state; a phase ends when its aim is met.
 
 =========  =====================================================================================
 wait       let go and rise, until the object lies still
@@ -11,7 +11,7 @@ carry      over what is in the way, to above the goal, and turned
 lower      until the object stands, or hangs as deep in the container as the fingers allow
 release    open
 retreat    straight up, then stay
-stuck      stand still: the object has come to lie where no grasp reaches it
+stuck      stand still: no grasp can reach the object where it lies now
 =========  =====================================================================================
 """
 
@@ -29,17 +29,8 @@ from ..goals.goal import Goal, Raised
 from ..robot import franka
 from .arm import up
 from .driver import NEAR, Expert
-from .planning.choosing import HOVER, Plan, choose
-from .planning.dropping import (
-    ABOVE,
-    Drop,
-    hanging,
-    let_go_at,
-    lift_of,
-    load,
-    lost,
-    met,
-)
+from .planning.choosing import HOVER, GraspPlan, choose
+from .planning.dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
 from .planning.grasps import TIP, Grasp
 
 Phase = Literal[
@@ -53,11 +44,11 @@ _SHORT = 0.012  # metres above the grasp at which fingers that come no lower hav
 _DOWN = 0.004  # metres above the grasp at which the fingers close, and below it that is aimed at
 _EMPTY = 0.004  # metres closer than what was to be between them at which fingers hold nothing
 _FUNNEL = 0.004  # metres beside a good aim at which the hand stays all of HOVER above
-_CLOSING = 0.002  # metres by which the fingers are told to be closer than they are
+_CLOSING = 0.002  # metres by which the commanded opening is smaller than the real one
 _SLIP = 0.03
 _MOVED = 0.015
 _MOVING = 0.05  # metres a second
-_TOLD = 0.004  # metres wider than they are that the fingers are told to be, when they open
+_TOLD = 0.004  # metres by which the commanded opening is larger than the real one while opening
 _FREE = 0.6  # share of the way to where they let go at which the fingers are free
 _NARROWER = 0.1  # of how broad the hand is taken for, where a way over things is not reached
 _ON, _STALLED = 0.005, 8  # metres by which a hand that carries gets on, and steps without
@@ -91,7 +82,7 @@ class Picker(Expert):
         """
         self.attempts = 0
         self._failed: tuple[Grasp, ...] = ()
-        self._followed: Plan | None = None
+        self._followed: GraspPlan | None = None
         if not self._begin():
             raise SceneError(
                 f"The expert finds no grasp of {self._target!r} in scene "
@@ -121,7 +112,7 @@ class Picker(Expert):
             "lower": self._lower,
             "release": self._release,
             "retreat": self._retreat,
-            "stuck": self._stuck,
+            "stuck": self._recover,
         }
         return phases[self.phase](late)
 
@@ -172,14 +163,14 @@ class Picker(Expert):
 
     def _close(self, late: bool) -> Float[np.ndarray, "5"]:
         gap, grasp = self._gap, self._plan.grasp
-        told = self._commanded_gap < gap - _CLOSING  # else the hand is another's, who lingers
-        left, right, _ = self._env.world.touched(self._target)
+        commanded = self._commanded_gap < gap - _CLOSING  # else a policy drives the hand
+        left, right, _ = self._env.world.touches(self._target)
         still = abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
-        if (told and ((left and right) or still)) or late:
+        if (commanded and ((left and right) or still)) or late:
             self._held = self._in_object()
             waiting = self._enter("lift")
-            # The hint shows at once that it is held: to wait would be to advise against it.
+            # The hint shows at once that the object is held; waiting would contradict it.
             return waiting if self._env.hint is None else self._lift(False)
         if np.linalg.norm(self._tool - grasp.point) > NEAR:
             return self._enter("approach")
@@ -225,7 +216,7 @@ class Picker(Expert):
         over = self._over(
             drop.tool + up(hover), hanging(world, self._target), self._target, held, self._narrow
         )
-        if late or self._stalls(over):  # so high the arm may not reach so far
+        if late or self._stalls(over):  # at this height the arm may not reach so far
             self._narrow *= _NARROWER
             self._steps = self._still = 0
         return self._go(over, 0.0, slow=_CARRY)
@@ -244,11 +235,11 @@ class Picker(Expert):
 
     def _release(self, late: bool) -> Float[np.ndarray, "5"]:
         gap, opening = self._gap, self._drop.opening
-        told = self._commanded_gap > gap + _TOLD  # else the hand is another's, who lingers
+        commanded = self._commanded_gap > gap + _TOLD  # else a policy drives the hand
         width = self._plan.grasp.width
-        if gap > width + _FREE * (opening - width) or (late and told):
+        if gap > width + _FREE * (opening - width) or (late and commanded):
             return self._enter("retreat")
-        if self._tool[2] > self._drop.tool[2] + NEAR and self._steps > 2 and not told:
+        if self._tool[2] > self._drop.tool[2] + NEAR and self._steps > 2 and not commanded:
             return self._enter("carry")
         return self._act(np.zeros(3), 0.0, opening)
 
@@ -262,7 +253,7 @@ class Picker(Expert):
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self, failed: bool = False) -> bool:
-        """Choose the best grasp that the arm can reach and approach it, or be stuck."""
+        """Choose the best reachable grasp and approach it, or enter the phase "stuck"."""
         if failed:
             self._failed = (*self._failed, self._plan.grasp)
         self.attempts += 1
@@ -281,15 +272,15 @@ class Picker(Expert):
         self.phase, self._steps = "stuck", 0
         return False
 
-    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
         if late:
             return self._retry(failed=False)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _retry(self, failed: bool = True) -> Float[np.ndarray, "5"]:
-        """Plan again, this grasp being to blame or not, and let go for this step.
+        """Plan again, counting this grasp as failed or not, and let go for this step.
 
-        Another's hand may have done what is asked for: nothing is left but to get out of the way.
+        If a policy drives the hand, the goal may be met already; then the hand only retreats.
         """
         if self._goal.released and met(self._env.world, self._goal):
             return self._enter("retreat")
@@ -321,7 +312,7 @@ class Picker(Expert):
         return (self._tool - self._object) @ self._env.world.rotation(self._target)
 
     def _stalls(self, over: Float[np.ndarray, "3"]) -> bool:
-        """Return whether the hand, which carries, came no nearer in the last ``_STALLED`` steps.
+        """Return whether the carrying hand came no nearer in the last ``_STALLED`` steps.
 
         ``over`` is where it goes now: above itself, while it rises.
         """
@@ -335,8 +326,8 @@ class Picker(Expert):
     def _has_slipped(self) -> bool:
         """Return whether the fingers are elsewhere on the object than where they closed.
 
-        What only turns about the fingers, as a bowl that is held by its rim does until it hangs,
-        is still in the hand.
+        A thing that only turns about the fingers, as a bowl held by its rim does, is still in the
+        hand.
         """
         return bool(np.linalg.norm(self._in_object() - self._held) > _SLIP)
 

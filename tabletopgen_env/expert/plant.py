@@ -1,4 +1,4 @@
-"""What the experts drive: as much of an environment as they need to know."""
+"""What the experts drive: the part of an environment that they need."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ if TYPE_CHECKING:
     from ..actions.servos import Controller
     from ..goals.goal import Goal
     from ..world.world import World
-    from .planning.choosing import Chooser, Plan
+    from .planning.choosing import Chooser, GraspPlan
     from .planning.dropping import Drop
 
 
 class Advice(Protocol):
-    """The grasp hint of an environment that gives one: what it says is done."""
+    """The grasp hint of an environment, which the expert follows if there is one."""
 
     @property
-    def planned(self) -> Plan | None:
+    def planned(self) -> GraspPlan | None:
         """The grasp that is hinted at."""
         ...
 
@@ -30,7 +30,7 @@ class Advice(Protocol):
         """What the hints are chosen by."""
         ...
 
-    def plan(self, world: World, name: str) -> Plan | None:
+    def plan(self, world: World, name: str) -> GraspPlan | None:
         """Return the grasp of an object where it is now; None if it is not the active target."""
         ...
 
@@ -53,5 +53,5 @@ class Plant(Protocol):
 
     @property
     def hint(self) -> Advice | None:
-        """What advises the hand, if anything does."""
+        """The grasp hint, if the environment gives one."""
         ...

@@ -26,27 +26,20 @@ from .arm import up
 from .driver import Expert
 from .path import clear_height
 from .planning.grasps import TIP
-from .planning.strokes import (
-    HOVER,
-    PAD,
-    Care,
-    beside,
-    mass_center,
-    plan_stroke,
-)
+from .planning.strokes import HOVER, PAD, Care, beside, mass_center, plan_stroke
 
 Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 
 _THERE = 0.008  # metres before the goal's middle, along the way, at which a stroke ends
 _ENOUGH = 0.03  # metres from the goal's middle at which no other stroke is begun
-_ASIDE = 0.03  # metres off the way at which a stroke is begun anew
+_ASIDE = 0.03  # metres off the way at which a stroke is restarted
 _FURTHER = 0.07  # metres by which a stroke may be longer than the way
-_PAST = 0.06  # metres by which the hand has come nearer to what it has lost
+_PAST = 0.06  # metres by which the hand has come nearer to the object it has lost
 _FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres a step: flat things, tall ones, at the end
 _TALL = 0.04  # metres from the tool in a stroke down to the table
-_ASLANT = 0.75  # cosine of how far the way may turn before a stroke is begun anew
+_ASLANT = 0.75  # cosine of the largest turn of the way before a stroke is restarted
 _STRAIGHT = 0.03  # metres from the goal's middle at which a stroke turns no more
-_LAG = 2.0  # steps by which the tool is behind what it is told
+_LAG = 2.0  # steps by which the tool lags behind its command
 _STEER = 2.0  # turn of the hand's way for the angle at which it sees the centre of mass
 _SMALL = 0.008  # metres at least from the fingers to a centre of mass
 _BLOCKED = 0.012  # metres above a stroke's start at which the hand stands on something
@@ -120,7 +113,7 @@ class Pusher(Expert):
             return self._bar()
         if late or self._tool[2] < low[2] + 0.007:
             return self._enter("stroke")
-        return self._to(low - self._speed, slow=0.7)  # the tool lags behind what it is told
+        return self._to(low - self._speed, slow=0.7)  # the tool lags behind its command
 
     def _push(self, late: bool) -> Float[np.ndarray, "5"]:
         world, name, stroke = self._env.world, self._goal.target, self._stroke
@@ -167,7 +160,7 @@ class Pusher(Expert):
         rise = self._stroke.start[2] + 0.15 - self._tool[2]
         return self._act(up(max(rise, 0.0)), 0.0, 0.0)
 
-    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
         return self._begin() if late else self._act(np.zeros(3), 0.0, 0.0)
 
     _acts: ClassVar[Mapping[Phase, Callable[[Pusher, bool], Float[np.ndarray, "5"]]]] = (
@@ -178,7 +171,7 @@ class Pusher(Expert):
                 "stroke": _push,
                 "back": _back,
                 "retreat": _retreat,
-                "stuck": _stuck,
+                "stuck": _recover,
             }
         )
     )

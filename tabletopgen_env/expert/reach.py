@@ -24,7 +24,7 @@ class Reacher(Expert):
         self._goal = goal
 
     def reset(self) -> None:
-        """Nothing is to be planned: every point asked for is in reach."""
+        """Nothing to plan: every goal point is in reach."""
 
     def act(self) -> Float[np.ndarray, "5"]:
         """Return the next action, ``float32`` in [-1, 1]."""

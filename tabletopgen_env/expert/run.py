@@ -20,11 +20,8 @@ from .reach import Reacher
 class TaskExpert(Expert):
     """Solves every ``TabletopGen`` environment in the action mode "ee_delta".
 
-    Args:
-        env: the environment, wrapped or not.
-        patience: see ``Expert``.
-
-    It turns to the goal that the environment shows as active whenever its hand is free.
+    Whenever its hand is free, it works on the goal that the environment shows as active. For
+    ``patience`` see ``Expert``.
     """
 
     def reset(self) -> None:
@@ -46,7 +43,7 @@ class TaskExpert(Expert):
         """Return the next action, ``float32`` in [-1, 1]."""
         if self._env.goal is not self._goal and self._now.finished:
             self._turn_to_goal()
-            with suppress(SceneError):  # what cannot be reached now is tried again
+            with suppress(SceneError):  # a goal that is out of reach now is tried again later
                 self._now.reset()
         return self._now.act()
 

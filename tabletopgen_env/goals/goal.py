@@ -1,4 +1,4 @@
-"""What has to be where, and how: the goals of which every task is made.
+"""The goals that tasks are made of: a thing, a region and a state.
 
 A goal asks for one thing, an object or the tool centre point, in one *region*, an upright elliptic
 cylinder that may move with another object, and for a *state* there (at rest, let go, held ...).
@@ -124,7 +124,7 @@ class Reached:
         return Region(self.spot, np.full(3, REACHED))
 
     def settled(self, world: World) -> bool:
-        """Return True: nothing is asked but to be there."""
+        """Return True: being in the region is enough."""
         return True
 
     def words(self, world: World) -> str:
@@ -150,7 +150,7 @@ class Raised:
 
     def settled(self, world: World) -> bool:
         """Return whether both fingers hold it."""
-        left, right, _ = world.touched(self.target)
+        left, right, _ = world.touches(self.target)
         return left and right
 
     def words(self, world: World) -> str:
@@ -207,7 +207,7 @@ class OnSpot:
 
     def settled(self, world: World) -> bool:
         """Return whether it rests, let go."""
-        return at_rest(world, self.target) and not world.touched(self.target)[2]
+        return at_rest(world, self.target) and not world.touches(self.target)[2]
 
     def words(self, world: World) -> str:
         """Return what to do."""
@@ -235,7 +235,7 @@ class Into:
 
     def settled(self, world: World) -> bool:
         """Return whether it rests, let go, wholly in the hollow of the upright container."""
-        if not at_rest(world, self.target) or world.touched(self.target)[2]:
+        if not at_rest(world, self.target) or world.touches(self.target)[2]:
             return False
         hollow, up = self.opening, world.rotation(self.reference)[:, 2]
         base = world.position(self.reference)[2]
@@ -276,7 +276,7 @@ class OnTop:
         What rests at that height over the flat part stands on it: contacts of things asleep are
         not listed.
         """
-        if not at_rest(world, self.target) or world.touched(self.target)[2]:
+        if not at_rest(world, self.target) or world.touches(self.target)[2]:
             return False
         if world.rotation(self.reference)[2] @ self.up < _UPRIGHT:
             return False
@@ -294,8 +294,8 @@ def named_by(goals: Iterable[Goal]) -> list[str]:
     return list(dict.fromkeys(name for name in names if name is not None))
 
 
-def begun(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
-    """Return goals drawn for a scene for a start at which its things stand elsewhere: as now.
+def begin_goals(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
+    """Return goals drawn for a scene, adapted to a start at which its things stand elsewhere.
 
     Where a thing stood is where it stands now; marked spots stay where they are.
     """

@@ -7,7 +7,7 @@ from collections.abc import Collection
 
 from generator.scene import Object, Scene
 
-_SAME = 4  # decimals of a metre from which on two places are one, side by side
+_SAME = 4  # decimals of a metre to which two places are compared
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
@@ -21,8 +21,8 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
     Args:
         scene: the table.
         obj: what is meant.
-        yaw: where one looks who counts: the direction of the robot's x axis, radians.
-        absent: objects that are not there, and are not counted.
+        yaw: viewing direction for counting: that of the robot's x axis, radians.
+        absent: objects that are not there and are not counted.
     """
     alike = [o for o in scene.objects if o.label == obj.label and o.name not in absent]
     colors = {o.name: _color(scene, o.name) for o in alike}
@@ -38,7 +38,7 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
 
 
 def _rightwards(obj: Object, yaw: float) -> float:
-    """Return how far to the right an object is for who looks along ``yaw``, metres."""
+    """Return how far to the right an object is when looking along ``yaw``, metres."""
     x, y, _ = obj.pose.position
     return float(x * math.sin(yaw) - y * math.cos(yaw))
 

@@ -1,14 +1,15 @@
-"""What a table drawn for a task has to hold, in names of things.
+"""What a table generated for a task must hold, by names of things.
 
-Of each need a table has one thing, drawn among those that fill it (``SceneDistribution.needs``);
-what the hand can take, push or put things on was looked up in the catalogue's variants. Whether a
-table then offers something to do is the task's to say: ``benchmarks/fresh_tables.py`` counts.
+A table has one thing for each need, drawn among those that fill it (``SceneDistribution.needs``).
+The lists follow from the catalogue's variants: what the hand can take, push or put things on. The
+task decides whether a table offers something to do; ``benchmarks/fresh_tables.py`` counts how
+often.
 """
 
 from __future__ import annotations
 
 Need = tuple[str, ...]
-"""Things of which one is enough; several make up ``generator.language.distribution.Needs``."""
+"""Alternatives of a need; several make up ``generator.language.distribution.Needs``."""
 
 STANDING: Need = (
     "toy block", "building brick", "die", "puzzle cube", "salt shaker", "cream jar",

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from tyro.conf import Positional, arg
+from tyro.conf import OmitArgPrefixes, Positional, arg
 
-from generator.errors import InputError, TabletopError, escaped, require_number, require_seed
+from generator.errors import InputError, TabletopError, escape, require_number, require_seed
 from generator.io.files import check_folder, check_target
 
 from .extra import need_sb3
@@ -34,6 +34,22 @@ class _Loaded:
     scenes: tuple[str, ...]
 
 
+@dataclass(frozen=True)
+class CheckOptions:
+    """How often a policy in training is evaluated.
+
+    Attributes:
+        evaluate_every: Steps between evaluations, each with a checkpoint.
+        episodes: Episodes of an evaluation.
+    """
+
+    evaluate_every: int = 10_000
+    episodes: int = 20
+
+
+_CHECKS = CheckOptions()
+
+
 def train(
     recipe: Positional[str],
     /,
@@ -44,12 +60,11 @@ def train(
     steps: int | None = None,
     out: Path | None = None,
     resume: bool = False,
-    evaluate_every: int = 10_000,
-    episodes: int = 20,
+    checks: OmitArgPrefixes[CheckOptions] = _CHECKS,
     changes: Annotated[tuple[str, ...], arg(name="set")] = (),
     keep_replay: bool = True,
 ) -> int:
-    """Train a policy by a recipe; Ctrl-C keeps what there is, --resume goes on.
+    """Train a policy by a recipe; after Ctrl-C, --resume continues from the last state.
 
     Args:
         recipe: Name of a recipe, or the path of a TOML file of your own.
@@ -60,15 +75,14 @@ def train(
         steps: Steps of the environments, if not as many as the recipe says; of clone recipes their
             rounds decide (--set cloning.rounds=4).
         out: The run's folder; runs/RECIPE-SEED if left out.
-        resume: Go on with the run in that folder.
-        evaluate_every: Steps between evaluations, each with a checkpoint.
-        episodes: Episodes of an evaluation.
+        resume: Resume the run in that folder.
+        checks: How often the policy is evaluated.
         changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
         keep_replay: Keep the replay buffer in checkpoints.
     """
     need_sb3()
     from .recipes import recipe as named
-    from .tracking import Plan
+    from .tracking import TrainingPlan
     from .training import train as trained
 
     chosen = named(recipe, changes)
@@ -80,7 +94,9 @@ def train(
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
     folder = out or Path("runs") / f"{Path(chosen.name).name}-{seed}"
     check_folder(folder)
-    plan = Plan(seed, evaluate_every, episodes, keep_replay, sys.stdout.isatty())
+    plan = TrainingPlan(
+        seed, checks.evaluate_every, checks.episodes, keep_replay, sys.stdout.isatty()
+    )
     done = trained(chosen, folder, plan, resume, _say)
     _say(f"{done.steps:,} steps of {chosen.name} in {folder}")
     return 130 if done.interrupted else 0
@@ -98,9 +114,9 @@ def enjoy(
     trust: bool = False,
     recipe: str | None = None,
 ) -> None:
-    """Let a trained policy play, and report how often it succeeds.
+    """Run a trained policy and report how often it succeeds.
 
-    Says so where it was trained at some of the tables.
+    Warns if it was trained at some of the tables.
 
     Args:
         policy: Name of a shipped policy, a policy file, a run's folder (its best policy), or a zip
@@ -110,10 +126,10 @@ def enjoy(
         seed: The same seed plays the same episodes.
         render: Show it; needs a display.
         video_strip: Write pictures of the first episode to this PNG.
-        trust: Load a zip. Loading one runs whatever it contains: only those of your own.
+        trust: Load a zip, which unpickles it and may execute arbitrary code: only your own.
         recipe: What a zip was trained by, if it does not lie in its run's folder.
     """
-    require_number("enjoy needs --episodes", episodes, least=1, whole=True)
+    require_number("enjoy needs --episodes", episodes, minimum=1, integer=True)
     require_seed(seed)
     if render and video_strip:
         raise InputError("Choose --render or --video-strip, not both.")
@@ -122,10 +138,10 @@ def enjoy(
     need_sb3()
     from ..scenes.source import close
     from ..tasks.registry import task_named
-    from .evaluating import play, seeds, summed
+    from .evaluating import play, seeds, summarize
     from .making import single_env, source_of
 
-    own = _loaded(policy, trust, recipe)
+    own = _load(policy, trust, recipe)
     task = task_named(own.task, own.env.get("preset"))
     source = source_of(_one(scenes), "held_out", task=task)
     _warn(own.scenes, source)
@@ -146,7 +162,7 @@ def enjoy(
     finally:
         env.close()
         close(source)
-    _say(f"{own.task} at {', '.join(scenes)}: {summed(played)}")
+    _say(f"{own.task} at {', '.join(scenes)}: {summarize(played)}")
 
 
 def plot(
@@ -156,7 +172,7 @@ def plot(
     out: Path = Path("success.png"),
     by: Literal["steps", "hours"] = "steps",
 ) -> None:
-    """Draw the success of runs in validation; those of one recipe and settings as mean and range.
+    """Draw learning curves: the success of runs in validation, with mean and range of each recipe.
 
     Args:
         runs: The runs' folders.
@@ -171,32 +187,32 @@ def plot(
     from generator.io.pictures import write_picture
 
     from .plotting import bands, draw, number
-    from .runs import opened
+    from .runs import open_run
 
-    found = bands([opened(path) for path in runs], by)
+    found = bands([open_run(path) for path in runs], by)
     write_picture(draw(found, by), out)
     for name, band in found.items():
         mean, least, most = (100 * v[-1] for v in (band.mean, band.least, band.most))
-        told = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
-        _say(told + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
+        message = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
+        _say(message + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
     _say(f"drawn in {out}")
 
 
 def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
     """Say so if a policy is about to be judged at tables it was trained at."""
-    from .making import shared, source_of
+    from .making import count_shared, source_of
 
     try:
-        both = shared(source_of(_one(trained), "train"), source)
+        both = count_shared(source_of(_one(trained), "train"), source)
         if both:
             what = "1 of these tables was" if both == 1 else f"{both} of these tables were"
             print(f"{what} trained at: this says little of others.", file=sys.stderr)
     except TabletopError as error:
-        told = escaped(f"Whether it was trained at these tables cannot be told: {error}")
-        print(told, file=sys.stderr)
+        message = escape(f"Whether it was trained at these tables cannot be told: {error}")
+        print(message, file=sys.stderr)
 
 
-def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
+def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
     """Return a policy with what is known of it."""
     from .policies import find_policy, load_policy
     from .runs import BEST, LATEST
@@ -210,33 +226,33 @@ def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
     elif path.suffix != ".zip":
         path = find_policy(name)
     if path.suffix == ".zip":
-        return _unzipped(path, trust, recipe)
+        return _load_zip(path, trust, recipe)
     policy = load_policy(path)
     card, seen = policy.card, policy.card.validation
-    told = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "
+    message = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "
             f"(tables: {seen['tables']})") if seen else ""  # fmt: skip
-    _say(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{told}")
+    _say(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{message}")
     return _Loaded(policy, card.task, card.env, card.scenes)
 
 
-def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
+def _load_zip(path: Path, trust: bool, recipe: str | None) -> _Loaded:
     """Return a model of a zip of Stable-Baselines3, if it is to be trusted."""
     from .making import load_zip
-    from .recipes import listed
+    from .recipes import as_texts
     from .recipes import recipe as named
-    from .runs import opened
+    from .runs import open_run
 
     if not trust:
         raise InputError(
-            f"{path} is a zip of Stable-Baselines3, and loading one runs whatever it contains. "
+            f"{path} is a zip of Stable-Baselines3, and loading one may execute arbitrary code. "
             "Pass --trust if it is your own."
         )
     if recipe is not None:
         own = named(recipe)
     else:
         folder = path.resolve().parent
-        own = opened(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
-    return _Loaded(load_zip(path, own), own.task, own.env, listed(own.scenes))
+        own = open_run(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
+    return _Loaded(load_zip(path, own), own.task, own.env, as_texts(own.scenes))
 
 
 def _write_strip(frames: list[Any], path: Path) -> None:
@@ -254,4 +270,4 @@ def _one(scenes: tuple[str, ...]) -> str | tuple[str, ...]:
 
 
 def _say(line: str) -> None:
-    print(escaped(line), flush=True)
+    print(escape(line), flush=True)

@@ -25,12 +25,12 @@ def heeding(say: Callable[[str], None]) -> Iterator[threading.Event]:
         return
     before = signal.getsignal(signal.SIGINT)
 
-    def noted(number: int, frame: Any) -> None:
+    def note(number: int, frame: Any) -> None:
         stop.set()
         signal.signal(signal.SIGINT, before)
         say("Ending after what has begun; Ctrl-C again ends at once.")
 
-    signal.signal(signal.SIGINT, noted)
+    signal.signal(signal.SIGINT, note)
     try:
         yield stop
     finally:

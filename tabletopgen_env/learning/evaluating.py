@@ -29,7 +29,7 @@ class Predicts(Protocol):
 
 
 @dataclass(frozen=True)
-class Played:
+class EpisodeResult:
     """One episode: whether it was solved, after how many steps, the mean reward of a step.
 
     ``table`` is the digest of the table and its objects.
@@ -43,7 +43,7 @@ class Played:
 
 
 @dataclass(frozen=True)
-class Evaluation:
+class PolicyEvaluation:
     """What some episodes came to, at ``tables`` different tables.
 
     ``reward`` and ``steps`` are means over them.
@@ -76,15 +76,10 @@ class Evaluation:
 
 def play(
     env: gym.Env[Any, np.ndarray], policy: Predicts, seed: int, frames: list[Any] | None = None
-) -> Played:
+) -> EpisodeResult:
     """Play one episode until success has held (``episodes.Held``), or to the time limit.
 
-    Args:
-        env: the environment.
-        policy: who acts.
-        seed: of the episode.
-        frames: gets what ``env.render`` returns at the start, every few steps and at the end; None
-            for none.
+    ``frames`` gets what ``env.render`` returns at the start, every few steps and at the end.
     """
     seen, info = env.reset(seed=seed)
     if frames is not None:
@@ -99,19 +94,21 @@ def play(
         if frames is not None and (len(rewards) % FRAME_EVERY == 0 or over or solved):
             frames.append(env.render())
     table = env.get_wrapper_attr("world").digest
-    return Played(solved, len(rewards), float(np.mean(rewards)), str(info["instruction"]), table)
+    return EpisodeResult(
+        solved, len(rewards), float(np.mean(rewards)), str(info["instruction"]), table
+    )
 
 
 def evaluate(
     env: gym.Env[Any, np.ndarray], policy: Predicts, episodes: int, seed: int = SEED
-) -> Evaluation:
+) -> PolicyEvaluation:
     """Play ``episodes`` episodes, those that ``seed`` means."""
-    return summed([play(env, policy, own) for own in seeds(seed, episodes)])
+    return summarize([play(env, policy, own) for own in seeds(seed, episodes)])
 
 
-def summed(played: list[Played]) -> Evaluation:
+def summarize(played: list[EpisodeResult]) -> PolicyEvaluation:
     """Return what episodes, one or more, came to."""
-    return Evaluation(
+    return PolicyEvaluation(
         len(played), sum(p.solved for p in played),
         float(np.mean([p.reward for p in played])), float(np.mean([p.steps for p in played])),
         len({p.table for p in played}),

@@ -87,7 +87,7 @@ def worlds_kept(source: SceneSource) -> int:
     return KEPT
 
 
-def shared(source: SceneSource, other: SceneSource) -> int:
+def count_shared(source: SceneSource, other: SceneSource) -> int:
     """Return how many tables two sources have in common, of those they have at hand.
 
     Tables are told apart by what they are, not by where they are kept. Of a refreshing pool those
@@ -133,12 +133,9 @@ def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
 
 
 def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
-    """Return an untrained model on the CPU.
+    """Return an untrained model on the CPU for one environment, or ``many_envs``.
 
-    Args:
-        recipe: what it is like.
-        env: one environment, or ``many_envs``.
-        seed: of its weights and of what it tries.
+    ``seed`` is of its weights and of what it tries.
 
     Raises:
         InputError: the algorithm has no such option, or an option does not fit.
@@ -153,7 +150,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
             )
     noise = options.pop("action_noise", None)
     if noise is not None:
-        require_number(f"{recipe.name} needs options.action_noise", noise, least=0)
+        require_number(f"{recipe.name} needs options.action_noise", noise, minimum=0)
         size = env.action_space.shape
         options["action_noise"] = NormalActionNoise(np.zeros(size), np.full(size, float(noise)))
     if recipe.algorithm == "clone":
@@ -176,9 +173,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
 def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
     """Return a recipe's model for as many environments as it has, with a buffer for a step of each.
 
-    Args:
-        recipe: what it is like.
-        like: what the environments see and do; it is not touched.
+    ``like`` says what the environments see and do; it is not touched.
 
     Raises:
         InputError: as ``new_model``.
@@ -186,7 +181,9 @@ def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
     count = 1 if recipe.algorithm == "clone" else recipe.envs
     if recipe.algorithm in ("sac", "td3"):
         size = recipe.options.get("buffer_size", count)
-        require_number(f"{recipe.name} needs options.buffer_size", size, least=count, whole=True)
+        require_number(
+            f"{recipe.name} needs options.buffer_size", size, minimum=count, integer=True
+        )
         recipe = replace(recipe, options={**recipe.options, "buffer_size": count})
     blanks = [lambda: _Blank(like)] * count
     return new_model(recipe, DummyVecEnv(blanks), 0)  # pyright: ignore[reportArgumentType]
@@ -241,7 +238,7 @@ def _check_start(recipe: Recipe) -> None:
     limit = spec_of(recipe.task).max_episode_steps or 0
     first = limit * recipe.envs
     starts = recipe.options.get("learning_starts", 100)
-    require_number(f"{recipe.name} needs options.learning_starts", starts, least=0, whole=True)
+    require_number(f"{recipe.name} needs options.learning_starts", starts, minimum=0, integer=True)
     if not recipe.demonstrations and starts <= first:
         raise InputError(
             f"{recipe.name}: with hindsight, learning_starts must be above {first}, the steps of "

@@ -1,19 +1,22 @@
-"""Success in validation over training, runs of one recipe as one band (Pillow alone)."""
+"""Success in validation over training, the runs of one recipe as one band."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from jaxtyping import Float, UInt8
-from PIL import Image, ImageDraw, ImageFont
 
-from generator.errors import InputError
+from generator.errors import InputError, escape
 
+from .extra import need
 from .recipes import Recipe
 from .runs import Run
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 By = Literal["steps", "hours"]
 ACROSS: Mapping[By, str] = {
@@ -22,9 +25,6 @@ ACROSS: Mapping[By, str] = {
 }
 """What is across."""
 
-_COLORS = ((31, 119, 180), (214, 69, 65), (44, 140, 60), (148, 90, 180), (220, 130, 20))
-_INK, _PALE = (40, 44, 52), (214, 218, 224)
-_WIDTH, _HEIGHT, _LEFT, _TOP, _RIGHT, _BOTTOM = 760, 440, 64, 40, 24, 58
 _POINTS = 200
 
 
@@ -74,8 +74,8 @@ def labels(recipes: Sequence[Recipe]) -> list[str]:
         others = [s for r, s in zip(recipes, said, strict=True) if r.name == recipe.name]
         keys = sorted({key for s in others for key in s})
         odd = [key for key in keys if any(s.get(key) != own.get(key) for s in others)]
-        told = ", ".join(f"{key}={own.get(key, 'none')}" for key in odd)
-        found.append(f"{recipe.name} ({told})" if told else recipe.name)
+        label = ", ".join(f"{key}={own.get(key, 'none')}" for key in odd)
+        found.append(f"{recipe.name} ({label})" if label else recipe.name)
     return found
 
 
@@ -98,46 +98,46 @@ def _band(name: str, curves: list[tuple[list[float], list[float]]]) -> Band:
 
 
 def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 3"]:
-    """Draw the bands: a line for the mean, a shade from the least to the most."""
-    end = max(float(band.at[-1]) for band in found.values()) or 1.0
-    picture = Image.new("RGB", (_WIDTH, _HEIGHT), "white")
-    pen = ImageDraw.Draw(picture, "RGBA")
-    small, large = ImageFont.load_default(13), ImageFont.load_default(17)
-    wide, tall = _WIDTH - _LEFT - _RIGHT, _HEIGHT - _TOP - _BOTTOM
+    """Draw the bands: a line for the mean, a shade from the least to the most.
 
-    def point(value: float, share: float) -> tuple[float, float]:
-        return _LEFT + wide * value / end, _TOP + tall * (1 - share)
+    Raises:
+        InputError: Matplotlib is not installed.
+    """
+    need("matplotlib", "Charts need Matplotlib", "plot")
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-    pen.text((_LEFT, 10), "Success in validation", _INK, large)
-    for level in np.linspace(0, 1, 6):
-        pen.line((*point(0, level), *point(end, level)), _PALE)
-        pen.text((_LEFT - 8, point(0, level)[1]), f"{100 * level:.0f} %", _INK, small, anchor="rm")
-    for value in ticks(end):
-        x = point(value, 0)[0]
-        pen.line((x, _TOP, x, _TOP + tall), _PALE)
-        pen.text((x, _TOP + tall + 6), number(value), _INK, small, anchor="mt")
-    pen.text((_LEFT + wide / 2, _HEIGHT - 24), ACROSS[by], _INK, small, anchor="mt")
+    canvas = FigureCanvasAgg(figure(found, by))
+    canvas.draw()
+    return np.array(canvas.buffer_rgba())[..., :3]
+
+
+def figure(found: Mapping[str, Band], by: By) -> Figure:
+    """Return the chart of ``draw``. Names of recipes may be foreign: nothing in them is markup."""
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
+
+    chart = Figure(figsize=(7.6, 4.4), dpi=100, layout="constrained")
+    axes = chart.add_subplot()
+    axes.set_title("Success in validation", loc="left")
+    axes.set_xlabel(ACROSS[by])
+    axes.set_xlim(0, max(float(band.at[-1]) for band in found.values()) or 1.0)
+    axes.set_ylim(0, 1)
+    axes.xaxis.set_major_locator(MaxNLocator(10, steps=[1, 2, 5, 10]))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
+    axes.yaxis.set_major_formatter(PercentFormatter(1.0))
+    axes.grid(alpha=0.4)
     for k, (name, band) in enumerate(found.items()):
-        color = _COLORS[k % len(_COLORS)]
-        upper = [point(a, m) for a, m in zip(band.at, band.most, strict=True)]
-        lower = [point(a, m) for a, m in zip(band.at, band.least, strict=True)]
+        color = f"C{k}"
+        marker = "o" if band.at[0] == band.at[-1] else ""
+        axes.plot(band.at, band.mean, color=color, linewidth=2, marker=marker, clip_on=False)
         if band.runs > 1:
-            pen.polygon([*upper, *reversed(lower)], (*color, 50))
-        pen.line([point(a, m) for a, m in zip(band.at, band.mean, strict=True)], color, 2)
-        if band.at[0] == band.at[-1]:
-            x, y = point(band.at[0], band.mean[0])
-            pen.ellipse((x - 3, y - 3, x + 3, y + 3), color)
-        told = f"{name} ({band.runs} {'run' if band.runs == 1 else 'runs'})"
-        corner = (_LEFT + wide - 10, _TOP + tall - 8 - 18 * (len(found) - 1 - k))
-        pen.text(corner, told, color, small, anchor="rb")
-    return np.asarray(picture, np.uint8)
-
-
-def ticks(end: float) -> list[float]:
-    """Return four to ten round numbers from 0 to ``end``."""
-    ten = 10.0 ** np.floor(np.log10(end))
-    step = next(ten * s for s in (0.1, 0.2, 0.5, 1.0, 2.0) if end / (ten * s) <= 10)
-    return [float(step * k) for k in range(int(end / step + 1e-9) + 1)]
+            axes.fill_between(band.at, band.least, band.most, color=color, alpha=0.2, linewidth=0)
+        label = escape(f"{name} ({band.runs} {'run' if band.runs == 1 else 'runs'})")
+        axes.text(
+            0.98, 0.03 + 0.05 * (len(found) - 1 - k), label, color=color, ha="right",
+            transform=axes.transAxes, parse_math=False, in_layout=False,
+        )  # fmt: skip
+    return chart
 
 
 def number(value: float) -> str:

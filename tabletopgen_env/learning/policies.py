@@ -28,16 +28,10 @@ from generator.errors import InputError, choices
 from generator.io.files import write_whole
 from generator.io.reading import parse_object
 
-from ..files import typed
+from ..files import check_type
 from ..tasks.names import NAMES
-from .networks.actor import (
-    Actor,
-    Squash,
-    actor_of,
-    inputs_of,
-    tensors_of,
-)
-from .recipes import Network, Recipe, listed, network_of
+from .networks.actor import Actor, Squash, actor_of, inputs_of, tensors_of
+from .recipes import Network, Recipe, as_texts, network_of
 
 SHIPPED = Path(__file__).with_name("trained")
 """Where the policies are that the package ships."""
@@ -131,20 +125,16 @@ def policy_from(
     validation: Mapping[str, Any] | None = None,
     steps: int | None = None,
 ) -> TrainedPolicy:
-    """Return a copy of what a model does now.
+    """Return a copy of what a model, made by ``making.new_model`` with ``recipe``, does now.
 
-    Args:
-        model: made by ``making.new_model``.
-        recipe: with which.
-        seed: of the training.
-        validation: what the card says of an evaluation.
-        steps: trained for; None for what the model says.
+    ``validation`` is what the card says of an evaluation, ``steps`` what it was trained for; None
+    for what the model says.
     """
     actor, squash = actor_of(model, recipe.network)
     card = Card(
         recipe.task, dict(recipe.env), recipe.network, inputs_of(model.observation_space),
         actor.last.out_features, squash, recipe.name, seed,
-        model.num_timesteps if steps is None else steps, listed(recipe.scenes),
+        model.num_timesteps if steps is None else steps, as_texts(recipe.scenes),
         dict(validation or {}),
         {name: _version(name) for name in _VERSIONS} | _detector(recipe.env),
     )  # fmt: skip
@@ -152,12 +142,9 @@ def policy_from(
 
 
 def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> Path:
-    """Write a policy file, whole or not at all.
+    """Write a policy file, whole or not at all; its folder must be there.
 
-    Args:
-        policy: the policy.
-        path: where; the folder must be there.
-        half: keep half precision: half the size, slightly other actions.
+    ``half`` keeps half precision: half the size, slightly other actions.
 
     Raises:
         InputError: it would be larger than ``MOST_BYTES``, or a text of its card cannot be shown.
@@ -291,38 +278,45 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
-    inputs = {typed(k, str): typed(v, int) for k, v in typed(payload["inputs"], dict).items()}
+    inputs = {
+        check_type(k, str): check_type(v, int)
+        for k, v in check_type(payload["inputs"], dict).items()
+    }
     sizes = (*inputs.values(), payload["actions"])
     if not inputs or ("" in inputs and len(inputs) > 1) or len(inputs) > 8:
         raise ValueError(f"a policy cannot look at {inputs}")
     if not all(0 < size <= _MOST_INPUTS for size in sizes) or sizes[-1] > _MOST_ACTIONS:
         raise ValueError(f"a policy cannot have sizes {sizes}")
-    network = network_of(typed(payload["network"], dict), "its card")
-    wide = (sum(inputs.values()), *network.layers, typed(payload["actions"], int))
+    network = network_of(check_type(payload["network"], dict), "its card")
+    wide = (sum(inputs.values()), *network.layers, check_type(payload["actions"], int))
     if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
         raise ValueError(f"a policy file cannot hold layers of {network.layers}")
-    task, squash = typed(payload["task"], str), typed(payload["squash"], str)
+    task, squash = check_type(payload["task"], str), check_type(payload["squash"], str)
     if task not in NAMES or squash not in get_args(Squash):
         raise ValueError(f"there is no task {task!r} with {squash!r}")
-    env = typed(payload["env"], dict)
+    env = check_type(payload["env"], dict)
     Recipe("its card", task, "sac", env=env, network=network)  # checks that they go together
-    versions = {typed(k, str): typed(v, str) for k, v in typed(payload["versions"], dict).items()}
-    answers = [typed(v, float) for v in typed(payload["answers"], list)]
+    versions = {
+        check_type(k, str): check_type(v, str)
+        for k, v in check_type(payload["versions"], dict).items()
+    }
+    answers = [check_type(v, float) for v in check_type(payload["answers"], list)]
     return Card(
         task, env, network, inputs, payload["actions"], squash,  # pyright: ignore
-        typed(payload["recipe"], str), typed(payload["seed"], int), typed(payload["steps"], int),
-        tuple(typed(v, str) for v in typed(payload["scenes"], list)),
-        _validation(typed(payload["validation"], dict)), versions,
+        check_type(payload["recipe"], str), check_type(payload["seed"], int),
+        check_type(payload["steps"], int),
+        tuple(check_type(v, str) for v in check_type(payload["scenes"], list)),
+        _validation(check_type(payload["validation"], dict)), versions,
     ), answers  # fmt: skip
 
 
 def _validation(payload: dict[str, Any]) -> dict[str, Any]:
     if not payload:
         return {}
-    solved, played, tables = (typed(payload[k], int) for k in ("solved", "episodes", "tables"))
+    solved, played, tables = (check_type(payload[k], int) for k in ("solved", "episodes", "tables"))
     if not (0 <= solved <= played and 0 < tables <= played):
         raise ValueError(f"{solved} of {played} episodes at {tables} tables cannot be")
-    scenes = typed(payload["scenes"], str)
+    scenes = check_type(payload["scenes"], str)
     return {"solved": solved, "episodes": played, "tables": tables, "scenes": scenes}
 
 

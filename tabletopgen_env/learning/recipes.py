@@ -6,7 +6,6 @@ keys at its top. A run keeps its recipe beside its weights.
 
 from __future__ import annotations
 
-import inspect
 import json
 import math
 from collections.abc import Iterable, Mapping
@@ -35,7 +34,7 @@ MOST_BYTES = 2**16
 """A recipe's file is not larger."""
 
 _ELSEWHERE = frozenset({
-    "scenes", "task", "render_mode", "render_size", "renderer", "robot", "cache", "masters",
+    "render", "render_mode", "render_size", "renderer", "worlds", "robot", "cache", "masters",
 })  # fmt: skip
 
 
@@ -59,7 +58,7 @@ class Network:
     def __post_init__(self) -> None:
         _one_of(self, "extractor", get_args(Extractor))
         _one_of(self, "activation", get_args(Activation))
-        require(self, "width", least=1, most=1024, whole=True)
+        require(self, "width", minimum=1, maximum=1024, integer=True)
         sizes = self.layers if isinstance(self.layers, tuple) else ()
         if not (0 < len(sizes) <= 8 and all(type(s) is int and 0 < s <= 4096 for s in sizes)):
             raise InputError(
@@ -115,9 +114,9 @@ class Recipe:
     def __post_init__(self) -> None:
         _one_of(self, "task", NAMES)
         _one_of(self, "algorithm", get_args(Algorithm))
-        require(self, "steps", "envs", least=1, whole=True)
-        require(self, "hindsight", "demonstrations", least=0, whole=True)
-        require(self, "variants", least=1, most=MOST_SEEDS, whole=True)
+        require(self, "steps", "envs", minimum=1, integer=True)
+        require(self, "hindsight", "demonstrations", minimum=0, integer=True)
+        require(self, "variants", minimum=1, maximum=MOST_SEEDS, integer=True)
         for side in ("scenes", "held_out"):
             _check_scenes(self.name, side, getattr(self, side))
         known = env_keywords()
@@ -171,10 +170,9 @@ class Recipe:
 
 def env_keywords() -> frozenset[str]:
     """Return what a recipe may say of its environment."""
-    from ..env import TabletopEnv
+    from ..settings import KEYWORDS
 
-    own = set(inspect.signature(TabletopEnv).parameters) - _ELSEWHERE
-    return frozenset(own | {"preset"})
+    return KEYWORDS - _ELSEWHERE | {"preset"}
 
 
 def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
@@ -199,9 +197,9 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
                 "path of a TOML file."
             )
         payload = shipped[name]
-    payload = _merged({"env": {"randomization": STARTS}}, payload)
+    payload = _merge({"env": {"randomization": STARTS}}, payload)
     for change in changes:
-        payload = _merged(payload, _change(change))
+        payload = _merge(payload, _change(change))
     _check_values(name, payload)
     return recipe_of({"name": name, **payload})
 
@@ -233,7 +231,7 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
     return Recipe(**values)
 
 
-def listed(scenes: str | tuple[str, ...]) -> tuple[str, ...]:
+def as_texts(scenes: str | tuple[str, ...]) -> tuple[str, ...]:
     """Return what a recipe says of its scenes, one text or several, as several."""
     return scenes if isinstance(scenes, tuple) else (scenes,)
 
@@ -263,7 +261,7 @@ def _one_of(settings: object, name: str, known: Iterable[str]) -> None:
 
 
 def _check_scenes(name: str, side: str, value: Any) -> None:
-    several = listed(value)
+    several = as_texts(value)
     if not several or not all(isinstance(s, str) and s for s in several):
         raise InputError(f"{name}: {side} is a text or several, got {value!r}.")
 
@@ -305,9 +303,9 @@ def _toml(text: str) -> dict[str, Any]:
     return parse_toml(text.encode(), "It", InputError)
 
 
-def _merged(payload: Mapping[str, Any], change: Mapping[str, Any]) -> dict[str, Any]:
+def _merge(payload: Mapping[str, Any], change: Mapping[str, Any]) -> dict[str, Any]:
     merged = dict(payload)
     for key, value in change.items():
         both = isinstance(value, Mapping) and isinstance(merged.get(key), Mapping)
-        merged[key] = _merged(merged[key], value) if both else value
+        merged[key] = _merge(merged[key], value) if both else value
     return merged

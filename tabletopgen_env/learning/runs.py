@@ -37,9 +37,9 @@ from generator.errors import InputError, StorageError
 from generator.io.files import write_whole
 from generator.io.reading import parse_object, read_regular
 
-from ..files import typed
+from ..files import check_type
 from .demonstrations.replay import read_buffer, write_buffer
-from .evaluating import Evaluation
+from .evaluating import PolicyEvaluation
 from .recipes import Recipe, recipe_of
 
 FORMAT = 1
@@ -72,7 +72,7 @@ class Counts:
 
 
 @dataclass(frozen=True)
-class Row:
+class EvaluationRow:
     """One evaluation of a run."""
 
     steps: int
@@ -120,7 +120,7 @@ class Run:
             if folder_too:
                 self.path.rmdir()
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[EvaluationRow]:
         """Return the run's evaluations.
 
         Raises:
@@ -128,13 +128,15 @@ class Run:
         """
         return read_rows(self.path)
 
-    def add(self, steps: int, seconds: float, seen: Evaluation) -> None:
+    def add(self, steps: int, seconds: float, seen: PolicyEvaluation) -> None:
         """Add an evaluation to the table.
 
         Raises:
             StorageError: it cannot be written.
         """
-        row = Row(steps, round(seconds, 1), seen.episodes, seen.solved, seen.reward, seen.steps)
+        row = EvaluationRow(
+            steps, round(seconds, 1), seen.episodes, seen.solved, seen.reward, seen.steps
+        )
         _write_rows(self.path, [*self.rows(), row])
 
     def save(self, model: BaseAlgorithm, counts: Counts, replay: bool) -> None:
@@ -208,7 +210,7 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
     """
     if (path / _RECIPE).exists():
         raise InputError(
-            f"{path} holds a run already: go on with --resume, or choose another --out."
+            f"{path} holds a run already: continue with --resume, or choose another --out."
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
         raise InputError(f"{path} holds something else already; choose another --out.")
@@ -229,7 +231,7 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
     return run
 
 
-def opened(path: Path) -> Run:
+def open_run(path: Path) -> Run:
     """Return the run of a folder.
 
     Raises:
@@ -239,14 +241,16 @@ def opened(path: Path) -> Run:
         raise InputError(f"{path} holds no run: {_RECIPE} is missing.")
     try:
         payload = _object(path / _RECIPE)
-        if typed(payload.get("format"), int) != FORMAT:
+        if check_type(payload.get("format"), int) != FORMAT:
             raise ValueError(f"it is not of format {FORMAT}")
-        return Run(path, recipe_of(typed(payload["recipe"], dict)), typed(payload["seed"], int))
+        return Run(
+            path, recipe_of(check_type(payload["recipe"], dict)), check_type(payload["seed"], int)
+        )
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise InputError(f"{path / _RECIPE} is damaged ({str(error)!r}).") from error
 
 
-def read_rows(path: Path) -> list[Row]:
+def read_rows(path: Path) -> list[EvaluationRow]:
     """Return the evaluations in a run's folder.
 
     Raises:
@@ -260,13 +264,9 @@ def read_rows(path: Path) -> list[Row]:
         raise InputError(f"{table} is no table of evaluations ({str(error)!r}).") from error
 
 
-def _row(cells: Mapping[str, str]) -> Row:
-    """Return a row of the table.
-
-    Raises:
-        ValueError: its numbers are none that an evaluation can have.
-    """
-    row = Row(
+def _row(cells: Mapping[str, str]) -> EvaluationRow:
+    """Return a row of the table (ValueError: its numbers are none that an evaluation can have)."""
+    row = EvaluationRow(
         int(cells["steps"]), float(cells["seconds"]), int(cells["episodes"]),
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
     )  # fmt: skip
@@ -278,18 +278,14 @@ def _row(cells: Mapping[str, str]) -> Row:
 
 
 def _counts(path: Path) -> Counts:
-    """Return how far a checkpoint is.
-
-    Raises:
-        InputError: the file is damaged.
-    """
+    """Return how far a checkpoint is (InputError: the file is damaged)."""
     try:
         payload = _object(path)
         own = Counts(**payload)
         for name in ("steps", "updates", "episodes"):
-            if not 0 <= typed(getattr(own, name), int) < _MOST_STEPS:
+            if not 0 <= check_type(getattr(own, name), int) < _MOST_STEPS:
                 raise ValueError(f"{name} {getattr(own, name)}")
-        typed(own.cloned, bool)
+        check_type(own.cloned, bool)
         seconds, best = (float(v) for v in (own.seconds, own.best))
         return replace(own, seconds=seconds, best=best)
     except (ValueError, TypeError, OverflowError) as error:
@@ -297,16 +293,12 @@ def _counts(path: Path) -> Counts:
 
 
 def _object(path: Path) -> dict[str, Any]:
-    """Return the JSON object of a file.
-
-    Raises:
-        InputError: it is none.
-    """
+    """Return the JSON object of a file (InputError: it is none)."""
     raw = read_regular(path, "The run's", InputError, max_bytes=_MAX_BYTES)
     return parse_object(raw, f"{path}", InputError)
 
 
-def _write_rows(path: Path, rows: list[Row]) -> None:
+def _write_rows(path: Path, rows: list[EvaluationRow]) -> None:
     lines = [",".join(COLUMNS), *(",".join(f"{getattr(r, c)}" for c in COLUMNS) for r in rows)]
     write_whole(
         path / _EVALUATIONS,

@@ -84,7 +84,7 @@ class SlotVecEnv(VecEnv):
         """Step all slots; return what they see, their rewards, which ended, and their infos."""
         seen, rewards, terminated, truncated, infos = self.slots.step(self._actions)
         done = terminated | truncated
-        told = []
+        answers = []
         for k in range(self.num_envs):
             if done[k]:
                 own = row(infos["final_info"], k)
@@ -94,8 +94,8 @@ class SlotVecEnv(VecEnv):
                 self.reset_infos[k] = {n: v for n, v in began.items() if n not in _FINAL}
             else:
                 own = row(infos, k)
-            told.append(own)
-        return seen, rewards.astype(np.float32), done, told
+            answers.append(own)
+        return seen, rewards.astype(np.float32), done, answers
 
     def close(self) -> None:
         """Close the slots."""
@@ -103,11 +103,11 @@ class SlotVecEnv(VecEnv):
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
         """Return an attribute of some slots' environments."""
-        return [env.get_wrapper_attr(attr_name) for env in self._chosen(indices)]
+        return [env.get_wrapper_attr(attr_name) for env in self._choose(indices)]
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         """Set an attribute of some slots' environments."""
-        for env in self._chosen(indices):
+        for env in self._choose(indices):
             env.set_wrapper_attr(attr_name, value)
 
     def env_method(
@@ -119,13 +119,13 @@ class SlotVecEnv(VecEnv):
 
     def env_is_wrapped(self, wrapper_class: type[gym.Wrapper], indices: Any = None) -> list[bool]:
         """Tell which slots are wrapped so."""
-        return [is_wrapped(env, wrapper_class) for env in self._chosen(indices)]
+        return [is_wrapped(env, wrapper_class) for env in self._choose(indices)]
 
     def get_images(self) -> Sequence[np.ndarray | None]:
         """Return the slots' pictures."""
         return self.slots.render()
 
-    def _chosen(self, indices: Any) -> list[gym.Env]:
+    def _choose(self, indices: Any) -> list[gym.Env]:
         return [self.slots.envs[k] for k in self._get_indices(indices)]
 
 

@@ -16,17 +16,17 @@ from stable_baselines3.common.logger import Logger, configure
 from generator.errors import require, require_seed
 
 from .ending import StopAsked
-from .evaluating import Evaluation, evaluate
+from .evaluating import PolicyEvaluation, evaluate
 from .extra import PIP, tensorboard_there
 from .policies import policy_from, save_policy
-from .recipes import listed
+from .recipes import as_texts
 from .runs import BEST, LATEST, Counts, Run
 
 Say = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class Plan:
+class TrainingPlan:
     """What is asked of a training besides its recipe.
 
     Attributes:
@@ -49,7 +49,7 @@ class Plan:
 
     def __post_init__(self) -> None:
         require_seed(self.seed, 2**31 - 1)
-        require(self, "evaluate_every", "episodes", least=1, whole=True)
+        require(self, "evaluate_every", "episodes", minimum=1, integer=True)
 
 
 @dataclass
@@ -60,7 +60,7 @@ class Tracker:
     """
 
     run: Run
-    plan: Plan
+    plan: TrainingPlan
     trials: Any
     stop: threading.Event
     logger: Logger
@@ -105,12 +105,12 @@ class Tracker:
         )  # fmt: skip
         self._since = now
 
-    def _keep(self, model: BaseAlgorithm, seen: Evaluation | None, better: bool) -> None:
-        told = {} if seen is None else {
+    def _keep(self, model: BaseAlgorithm, seen: PolicyEvaluation | None, better: bool) -> None:
+        figures = {} if seen is None else {
             "solved": seen.solved, "episodes": seen.episodes, "tables": seen.tables,
-            "scenes": ", ".join(listed(self.run.recipe.held_out)),
+            "scenes": ", ".join(as_texts(self.run.recipe.held_out)),
         }  # fmt: skip
-        policy = policy_from(model, self.run.recipe, self.run.seed, told, self.counts.steps)
+        policy = policy_from(model, self.run.recipe, self.run.seed, figures, self.counts.steps)
         save_policy(policy, self.run.path / LATEST)
         if better:
             save_policy(policy, self.run.path / BEST)

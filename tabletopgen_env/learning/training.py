@@ -25,11 +25,11 @@ from ..tasks.registry import task_named
 from .demonstrations.cloning import CloningConfig, Round, clone
 from .demonstrations.replay import fill
 from .ending import StopAsked, heeding
-from .making import blank_model, many_envs, new_model, shared, single_env, source_of
+from .making import blank_model, count_shared, many_envs, new_model, single_env, source_of
 from .policies import policy_bytes, policy_from
 from .recipes import Recipe
-from .runs import Run, begin, differences, opened
-from .tracking import Plan, Progress, Say, Tracker, logger_of
+from .runs import Run, begin, differences, open_run
+from .tracking import Progress, Say, Tracker, TrainingPlan, logger_of
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Trained:
 def train(
     recipe: Recipe,
     out: str | Path,
-    plan: Plan | None = None,
+    plan: TrainingPlan | None = None,
     resume: bool = False,
     say: Say = print,
 ) -> Trained:
@@ -57,7 +57,7 @@ def train(
         recipe: how.
         out: the folder, made if it is missing.
         plan: the rest.
-        resume: go on with the run in ``out``, up to the recipe's steps.
+        resume: resume the run in ``out``, up to the recipe's steps.
         say: gets a line for each thing of note.
 
     Raises:
@@ -66,21 +66,21 @@ def train(
         SceneError: the scenes offer nothing to do, or nothing the expert can.
         StorageError: the folder cannot be written.
     """
-    out, plan = Path(out), plan or Plan()
+    out, plan = Path(out), plan or TrainingPlan()
     with ExitStack() as last:
         task = task_named(recipe.task, recipe.env.get("preset"))
         scenes = source_of(recipe.scenes, "train", recipe.variants, task)
         last.callback(close, scenes)
         held_out = source_of(recipe.held_out, "held_out", recipe.variants, task)
         last.callback(close, held_out)
-        both = shared(scenes, held_out)
+        both = count_shared(scenes, held_out)
         if both:
             say(f"{both} of the held-out scenes are trained on, too.")
         trials = single_env(recipe.task, recipe.env, held_out)
         last.callback(trials.close)
         _check(recipe, trials)
         there = out.exists()
-        run = _resumed(out, recipe, plan.seed) if resume else begin(out, recipe, plan.seed)
+        run = _resume(out, recipe, plan.seed) if resume else begin(out, recipe, plan.seed)
         last.enter_context(torch_threads(1))  # small networks are faster so
         stop = last.enter_context(heeding(say))
         logger = logger_of(run, say)
@@ -103,8 +103,8 @@ def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
     policy_bytes(policy_from(blank_model(recipe, env), recipe, 0))
 
 
-def _resumed(out: Path, recipe: Recipe, seed: int) -> Run:
-    run = opened(out)
+def _resume(out: Path, recipe: Recipe, seed: int) -> Run:
+    run = open_run(out)
     changed = differences(run.recipe, recipe)
     if changed or run.seed != seed:
         what = ", ".join(changed) or "the seed"
@@ -165,9 +165,9 @@ def _go_on(tracker: Tracker, model: BaseAlgorithm, refill: bool) -> None:
         callback.end()
 
 
-def _refill(model: OffPolicyAlgorithm, callback: Progress, most: int) -> None:
+def _refill(model: OffPolicyAlgorithm, callback: Progress, maximum: int) -> None:
     """Let the policy act, not learn, for as many steps as a new one would try at random."""
-    until = min(model.num_timesteps + model.learning_starts, most)
+    until = min(model.num_timesteps + model.learning_starts, maximum)
     _, called = model._setup_learn(until, callback, reset_num_timesteps=False)
     assert model.env is not None and model.replay_buffer is not None
     assert isinstance(model.train_freq, TrainFreq)  # since _setup_learn
@@ -200,11 +200,11 @@ def _clone_alone(tracker: Tracker, scenes: SceneSource) -> int:
     """Clone the expert, evaluated after each round; return the states it gave advice in."""
     model = new_model(tracker.run.recipe, tracker.trials, tracker.plan.seed)
 
-    def told(r: Round) -> None:
+    def report(r: Round) -> None:
         tracker.evaluate(model, r.states)
 
     with suppress(StopAsked):
-        _clone(tracker, model, scenes, told)
+        _clone(tracker, model, scenes, report)
     tracker.checkpoint(model, tracker.counts.steps)
     return tracker.counts.steps
 
@@ -220,7 +220,7 @@ def _clone(
     config = cloning_config(recipe)
     assert isinstance(model, SAC)
 
-    def told(r: Round) -> None:
+    def report(r: Round) -> None:
         tracker.learned = True
         tracker.say(
             f"round {r.number + 1}: {r.states:,} states, {100 * r.solved:.0f} % of its episodes "
@@ -233,7 +233,7 @@ def _clone(
 
     env = single_env(recipe.task, recipe.env, scenes)
     try:
-        clone(model, env, config, tracker.plan.seed, told)
+        clone(model, env, config, tracker.plan.seed, report)
     finally:
         env.close()
 

@@ -43,7 +43,7 @@ of the vertical over the end of the way entry 6 is 0.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from jaxtyping import Float
@@ -54,26 +54,17 @@ from generator.geometry import rotation_yaw, rotation_z, wrap
 from ..expert.arm import turn_left
 from ..expert.driver import NEAR
 from ..expert.path import ROOM, clear_height
-from ..expert.planning.choosing import Chooser, Plan, choose
-from ..expert.planning.dropping import (
-    Drop,
-    breadth,
-    hanging,
-    let_go_at,
-    lift_of,
-    lost,
-)
+from ..expert.planning.choosing import Chooser, GraspPlan, choose
+from ..expert.planning.dropping import Drop, breadth, hanging, let_go_at, lift_of, lost
 from ..expert.planning.grasps import TIP, Grasp
 from ..expert.planning.placing import Placer, middle_place, plan_place
 from ..expert.planning.plans import first_plan
 from ..goals.goal import Pushed, Raised
+from ..rendering.config import HintKind
 
 if TYPE_CHECKING:
     from ..goals.goal import Goal
     from ..world.world import World
-
-HintKind = Literal["planned", "detected"]
-"""Who says where to grasp and where to let go."""
 
 HINT_BOUNDS = np.array([3.0] * 3 + [7.0] + [0.1] * 2 + [3.0] + [1.0])
 """Largest magnitude of each entry."""
@@ -86,17 +77,13 @@ _OFF = 0.01  # metres above where it lay at which an object that lies still agai
 _HIGH = 0.035  # the same, at which its place is planned
 
 
-def _planned() -> tuple[Chooser, Placer]:
-    return choose, plan_place
-
-
-def _detected() -> tuple[Chooser, Placer]:
+def _detectors() -> tuple[Chooser, Placer]:
     from ..detection.detector import read_detector
 
     return read_detector(), middle_place
 
 
-_ANSWERS = {"planned": _planned, "detected": _detected}
+_ANSWERS = {"planned": lambda: (choose, plan_place), "detected": _detectors}
 
 
 def misread(
@@ -107,11 +94,8 @@ def misread(
 ) -> Float[np.ndarray, "8"]:
     """Return the entries as sensors that err give them.
 
-    Args:
-        entries: as things are.
-        target: by how much the reading of its place errs, base frame, metres.
-        tool: the same of the tool centre point.
-        yaw: by how much that of the hand's yaw does, radians.
+    ``target`` and ``tool`` are by how much the readings of the places err, base frame, metres,
+    ``yaw`` by how much that of the hand's yaw does, radians.
     """
     if not entries[-1]:
         return entries
@@ -128,21 +112,19 @@ def misread(
 class GraspHint:
     """The grasp of the active target, carried along with the object, and then its place.
 
-    Args:
-        kind: whether the expert's planners are asked, or the detector.
-
-    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
-    was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned,
-    ``choose`` who is asked for one.
+    ``kind`` says whether the expert's planners are asked, or the detector. A grasp is planned anew
+    when the object has come to rest elsewhere, untouched by the robot, or was lost. ``drop`` is the
+    place while there is one, ``planned`` the grasp as it was planned, ``choose`` who is asked for
+    one.
     """
 
     def __init__(self, kind: HintKind = "planned") -> None:
         self.kind: HintKind = kind
         self.choose, self._place = _ANSWERS[kind]()
-        self.planned: Plan | None = None
+        self.planned: GraspPlan | None = None
         self.drop: Drop | None = None
         self._target: str | None = None
-        self._lost: tuple[Plan, ...] = ()
+        self._lost: tuple[GraspPlan, ...] = ()
         self._raised = False
         # How the target lay when ``_take`` was last called, and the height of its grasp.
         self._rotation: Float[np.ndarray, "3 3"] = np.eye(3)
@@ -159,18 +141,18 @@ class GraspHint:
         if goal.target is not None:
             self._take(world, goal.target)
 
-    def plan(self, world: World, name: str) -> Plan | None:
+    def plan(self, world: World, name: str) -> GraspPlan | None:
         """Return the grasp of an object where it is now; None if it is not the active target."""
         if self.planned is None or self._target != name:
             return None
-        return self._carried(world, name, self.planned)
+        return self._carry(world, name, self.planned)
 
     def entries(self, world: World, goal: Goal) -> Float[np.ndarray, "8"]:
         """Return the entries as things are, after planning anew if need be."""
         name = self._target
         if name is None:
             return np.zeros(8)
-        left, right, any_part = world.touched(name)
+        left, right, any_part = world.touches(name)
         if self._raised and lost(world, goal):
             self._take(world, name, blamed=True)
         elif not self._raised and not any_part and self._is_elsewhere(world, name):
@@ -203,7 +185,7 @@ class GraspHint:
     def _take(self, world: World, name: str, blamed: bool = False) -> None:
         """Plan a grasp; the last one, if it is to be ``blamed``, and those before rank last."""
         lost = (*self._lost, self.planned) if blamed and self.planned else self._lost
-        self._lost = tuple(self._carried(world, name, plan) for plan in lost)
+        self._lost = tuple(self._carry(world, name, plan) for plan in lost)
         started = world.data.time > 0
         failed = tuple(plan.grasp for plan in self._lost)
         if started:
@@ -214,13 +196,13 @@ class GraspHint:
         self._rotation, self._seen = world.rotation(name), world.position(name)
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
 
-    def _carried(self, world: World, name: str, plan: Plan) -> Plan:
+    def _carry(self, world: World, name: str, plan: GraspPlan) -> GraspPlan:
         """Return a grasp of the object as it lay when ``_take`` was last called as it is now."""
         turned = world.rotation(name) @ self._rotation.T
         at, turn, old = world.position(name), rotation_yaw(turned), plan.grasp
         point = at + turned @ (old.point - plan.seen)
         grasp = Grasp(point, old.angle + turn, old.opening, old.width, old.score)
-        return Plan(grasp, wrap(plan.yaw + turn), at)
+        return GraspPlan(grasp, wrap(plan.yaw + turn), at)
 
     def _is_elsewhere(self, world: World, name: str) -> bool:
         """Return whether the object rests at another place, or tilted, since the last plan."""

@@ -53,18 +53,18 @@ The modes
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from gymnasium import spaces
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from generator.errors import InputError, choices
 from generator.geometry import rotation_yaw, wrap
 
+from ..rendering.config import ObservationConfig
 from ..rendering.point_cloud import point_cloud_spaces
-from ..rendering.views import SLOTS, ObservationConfig
+from ..rendering.views import SLOTS, picture_spaces
 from ..robot.kinematics import forward
 from ..robot.panda import HOME_CTRL
 from ..tasks.task import center
@@ -73,11 +73,6 @@ from .grasp_hint import HINT_BOUNDS, misread
 
 if TYPE_CHECKING:
     from ..goals.goal import Goal
-
-ObservationMode = Literal[
-    "state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state"
-]
-MODES: tuple[ObservationMode, ...] = get_args(ObservationMode)
 
 ROBOT_BOUNDS = np.array(
     [4.0] * 7 + [10.0] * 7 + [0.1] + [3.0] * 3 + [1.0] * 6 + [4.0] * 7 + [1.0] * 3 + [3.0] * 6
@@ -109,19 +104,9 @@ def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
     return spaces.Box(-high, high, dtype=np.float32)
 
 
-def observation_space(
-    mode: str, config: ObservationConfig, goals: int = 1, hint: bool = False
-) -> spaces.Space[Any]:
-    """Return the space of an observation mode.
-
-    ``goals`` is how many goals a goal vector has room for, ``hint`` whether the state ends with a
-    grasp of the target.
-
-    Raises:
-        InputError: no such mode.
-    """
-    if mode not in MODES:
-        raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
+def observation_space(config: ObservationConfig, goals: int = 1) -> spaces.Space[Any]:
+    """Return the space of an observation; ``goals`` is how many a goal vector has room for."""
+    mode, hint = config.mode, bool(config.grasp_hint)
     full, bare = _bounds(hint, bare=False), _bounds(hint, bare=True)
     if mode == "state":
         return _box(full)
@@ -134,7 +119,7 @@ def observation_space(
             }
         )
     pixels = mode.startswith("pixels")
-    entries = config.picture_spaces() if pixels else point_cloud_spaces(config.points)
+    entries = picture_spaces(config) if pixels else point_cloud_spaces(config.points)
     if mode.endswith("+state"):
         entries["state"] = _box(full)
     return spaces.Dict(entries)
@@ -176,7 +161,7 @@ def robot_state(world: World, goal: Goal, noise: Noise | None = None) -> Float[n
         joints = joints + noise.joints
         at = tcp if goal.target is None else at + noise.positions[0]
     command = data.ctrl[world.actuators]
-    left, right, _ = (False,) * 3 if goal.target is None else world.touched(goal.target)
+    left, right, _ = (False,) * 3 if goal.target is None else world.touches(goal.target)
     state = np.empty(len(ROBOT_BOUNDS))
     state[0:7] = joints
     state[7:14] = data.qvel[world.arm_dof]
@@ -223,15 +208,10 @@ def flat_state(
     noise: Noise | None = None,
     hint: Float[np.ndarray, "8"] | None = None,
 ) -> Float[np.ndarray, "n"]:
-    """Return the flat state; ``bare`` leaves the goal's entries out.
+    """Return the flat state, objects in the slots' ``order``, the target first.
 
-    Args:
-        world: the world.
-        order: the objects in slot order, the target first.
-        goal: the active goal.
-        bare: return entries 0-267 alone.
-        noise: of this reading; None is none.
-        hint: the entries of ``grasp_hint``, the last ones; None for a state without.
+    ``bare`` leaves out all but entries 0-267; ``noise`` is that of this reading, None none;
+    ``hint`` the entries of ``grasp_hint``, the last ones.
     """
     bounds = _bounds(hint is not None, bare)
     robot, slots = robot_state(world, goal, noise), object_slots(world, order, noise)

@@ -1,12 +1,12 @@
-"""Domain randomisation: what differs from one episode to the next, though the scene is the same.
+"""Domain randomisation: what differs between episodes of the same scene.
 
-Without it (``randomization=None``, as environments come) an episode's start follows from its
-scene, target and goal alone: where one of these is drawn anew, as marked spots are, episodes
-differ, but Lift at one table has as many starts as the table has things to lift.
-``randomization="starts"`` puts the arm a little off and the things up to 3 cm along x and y and 15
-degrees from where the scene has them, as ``certify``, ``record`` and training recipes do; "light"
-randomises everything else a little, but for delays and distractors, "strong" everything else,
-much, and a ``Randomization`` what is asked for.
+Without it (``randomization=None``, the default) an episode's start follows from its scene, target
+and goal alone. Episodes differ where one of these is drawn, as marked spots are, but Lift at one
+table has only as many starts as the table has things to lift. ``randomization="starts"`` puts the
+arm a little off and the things up to 3 cm along x and y and 15 degrees from where the scene has
+them, as ``certify``, ``record`` and training recipes do; "light" randomises everything else a
+little, except delays and distractors; "strong" randomises everything else strongly; a
+``Randomization`` sets each switch.
 
 Each switch is off until its settings say otherwise, and draws from a random stream of its own, so
 that turning one on or changing it leaves the draws of the others as they were; which of the draws

@@ -1,4 +1,4 @@
-"""Where things stand, and which of them are there at all.
+"""Where things stand, and which of them are present.
 
 Things that carry or touch one another, a bowl and its fruit, a book and what leans on it, are one
 *bundle*: they are moved and taken away together, so that nothing loses its support.
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from generator.geometry import inside_margin, rotation_z
+from generator.geometry import inside_margin, rotation_z, turned_quaternion
 from generator.scene import Object, Pose, Scene
 
 from ..affordance import footprint
@@ -80,8 +80,8 @@ def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
     before, root = world.scene, bundles(world)
     moves = dict(drawn)
     while moves:
-        world.rearrange(moved(before, root, moves))
-        bad = _misplaced(world, before, root, set(moves))
+        world.rearrange(move(before, root, moves))
+        bad = _find_misplaced(world, before, root, set(moves))
         if not bad:
             break
         moves = {name: move for name, move in moves.items() if name not in bad}
@@ -91,7 +91,7 @@ def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
     return [name for name in drawn if name not in moves]
 
 
-def moved(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]) -> Scene:
+def move(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]) -> Scene:
     """Return the scene with bundles moved (x, y) and turned about their first object."""
     objects = []
     for thing in scene.objects:
@@ -99,24 +99,22 @@ def moved(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]
         if first in moves:
             x, y, turn = moves[first]
             centre = scene.object(first).pose.position
-            thing = _moved(thing, centre, np.array([x, y, 0.0]), turn)
+            thing = _move_object(thing, centre, np.array([x, y, 0.0]), turn)
         objects.append(thing)
     return scene.replace(objects=tuple(objects))
 
 
-def _moved(
+def _move_object(
     thing: Object, centre: Float[np.ndarray, "3"], move: Float[np.ndarray, "3"], turn: float
 ) -> Object:
     """Return a thing moved, and turned about the vertical through ``centre``."""
-    rotation, half = rotation_z(turn), turn / 2
-    position = centre + rotation @ (thing.pose.position - centre) + move
-    w, x, y, z = thing.pose.quaternion
-    c, s = np.cos(half), np.sin(half)
-    turned = np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
-    return replace(thing, pose=Pose(position, turned))
+    position = centre + rotation_z(turn) @ (thing.pose.position - centre) + move
+    return replace(thing, pose=Pose(position, turned_quaternion(thing.pose.quaternion, turn)))
 
 
-def _misplaced(world: World, before: Scene, root: Mapping[str, str], movers: set[str]) -> set[str]:
+def _find_misplaced(
+    world: World, before: Scene, root: Mapping[str, str], movers: set[str]
+) -> set[str]:
     """Return which of the ``movers`` have to stay: over the edge, overlapping, not at rest."""
     import mujoco
 
@@ -191,13 +189,7 @@ def leaving(
 ) -> tuple[str, ...]:
     """Return which objects go, in ``order``, so that at most ``most`` stay beside those needed.
 
-    Needed are those in ``keep`` with their bundles. Others go with their whole bundle.
-
-    Args:
-        root: the bundles.
-        keep: objects that have to stay.
-        most: how many others may.
-        order: the objects, those that are to go first first.
+    Needed are those in ``keep`` with their bundles (``root``). Others go with their whole bundle.
     """
     needed = {root[name] for name in keep}
     loose = [name for name in root if root[name] not in needed]

@@ -27,7 +27,7 @@ def _factors(span: Range, count: int, rng: np.random.Generator) -> Float[np.ndar
 
 
 def draw_mass(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the factor of each object's mass; what the hand can carry it still can."""
+    """Draw the factor of each object's mass; what the hand can carry stays light enough."""
     factors = _factors(settings.mass, len(world.names), rng)
     mass = world.model.body_mass[world.bodies]
     factors = np.where(mass <= MAX_MASS, np.minimum(factors, MAX_MASS / mass), factors)
@@ -35,7 +35,7 @@ def draw_mass(settings: Randomization, world: World, rng: np.random.Generator) -
 
 
 def apply_mass(world: World, drawn: dict[str, Any]) -> None:
-    """Scale masses and inertias; what MuJoCo derives from them is the caller's to renew."""
+    """Scale masses and inertias; the caller updates what MuJoCo derives from them."""
     factors = np.array([drawn[name] for name in world.names])
     world.model.body_mass[world.bodies] *= factors
     world.model.body_inertia[world.bodies] *= factors[:, None]

@@ -1,4 +1,4 @@
-"""Whether an episode can be played from where its things start: what is to be moved can be."""
+"""Whether an episode can be played from its start: the things to move can be moved."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from jaxtyping import Float
 from generator.geometry import rotation_yaw, wrap
 
 from ..expert.arm import stretch, up
-from ..expert.planning.choosing import HOVER, Plan, choose
+from ..expert.planning.choosing import HOVER, GraspPlan, choose
 from ..expert.planning.grasps import grasps_along, is_like
 from ..expert.planning.plans import first_plan
 from ..expert.planning.strokes import plan_stroke
@@ -23,12 +23,7 @@ if TYPE_CHECKING:
 
 
 class Feasible:
-    """What is asked of a start: made at the start of a scene, asked once things are moved.
-
-    Args:
-        world: the world, at the start of its scene.
-        goals: what the episode asks for.
-    """
+    """Requirements on a start, built at the start of a scene and checked once things are moved."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._world = world
@@ -42,10 +37,10 @@ class Feasible:
         )
 
     def now(self) -> bool:
-        """Return whether it can be done from where things are now.
+        """Return whether the goals can be reached from where things are now.
 
-        Nothing touches the robot, what is to be pushed has a stroke, and of what is to be taken
-        and had a grasp that the arm reaches, the arm reaches one still.
+        Nothing touches the robot, what is to be pushed has a stroke, and what had a reachable grasp
+        still has one.
         """
         world = self._world
         return (
@@ -59,7 +54,7 @@ class Feasible:
 
 def touches_robot(world: World) -> bool:
     """Return whether a thing touches the robot."""
-    return any(world.touched(name)[2] for name in world.names)
+    return any(world.touches(name)[2] for name in world.names)
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +62,7 @@ class _Taken:
     """A thing to take, with a grasp of it at a place (metres) and rotation, world frame."""
 
     name: str
-    plan: Plan
+    plan: GraspPlan
     position: Float[np.ndarray, "3"]
     rotation: Float[np.ndarray, "3 3"]
 

@@ -61,11 +61,11 @@ def apply_cameras(world: World, drawn: dict[str, Any]) -> None:
     for name, change in drawn.items():
         camera = world.model.camera(CAMERAS[name])
         camera.pos[:] += change["move"]
-        camera.quat[:] = _turned(camera.quat, np.array(change["turn"]))
+        camera.quat[:] = _turn(camera.quat, np.array(change["turn"]))
         camera.fovy[:] *= change["fov"]
 
 
-def _turned(
+def _turn(
     quaternion: Float[np.ndarray, "4"], turn: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "4"]:
     """Return a wxyz quaternion turned by a rotation vector in its own frame."""

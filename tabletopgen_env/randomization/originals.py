@@ -1,4 +1,4 @@
-"""A compiled world as it was before anything was randomised."""
+"""The state of a compiled world before randomisation."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _HEADLIGHT = ("ambient", "diffuse")
 
 @dataclass(frozen=True, eq=False)
 class Originals:
-    """All of a world that randomising it may change."""
+    """Everything in a world that randomisation may change."""
 
     arrays: Mapping[str, Shaped[np.ndarray, "..."]]
     headlight: Mapping[str, Shaped[np.ndarray, "3"]]
@@ -53,7 +53,7 @@ class Originals:
         )
 
     def restore(self, world: World) -> None:
-        """Put all of it back into the world it was taken from, to the bit."""
+        """Restore the world it was copied from, bit for bit."""
         model = world.model
         for name, array in self.arrays.items():
             getattr(model, name)[:] = array

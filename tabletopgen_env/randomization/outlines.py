@@ -1,4 +1,4 @@
-"""Convex outlines on the table, seen from above: carried about, and how far they are apart."""
+"""Convex outlines on the table, seen from above: moves and distances."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def hull(outlines: Sequence[Outline]) -> Outline:
     return outlines[0] if len(outlines) == 1 else convex_outline(np.concatenate(outlines))
 
 
-def carried(
+def carry(
     outline: Outline, centre: Float[np.ndarray, "2"], moves: Float[np.ndarray, "c 3"]
 ) -> Float[np.ndarray, "c k 2"]:
     """Return an outline turned about ``centre`` and moved, for each move (x, y, turn)."""

@@ -1,4 +1,4 @@
-"""Randomises worlds at reset, and readings and actions in between."""
+"""Randomises worlds at reset, and readings and actions at each step."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from jaxtyping import Float
 
-from ..goals.goal import begun, named_by
+from ..goals.goal import begin_goals, named_by
 from ..observations.modes import Noise
 from ..rendering.views import SLOTS
 from ..tasks.task import Episode
@@ -41,14 +41,11 @@ _MODEL: Mapping[str, tuple[Draw, Apply]] = MappingProxyType(
 
 
 class Randomizer:
-    """Applies a ``Randomization`` to the worlds of one environment, episode by episode.
-
-    Args:
-        choice: the settings, the name of a preset, or None for none.
+    """Applies a ``Randomization``, or the preset of a name, to one environment's worlds by episode.
 
     Call ``restart`` once per episode, ``begin`` with the world before the task is drawn (in place
-    of ``World.reset``; as often as worlds are tried), and ``finish`` after it. A copy knows of no
-    worlds.
+    of ``World.reset``; as often as worlds are tried), and ``finish`` after it. A copy starts
+    without worlds.
     """
 
     def __init__(self, choice: Randomization | str | None) -> None:
@@ -72,12 +69,12 @@ class Randomizer:
         return bool(self._drawn.get("poses", {}).get("moved"))
 
     def restart(self, rng: np.random.Generator) -> None:
-        """Take a new random stream from ``rng``, whose own draws stay what they were."""
+        """Derive a new random stream from ``rng`` without changing its own draws."""
         if self._on:
             self._seed = int(rng.spawn(1)[0].integers(2**63))
 
     def begin(self, world: World) -> None:
-        """Undo what the world's last episode changed, draw anew, and put it at its start."""
+        """Undo what the world's last episode changed, draw again, and reset the world."""
         import mujoco
 
         self._drawn, self._late = {}, deque()
@@ -109,7 +106,7 @@ class Randomizer:
         self.__dict__.update(state, _originals=WeakKeyDictionary())
 
     def finish(self, world: World, episode: Episode) -> Episode:
-        """Put the start a little off, and take objects away that the episode does not need.
+        """Perturb the start, and remove objects that the episode does not need.
 
         Returns the episode as it begins there.
         """
@@ -117,7 +114,7 @@ class Randomizer:
             self._drawn["start"] = starting.start_off(
                 world, episode.goals, self.settings, self._stream("start")
             )
-            episode = begin(world, begun(world, episode.goals))
+            episode = begin(world, begin_goals(world, episode.goals))
         if "distractors" in self._on:
             self._leave(world, named_by(episode.goals))
         return episode
@@ -134,8 +131,8 @@ class Randomizer:
         if world in self._originals:
             self._originals[world].restore(world)
 
-    def delayed(self, action: Float[np.ndarray, "a"]) -> Float[np.ndarray, "a"] | None:
-        """Return the action to carry out now that ``action`` is asked for; None is none yet."""
+    def delay(self, action: Float[np.ndarray, "a"]) -> Float[np.ndarray, "a"] | None:
+        """Return the delayed action for ``action``; None until the delay has elapsed."""
         if "delay" not in self._on:
             return action
         self._late.append(action)

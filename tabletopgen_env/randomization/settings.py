@@ -30,7 +30,7 @@ SWITCHES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "start": ("start_joints", "start_move", "start_turn"),
     }
 )
-"""The settings of each switch; it is off while all of them are as they come."""
+"""The settings of each switch; a switch is off while all of them have their defaults."""
 
 _MOST: Mapping[str, float] = MappingProxyType(
     {
@@ -57,7 +57,7 @@ _LATEST = 100
 
 @dataclass(frozen=True)
 class Randomization:
-    """How far each thing may differ; as it comes, nothing does. Draws are uniform.
+    """Ranges of the randomisation; by default nothing is randomised. Draws are uniform.
 
     Args:
         light_turn: largest turn of the sun's direction about each axis, radians, to pi/2.
@@ -85,8 +85,8 @@ class Randomization:
         start_turn: the same of their turn about the vertical, radians, to pi.
 
     Raises:
-        InputError: a setting that there is not, a value that is negative, beyond its limit or no
-            number, a factor of zero, a range whose low end is above its high end.
+        InputError: an unknown setting, a value that is negative, above its limit or no number, a
+            factor of zero, a range whose low end is above its high end.
     """
 
     light_turn: float = 0.0
@@ -113,7 +113,7 @@ class Randomization:
     start_turn: float = 0.0
 
     def __new__(cls, *given: Any, **settings: Any) -> Randomization:
-        """Refuse settings that there are not, with what there is."""
+        """Refuse unknown settings; the message lists the known ones."""
         known = [field.name for field in fields(cls)]
         for name in settings:
             if name in SWITCHES and name not in known:
@@ -125,8 +125,8 @@ class Randomization:
 
     def __post_init__(self) -> None:
         for name, most in _MOST.items():
-            require(self, name, least=0, most=most)
-        require(self, "delay", least=0, most=_LATEST, whole=True)
+            require(self, name, minimum=0, maximum=most)
+        require(self, "delay", minimum=0, maximum=_LATEST, integer=True)
         for name in _RANGES:
             low, high = self._pair(name, "two factors (low, high) above 0")
             if not (_number(low) and _number(high) and 0 < low <= high):

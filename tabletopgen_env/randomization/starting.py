@@ -31,17 +31,12 @@ from jaxtyping import Bool, Float
 from generator.geometry import inside_margin
 from generator.scene import TABLE, Scene
 
-from ..goals.goal import (
-    Goal,
-    OnSpot,
-    Pushed,
-    named_by,
-)
+from ..goals.goal import Goal, OnSpot, Pushed, named_by
 from ..robot.mount import CLEARANCE, TALL, obstacle
 from ..world.workspace import FREE_MARGIN
-from .arranging import bundles, moved
+from .arranging import bundles, move
 from .feasible import Feasible, touches_robot
-from .outlines import Outline, apart, carried, hull, keeps, near
+from .outlines import Outline, apart, carry, hull, keeps, near
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -70,16 +65,10 @@ def start_off(
 ) -> dict[str, Any]:
     """Put the arm and the things at an episode's start a little off; return by how much.
 
-    Args:
-        world: the world, at its start; it is left at the new one.
-        goals: what the episode asks for.
-        settings: how far.
-        rng: draws; as much for every world of as many things.
-
-    Returns:
-        "joints": the seven angles added to the arm's, rad (zeros where the arm would touch
-        something); "moved": the move (x, y, metres) and turn (rad) of each bundle that is
-        displaced, by its first thing.
+    The world, at its start, is left at the new one. ``rng`` draws as much for every world of as
+    many things. Returned are "joints", the seven angles added to the arm's, rad (zeros where the
+    arm would touch something); and "moved", the move (x, y, metres) and turn (rad) of each bundle
+    that is displaced, by its first thing.
     """
     joints = rng.uniform(-settings.start_joints, settings.start_joints, 7)
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])
@@ -87,7 +76,7 @@ def start_off(
     before, home = world.scene, world.data.qpos[world.arm_qpos].copy()
     feasible = Feasible(world, goals)
     for share in (1.0, LESS) if most.any() else ():
-        moves = _displaced(world, goals, share * tries)
+        moves = _displace(world, goals, share * tries)
         world.place_arm(home + joints)
         if feasible.now():
             break
@@ -102,7 +91,7 @@ def start_off(
     return {"joints": joints.tolist(), "moved": moves}
 
 
-def _displaced(
+def _displace(
     world: World, goals: Sequence[Goal], tries: Float[np.ndarray, "n c 3"]
 ) -> dict[str, list[float]]:
     """Displace the bundles by what will do of ``tries``; return how each was, by its first."""
@@ -126,13 +115,13 @@ class _Zone:
     of: tuple[str, ...]
     carrier: str | None = None
 
-    def carried(
+    def carry(
         self, first: str, centre: Float[np.ndarray, "2"], move: Float[np.ndarray, "3"]
     ) -> _Zone:
         """Return the zone once a bundle is moved (x, y) and turned about its centre."""
         if first != self.carrier:
             return self
-        return replace(self, outline=carried(self.outline, centre, move[None])[0])
+        return replace(self, outline=carry(self.outline, centre, move[None])[0])
 
 
 class _Tabletop:
@@ -158,21 +147,21 @@ class _Tabletop:
     def displace(self, first: str, tries: Float[np.ndarray, "c 3"]) -> None:
         """Move a bundle by the first of ``tries`` (x, y, turn) that will do, if one does."""
         centre = self._before.object(first).pose.position[:2]
-        own = carried(self._outlines[first], centre, tries)
-        good = self._on_table(first, own) & self._reached(first, tries)
+        own = carry(self._outlines[first], centre, tries)
+        good = self._on_table(first, own) & self._in_reach(first, tries)
         good &= self._clear(first, own, centre, tries)
         for k in np.flatnonzero(good):
             moves = {**self.moves, first: tries[k].tolist()}
             if self._in_the_way(moves):
                 continue
             self.moves, self._outlines[first] = moves, own[k]
-            self._zones = [zone.carried(first, centre, tries[k]) for zone in self._zones]
+            self._zones = [zone.carry(first, centre, tries[k]) for zone in self._zones]
             return
 
     @property
     def scene(self) -> Scene:
         """The scene as its things stand now."""
-        return moved(self._before, self._root, self.moves)
+        return move(self._before, self._root, self.moves)
 
     def _free(self, first: str) -> bool:
         """Return whether a bundle stands on the table alone, wholly."""
@@ -194,7 +183,7 @@ class _Tabletop:
         clear = min(CLEARANCE, float(apart(self._then[first][None], base)[0]))
         return (inner >= edge) & (apart(own, base) >= clear)
 
-    def _reached(self, first: str, tries: Float[np.ndarray, "c 3"]) -> Bool[np.ndarray, "c"]:
+    def _in_reach(self, first: str, tries: Float[np.ndarray, "c 3"]) -> Bool[np.ndarray, "c"]:
         """Return which moves leave in the arm's reach what was."""
         good = np.ones(len(tries), bool)
         centre = self._before.object(first).pose.position
@@ -202,7 +191,7 @@ class _Tabletop:
             if self._root[thing.name] != first:
                 continue
             at = thing.pose.position
-            ends = carried(at[None, :2], centre[:2], tries)[:, 0]
+            ends = carry(at[None, :2], centre[:2], tries)[:, 0]
             points = np.column_stack([ends, np.full(len(tries), at[2])])
             if self._world.mount.reaches(at[None])[0]:
                 good &= self._world.mount.reaches(points)
@@ -223,7 +212,7 @@ class _Tabletop:
                 good &= keeps(own, outline, self._then[first], self._then[other], room)
         for zone in self._zones:
             if zone.carrier == first:
-                along = carried(zone.outline, centre, tries)
+                along = carry(zone.outline, centre, tries)
                 for other, outline in self._outlines.items():
                     if other not in zone.of:
                         good &= keeps(along, outline, zone.outline, self._then[other], 0.0)
@@ -237,7 +226,7 @@ class _Tabletop:
         high = before.table.height + TALL
         if all(o.pose.position[2] + np.linalg.norm(o.scale) / 2 < high for o in before.objects):
             return False
-        scene = moved(before, self._root, moves)
+        scene = move(before, self._root, moves)
         return any(
             obstacle(scene, mount, name) and not obstacle(before, mount, name)
             for name in self._named

@@ -4,13 +4,30 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 from pathlib import Path
+from typing import Annotated
+
+from tyro.conf import OmitArgPrefixes
 
 from .config import Format, RecordConfig
 from .recorder import record as run
 
 
-def record(config: RecordConfig, out: Path | None, format: Format, workers: int) -> None:
-    """Record, show how far it is on standard error, and print where the dataset is."""
+def record(
+    config: Annotated[RecordConfig, OmitArgPrefixes],
+    *,
+    out: Path | None = None,
+    format: Format = "minari",
+    workers: int = 1,
+) -> None:
+    """Record the scripted expert's demonstrations of a task as a dataset.
+
+    Args:
+        config: What to record.
+        out: The dataset's own folder, or file (hdf5). A Minari dataset's name ends with its
+            version: data/lift-v0. Left out, it goes into your Minari store.
+        format: Its format.
+        workers: Processes; the result does not depend on them.
+    """
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
@@ -21,7 +38,7 @@ def record(config: RecordConfig, out: Path | None, format: Format, workers: int)
     shown = progress.add_task(config.name, total=config.episodes, note="")
     with ExitStack() as running:
 
-        def told(kept: int, tried: int) -> None:
+        def report(kept: int, tried: int) -> None:
             nonlocal played
             if not tried:  # what is wrong is told before, without a bar
                 running.enter_context(progress)
@@ -29,7 +46,7 @@ def record(config: RecordConfig, out: Path | None, format: Format, workers: int)
             note = f"of {tried} played" if tried > kept else ""
             progress.update(shown, completed=kept, note=note)
 
-        path = run(config, out, format, workers, told)
+        path = run(config, out, format, workers, report)
     print(f"{path}: {config.episodes} episodes of {played} played")
     if format == "minari":
         print(f'  MINARI_DATASETS_PATH={path.parent}  minari.load_dataset("{path.name}")')

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from generator.errors import InputError, choices, require, require_seed
 
+from ..rendering.config import CameraName
 from ..rendering.kinds import Kind
-from ..rendering.views import CameraName
 from ..tasks.names import NAMES
 
 if TYPE_CHECKING:
@@ -68,9 +68,9 @@ class RecordConfig:
         """
         if self.name not in NAMES:
             raise InputError(f"Unknown task {self.task!r}." + choices(self.name, NAMES))
-        require(self, "episodes", least=1, whole=True)
+        require(self, "episodes", minimum=1, integer=True)
         require_seed(self.seed, LARGEST_SEED)
-        require(self, "noise", least=0)
+        require(self, "noise", minimum=0)
 
     def environment(self) -> gym.Env[Any, Any]:
         """Return the environment to record in; its spec makes the same one again.

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import atexit
 from collections import deque
 from collections.abc import Generator, Mapping, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Future
+from contextlib import closing
 from contextvars import ContextVar
 from dataclasses import dataclass
+from functools import partial
 from itertools import count
-from multiprocessing import get_context
-from multiprocessing.util import Finalize
 from typing import Any
 
 import gymnasium as gym
@@ -18,6 +18,7 @@ import numpy as np
 from jaxtyping import Float, Shaped
 
 from generator.errors import SceneError
+from generator.jobs.workers import WorkerPool
 
 from ..learning.demonstrations.recorded import demonstrate
 from .config import RecordConfig
@@ -30,7 +31,7 @@ Columns = dict[str, "Shaped[np.ndarray, 't1'] | list[str] | Columns"]
 
 
 @dataclass(frozen=True, eq=False)
-class Played:
+class RecordedEpisode:
     """One episode of ``t`` steps; see the package's page."""
 
     observations: Shaped[np.ndarray, "t1 ..."] | dict[str, Shaped[np.ndarray, "t1 ..."]]
@@ -53,17 +54,13 @@ class Played:
         }
 
 
-def played(
+def play_episodes(
     config: RecordConfig, env: gym.Env[Any, Any], workers: int
-) -> Generator[Played | SceneError, None, None]:
+) -> Generator[RecordedEpisode | SceneError, None, None]:
     """Yield one episode after the other without end, or why there is none to keep.
 
-    Which they are does not depend on the number of ``workers``. Close it when done with it.
-
-    Args:
-        config: what to record.
-        env: where a single worker plays; several make one each of their own.
-        workers: processes.
+    Which they are does not depend on the number of ``workers``, of which a single one plays in
+    ``env``. Close it when done with it.
 
     Raises:
         SceneError: a process has ended abruptly.
@@ -71,22 +68,14 @@ def played(
     if workers == 1:
         yield from (_attempt(config, env, number) for number in count())
     few = min(CHUNK, -(-config.episodes // workers))
-    pool = ProcessPoolExecutor(workers, get_context("spawn"), _begin, (config,))
-    try:
+    with closing(WorkerPool(workers, begin=partial(_begin, config))) as pool:
         numbers, begun = count(0, few), count(0, few)
-        ahead: deque[Future[list[Played | SceneError]]] = deque()
+        ahead: deque[Future[list[RecordedEpisode | SceneError]]] = deque()
         for done in numbers:
             wanted = max(-(-(config.episodes - done) // few), 1)  # if all of them are kept
             while len(ahead) < min(2 * workers, wanted):
                 ahead.append(pool.submit(_chunk, config, next(begun), few))
             yield from ahead.popleft().result()
-    except BrokenProcessPool as error:
-        raise SceneError(
-            "A process that played episodes has ended abruptly: killed, or out of memory. Use "
-            "fewer workers. A script calls record under `if __name__ == '__main__':`."
-        ) from error
-    finally:
-        pool.shutdown(cancel_futures=True)
 
 
 _environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")
@@ -96,21 +85,23 @@ _environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")
 def _begin(config: RecordConfig) -> None:
     """Make the environment of a process, kept until the process ends."""
     env = config.environment()
-    Finalize(env, env.close, exitpriority=0)
+    atexit.register(env.close)
     _environment.set(env)
 
 
-def _chunk(config: RecordConfig, first: int, few: int) -> list[Played | SceneError]:
+def _chunk(config: RecordConfig, first: int, few: int) -> list[RecordedEpisode | SceneError]:
     """Play the episodes of a process's turn."""
     return [_attempt(config, _environment.get(), first + k) for k in range(few)]
 
 
-def _attempt(config: RecordConfig, env: gym.Env[Any, Any], number: int) -> Played | SceneError:
+def _attempt(
+    config: RecordConfig, env: gym.Env[Any, Any], number: int
+) -> RecordedEpisode | SceneError:
     """Play one episode; return it, or why it is not kept."""
     seed = int(np.random.default_rng((config.seed, number)).integers(2**31))
     infos: list[dict[str, Any]] = []
     try:
-        shown = demonstrate(env, seed, noise=config.noise, told=infos.append)
+        shown = demonstrate(env, seed, noise=config.noise, report=infos.append)
     except SceneError as error:
         return error
     if shown is None:
@@ -129,7 +120,7 @@ def _attempt(config: RecordConfig, env: gym.Env[Any, Any], number: int) -> Playe
         "success": shown.solved,
         "steps": len(shown.actions),
     }
-    return Played(shown.observations, shown.actions, shown.rewards, _columns(infos), facts)
+    return RecordedEpisode(shown.observations, shown.actions, shown.rewards, _columns(infos), facts)
 
 
 def _columns(infos: Sequence[Mapping[str, Any]]) -> Columns:

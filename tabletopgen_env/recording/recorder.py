@@ -20,7 +20,7 @@ from generator.errors import (
 from generator.io.files import check_folder
 
 from .config import FORMATS, Format, RecordConfig
-from .playing import Played, played
+from .playing import RecordedEpisode, play_episodes
 from .writers import Writer, check_installed, writer
 
 MOST_MISSES = 50
@@ -32,22 +32,17 @@ def record(
     out: str | Path | None = None,
     format: Format = "minari",
     workers: int = 1,
-    told: Callable[[int, int], None] | None = None,
+    report: Callable[[int, int], None] | None = None,
 ) -> Path:
     """Record the expert's demonstrations; return where the dataset is.
 
-    It is there once it is whole: whatever goes wrong before leaves nothing behind.
-
-    Args:
-        config: what to record.
-        out: the dataset's own folder, or file ("hdf5"), which must not be there yet. The name of a
-            Minari dataset is its id and ends with a version ("data/lift-v0"); None is
-            ``TabletopGen-<task>-v0`` in the user's Minari store.
-        format: "minari", "hdf5" or "npz".
-        workers: processes that play. They do not change what is recorded, unless the scenes are
-            renewed by the clock ("refreshing").
-        told: called with how many episodes are kept and how many were played, first before any
-            is, once nothing is found wrong, and then after each.
+    It is there once it is whole: whatever goes wrong before leaves nothing behind. ``out`` is its
+    own folder, or file ("hdf5"), which must not be there yet. The name of a Minari dataset is its
+    id and ends with a version ("data/lift-v0"); None is ``TabletopGen-<task>-v0`` in the user's
+    Minari store. ``workers`` are processes that play. They do not change what is recorded, unless
+    the scenes are renewed by the clock ("refreshing"). ``report`` is called with how many episodes
+    are kept and how many were played, first before any is, once nothing is found wrong, and then
+    after each.
 
     Raises:
         InputError: a setting is wrong, a package is missing, or ``out`` is there already.
@@ -58,18 +53,18 @@ def record(
     """
     if format not in FORMATS:
         raise InputError(f"Unknown format {format!r}." + choices(str(format), FORMATS))
-    require_number("record needs workers", workers, least=1, whole=True)
+    require_number("record needs workers", workers, minimum=1, integer=True)
     config.check()
     check_installed(format)
     target = _target(config, out, format)
     env = config.environment()
     try:
         with (
-            _published(target) as part,
+            _publish(target) as part,
             closing(writer(format, part, config, env)) as dataset,
-            closing(played(config, env, workers)) as episodes,
+            closing(play_episodes(config, env, workers)) as episodes,
         ):
-            _write(config, episodes, dataset, told)
+            _write(config, episodes, dataset, report)
     finally:
         env.close()
     return target
@@ -77,14 +72,14 @@ def record(
 
 def _write(
     config: RecordConfig,
-    episodes: Iterable[Played | SceneError],
+    episodes: Iterable[RecordedEpisode | SceneError],
     dataset: Writer,
-    told: Callable[[int, int], None] | None,
+    report: Callable[[int, int], None] | None,
 ) -> None:
     """Write as many episodes as are asked for."""
     kept = missed = 0
-    if told:
-        told(0, 0)
+    if report:
+        report(0, 0)
     for number, episode in enumerate(episodes, 1):
         if isinstance(episode, SceneError):
             missed += 1
@@ -97,8 +92,8 @@ def _write(
             missed = 0
             kept += 1
             dataset.add(episode)
-        if told:
-            told(kept, number)
+        if report:
+            report(kept, number)
         if kept == config.episodes:
             return
 
@@ -134,7 +129,7 @@ def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Pat
 
 
 @contextmanager
-def _published(target: Path) -> Iterator[Path]:
+def _publish(target: Path) -> Iterator[Path]:
     """Give a place beside ``target``, and move what was made there to it at the end.
 
     If something goes wrong, or Ctrl-C is pressed, all of it is removed.

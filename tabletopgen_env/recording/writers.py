@@ -8,7 +8,6 @@ import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict
-from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -16,9 +15,10 @@ import gymnasium as gym
 import numpy as np
 
 from generator.errors import InputError
+from generator.scene.provenance import versions
 
 from .config import Format, RecordConfig
-from .playing import Played
+from .playing import RecordedEpisode
 
 if TYPE_CHECKING:
     import h5py
@@ -32,7 +32,7 @@ _VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "numpy")
 class Writer(Protocol):
     """Writes episodes; the dataset is whole once it is closed."""
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more."""
         ...
 
@@ -42,25 +42,19 @@ class Writer(Protocol):
 
 
 class MinariWriter:
-    """A Minari dataset in a folder of its id's name.
-
-    Args:
-        place: the folder, which is not there yet; a dataset's id is its name.
-        config: what is recorded.
-        env: where.
-    """
+    """A Minari dataset in a folder of its id's name, which is not there yet."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         self._place, self._config, self._env = place, config, env
         self._dataset: MinariDataset | None = None
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
         from minari.data_collector import EpisodeBuffer
 
         buffer = EpisodeBuffer(seed=int(episode.facts["seed"]), **episode.arrays)
         if self._dataset is None:
-            self._dataset = self._begun(buffer)
+            self._dataset = self._begin(buffer)
         else:
             self._dataset.update_dataset_from_buffer([buffer])
         number = self._dataset.total_episodes - 1
@@ -69,11 +63,11 @@ class MinariWriter:
     def close(self) -> None:
         """Nothing is left to do: every episode is written when it is added."""
 
-    def _begun(self, first: Any) -> MinariDataset:
+    def _begin(self, first: Any) -> MinariDataset:
         """Return the dataset of the first episode."""
         import minari
 
-        versions = _versions()
+        used = versions(_VERSIONS)
         with _minari_root(self._place.parent), warnings.catch_warnings():
             # Authors, a link to code and the like are for who publishes the dataset.
             warnings.filterwarnings("ignore", category=UserWarning, module="minari")
@@ -83,7 +77,7 @@ class MinariWriter:
                 env=self._env,
                 algorithm_name=EXPERT,
                 description=f"The scripted expert of {_id(self._env)} at work.",
-                requirements=[f"{name}=={versions[name]}" for name in ("tabletopgen", "mujoco")],
+                requirements=[f"{name}=={used[name]}" for name in ("tabletopgen", "mujoco")],
                 data_format="hdf5",
                 jpeg_encoding=False,  # it is lossy
             )
@@ -106,13 +100,7 @@ def _minari_root(folder: Path) -> Iterator[None]:
 
 
 class Hdf5Writer:
-    """One HDF5 file; see the package's page.
-
-    Args:
-        place: the file, which is not there yet.
-        config: what is recorded.
-        env: where.
-    """
+    """One HDF5 file, which is not there yet; see the package's page."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         import h5py
@@ -121,7 +109,7 @@ class Hdf5Writer:
         self._file.attrs.update({n: json.dumps(v) for n, v in _about(config, env).items()})
         self._count = 0
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
         group = self._file.create_group(f"episode_{self._count}")
         group.attrs.update(episode.facts)
@@ -149,20 +137,14 @@ def _fill(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
 
 
 class NpzWriter:
-    """A folder of NumPy files; see the package's page.
-
-    Args:
-        place: the folder, which is not there yet.
-        config: what is recorded.
-        env: where.
-    """
+    """A folder of NumPy files, which is not there yet; see the package's page."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         place.mkdir()
         self._place, self._about = place, _about(config, env)
         self._facts: list[dict[str, Any]] = []
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
         path = self._place / f"episode_{len(self._facts)}.npz"
         np.savez_compressed(path, **dict(_flat(episode.arrays)))
@@ -212,12 +194,8 @@ def _about(config: RecordConfig, env: gym.Env[Any, Any]) -> dict[str, Any]:
         "environment": json.loads(env.spec.to_json()),
         "expert": EXPERT,
         "settings": asdict(config),
-        "versions": _versions(),
+        "versions": versions(_VERSIONS),
     }
-
-
-def _versions() -> dict[str, str]:
-    return {name: metadata.version(name) for name in _VERSIONS}
 
 
 def _id(env: gym.Env[Any, Any]) -> str:

@@ -76,12 +76,8 @@ _FORKED = (
 def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> Drawer:
     """Return a drawer for pictures of ``height`` x ``width``.
 
-    Args:
-        choice: "gl", "software", or "auto": GL if it can be had, else software; with a warning
-            where a fork is what is in the way.
-        height: rows.
-        width: columns.
-        profile: "fast" or "full"; the software renderer draws shadows in "full".
+    "auto" is GL if it can be had, else software; with a warning where a fork is what is in the way.
+    The software renderer draws shadows in the profile "full".
 
     Raises:
         InputError: unknown choice.
@@ -102,7 +98,7 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
     return SoftwareDrawer(height, width, profile)
 
 
-class GlDrawer:
+class GlDrawer(Drawer):
     """Draws with MuJoCo's OpenGL renderer: one GL context, a few worlds' worth of meshes.
 
     A forked copy neither draws nor frees anything.
@@ -139,14 +135,6 @@ class GlDrawer:
             drawn["depth"] = np.flipud(_metres(world.model, depth))
             drawn["segmentation"] = np.flipud(_geoms(scene, picture))
         return {kind: drawn[kind] for kind in kinds}
-
-    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what ``camera`` sees."""
-        return self.draw(world, camera, ("rgb",))["rgb"]
-
-    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
-        """Return the distance along the optical axis in metres (inf where nothing is)."""
-        return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
         """Free the meshes and textures of ``world``."""

@@ -32,11 +32,11 @@ class Drawer(Protocol):
 
     def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
         """Return what ``camera`` sees."""
-        ...
+        return self.draw(world, camera, ("rgb",))["rgb"]
 
     def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
         """Return the distance along the optical axis in metres (inf where nothing is)."""
-        ...
+        return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
         """Free what is held for ``world``."""

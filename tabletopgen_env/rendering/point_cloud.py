@@ -22,12 +22,8 @@ from gymnasium import spaces
 from jaxtyping import Float, Shaped
 
 from ..actions import WORKSPACE
-from .views import (
-    CAMERAS,
-    LAST_LABEL,
-    ObservationConfig,
-    geom_labels,
-)
+from .config import ObservationConfig
+from .views import CAMERAS, LAST_LABEL, geom_labels
 
 if TYPE_CHECKING:
     from generator.geometry import Camera
@@ -61,14 +57,14 @@ def point_cloud(
     for name in config.cameras:
         drawn = drawer.draw(world, CAMERAS[name], ("depth", "segmentation"))
         camera = model_camera(world, CAMERAS[name], *config.size)
-        seen = world.to_base(unprojected(camera, drawn["depth"]))
+        seen = world.to_base(unproject(camera, drawn["depth"]))
         inside = ((seen >= low) & (seen <= high)).all(1)
         points.append(seen[inside])
         ids.append(labels[drawn["segmentation"]].ravel()[inside])
-    return _fitted(np.concatenate(points), np.concatenate(ids), config.points)
+    return _fit(np.concatenate(points), np.concatenate(ids), config.points)
 
 
-def unprojected(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "hw 3"]:
+def unproject(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "hw 3"]:
     """Return the world points that a camera's pixels show, row by row; NaN where nothing is."""
     rows, columns = np.indices(depth.shape) + 0.5
     across = (columns - camera.center[0]) / camera.focal
@@ -78,7 +74,7 @@ def unprojected(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.nda
     return np.where(np.isfinite(z), z, np.nan) * rays @ camera.rotation + camera.position
 
 
-def _fitted(
+def _fit(
     points: Float[np.ndarray, "m 3"], ids: Shaped[np.ndarray, "m"], count: int
 ) -> dict[str, Shaped[np.ndarray, "n *c"]]:
     """Return evenly chosen points, padded to ``count``."""

@@ -11,9 +11,11 @@ import numpy as np
 from jaxtyping import Float, Int, Shaped, UInt8
 
 from generator.geometry import Camera
+from generator.scene.triangles import scaled_normals
 
 from ..world.composition import MARKER
 from ..world.room import backdrop
+from .kinds import Drawer, Kind
 
 if TYPE_CHECKING:
     import mujoco
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
     from generator.render.shading import Light
 
     from ..world.world import World
-    from .kinds import Kind, Profile
+    from .kinds import Profile
 
 _ROUND = 24  # sides of a drawn cylinder
 _FACING = 0.7  # how much of the headlight what is seen gets on average
@@ -30,7 +32,7 @@ _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 
 @dataclass(frozen=True, eq=False)
-class Shape:
+class VisibleGeom:
     """One visible geom: a triangle mesh in its own frame, uv, and its texture times ``tint``."""
 
     geom: int
@@ -41,12 +43,12 @@ class Shape:
     tint: Float[np.ndarray, "3"]
 
 
-class SoftwareDrawer:
+class SoftwareDrawer(Drawer):
     """Draws with ``generator.render.raster``; needs no graphics library at all."""
 
     def __init__(self, height: int, width: int, profile: Profile) -> None:
         self._size, self._full = (height, width), profile == "full"
-        self._shapes: WeakKeyDictionary[World, list[Shape]] = WeakKeyDictionary()
+        self._shapes: WeakKeyDictionary[World, list[VisibleGeom]] = WeakKeyDictionary()
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
@@ -61,14 +63,6 @@ class SoftwareDrawer:
         }
         return {kind: drawn[kind] for kind in kinds}
 
-    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what ``camera`` sees."""
-        return self.draw(world, camera, ("rgb",))["rgb"]
-
-    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
-        """Return the distance along the optical axis in metres (inf where nothing is)."""
-        return self.draw(world, camera, ("depth",))["depth"]
-
     def forget(self, world: World) -> None:
         """Free the triangles of ``world``."""
         self._shapes.pop(world, None)
@@ -82,7 +76,7 @@ class SoftwareDrawer:
 
         if world not in self._shapes:
             self._shapes[world] = visible_shapes(world.model)
-        shapes = self._shapes[world] = [_painted(world.model, s) for s in self._shapes[world]]
+        shapes = self._shapes[world] = [_paint(world.model, s) for s in self._shapes[world]]
         items = [item for shape in shapes if (item := _item(world, shape))]
         view = model_camera(world, camera, *self._size)
         return render(
@@ -95,7 +89,7 @@ class SoftwareDrawer:
         )
 
 
-def _painted(model: mujoco.MjModel, shape: Shape) -> Shape:
+def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
     """Return the shape in its geom's present colour."""
     tint = _color(model, shape.geom)[:3]
     if np.array_equal(tint, shape.tint):
@@ -115,7 +109,7 @@ def _light(model: mujoco.MjModel) -> Light:
     )
 
 
-def _item(world: World, shape: Shape) -> Item | None:
+def _item(world: World, shape: VisibleGeom) -> Item | None:
     """Return the shape at its present world pose, or None if it is fully transparent."""
     from generator.render.raster import Item
 
@@ -142,7 +136,7 @@ def model_camera(world: World, name: str, height: int, width: int) -> Camera:
 # ---------------------------------------------------------------------------------- tessellation
 
 
-def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
+def visible_shapes(model: mujoco.MjModel) -> list[VisibleGeom]:
     """Return every geom of the visible groups but the floor as triangles."""
     shapes = []
     for k in range(model.ngeom):
@@ -151,7 +145,7 @@ def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
             if mesh is not None:
                 vertices, faces, uv = mesh
                 tint = _color(model, k)[:3].copy()
-                shapes.append(Shape(k, vertices, faces, uv, _texture(model, k), tint))
+                shapes.append(VisibleGeom(k, vertices, faces, uv, _texture(model, k), tint))
     return shapes
 
 
@@ -187,8 +181,7 @@ def _hull(points: Float[np.ndarray, "n 3"]) -> tuple[np.ndarray, np.ndarray]:
     from scipy.spatial import ConvexHull
 
     hull = ConvexHull(points)
-    a, b, c = (points[hull.simplices[:, i]] for i in range(3))
-    inward = (np.cross(b - a, c - a) * hull.equations[:, :3]).sum(1) < 0
+    inward = (scaled_normals(points[hull.simplices]) * hull.equations[:, :3]).sum(1) < 0
     faces = np.where(inward[:, None], hull.simplices[:, ::-1], hull.simplices)
     return points, faces
 

@@ -14,13 +14,10 @@ if TYPE_CHECKING:
 
 
 class Window:
-    """A viewer that follows the environment from world to world.
+    """A viewer that follows the environment from world to world, every ``frame`` seconds at most.
 
-    Without a display it says so once, through Gymnasium's logger, and shows nothing: a run that
-    was started on a server goes on.
-
-    Args:
-        frame: least time between two frames, seconds.
+    Without a display it says so once, through Gymnasium's logger, and shows nothing: a run that was
+    started on a server goes on.
     """
 
     def __init__(self, frame: float) -> None:

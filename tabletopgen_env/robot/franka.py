@@ -1,4 +1,4 @@
-"""What Franka publishes about the Panda, and the identified masses: numbers only.
+"""Constants of the Panda: Franka's published numbers and the identified masses.
 
 Sources: *Franka Control Interface documentation, robot and interface specifications* (modified
 Denavit-Hartenberg parameters after Craig, joint position, velocity and torque limits, hand and

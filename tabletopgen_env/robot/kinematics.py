@@ -89,7 +89,8 @@ def forward(
     return tcp[:3, 3].copy(), tcp[:3, :3].copy()
 
 
-def _jacobian(frames: Float[np.ndarray, "8 4 4"]) -> Float[np.ndarray, "6 7"]:
+def jacobian(frames: Float[np.ndarray, "8 4 4"]) -> Float[np.ndarray, "6 7"]:
+    """Return the geometric Jacobian of the tool centre point: linear rows, then angular."""
     axes = frames[:7, :3, 2]
     arms = frames[7, :3, 3] - frames[:7, :3, 3]
     full = np.empty((6, 7))
@@ -97,11 +98,6 @@ def _jacobian(frames: Float[np.ndarray, "8 4 4"]) -> Float[np.ndarray, "6 7"]:
     full[0], full[1], full[2] = y * w - z * v, z * u - x * w, x * v - y * u
     full[3:] = axes.T
     return full
-
-
-def jacobian(joints: Float[np.ndarray, "7"]) -> Float[np.ndarray, "6 7"]:
-    """Return the geometric Jacobian of the tool centre point: linear rows, then angular."""
-    return _jacobian(link_frames(joints))
 
 
 def _length(vector: Float[np.ndarray, "n"]) -> float:
@@ -152,7 +148,7 @@ def ik_step(
     error = np.empty(6)
     error[:3] = position - frames[7, :3, 3]
     error[3:] = rotation_vector(rotation @ frames[7, :3, :3].T)
-    full = _jacobian(frames)
+    full = jacobian(frames)
     damping = (1e-5 + 1e-2 * min(1.0, float(error @ error))) * _EYE
     free, jac, rest = np.ones(7, bool), full, pull * (posture - joints)
     # What is out of its range, such as a straight elbow, comes back by no more than a step.
@@ -180,16 +176,11 @@ def solve_ik(
     start: Float[np.ndarray, "7"] = HOME,
     iterations: int = 60,
 ) -> IkSolution:
-    """Find joints that bring the tool centre point to a pose in the base frame.
+    """Find joints that bring the tool centre point to a pose in the base frame (metres).
 
-    Starts from ``start``; if that fails, from home turned towards the target and from a few bent
-    variants of it. Of the attempts the best is returned, so look at ``solved``.
-
-    Args:
-        position: target in metres.
-        rotation: target orientation.
-        start: joints to begin from; the solution stays on their branch where it can.
-        iterations: steps per attempt.
+    Starts from ``start``, on whose branch the solution stays where it can; if that fails, from home
+    turned towards the target and from a few bent variants of it, each for ``iterations`` steps. Of
+    the attempts the best is returned, so look at ``solved``.
     """
     bearing = float(np.arctan2(position[1], position[0]))
     seeds = [np.asarray(start, float)]

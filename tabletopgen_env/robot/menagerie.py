@@ -1,4 +1,4 @@
-"""The Panda of the MuJoCo Menagerie, where this machine has it.
+"""The Panda of the MuJoCo Menagerie, if this machine has it.
 
 Its meshes are not part of this project. They are looked for in ``$MENAGERIE_ROOT`` (a clone of the
 repository) and in the cache of the ``mujoco-menagerie`` package.

@@ -86,7 +86,7 @@ class Mount:
         """Return which world points the tool centre point reaches with the hand pointing down.
 
         An estimate from the arm's geometry (the wrist must lie within ``STRETCH`` of the shoulder,
-        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead); it knows no
+        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead); it ignores
         obstacles.
         """
         offset = np.atleast_2d(np.asarray(points, float)) - self.position

@@ -50,7 +50,7 @@ def panda(robot: Panda | None) -> Panda:
     """Return the robot that a user may pass; None is ``Panda()``.
 
     Raises:
-        InputError: it is none of this module's.
+        InputError: it is no robot of this module.
     """
     if robot is not None and not isinstance(robot, Panda):
         raise InputError(

@@ -1,4 +1,4 @@
-"""The Panda's looks: light shells of revolution and swept tubes, built from a few numbers.
+"""The Panda's appearance: light shells of revolution and swept tubes, built from a few numbers.
 
 Every shell is a closed triangle mesh in its body's frame, metres, faces counter-clockwise seen
 from outside. All together stay below 3,000 faces, a fortieth of the scanned covers, because
@@ -15,6 +15,8 @@ from types import MappingProxyType
 import numpy as np
 from jaxtyping import Float, Int
 
+from .kinematics import HOME, link_frames
+
 WHITE, GREY, DARK, BLUE = "white", "grey", "dark", "blue"
 
 COLORS: dict[str, tuple[float, float, float, float]] = {
@@ -27,7 +29,7 @@ COLORS: dict[str, tuple[float, float, float, float]] = {
 
 
 @dataclass(frozen=True, eq=False)
-class Shell:
+class RobotShell:
     """One coloured closed mesh, read-only. ``color`` is a key of ``COLORS``."""
 
     color: str
@@ -39,7 +41,7 @@ class Shell:
         self.faces.setflags(write=False)
 
 
-def _rings(rings: Float[np.ndarray, "k s 3"], color: str) -> Shell:
+def _rings(rings: Float[np.ndarray, "k s 3"], color: str) -> RobotShell:
     """Join successive rings of points to a closed mesh, with a fan at both ends."""
     k, s = rings.shape[:2]
     a = np.arange(s)
@@ -57,7 +59,7 @@ def _rings(rings: Float[np.ndarray, "k s 3"], color: str) -> Shell:
     bottom = np.column_stack([np.full(s, low), b, a])
     top = np.column_stack([np.full(s, high), (k - 1) * s + a, (k - 1) * s + b])
     vertices = np.vstack([rings.reshape(-1, 3), rings[0].mean(0), rings[-1].mean(0)])
-    return Shell(color, vertices, np.concatenate([*sides, bottom, top]))
+    return RobotShell(color, vertices, np.concatenate([*sides, bottom, top]))
 
 
 def tube(
@@ -67,7 +69,7 @@ def tube(
     rings: int = 6,
     sides: int = 12,
     caps: tuple[bool, bool] = (False, False),
-) -> Shell:
+) -> RobotShell:
     """Sweep a circle along a smooth curve.
 
     ``spine`` are the control points of a Bezier curve (m) and ``radii`` the radius at equal
@@ -123,7 +125,7 @@ def slab(
     round_off: float = 0.012,
     power: float = 4.0,
     sides: int = 12,
-) -> Shell:
+) -> RobotShell:
     """A softened box: superelliptic outline, bevelled by ``round_off`` metres at both ends.
 
     ``half`` are half extents; ``taper`` scales the outline at the bottom and at the top.
@@ -143,7 +145,7 @@ def slab(
 
 
 @cache
-def arm_shells() -> Mapping[str, tuple[Shell, ...]]:
+def arm_shells() -> Mapping[str, tuple[RobotShell, ...]]:
     """Return the shells of every body of the robot, by body name; built once, read-only."""
     r = 0.054
     ring = 0.0565
@@ -253,7 +255,7 @@ def arm_shells() -> Mapping[str, tuple[Shell, ...]]:
     return MappingProxyType(shells)
 
 
-def _finger() -> tuple[Shell, ...]:
+def _finger() -> tuple[RobotShell, ...]:
     return (
         slab(
             GREY, (0, 0.0145, 0.0105), (0.0105, 0.0115, 0.0105), round_off=0.002, sides=8, power=8
@@ -261,3 +263,16 @@ def _finger() -> tuple[Shell, ...]:
         slab(GREY, (0, 0.0165, 0.027), (0.0095, 0.0065, 0.012), round_off=0.002, sides=8, power=8),
         slab(DARK, (0, 0.007, 0.0445), (0.0105, 0.007, 0.0093), round_off=0.0015, sides=8, power=8),
     )
+
+
+def arm_points(joints: Float[np.ndarray, "7"] = HOME) -> Float[np.ndarray, "n 3"]:
+    """Return points all over the arm's links and the tool centre point, in the base frame.
+
+    They are what a camera has to show to have the whole robot in the picture.
+    """
+    frames = [np.eye(4), *link_frames(joints)]
+    points = [frames[-1][None, :3, 3]]
+    for number, frame in enumerate(frames[:-1]):
+        shells = np.concatenate([shell.vertices for shell in arm_shells()[f"link{number}"]])
+        points.append(shells @ frame[:3, :3].T + frame[:3, 3])
+    return np.concatenate(points)

@@ -1,4 +1,4 @@
-"""Where an environment's tables come from: scenes that are there, made anew, or ever renewed.
+"""Where an environment's tables come from: scenes that are there, made again, or ever renewed.
 
 A source draws *references*: a key, by which a compiled world is reused, and a function that loads
 the scene when it is not there yet. Drawing uses the generator it is given and nothing else, so
@@ -31,9 +31,9 @@ from .finding import REFRESHING as REFRESHING
 from .finding import STARTER as STARTER
 from .fixed import FixedScenes as FixedScenes
 from .fresh import FreshScenes as FreshScenes
-from .making.recipe import Recipe as Recipe
+from .making.recipe import SceneRecipe as SceneRecipe
 from .refreshing import RefreshingScenes as RefreshingScenes
 from .sharing import SharedScenes as SharedScenes
 from .source import SceneRef as SceneRef
 from .source import SceneSource as SceneSource
-from .splitting import Rule as Rule
+from .splitting import SplitRule as SplitRule

@@ -11,7 +11,7 @@ from .finding import FRESH, REFRESHING, STARTER, FixedChoice, fixed_scenes
 from .fresh import FreshScenes
 from .refreshing import RefreshingScenes
 from .source import SceneSource
-from .splitting import SHARE, By, Rule, Side, admitting
+from .splitting import SHARE, By, Side, SplitRule, admitting
 
 SceneChoice = FixedChoice | SceneSource
 """What may be passed as ``scenes``."""
@@ -26,7 +26,7 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
             - "starter": the shipped bundles that are for any task; "starter:train" and
               "starter:held_out" split them by digest, a fifth held out;
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
-            - "fresh": made anew for each draw, of every theme and for the task at hand (see
+            - "fresh": made again for each draw, of every theme and for the task at hand (see
               ``needs``); "fresh:PROMPT": of a text;
             - "refreshing": a pool that begins with ``start`` and is renewed in the background
               while training goes on, of every theme; "refreshing:PROMPT": of a text from the
@@ -45,7 +45,7 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
     if isinstance(scenes, SceneSource):
         return scenes
     if isinstance(scenes, str) and _on_demand(scenes):
-        return _made(scenes, needs, start)
+        return _make(scenes, needs, start)
     return fixed_scenes(scenes)
 
 
@@ -81,10 +81,10 @@ def split(
             ``SceneError``.
     """
     given = (categories,) if isinstance(categories, str) else tuple(categories)
-    return admitting(resolve(scenes, needs, start), Rule(side, by, share, given))
+    return admitting(resolve(scenes, needs, start), SplitRule(side, by, share, given))
 
 
-def _made(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
+def _make(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
     """Return the source that a form of ``FRESH`` or ``REFRESHING`` means."""
     head, colon, prompt = text.partition(":")
     if colon and not prompt.strip():
@@ -96,7 +96,7 @@ def _made(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
     fresh.check()
     if head == FRESH:
         return fresh
-    return RefreshingScenes(fresh, initial=None if colon else _fixed(start))
+    return RefreshingScenes(fresh, initial=None if colon else _fixed_choice(start))
 
 
 def _on_demand(scenes: SceneChoice) -> bool:
@@ -104,6 +104,6 @@ def _on_demand(scenes: SceneChoice) -> bool:
     return isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING)
 
 
-def _fixed(scenes: SceneChoice) -> FixedChoice | None:
+def _fixed_choice(scenes: SceneChoice) -> FixedChoice | None:
     """Return what names fixed scenes, None for anything else."""
     return None if isinstance(scenes, SceneSource) or _on_demand(scenes) else scenes

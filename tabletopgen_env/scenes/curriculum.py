@@ -16,7 +16,7 @@ from .choosing import SceneChoice, resolve
 from .difficulty import difficulty
 from .fixed import is_there
 from .source import HeldRef, Remembered, SceneRef, SceneSource, close, record
-from .splitting import Rule, admitting
+from .splitting import SplitRule, admitting
 
 LOOKS = 32
 """How many of the scenes that a source has at hand are compared for a draw."""
@@ -103,7 +103,7 @@ class CurriculumScenes:
             self.level = float(np.clip(self.level + change, 0, 1))
             self._results.clear()
 
-    def admitting(self, rule: Rule) -> CurriculumScenes:
+    def admitting(self, rule: SplitRule) -> CurriculumScenes:
         """Return the curriculum over only those scenes that a rule admits."""
         return dataclasses.replace(self, source=admitting(self._source, rule))
 

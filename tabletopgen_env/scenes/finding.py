@@ -12,13 +12,13 @@ from generator.scene import Scene
 
 from .fixed import FixedScenes, bundle_ref
 from .source import HeldRef, SceneRef
-from .splitting import Rule, Side
+from .splitting import Side, SplitRule
 
 STARTER = "starter"
 """Means the shipped bundles that are for any task."""
 
 FRESH = "fresh"
-"""Means scenes made anew for each draw; after a colon comes what they are of."""
+"""Means scenes made again for each draw; after a colon comes what they are of."""
 
 REFRESHING = "refreshing"
 """Means a pool that is renewed in the background; after a colon comes what it is of."""
@@ -43,16 +43,16 @@ def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
         InputError: ``scenes`` is of another kind, or an empty list.
     """
     if isinstance(scenes, str | Path | Scene):
-        return FixedScenes(tuple(_found(scenes)))
+        return FixedScenes(tuple(_find(scenes)))
     if isinstance(scenes, Iterable):
-        return FixedScenes(tuple(ref for item in scenes for ref in _found(item)))
+        return FixedScenes(tuple(ref for item in scenes for ref in _find(item)))
     raise InputError(
         f"scenes is of type {type(scenes).__name__}; pass a bundle's path, name or glob, "
         f"{', '.join(map(repr, FORMS))}, a Scene, a list of these, or a SceneSource."
     )
 
 
-def _found(item: str | Path | Scene) -> list[SceneRef]:
+def _find(item: str | Path | Scene) -> list[SceneRef]:
     """Return the references that one item stands for, in a fixed order."""
     if isinstance(item, Scene):
         return [HeldRef(item)]
@@ -64,16 +64,16 @@ def _found(item: str | Path | Scene) -> list[SceneRef]:
             "scenes=FreshScenes([prompt, ...])."
         )
     if item in _SIDES:
-        return list(fixed_scenes(STARTER).admitting(Rule(_SIDES[str(item)])).refs)
+        return list(fixed_scenes(STARTER).admitting(SplitRule(_SIDES[str(item)])).refs)
     import assets_cache
 
     try:
         return [bundle_ref(path) for path in assets_cache.find(item)]
     except BundleError as error:
-        raise _explained(str(item), error) from error
+        raise _explain(str(item), error) from error
 
 
-def _explained(text: str, error: BundleError) -> BundleError | InputError:
+def _explain(text: str, error: BundleError) -> BundleError | InputError:
     """Return the error for a text that names no bundle: perhaps it was to be one of the forms."""
     head, colon, _ = text.partition(":")
     if colon and head.isidentifier() and len(head) > 1:

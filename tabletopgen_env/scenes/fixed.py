@@ -12,7 +12,7 @@ from generator.errors import BundleError, InputError
 from generator.scene import Scene
 
 from .source import SceneRef
-from .splitting import Rule, admits, kinds, kinds_of
+from .splitting import SplitRule, admits, kinds, kinds_of
 
 
 @dataclass(frozen=True)
@@ -100,12 +100,12 @@ class FixedScenes:
         if not self._warned:
             self._warned = True
             warnings.warn(
-                f"{missing}; going on with the {len(left)} of {len(self)} scenes that are left.",
+                f"{missing}; continuing with the {len(left)} of {len(self)} scenes that are left.",
                 RuntimeWarning, stacklevel=2,
             )  # fmt: skip
         return left[int(rng.integers(len(left)))]
 
-    def admitting(self, rule: Rule) -> FixedScenes:
+    def admitting(self, rule: SplitRule) -> FixedScenes:
         """Return only the scenes that a rule admits.
 
         Raises:

@@ -10,15 +10,9 @@ import numpy as np
 from generator.errors import InputError, SceneError
 from generator.language.distribution import SceneDistribution
 
-from .making.recipe import (
-    COMPOSE,
-    GENERATE,
-    MOST_SEEDS,
-    Recipe,
-    maker,
-)
+from .making.recipe import COMPOSE, GENERATE, MOST_SEEDS, SceneRecipe, maker
 from .source import SceneRef
-from .splitting import Rule
+from .splitting import SplitRule
 
 DRAWS = 1000
 """How many texts, or plans, and seeds are drawn for one of the right side of a split."""
@@ -32,7 +26,7 @@ class FreshScenes:
         prompts: a text, a list of texts, or a distribution of tables.
         variants: bounds the seeds, for each text or for the distribution, so that compiled worlds
             are met again; at most 2^30.
-        making: "compose", "generate" or "module:function"; see ``Recipe``.
+        making: "compose", "generate" or "module:function"; see ``SceneRecipe``.
         rules: what side of a split to keep to; see ``admitting``.
 
     Raises:
@@ -42,7 +36,7 @@ class FreshScenes:
     prompts: str | Sequence[str] | SceneDistribution = field(default_factory=SceneDistribution)
     variants: int = 1_000_000
     making: str = COMPOSE
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[SplitRule, ...] = ()
 
     def __post_init__(self) -> None:
         given = self.prompts
@@ -68,11 +62,11 @@ class FreshScenes:
         """
         if not isinstance(self.prompts, SceneDistribution):
             for text in self.prompts:
-                recipe = Recipe(text, 0, self.making)
+                recipe = SceneRecipe(text, 0, self.making)
                 if recipe.planned:
                     recipe.plan()
 
-    def recipe(self, rng: np.random.Generator) -> Recipe:
+    def recipe(self, rng: np.random.Generator) -> SceneRecipe:
         """Draw what decides one scene, on the right side of every split.
 
         Raises:
@@ -88,11 +82,11 @@ class FreshScenes:
             f"categories, other prompts, or more variants than {self.variants}."
         )
 
-    def _any_recipe(self, rng: np.random.Generator) -> Recipe:
+    def _any_recipe(self, rng: np.random.Generator) -> SceneRecipe:
         what = self.prompts
         if not isinstance(what, SceneDistribution):
             what = what[int(rng.integers(len(what)))]
-        return Recipe(what, int(rng.integers(self.variants)), self.making, self.rules)
+        return SceneRecipe(what, int(rng.integers(self.variants)), self.making, self.rules)
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw what decides a scene; the scene is made when it is loaded.
@@ -104,7 +98,7 @@ class FreshScenes:
         recipe = self.recipe(rng)
         return SceneRef(recipe.key, recipe.make)
 
-    def admitting(self, rule: Rule) -> FreshScenes:
+    def admitting(self, rule: SplitRule) -> FreshScenes:
         """Return the source of only those scenes that a rule admits.
 
         Raises:

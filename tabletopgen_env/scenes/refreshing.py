@@ -16,9 +16,9 @@ from generator.language.distribution import SceneDistribution
 from .finding import FixedChoice, fixed_scenes
 from .fixed import FixedScenes
 from .fresh import FreshScenes
-from .making.pool import Pace, Pool
+from .making.pool import RenewalPace, ScenePool
 from .source import SceneRef
-from .splitting import Rule, admits
+from .splitting import SplitRule, admits
 
 PER_MINUTE = 6.0
 """How many scenes are renewed a minute, unless said otherwise."""
@@ -66,14 +66,14 @@ class RefreshingScenes:
     initial: FixedScenes | FixedChoice | None = None
     synchronous: bool = False
     seed: int | None = None
-    _pool: Pool | None = field(default=None, init=False, repr=False)
+    _pool: ScenePool | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.fresh, FreshScenes):
             self.fresh = FreshScenes(self.fresh)
         if self.per_minute is None and self.every_resets is None and not self.synchronous:
             self.per_minute = PER_MINUTE
-        require(self, "size", "workers", least=1, whole=True)
+        require(self, "size", "workers", minimum=1, integer=True)
         if self.seed is not None:
             require_seed(self.seed)
         if (self.per_minute is None) == (self.every_resets is None):
@@ -102,12 +102,12 @@ class RefreshingScenes:
             self._pool = self._start(rng)
         return self._pool.draw(rng)
 
-    def _start(self, rng: np.random.Generator) -> Pool:
+    def _start(self, rng: np.random.Generator) -> ScenePool:
         fresh, initial = self._parts()
         seed = int(rng.integers(2**31)) if self.seed is None else self.seed
-        pace = Pace(self.per_minute, self.every_resets)
+        pace = RenewalPace(self.per_minute, self.every_resets)
         workers = 0 if self.synchronous else self.workers
-        return Pool(fresh, self.size, initial, pace, workers, seed)
+        return ScenePool(fresh, self.size, initial, pace, workers, seed)
 
     @property
     def refs(self) -> tuple[SceneRef, ...]:
@@ -127,9 +127,9 @@ class RefreshingScenes:
     @property
     def pids(self) -> tuple[int, ...]:
         """The ids of the processes that are running."""
-        return self._pool.crew.pids if self._pool and self._pool.crew else ()
+        return self._pool.background.pids if self._pool and self._pool.background else ()
 
-    def admitting(self, rule: Rule) -> RefreshingScenes:
+    def admitting(self, rule: SplitRule) -> RefreshingScenes:
         """Return the source of only those scenes that a rule admits, at first and later on.
 
         Where that leaves none of the first ones, the first pool is made.
@@ -145,8 +145,8 @@ class RefreshingScenes:
 
     def close(self) -> None:
         """End the processes and delete what they made. May be called twice."""
-        if self._pool is not None and self._pool.crew is not None:
-            self._pool.crew.close()
+        if self._pool is not None and self._pool.background is not None:
+            self._pool.background.close()
         self._pool = None
 
     def _parts(self) -> tuple[FreshScenes, FixedScenes | None]:

@@ -86,9 +86,9 @@ class SceneSource(Protocol):
 
 def record(source: SceneSource, success: bool) -> None:
     """Tell a source how an episode ended, if it wants to know."""
-    told = getattr(source, "record", None)
-    if told is not None:
-        told(success)
+    record = getattr(source, "record", None)
+    if record is not None:
+        record(success)
 
 
 def close(source: SceneSource) -> None:

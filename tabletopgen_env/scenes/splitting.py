@@ -38,7 +38,7 @@ DRAWS = 200
 
 
 @dataclass(frozen=True)
-class Rule:
+class SplitRule:
     """One side of a split.
 
     Attributes:
@@ -119,7 +119,7 @@ class Described(Protocol):
         ...
 
 
-def admits(rule: Rule, ref: SceneRef) -> bool:
+def admits(rule: SplitRule, ref: SceneRef) -> bool:
     """Tell whether a scene is on the side of a rule, loading it only if there is no other way."""
 
     def identity() -> str:
@@ -150,7 +150,7 @@ def _key(word: str) -> str:
     return "_".join(str(word).lower().replace("_", " ").split())
 
 
-def admitting(source: SceneSource, rule: Rule) -> SceneSource:
+def admitting(source: SceneSource, rule: SplitRule) -> SceneSource:
     """Return the source of only those scenes that a rule admits.
 
     Raises:
@@ -169,7 +169,7 @@ class AdmittedScenes:
     """
 
     source: SceneSource
-    rule: Rule
+    rule: SplitRule
     _known: Remembered[bool] = field(default_factory=Remembered, init=False, repr=False)
 
     def draw(self, rng: np.random.Generator) -> SceneRef:

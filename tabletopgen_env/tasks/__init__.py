@@ -1,1 +1,1 @@
-"""What is asked of the robot: one file per task, made of the goals in ``goals``."""
+"""The tasks, one per file, made of the goals in ``goals``."""

@@ -14,8 +14,8 @@ from generator.errors import InputError
 from generator.scene import Object
 
 from ..goals.goal import Raised
-from .sampling import drawn, liftable
-from .task import Episode, Task, episode
+from .sampling import draw_episode, liftable
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -27,11 +27,7 @@ class Lift(Task):
     weights = MappingProxyType({"reach": 0.20, "grasp": 0.20, "lift": 0.30, "success": 0.30})
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target, or take the one given; see ``Task.sample``."""
         if goal is not None:
@@ -41,4 +37,4 @@ class Lift(Task):
             goals = (Raised(obj.name, world.position(obj.name)),)
             return episode(world, goals)
 
-        return drawn(world, rng, target, liftable(world), make, "")
+        return draw_episode(world, rng, target, liftable(world), make, "")

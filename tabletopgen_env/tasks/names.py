@@ -9,7 +9,7 @@ NAMES = ("Reach", "Lift", "Push", "PickPlace", "Stack", "Swap", "Sequence", "Tid
 
 
 class TaskName(NamedTuple):
-    """A task of this package by its name, and its preset if it has one."""
+    """A task of this package by its name, with its preset if it has one."""
 
     task: str
     preset: str | None = None

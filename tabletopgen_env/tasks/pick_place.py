@@ -14,16 +14,16 @@ import numpy as np
 from generator.scene import Object
 
 from .sampling import (
+    check_known,
     containers,
-    drawn,
+    draw_episode,
     into,
-    known,
     liftable,
-    named,
     on_spot,
     spot_of,
+    target_of,
 )
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -37,15 +37,13 @@ class PickPlace(Task):
     )
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a goal, or take those given; see ``Task.sample``."""
         reasons = liftable(world)
-        wanted = None if named(goal) is None else known(world, str(goal), "to put things into")
+        wanted = (
+            None if target_of(goal) is None else check_known(world, str(goal), "to put things into")
+        )
         for name, reason in reasons.items():
             fits = containers(world, world.scene.object(name)) if wanted and not reason else ()
             if wanted and not reason and wanted not in {o.name for o in fits}:
@@ -63,4 +61,4 @@ class PickPlace(Task):
             return episode(world, (into(world, obj, fitting[0]),)) if fitting else None
 
         lacks = "no container that it fits and no free spot in reach"
-        return drawn(world, rng, target, reasons, make, lacks)
+        return draw_episode(world, rng, target, reasons, make, lacks)

@@ -22,15 +22,8 @@ from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.planning.strokes import beside, plan_stroke
 from ..goals.goal import SPOT, Pushed
 from ..goals.needs import LOW
-from .sampling import (
-    Reasons,
-    blocked,
-    drawn,
-    given_point,
-    on_table,
-    rest_height,
-)
-from .task import Episode, Task, episode
+from .sampling import Reasons, blocking_reason, draw_episode, given_point, on_table, rest_height
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -42,7 +35,7 @@ HEAVIEST = 1.5
 """Heaviest object to push, kg."""
 
 SLENDER = 1.2
-"""Tallest thing to push, in its own smallest widths: what is more slender topples."""
+"""Tallest thing to push, in multiples of its smallest width: slenderer ones topple."""
 
 LEAST_GRIP = 0.5
 """Friction on the table, at least, that a push at the centre of mass's height has to overcome."""
@@ -62,11 +55,7 @@ class Push(Task):
     needs = (LOW, LOW)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a spot, or take those given; see ``Task.sample``."""
         if isinstance(goal, str) and goal != SPOT:
@@ -82,15 +71,15 @@ class Push(Task):
             return episode(world, (Pushed(obj.name, spot, rest_height(world, obj.name), up),))
 
         lacks = "no free way to push it along"
-        return drawn(world, rng, target, slidable(world), make, lacks, held=False)
+        return draw_episode(world, rng, target, slidable(world), make, lacks, held=False)
 
 
 def slidable(world: World) -> Reasons:
     """Return why each object cannot be pushed, None where it can."""
-    return {o.name: _fixed(world, o) for o in world.scene.objects}
+    return {o.name: _fixed_reason(world, o) for o in world.scene.objects}
 
 
-def _fixed(world: World, obj: Object) -> str | None:
+def _fixed_reason(world: World, obj: Object) -> str | None:
     if not on_table(obj):
         return f"it stands on {obj.placement.on}"
     if obj.mass > HEAVIEST:
@@ -99,7 +88,7 @@ def _fixed(world: World, obj: Object) -> str | None:
         return "it would topple or roll"
     if resting_height(obj) < 0.01:
         return "too flat for the fingers"
-    return blocked(world, obj)
+    return blocking_reason(world, obj)
 
 
 def tips(obj: Object) -> bool:

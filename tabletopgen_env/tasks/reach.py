@@ -16,7 +16,7 @@ from generator.errors import InputError, SceneError
 from ..expert.path import clear_height
 from ..goals.goal import Reached
 from .sampling import coordinates
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -34,11 +34,7 @@ class Reach(Task):
     marker_radius = 0.02
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a point, or take the one given; see ``Task.sample``."""
         if target is not None:

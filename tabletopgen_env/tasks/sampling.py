@@ -17,7 +17,7 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import SPOT, Into, OnSpot
 from ..robot.mount import obstacle, reachable
 from ..world.workspace import free_spot
-from .task import Episode
+from .task import Choice, Episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -29,15 +29,17 @@ NO_GRASP = "the arm reaches no grasp of it, or its neighbours leave no room for 
 """Why what ``has_grasp`` denies cannot be moved."""
 
 Reasons = dict[str, str | None]
-"""Why each object cannot be used, None where it can."""
+"""Reasons why objects cannot be used; None for usable ones."""
 
 
 def liftable(world: World) -> Reasons:
     """Return why each object cannot be picked up, None where it can; grasps are not planned."""
-    return {o.name: world.ungraspable[o.name] or blocked(world, o) for o in world.scene.objects}
+    return {
+        o.name: world.ungraspable[o.name] or blocking_reason(world, o) for o in world.scene.objects
+    }
 
 
-def blocked(world: World, obj: Object) -> str | None:
+def blocking_reason(world: World, obj: Object) -> str | None:
     """Return why the hand cannot come at an object, or move it alone; None if it can."""
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
@@ -49,7 +51,7 @@ def blocked(world: World, obj: Object) -> str | None:
     return f"{loaded[0]} stands on it" if loaded else None
 
 
-def drawn(
+def draw_episode(
     world: World,
     rng: np.random.Generator,
     target: str | None,
@@ -66,7 +68,7 @@ def drawn(
         target: the object asked for, which is tried whatever ``reasons`` says; None draws.
         reasons: why objects cannot be targets; what is found on the way is added.
         make: returns an object's episode, or None if there is none.
-        lacks: what it means that there is none.
+        lacks: the reason to report if there is none.
         held: whether the arm must reach a grasp of the target.
 
     Raises:
@@ -77,7 +79,7 @@ def drawn(
         names = [name for name, reason in reasons.items() if reason is None]
         names = [names[k] for k in rng.permutation(len(names))]
     else:
-        names = [known(world, target, "to move")]
+        names = [check_known(world, target, "to move")]
     for name in names:
         if target is None and held and not has_grasp(world, name):
             reasons[name] = NO_GRASP
@@ -89,11 +91,11 @@ def drawn(
     raise nothing(world, reasons)
 
 
-def known(world: World, name: str, what: str) -> str:
+def check_known(world: World, name: str, what: str) -> str:
     """Return ``name`` if the scene has such an object.
 
     Raises:
-        InputError: it has not.
+        InputError: there is no such object.
     """
     if name not in world.names:
         raise InputError(f"No object {name!r} {what}." + choices(str(name), world.names))
@@ -115,7 +117,7 @@ def rest_height(world: World, name: str) -> float:
 
 
 def spot_of(
-    world: World, obj: Object, goal: str | tuple[float, ...] | None, rng: np.random.Generator
+    world: World, obj: Object, goal: Choice, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"] | None:
     """Return the spot on the table that ``goal`` gives, or a drawn free one, world frame."""
     if goal is None or isinstance(goal, str):
@@ -129,7 +131,7 @@ def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]
     """Return ``count`` finite numbers that a user gave; ``wanted`` says what they are.
 
     Raises:
-        InputError: they are something else.
+        InputError: the value is something else.
     """
     try:
         point = np.asarray(goal, float)
@@ -189,9 +191,7 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
     return OnSpot(obj.name, spot, rest_height(world, obj.name), other.name)
 
 
-def given_object(
-    world: World, goal: str | tuple[float, ...] | None, use: str, wanted: str
-) -> str | None:
+def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
     """Return the object that a goal option names, None without one.
 
     ``use`` says what it is for, ``wanted`` what the option has to be.
@@ -199,12 +199,12 @@ def given_object(
     Raises:
         InputError: the option is a spot or a point, or the scene has no such object.
     """
-    if goal is not None and named(goal) is None:
+    if goal is not None and target_of(goal) is None:
         raise InputError(f"{wanted}, got {goal!r}.")
-    return None if goal is None else known(world, str(goal), use)
+    return None if goal is None else check_known(world, str(goal), use)
 
 
-def named(goal: str | tuple[float, ...] | None) -> str | None:
+def target_of(goal: Choice) -> str | None:
     """Return the object that a goal option names, None for a spot, a point or nothing."""
     return goal if isinstance(goal, str) and goal != SPOT else None
 

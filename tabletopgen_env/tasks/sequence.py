@@ -33,7 +33,7 @@ from ..goals.needs import FLAT, SMALL, TRAYS
 from .names import TaskName
 from .sampling import (
     NO_GRASP,
-    blocked,
+    blocking_reason,
     containers,
     into,
     liftable,
@@ -43,7 +43,7 @@ from .sampling import (
 )
 from .stack import on_top, supports
 from .swap import Swap
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -134,11 +134,7 @@ class Sequence(Task):
         return listed and listed._replace(preset=self._name)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw steps, or find the preset's things; see ``Task.sample``."""
         if target is not None or goal is not None:
@@ -146,7 +142,7 @@ class Sequence(Task):
                 "A sequence is drawn or named by a preset; it takes no target or goal."
             )
         if self.preset is None:
-            return _drawn(world, rng, int(rng.integers(2, self.most + 1)))
+            return _draw(world, rng, int(rng.integers(2, self.most + 1)))
         if self.preset.swap:
             first, second = (_movable(world, label, broad=True) for label in self.preset.swap)
             return Swap().sample(world, rng, first.name, second.name)
@@ -162,7 +158,7 @@ class Sequence(Task):
         return Swap().instruction(world, goals) if self.preset.swap else self.preset.instruction
 
 
-def _labelled(world: World, label: str) -> Object:
+def _resolve_label(world: World, label: str) -> Object:
     """Return the object that a preset means."""
     category = label.replace(" ", "_")
     for obj in world.scene.objects:
@@ -179,8 +175,8 @@ def _movable(world: World, label: str, broad: bool = False) -> Object:
 
     ``broad`` allows for what nearly fills the gripper, as mugs and apples do.
     """
-    obj = _labelled(world, label)
-    reason = blocked(world, obj) if broad else liftable(world)[obj.name]
+    obj = _resolve_label(world, label)
+    reason = blocking_reason(world, obj) if broad else liftable(world)[obj.name]
     if reason is None and not has_grasp(world, obj.name):
         reason = NO_GRASP
     if reason is not None:
@@ -189,11 +185,11 @@ def _movable(world: World, label: str, broad: bool = False) -> Object:
 
 
 def _goal(world: World, step: Step) -> Goal:
-    obj, place = _labelled(world, step.target), _labelled(world, step.place)
+    obj, place = _resolve_label(world, step.target), _resolve_label(world, step.place)
     return into(world, obj, place) if step.relation == "into" else on_top(world, obj, place)
 
 
-def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
+def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
     """Draw ``count`` steps with things of their own that stay clear of one another."""
     reasons = liftable(world)
     names = [name for name, why in reasons.items() if why is None]

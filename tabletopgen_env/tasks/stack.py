@@ -22,14 +22,8 @@ from ..expert.planning.plans import first_plan
 from ..goals.goal import OnTop
 from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
-from .sampling import (
-    drawn,
-    given_object,
-    liftable,
-    on_table,
-    rest_height,
-)
-from .task import Episode, Task, episode
+from .sampling import draw_episode, given_object, liftable, on_table, rest_height
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -38,7 +32,7 @@ LEAST_TOP = 0.022
 """Least radius of a flat top to put things on, metres."""
 
 _YAWS = np.arange(8) * np.pi / 4
-"""Of the hand, base frame, radians."""
+"""Yaws of the hand, base frame, radians."""
 
 TALLEST = 0.25
 """Tallest support, metres: the arm has to come over it."""
@@ -53,11 +47,7 @@ class Stack(Task):
     needs = (FLAT, STANDING)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a support, or take those given; see ``Task.sample``."""
         asked = "The goal of Stack is an object's name"
@@ -71,7 +61,7 @@ class Stack(Task):
             return episode(world, (on_top(world, obj, base),))
 
         lacks = "no flat top in reach that carries it"
-        return drawn(world, rng, target, liftable(world), make, lacks)
+        return draw_episode(world, rng, target, liftable(world), make, lacks)
 
 
 def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[Object]:

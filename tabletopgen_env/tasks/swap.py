@@ -20,16 +20,8 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import Goal, OnSpot, the
 from ..goals.needs import SMALL
 from ..world.workspace import FREE_MARGIN
-from .sampling import (
-    drawn,
-    given_object,
-    in_stead,
-    liftable,
-    on_spot,
-    on_table,
-    spot_of,
-)
-from .task import Episode, Task, episode
+from .sampling import draw_episode, given_object, in_stead, liftable, on_spot, on_table, spot_of
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -46,11 +38,7 @@ class Swap(Task):
     needs = (SMALL, SMALL)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw two objects, or take those given; see ``Task.sample``."""
         asked = "The goal of Swap is the other object's name"
@@ -73,7 +61,7 @@ class Swap(Task):
             return None
 
         lacks = "nothing else that could change places with it"
-        return drawn(world, rng, target, reasons, make, lacks)
+        return draw_episode(world, rng, target, reasons, make, lacks)
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
         """Return what ``goals`` ask for in the end."""

@@ -52,6 +52,9 @@ if TYPE_CHECKING:
 GOAL_WEIGHTS: Mapping[str, float] = MappingProxyType({"place": 0.5, "met": 0.5})
 """Weights when only the achieved and the desired goal are known."""
 
+Choice = str | tuple[float, ...] | None
+"""What the option "goal" of ``reset`` may be: an object's name, "spot", a point, or nothing."""
+
 ENTRIES = 8
 """Entries of one goal in a goal vector."""
 
@@ -122,19 +125,11 @@ class Task(ABC):
 
     @abstractmethod
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw an episode, or take what is given.
+        """Draw an episode of a world at its start, or take what is given.
 
-        Args:
-            world: the world, at its start.
-            rng: draws.
-            target: an object's name.
-            goal: what the task takes as a goal; see its page.
+        ``target`` is an object's name, ``goal`` what the task takes as one; see its page.
 
         Raises:
             SceneError: the scene offers nothing to do; says why for each object.
@@ -154,7 +149,7 @@ class Task(ABC):
 
     # -------------------------------------------------------------------------------- goal vectors
 
-    def desired(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
+    def desired_goal(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
         """Return the desired goal vector, ``float32``, 8 entries for each of ``most`` goals."""
         vector = np.zeros((self.most, ENTRIES))
         for row, goal in zip(vector, episode.goals, strict=False):
@@ -164,7 +159,7 @@ class Task(ABC):
             row[5:] = region.yaw - world.mount.yaw, region.semi[2], 1.0
         return vector.ravel().astype(np.float32)
 
-    def achieved(
+    def achieved_goal(
         self, world: World, episode: Episode, desired: Float[np.ndarray, "g"]
     ) -> Float[np.ndarray, "g"]:
         """Return what is achieved in the same form."""
@@ -224,7 +219,7 @@ class Task(ABC):
         if goal.target is None or (goal.released and across <= 0 and up <= 0):
             return dict.fromkeys(_HAND, 1.0)
         at = world.position(goal.target)
-        left, right, _ = world.touched(goal.target)
+        left, right, _ = world.touches(goal.target)
         offset = world.data.site_xpos[world.tcp] - at
         away = math.sqrt(offset @ offset)
         asked = LIFT * min(float(across) / LIFT, 1.0) if goal.released else LIFT

@@ -17,21 +17,10 @@ from generator.scene import Object
 
 from ..affordance import Opening, grasp_width, resting_height
 from ..expert.planning.plans import has_grasp
-from ..goals.goal import (
-    INSIDE,
-    Goal,
-    Into,
-    the,
-)
+from ..goals.goal import INSIDE, Goal, Into, the
 from ..goals.needs import TINY, TRAYS
-from .sampling import (
-    containers,
-    given_object,
-    into,
-    liftable,
-    nothing,
-)
-from .task import Episode, Task, episode
+from .sampling import containers, given_object, into, liftable, nothing
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -54,11 +43,7 @@ class Tidy(Task):
     needs = (TRAYS, TINY, TINY, TINY)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a container, or take the one given; see ``Task.sample``."""
         if target is not None:

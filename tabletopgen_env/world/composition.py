@@ -11,8 +11,8 @@ from generator.geometry import Camera, framing_camera, rotation_z, yaw_quaternio
 from generator.scene import Scene, View
 
 from ..robot.mount import Mount, add_pedestal
-from ..robot.outline import arm_points
 from ..robot.panda import Panda
+from ..robot.shells import arm_points
 from .room import furnish
 
 if TYPE_CHECKING:

@@ -23,7 +23,7 @@ from jaxtyping import Float, Int
 from generator.bundle import digest
 from generator.errors import SceneError, choices
 from generator.geometry import rotation_z
-from generator.physics.mjcf import compiled
+from generator.physics.mjcf import compile_spec
 from generator.scene import Scene
 
 from ..affordance import (
@@ -95,7 +95,7 @@ class World:
         self._own_mount = mount or Mount.beside(scene)
         self.seat(self._own_mount)
         self.absent: frozenset[str] = frozenset()
-        self.model = compiled(compose(scene, robot, self.mount), scene.name)
+        self.model = compile_spec(compose(scene, robot, self.mount), scene.name)
         self.data = mujoco.MjData(self.model)
         self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
         self._rows = {name: k for k, name in enumerate(self.names)}
@@ -313,7 +313,7 @@ class World:
         low = self.data.xpos[self.bodies, 2] < self.scene.table.height
         return tuple(self.names[k] for k in np.flatnonzero(low))
 
-    def touched(self, name: str) -> tuple[bool, bool, bool]:
+    def touches(self, name: str) -> tuple[bool, bool, bool]:
         """Return whether the left finger, the right finger, any part of the robot touches it.
 
         Looked up once between two calls that move things. Nothing that moves touches a sleeping
@@ -325,7 +325,7 @@ class World:
         return found
 
     def _contacts(self, row: int) -> tuple[bool, bool, bool]:
-        """Return what ``touched`` does, of the object in a row."""
+        """Return what ``touches`` does, of the object in a row."""
         if self.data.tree_asleep[self._trees[row]] >= 0:
             return False, False, self._at_base(row)
         sides: set[int] = set()

@@ -10,10 +10,13 @@ from typing import Any
 
 from generator.errors import require_number
 
-from ..robot.panda import Panda
+from ..robot.panda import Panda, panda
 from ..scenes import SceneRef
 from ..scenes.fixed import folder
 from .world import World
+
+KEPT = 16
+"""Compiled worlds that are kept unless said otherwise."""
 
 
 class WorldCache:
@@ -25,13 +28,9 @@ class WorldCache:
         robot: stands at every table.
         size: how many worlds are kept.
         masters: where new worlds are copied from; None to compile each.
-
-    Raises:
-        InputError: ``size`` is no whole number from 1 up.
     """
 
-    def __init__(self, robot: Panda, size: int = 16, masters: Masters | None = None) -> None:
-        require_number("The environment needs cache", size, least=1, whole=True)
+    def __init__(self, robot: Panda, size: int, masters: Masters | None = None) -> None:
         self._robot = robot
         self._size = size
         self._masters = masters
@@ -78,7 +77,7 @@ class Masters:
         size: how many scenes are kept.
     """
 
-    def __init__(self, robot: Panda, size: int = 16) -> None:
+    def __init__(self, robot: Panda, size: int = KEPT) -> None:
         self._robot = robot
         self._size = size
         self._lock = threading.Lock()
@@ -102,3 +101,34 @@ class Masters:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__init__(state["_robot"], state["_size"])
+
+
+@dataclass(frozen=True)
+class WorldConfig:
+    """What the worlds of an environment are made with, and how many it keeps.
+
+    Args:
+        robot: the robot; None for ``Panda()``.
+        cache: how many compiled worlds are kept, at least 1.
+        masters: compiled worlds to copy, shared with other environments; None to compile.
+
+    Raises:
+        InputError: no robot of this package, or a cache out of range.
+    """
+
+    robot: Panda | None = None
+    cache: int = KEPT
+    masters: Masters | None = None
+
+    def __post_init__(self) -> None:
+        panda(self.robot)
+        require_number("The environment needs cache", self.cache, minimum=1, integer=True)
+
+    @property
+    def arm(self) -> Panda:
+        """The robot, ``Panda()`` where none was named."""
+        return panda(self.robot)
+
+    def worlds(self) -> WorldCache:
+        """Return an empty cache of worlds."""
+        return WorldCache(self.arm, self.cache, self.masters)

@@ -12,15 +12,10 @@ from generator.errors import SceneError
 from tabletopgen_env.certificates.certificate import (
     FILE,
     Certificate,
-    Instance,
+    TaskInstance,
     read_certificate,
 )
-from tabletopgen_env.certificates.certify import (
-    DEFAULT,
-    instance_of,
-    names,
-    offered,
-)
+from tabletopgen_env.certificates.certify import DEFAULT, find_instances, instance_of, names
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes.fixed import bundle_ref
@@ -52,7 +47,7 @@ def solved(path: Path, name: TaskName) -> set[Asked]:
     return {asked(i) for i in listed if i.name == name and i.certified}
 
 
-def asked(instance: Instance) -> Asked:
+def asked(instance: TaskInstance) -> Asked:
     return instance.target, instance.goal
 
 
@@ -72,7 +67,7 @@ def test_it_lists_what_the_bundle_offers_and_environments_keep_to_it(name: str) 
     world = masters.twin(bundle_ref(path))
     for kind in ALL:
         listed = [i for i in found.instances if i.name == kind]
-        if offered(world, task_named(*kind), DEFAULT.seed, 1):
+        if find_instances(world, task_named(*kind), DEFAULT.seed, 1):
             assert listed, f"{kind} is offered, but not listed"
         assert all(i.episodes == DEFAULT.episodes for i in listed if i.share == 1)
         env = make_env(path, task=kind.task, preset=kind.preset, masters=masters)

@@ -15,7 +15,7 @@ from generator.bundle import save
 from tabletopgen_env.certificates.certificate import (
     FILE,
     Certificate,
-    Instance,
+    TaskInstance,
     Terms,
     read_certificate,
     scene_digest,
@@ -47,7 +47,7 @@ def named(name: str, here: Path) -> Path:
 
 
 def certify(path: Path) -> None:
-    instance = Instance("Lift", "cube_1", None, 10, 10)
+    instance = TaskInstance("Lift", "cube_1", None, 10, 10)
     write_certificate(path, Certificate(scene_digest(path), Terms(("Lift",)), {}, (instance,)))
 
 

@@ -20,6 +20,8 @@ import numpy as np
 from local_server import Server, sent_to
 from PIL import Image
 
+from generator.io.png import encode_png
+
 KEY = "sk-test-0123456789abcdef"
 CHAT, IMAGES = "glimpse-1", "brush-1"
 OPTIONS = {
@@ -239,7 +241,7 @@ class Handler(BaseHTTPRequestHandler):
         for uri in [given] if isinstance(given, str) else given:
             request.body.setdefault("images", []).append(pixels(from_uri(uri)))
         drawn = self.script.paint(request)
-        data = drawn if isinstance(drawn, bytes) else encoded(drawn)
+        data = drawn if isinstance(drawn, bytes) else encode_png(drawn)
         if not self.script.urls:
             return {"created": 1, "data": [{"b64_json": base64.b64encode(data).decode()}]}
         path = self.script.address or f"/files/{len(self.script.requests)}.png"
@@ -270,12 +272,6 @@ def from_uri(uri: str) -> bytes:
 
 def pixels(data: bytes) -> np.ndarray:
     return np.asarray(Image.open(io.BytesIO(data)))
-
-
-def encoded(picture: np.ndarray) -> bytes:
-    file = io.BytesIO()
-    Image.fromarray(picture).save(file, "PNG")
-    return file.getvalue()
 
 
 @dataclass

@@ -80,8 +80,3 @@ def as_shown(image: np.ndarray, name: str, found: Detection) -> Instance:
     x0, y0, x1, y1 = found.box.astype(int)
     crop = np.dstack([image, 255 * found.mask.astype(np.uint8)])[y0:y1, x0:x1]
     return Instance(name, found.label, found.box, found.mask, crop, found.box)
-
-
-def iou(a: np.ndarray, b: np.ndarray) -> float:
-    """Intersection over union of two masks."""
-    return float((a & b).sum() / (a | b).sum())

@@ -17,16 +17,11 @@ import transformers
 from torch.nn import functional
 
 from generator.backends.huggingface.detection.grounding_dino import GroundingDino
-from generator.backends.huggingface.detection.pixels import (
-    HALVES,
-    IMAGENET,
-    Norm,
-    seen,
-)
+from generator.backends.huggingface.detection.pixels import HALVES, IMAGENET, Norm, to_batch
 from generator.backends.huggingface.detection.sam2 import Sam2
 from generator.backends.huggingface.detection.sam3 import Sam3
 from generator.backends.huggingface.detection.tiles import Tile, tiles_of
-from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.backends.huggingface.weights.loading import Once
 from generator.geometry import mask_box
 
@@ -46,7 +41,9 @@ class Player:
 
     device = torch.device("cpu")
 
-    def __init__(self, image: np.ndarray, truth: Truth, segmenter: Segmenter, norm: Norm) -> None:
+    def __init__(
+        self, image: np.ndarray, truth: Truth, segmenter: HuggingFaceSegmenter, norm: Norm
+    ) -> None:
         height, width = image.shape[:2]
         self.truth, self.norm, self.image = truth, norm, image
         self.tiles = tiles_of(width, height, segmenter.tiles, segmenter.overlap)
@@ -56,7 +53,7 @@ class Player:
         """Return the tile whose pixels these are."""
         wide, high = pixels.shape[-1], pixels.shape[-2]
         for tile in self.tiles:
-            if torch.equal(seen(tile.cut(self.image), wide, high, self.norm), pixels):
+            if torch.equal(to_batch(tile.cut(self.image), wide, high, self.norm), pixels):
                 self.looked.append(tile)
                 return tile
         raise AssertionError("the picture shown is none of the tiles")
@@ -146,7 +143,7 @@ def logits_of(mask: np.ndarray) -> torch.Tensor:
     return 20 * (small[0, 0] - 0.5)
 
 
-def play(segmenter: Segmenter, image: np.ndarray, truth: Truth) -> Mapping[str, Player]:
+def play(segmenter: HuggingFaceSegmenter, image: np.ndarray, truth: Truth) -> Mapping[str, Player]:
     """Let players answer for a segmenter's models; return them by "finder" and "masker"."""
     set_field = object.__setattr__
     if segmenter.detector == "sam3":

@@ -9,6 +9,7 @@ import pytest
 from generator.backends.embedded.drawing.completion import complete
 from generator.errors import InputError
 from generator.geometry import mask_box
+from generator.meshes.pixels import mask_iou
 from generator.scene import Detection, Reference
 
 H, W = 200, 240
@@ -31,10 +32,6 @@ def picture(*layers: tuple[np.ndarray, tuple[int, int, int]]) -> Reference:
     return Reference(image)
 
 
-def iou(a: np.ndarray, b: np.ndarray) -> float:
-    return (a & b).sum() / (a | b).sum()
-
-
 def alpha_in_picture(instance) -> np.ndarray:
     """Return the crop's opaque pixels laid back over the reference picture."""
     x0, y0, x1, y1 = instance.crop_box
@@ -55,7 +52,7 @@ def test_a_visible_object_is_cut_out_clean():
     assert max(found.crop.shape[:2]) >= 256
     np.testing.assert_array_equal(found.mask, mask)
     np.testing.assert_array_equal(found.box, mask_box(mask))
-    assert iou(alpha_in_picture(found), mask) > 0.97
+    assert mask_iou(alpha_in_picture(found), mask) > 0.97
     alpha = found.crop[..., 3]
     assert alpha[0].max() == 0 and alpha[:, 0].max() == 0, "the margin is clear"
     assert ((alpha > 0) & (alpha < 255)).any(), "the edge is soft"
@@ -71,8 +68,8 @@ def test_the_hidden_half_of_a_round_object_comes_back(side):
     seen = whole & ~hider
     found = complete(picture((whole, RED), (hider, BLUE)), detect(seen), (detect(hider),))
     assert found.occluded
-    assert iou(alpha_in_picture(found), seen) < 0.9
-    assert iou(alpha_in_picture(found), whole) > 0.95
+    assert mask_iou(alpha_in_picture(found), seen) < 0.9
+    assert mask_iou(alpha_in_picture(found), whole) > 0.95
     opaque = found.crop[found.crop[..., 3] > 250][:, :3].astype(int)
     assert np.abs(opaque - RED).mean() < 12, "the hider's colour is gone"
     np.testing.assert_array_equal(found.mask, seen)
@@ -94,7 +91,7 @@ def test_things_on_the_table_are_painted_over():
     seen = table & ~thing
     found = complete(picture((table, RED), (thing, BLUE)), detect(seen, "table"), (detect(thing),))
     assert found.occluded
-    assert iou(alpha_in_picture(found), table) > 0.97
+    assert mask_iou(alpha_in_picture(found), table) > 0.97
     opaque = found.crop[found.crop[..., 3] > 250][:, :3].astype(int)
     assert np.abs(opaque - RED).max(1).mean() < 8
 
@@ -103,7 +100,7 @@ def test_an_object_at_the_picture_edge_keeps_its_place():
     mask = disc(4, 100, 30)
     found = complete(picture((mask, RED)), detect(mask), ())
     assert found.crop_box[0] < 0
-    assert iou(alpha_in_picture(found), mask) > 0.95
+    assert mask_iou(alpha_in_picture(found), mask) > 0.95
 
 
 def test_same_input_same_bytes():
@@ -135,7 +132,7 @@ def test_a_full_mask_is_believed_where_something_hides():
     detection = Detection("thing", box, whole & ~hider, 1.0, beyond)
     found = complete(Reference(image), detection, (detect(hider),))
     assert found.occluded
-    assert iou(alpha_in_picture(found), whole) > 0.96
+    assert mask_iou(alpha_in_picture(found), whole) > 0.96
 
 
 def test_hidden_places_look_like_their_mirror_images():
@@ -179,7 +176,7 @@ def test_a_thing_found_in_pieces_is_one():
     found = complete(picture((shade | stem | base, RED)), detect(shade | stem | base), ())
     outline = alpha_in_picture(found)
     assert cv2.connectedComponents(outline.astype(np.uint8))[0] == 2, "ground and one thing"
-    assert iou(outline, shade | stem | base) > 0.95, "the bridges are as thin as the stem"
+    assert mask_iou(outline, shade | stem | base) > 0.95, "the bridges are as thin as the stem"
     opaque = found.crop[found.crop[..., 3] > 250][:, :3].astype(int)
     assert np.abs(opaque - RED).max() < 30, "and have its colour"
 
@@ -189,4 +186,4 @@ def test_specks_beside_a_thing_are_left_alone():
     mask = whole.copy()
     mask[20:22, 20:22] = True
     outline = alpha_in_picture(complete(picture((mask, RED)), detect(mask), ()))
-    assert iou(outline[24:], whole[24:]) > 0.97, "no bridge leads to it"
+    assert mask_iou(outline[24:], whole[24:]) > 0.97, "no bridge leads to it"

@@ -22,10 +22,10 @@ import torch
 from openai_server import CHAT, IMAGES, KEY, Request
 from painted import as_shown, detections, paint
 
-from generator.backends.cloud.imager import Imager as CloudImager
-from generator.backends.cloud.reasoner import Reasoner as CloudReasoner
-from generator.backends.embedded.imager import Imager as EmbeddedImager
-from generator.backends.embedded.reasoner import Reasoner as EmbeddedReasoner
+from generator.backends.cloud.imager import CloudImager as CloudImager
+from generator.backends.cloud.reasoner import CloudReasoner as CloudReasoner
+from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
+from generator.backends.embedded.reasoner import EmbeddedReasoner as EmbeddedReasoner
 from generator.backends.protocols import Encoder, Imager, PoseGuesser, Reasoner, Segmenter
 from generator.backends.select import PROTOCOLS
 from generator.catalogue import build, build_table

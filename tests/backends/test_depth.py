@@ -11,8 +11,8 @@ from shots import FRAME, THINGS, scene_of, shoot
 
 from generator.backends.embedded.depth.measure import measure_solid, table_points
 from generator.backends.embedded.depth.plane import find_depth_plane
-from generator.backends.embedded.imager import Imager
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.imager import EmbeddedImager
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.catalogue import build
 from generator.errors import SceneError
 from generator.geometry import Camera, view_rotation
@@ -118,7 +118,7 @@ def test_without_a_level_plane_there_is_no_table():
 def test_the_reasoner_measures_what_it_does_not_know():
     shot = shoot()
     reference, instances = scene_of(shot, ("thing_1", "thing_2", "thing_3"))
-    reasoner = Reasoner()
+    reasoner = EmbeddedReasoner()
     view = reasoner.estimate_view(reference, instances[0])
     sizes = reasoner.estimate_sizes(reference, instances, view)
     assert np.rad2deg(view.elevation) == pytest.approx(52, abs=0.5)
@@ -133,7 +133,7 @@ def test_what_lies_in_a_bowl_and_on_a_box_is_found_there():
     things = [("bowl", 0.25, 0.1, 0.0), ("book", -0.2, 0.0, 0.0), ("apple", -0.2, 0.0, box[2])]
     shot = shoot(things=things)
     reference, instances = scene_of(shot, ("bowl", "book", "apple"))
-    order = Reasoner().stacking_order(reference, instances, None)  # type: ignore[arg-type]
+    order = EmbeddedReasoner().stacking_order(reference, instances, None)  # type: ignore[arg-type]
     assert order["apple"].on == "book" and order["apple"].order == 3
     assert not order["apple"].inside
     assert order["bowl"].on == order["book"].on == TABLE
@@ -144,10 +144,10 @@ def test_the_top_view_keeps_measured_places_and_scale():
     shot = shoot()
     names = ("bowl", "mug", "apple")
     reference, instances = scene_of(shot, names)
-    view = Reasoner().estimate_view(reference, instances[0])
+    view = EmbeddedReasoner().estimate_view(reference, instances[0])
     models = {name: replace(build(name, 1), name=name) for name in names}
     rotations = {name: Rotation(name, 0.4, 0.0) for name in names}
-    top = Imager().top_view(reference, instances, models, rotations, view)
+    top = EmbeddedImager().top_view(reference, instances, models, rotations, view)
     assert top.metres_per_pixel is not None
     table = np.asarray(top.table_box)
     assert (table[2] - table[0]) * top.metres_per_pixel == pytest.approx(1.2, abs=0.02)

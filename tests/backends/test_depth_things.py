@@ -9,12 +9,13 @@ import pytest
 from shots import THINGS, Shot, scene_of, shoot
 
 from generator.backends.embedded.depth.plane import find_depth_plane
-from generator.backends.embedded.depth.things import confirmed, height_above_floor, things_above
-from generator.backends.embedded.imager import Imager
+from generator.backends.embedded.depth.things import confirm, height_above_floor
+from generator.backends.embedded.imager import EmbeddedImager
 from generator.backends.embedded.plane.plane import TablePlane
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.catalogue import build
 from generator.geometry import mask_box
+from generator.meshes.pixels import mask_iou
 from generator.method.alignment import Alignment, align
 from generator.method.modeling import align_canonically
 from generator.scene import Detection, Model, Rotation
@@ -38,10 +39,6 @@ def truth(shot: Shot) -> list[np.ndarray]:
     return [shot.picture.ids == number for number in range(1, len(THINGS) + 1)]
 
 
-def iou(a: np.ndarray, b: np.ndarray) -> float:
-    return float((a & b).sum() / (a | b).sum())
-
-
 def grown(mask: np.ndarray, pixels: int) -> np.ndarray:
     out = mask.copy()
     for _ in range(pixels):
@@ -51,7 +48,7 @@ def grown(mask: np.ndarray, pixels: int) -> np.ndarray:
 
 
 def test_things_are_proposed_by_depth_alone(shot, plane):
-    masks = things_above(shot.depth, plane)
+    masks = [d.mask for d in confirm([], shot.depth, plane)]
     for number in range(1, 4):
         true = shot.picture.ids == number
         assert max((true & m).sum() / (true | m).sum() for m in masks) > 0.5
@@ -60,10 +57,10 @@ def test_things_are_proposed_by_depth_alone(shot, plane):
 
 def test_right_masks_stay_as_they_are(shot, plane):
     found = [detection(m) for m in truth(shot)]
-    got = confirmed(found, shot.depth, plane)
+    got = confirm(found, shot.depth, plane)
     assert len(got) == len(found)
     for before, after in zip(found, got, strict=True):
-        assert iou(before.mask, after.mask) > 0.95
+        assert mask_iou(before.mask, after.mask) > 0.95
 
 
 def test_a_flat_find_needs_more_certainty(shot, plane):
@@ -72,17 +69,17 @@ def test_a_flat_find_needs_more_certainty(shot, plane):
     patch[y - 5 : y + 5, x - 10 : x + 10] = True
     assert (shot.picture.ids[patch] == 0).all()
     things = [detection(m) for m in truth(shot)]
-    labels = [d.label for d in confirmed([*things, detection(patch, "shadow")], shot.depth, plane)]
+    labels = [d.label for d in confirm([*things, detection(patch, "shadow")], shot.depth, plane)]
     assert labels == ["thing"] * 3
-    sure = confirmed([*things, detection(patch, "card", 0.9)], shot.depth, plane)
+    sure = confirm([*things, detection(patch, "card", 0.9)], shot.depth, plane)
     assert [d.label for d in sure] == ["thing"] * 3 + ["card"]
 
 
 def test_masks_lose_the_tabletop_around_a_thing(shot, plane):
     masks = truth(shot)
     wide = [detection(grown(m, 8)) for m in masks]
-    for true, before, after in zip(masks, wide, confirmed(wide, shot.depth, plane), strict=True):
-        assert iou(true, after.mask) > iou(true, before.mask) + 0.08
+    for true, before, after in zip(masks, wide, confirm(wide, shot.depth, plane), strict=True):
+        assert mask_iou(true, after.mask) > mask_iou(true, before.mask) + 0.08
         assert (after.mask & true).sum() > 0.97 * true.sum()
 
 
@@ -92,9 +89,9 @@ def test_an_upper_part_that_stands_on_nothing_joins_the_lower(shot, plane):
     _, top, _, low = mask_box(mug)
     upper = mug & (rows < top + 0.45 * (low - top))
     parts = [detection(bowl), detection(upper), detection(mug & ~upper), detection(apple)]
-    got = confirmed(parts, shot.depth, plane)
+    got = confirm(parts, shot.depth, plane)
     assert len(got) == 3
-    assert max(iou(d.mask, mug) for d in got) > 0.95
+    assert max(mask_iou(d.mask, mug) for d in got) > 0.95
 
 
 def halves(shot: Shot, number: int) -> tuple[np.ndarray, np.ndarray]:
@@ -113,7 +110,7 @@ def test_a_print_on_a_box_is_the_box_however_certain():
     x0, y0, x1, y1 = mask_box(lower).astype(int)
     printed = np.zeros_like(lower)
     printed[y0 : y0 + (y1 - y0) // 2, x0 + (x1 - x0) // 4 : x1 - (x1 - x0) // 4] = True
-    got = confirmed([detection(m, score=0.98) for m in (upper, printed)], shot.depth, plane)
+    got = confirm([detection(m, score=0.98) for m in (upper, printed)], shot.depth, plane)
     assert len(got) == 1
     assert (got[0].mask & upper).sum() > 0.95 * upper.sum()
 
@@ -128,7 +125,7 @@ def test_what_is_certain_joins_only_what_continues_its_flat_side(certainty, thin
     upper, lower = halves(shot, 1)
     book = lower | (shot.picture.ids == 2)
     found = [detection(upper, score=certainty), detection(book, score=0.95)]
-    assert len(confirmed(found, shot.depth, plane)) == things
+    assert len(confirm(found, shot.depth, plane)) == things
 
 
 @pytest.mark.slow
@@ -137,14 +134,14 @@ def test_a_thing_on_another_stays_a_thing():
     shot = shoot(things=[("book", -0.2, 0.0, 0.0), ("apple", -0.2, 0.0, height)])
     plane = find_depth_plane(shot.depth, shot.intrinsics)
     found = [detection(shot.picture.ids == number) for number in (1, 2)]
-    assert len(confirmed(found, shot.depth, plane)) == 2
+    assert len(confirm(found, shot.depth, plane)) == 2
 
 
 def test_what_nobody_saw_is_added(shot, plane):
     bowl, mug, apple = truth(shot)
-    got = confirmed([detection(mug), detection(bowl)], shot.depth, plane)
+    got = confirm([detection(mug), detection(bowl)], shot.depth, plane)
     assert len(got) == 3
-    assert iou(got[-1].mask, apple) > 0.6
+    assert mask_iou(got[-1].mask, apple) > 0.6
 
 
 @pytest.mark.slow
@@ -166,7 +163,7 @@ def test_no_floor_in_sight_leaves_the_height_open(shot, plane):
 def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
     """Run sizes, models and places on true masks; the modeler's sizes are off by ``wrong``."""
     reference, instances = scene_of(shot, names)
-    reasoner, imager = Reasoner(), Imager()
+    reasoner, imager = EmbeddedReasoner(), EmbeddedImager()
     view = reasoner.estimate_view(reference, instances[0])
     sizes = reasoner.estimate_sizes(reference, instances, view)
     models: dict[str, Model] = {}

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 import torch
 
-from generator.backends.embedded.encoder import Encoder
+from generator.backends.embedded.encoder import EmbeddedEncoder
 from generator.backends.protocols import Encoder as EncoderProtocol
 
 
@@ -14,12 +14,12 @@ def picture(b: int = 2, side: int = 48, dtype: torch.dtype = torch.float32) -> t
 
 
 def distance(a: torch.Tensor, b: torch.Tensor) -> float:
-    pairs = zip(Encoder().features(a), Encoder().features(b), strict=True)
+    pairs = zip(EmbeddedEncoder().features(a), EmbeddedEncoder().features(b), strict=True)
     return float(sum((x - y).square().sum(1).mean() for x, y in pairs))
 
 
 def test_maps_are_spatial_bounded_and_of_stride_at_most_8():
-    encoder = Encoder()
+    encoder = EmbeddedEncoder()
     assert isinstance(encoder, EncoderProtocol)
     maps = encoder.features(picture())
     assert [tuple(m.shape) for m in maps] == [(2, 6, s, s) for s in (24, 12, 6)]
@@ -29,7 +29,8 @@ def test_maps_are_spatial_bounded_and_of_stride_at_most_8():
 
 def test_grey_has_no_features():
     assert all(
-        float(m.abs().max()) < 1e-6 for m in Encoder().features(torch.full((1, 3, 32, 32), 0.6))
+        float(m.abs().max()) < 1e-6
+        for m in EmbeddedEncoder().features(torch.full((1, 3, 32, 32), 0.6))
     )
 
 
@@ -51,7 +52,7 @@ def test_gradients_agree_with_finite_differences():
     image = picture(1, 16, torch.float64).requires_grad_()
 
     def total(x: torch.Tensor) -> torch.Tensor:
-        maps = Encoder().features(x)
+        maps = EmbeddedEncoder().features(x)
         return torch.stack(
             [(m * torch.linspace(0, 1, m.shape[-1], dtype=m.dtype)).sum() for m in maps]
         ).sum()

@@ -9,7 +9,7 @@ import torch
 from generator.backends.embedded.eye import weights
 from generator.backends.embedded.eye.frames import Frame
 from generator.backends.embedded.eye.horizon import fit_view
-from generator.backends.embedded.eye.lite0 import CHANNELS, Lite0, folded
+from generator.backends.embedded.eye.lite0 import CHANNELS, Lite0, fold
 from generator.backends.embedded.eye.network import HINTS, STRIDE, Eye
 from generator.errors import BackendError
 from generator.geometry import Camera, view_rotation
@@ -31,7 +31,7 @@ def test_folding_a_norm_changes_nothing():
     published = {f"_bn0.{k}": v for k, v in norm.state_dict().items()}
     published["_conv_stem.weight"] = conv.weight
     with pytest.raises(KeyError):
-        folded(published)  # the blocks are missing
+        fold(published)  # the blocks are missing
     from generator.backends.embedded.eye.lite0 import _fold
 
     state = _fold(published, "_conv_stem", "_bn0", "stem")
@@ -73,7 +73,7 @@ def test_a_frame_shows_what_lies_around_a_box_and_carries_masks_back():
     for side in (32, 128):
         frame = Frame.around(np.array([100.0, 40.0]), np.array([110.0, 80.0]), side, 1.25)
         seen = frame.cut(image)[..., 0] / 255
-        carried = frame.carried(mask.astype(np.float32), 1.0, 1, 1)
+        carried = frame.carry(mask.astype(np.float32), 1.0, 1, 1)
         np.testing.assert_allclose(seen, carried, atol=0.35)
         assert seen.mean() == pytest.approx(0.8 * 0.2, rel=0.1)
         (back,) = frame.spread(carried[None].astype(np.float32), mask.shape)
@@ -121,14 +121,14 @@ def test_notes_beside_weights_are_checked(tmp_path, categories, temperature, why
 
 
 def test_missing_and_damaged_weights_say_how_to_restore_them(tmp_path):
-    with pytest.raises(BackendError, match=r"generator\.training\.train"):
+    with pytest.raises(BackendError, match=r"research\.eye\.train"):
         weights.load_weights(tmp_path / "gone.safetensors")
     damaged = tmp_path / "damaged.safetensors"
     damaged.write_bytes(b"\x10\0\0\0\0\0\0\0garbage")
     for load in (weights.load_weights, weights.load_judge):
         with pytest.raises(BackendError, match="cannot be used"):
             load(damaged)
-    with pytest.raises(BackendError, match=r"generator\.training\.judging"):
+    with pytest.raises(BackendError, match=r"research\.eye\.judging"):
         weights.load_judge(tmp_path / "gone.safetensors")
     other = tmp_path / "other.safetensors"
     weights.save_weights(other, {"heat": torch.zeros(2)}, {})

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from generator.backends.embedded.layout.guessing import guess_layout, guess_rotations
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.backends.protocols import PoseGuesser
 from generator.errors import InputError
 from generator.geometry import mask_box
@@ -87,7 +87,7 @@ def test_a_layout_needs_a_table() -> None:
 
 
 def test_the_embedded_reasoner_can_be_asked_for_poses() -> None:
-    assert isinstance(Reasoner(), PoseGuesser)
+    assert isinstance(EmbeddedReasoner(), PoseGuesser)
 
 
 def test_a_turned_tables_edge_is_kept_too() -> None:

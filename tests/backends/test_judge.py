@@ -7,16 +7,23 @@ import pytest
 import torch
 from painted import paint
 
-from generator.backends.embedded.eye.judge import ALONE, BOTH, Clues, Find, Judge, clues_of
-from research.eye.judging import Lesson, learned, lesson
+from generator.backends.embedded.eye.judge import (
+    ALONE,
+    BOTH,
+    Clues,
+    DetectionJudge,
+    EyeDetection,
+    clues_of,
+)
+from research.eye.judging import JudgeLesson, lesson, train_judge
 
 REGION = np.full((4, 40, 60), 0.25)
 
 
-def find(x0: int, y0: int, x1: int, y1: int, score: float = 0.5) -> Find:
+def find(x0: int, y0: int, x1: int, y1: int, score: float = 0.5) -> EyeDetection:
     mask = np.zeros(REGION.shape[1:], bool)
     mask[y0:y1, x0:x1] = True
-    return Find(score, score, mask, mask, np.array([0.7, 0.2, 0.1]))
+    return EyeDetection(score, score, mask, mask, np.array([0.7, 0.2, 0.1]))
 
 
 def test_pairs_that_touch_have_clues_the_larger_one_first():
@@ -37,7 +44,7 @@ def test_a_lone_find_is_clueless_about_others():
 @pytest.mark.parametrize("count", [0, 1])
 def test_none_and_one_can_be_judged(count: int):
     clues = clues_of([find(10, 10, 20, 20)][:count], REGION)
-    assert len(Judge().eval().choose(clues, 0.0)) == count
+    assert len(DetectionJudge().eval().choose(clues, 0.0)) == count
 
 
 class Given(torch.nn.Module):
@@ -53,7 +60,7 @@ class Given(torch.nn.Module):
 
 @pytest.mark.parametrize(("apart", "kept"), [(3.0, [1, 0]), (-3.0, [1])])
 def test_a_find_goes_if_it_is_likely_the_same_as_a_surer_one(apart: float, kept: list[int]):
-    judge = Judge()
+    judge = DetectionJudge()
     judge.alone, judge.both = Given(1.0, 2.0, -2.0), Given(apart)  # type: ignore[assignment]
     clues = Clues(np.zeros((3, ALONE)), np.array([[0, 1]]), np.zeros((1, BOTH)))
     chosen = judge.choose(clues, 0.5)
@@ -68,11 +75,11 @@ def test_a_lesson_is_learned_and_kept(tmp_path):
     both = rng.normal(size=(800, BOTH)).astype(np.float32)
     counts = np.arange(800) < 600
     right = np.where(counts, alone[:, 0] > 0, alone[:, 0] < 0)  # what does not count misleads
-    told = Lesson(alone, right, counts, both, both[:, 1] + both[:, 2] > 0)
+    told = JudgeLesson(alone, right, counts, both, both[:, 1] + both[:, 2] > 0)
     told.save(tmp_path / "lesson.npz")
-    kept = Lesson.load(tmp_path / "lesson.npz")
+    kept = JudgeLesson.load(tmp_path / "lesson.npz")
     np.testing.assert_array_equal(kept.right, told.right)
-    judge = learned(Lesson.joined([kept]), 0, steps=150)
+    judge = train_judge(JudgeLesson.join([kept]), 0, steps=150)
     with torch.inference_mode():
         sure = judge.alone(torch.from_numpy(alone)).mean(0).numpy() > 0
         apart = judge.both(torch.from_numpy(both)).mean(0).numpy() > 0

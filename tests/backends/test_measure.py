@@ -8,7 +8,7 @@ from painted import SIZES, Picture, paint
 
 from generator.backends.embedded.plane.measure import apparent_scale, usual_solid
 from generator.backends.embedded.plane.tabletop import find_tabletop
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.catalogue import CATEGORIES, build
 from generator.geometry import mask_box
 from generator.scene import Instance, Reference
@@ -59,7 +59,7 @@ def test_the_table_is_sized_by_what_stands_on_it(picture: Picture, names: str) -
     )
     reference = Reference(picture.image)
     view = find_tabletop(picture.image).view
-    sizes = Reasoner().estimate_sizes(reference, instances, view)
+    sizes = EmbeddedReasoner().estimate_sizes(reference, instances, view)
     assert sizes["table"].extent[0] == pytest.approx(SIZES["rectangle"][0], rel=0.2)
 
 
@@ -70,7 +70,7 @@ def test_things_that_look_half_their_size_stand_on_a_table_twice_as_large() -> N
         instance(f"thing_{k}" if k else "table", THINGS[k - 1][0] if k else "table", far, k)
         for k in range(5)
     )
-    sizes = Reasoner().estimate_sizes(
+    sizes = EmbeddedReasoner().estimate_sizes(
         Reference(far.image), instances, find_tabletop(far.image).view
     )
     assert sizes["table"].extent[0] == pytest.approx(2 * SIZES["rectangle"][0], rel=0.2)

@@ -10,7 +10,7 @@ import shapely
 import trimesh
 
 from generator.backends.embedded.drawing.completion import complete
-from generator.backends.embedded.modeler import Modeler, small_mask
+from generator.backends.embedded.modeler import EmbeddedModeler, small_mask
 from generator.backends.embedded.shapes import choosing, solids
 from generator.backends.embedded.shapes.framing import frame_to_mask
 from generator.catalogue import build
@@ -19,14 +19,7 @@ from generator.meshes.baking import sample
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection, camera_view
 from generator.render.raster import Item, place, render
-from generator.scene import (
-    Detection,
-    Instance,
-    Model,
-    Reference,
-    SizePrior,
-    View,
-)
+from generator.scene import Detection, Instance, Model, Reference, SizePrior, View
 
 VIEW = View(0.0, np.deg2rad(48), np.deg2rad(36))
 SIZE = 480, 640
@@ -34,10 +27,16 @@ BOTTLE = np.array([[0, 0.03], [0.12, 0.035], [0.16, 0.013], [0.22, 0.012]])
 L_SHAPE = shapely.Polygon([(0, 0), (0.2, 0), (0.2, 0.05), (0.06, 0.05), (0.06, 0.16), (0, 0.16)])
 FRAME = shapely.Polygon([(-0.08, 0), (0.08, 0), (0.08, 0.22), (-0.08, 0.22)])
 
+
+def revolution(profile: np.ndarray) -> solids.ConvexSolid:
+    heights, radii = profile.T
+    return solids.stack_of_ellipses(heights, radii, np.zeros_like(radii), 1.0)
+
+
 SHAPES = {
     "box": (solids.box(0.18, 0.1, 0.12), (0.18, 0.1, 0.12)),
-    "cylinder": (solids.revolution(np.array([0, 0.12]), np.array([0.05, 0.05])), (0.1, 0.1, 0.12)),
-    "bottle": (solids.revolution(BOTTLE[:, 0], BOTTLE[:, 1]), (0.07, 0.07, 0.22)),
+    "cylinder": (revolution(np.array([[0, 0.05], [0.12, 0.05]])), (0.1, 0.1, 0.12)),
+    "bottle": (revolution(BOTTLE), (0.07, 0.07, 0.22)),
     "prism": (solids.prism(L_SHAPE, 0.015), (0.2, 0.16, 0.015)),
     "upright": (solids.upright(FRAME, 0.02), (0.16, 0.02, 0.22)),
 }
@@ -62,12 +61,16 @@ def generic(kind: str) -> tuple[Instance, View, Model]:
     uv = np.column_stack([np.full(len(world), 0.5), np.full(len(world), 0.5)])
     texture = np.full((2, 2, 3), (60, 140, 90), np.uint8)
     instance, view = shot(Item(world, solid.faces, uv, texture, 1), "object")
-    return instance, view, Modeler().model(instance, SizePrior("object", np.array(size)), view)
+    return (
+        instance,
+        view,
+        EmbeddedModeler().model(instance, SizePrior("object", np.array(size)), view),
+    )
 
 
 def overlap(model: Model, instance: Instance, view: View) -> float:
     """Return the best silhouette overlap of a model over yaw, from the instance's own view."""
-    small = Projection.of_instance(instance, view).resized(120)
+    small = Projection.of_instance(instance, view).resize(120)
     mask = small_mask(instance, small)
 
     def at(yaw: float) -> float:
@@ -142,7 +145,9 @@ def test_round_things_become_revolutions():
 @pytest.mark.slow
 def test_same_input_same_bytes():
     instance, view, model = generic("box")
-    again = Modeler().model(instance, SizePrior("object", np.array([0.18, 0.1, 0.12])), view)
+    again = EmbeddedModeler().model(
+        instance, SizePrior("object", np.array([0.18, 0.1, 0.12])), view
+    )
     np.testing.assert_array_equal(model.mesh.vertices, again.mesh.vertices)
     np.testing.assert_array_equal(model.mesh.texture, again.mesh.texture)
 
@@ -155,7 +160,7 @@ def test_catalogue_things_are_recognised_in_shape_and_color(key, yaw):
         truth.mesh, truth.size, np.array([0.0, 0.05, truth.size[2] / 2]), yaw_quaternion(yaw), 1
     )
     instance, view = shot(item, key)
-    model = Modeler().model(instance, SizePrior(key, truth.size), view)
+    model = EmbeddedModeler().model(instance, SizePrior(key, truth.size), view)
     assert model.category == key and model.container == truth.container
     assert overlap(model, instance, view) >= 0.85
     np.testing.assert_allclose(model.size, truth.size, rtol=0.2)
@@ -165,7 +170,7 @@ def test_catalogue_things_are_recognised_in_shape_and_color(key, yaw):
 def test_a_wrong_label_gives_way_to_the_silhouette():
     instance, view, _ = generic("prism")
     wrong = Instance("mug_1", "mug", instance.box, instance.mask, instance.crop, instance.crop_box)
-    model = Modeler().model(wrong, SizePrior("mug_1", np.array([0.2, 0.16, 0.015])), view)
+    model = EmbeddedModeler().model(wrong, SizePrior("mug_1", np.array([0.2, 0.16, 0.015])), view)
     assert model.category == "generic"
 
 
@@ -185,11 +190,11 @@ def test_projection_agrees_with_the_camera_that_took_the_picture():
 
 def test_accidental_views_cost():
     instance, view, _ = generic("box")
-    small = Projection.of_instance(instance, view).resized(60)
+    small = Projection.of_instance(instance, view).resize(60)
     long = solids.box(3.0, 1.0, 0.5)
     away = float(np.arctan2(small.away[1], small.away[0]))
-    pointing = solids.Posed("box", long, away, np.zeros(3))
-    across = solids.Posed("box", long, away + np.pi / 2, np.zeros(3))
+    pointing = solids.PosedSolid("box", long, away, np.zeros(3))
+    across = solids.PosedSolid("box", long, away + np.pi / 2, np.zeros(3))
     assert choosing.accident(pointing, small) > 0 == choosing.accident(across, small)
 
 

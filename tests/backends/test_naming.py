@@ -11,8 +11,8 @@ KEYS = ("mug", "bowl", "apple")
 
 def test_a_size_that_no_mug_has_takes_its_name_away():
     names = np.array([[0.5, 0.1, 0.3, 0.1]])
-    fitting = naming.weighed(names, [{0: (1.0, 0.0)}])
-    huge = naming.weighed(names, [{0: (6.0, 0.0)}])
+    fitting = naming.weigh(names, [{0: (1.0, 0.0)}])
+    huge = naming.weigh(names, [{0: (6.0, 0.0)}])
     assert naming.free_labels(fitting, KEYS) == ["mug"]
     assert naming.free_labels(huge, KEYS) == [None]
     np.testing.assert_allclose([fitting.sum(), huge.sum()], 1)
@@ -20,26 +20,26 @@ def test_a_size_that_no_mug_has_takes_its_name_away():
 
 def test_a_shape_that_no_bowl_has_makes_it_a_mug():
     names = np.array([[0.35, 0.45, 0.1, 0.1]])
-    seen = naming.weighed(names, [{0: (1.1, 0.1), 1: (0.9, 1.2), 2: (1.0, 0.5)}])
+    seen = naming.weigh(names, [{0: (1.1, 0.1), 1: (0.9, 1.2), 2: (1.0, 0.5)}])
     assert naming.free_labels(seen, KEYS) == ["mug"]
 
 
 def test_one_table_scale_must_do_for_all():
     # Half as large as usual, all three: on a small table. One of them alone: not what it seems.
     names = np.tile([0.5, 0.1, 0.3, 0.1], (3, 1))
-    small = naming.weighed(names, [{0: (0.6, 0.0)}] * 3)
+    small = naming.weigh(names, [{0: (0.6, 0.0)}] * 3)
     assert naming.free_labels(small, KEYS) == ["mug"] * 3
     assert (
-        naming.free_labels(naming.weighed(names, [{0: (0.3, 0.0)}] * 3, metric=True), KEYS)
+        naming.free_labels(naming.weigh(names, [{0: (0.3, 0.0)}] * 3, metric=True), KEYS)
         == [None] * 3
     )
-    odd = naming.weighed(names, [{0: (0.4, 0.0)}, {0: (1.0, 0.0)}, {0: (1.0, 0.0)}])
+    odd = naming.weigh(names, [{0: (0.4, 0.0)}, {0: (1.0, 0.0)}, {0: (1.0, 0.0)}])
     assert naming.free_labels(odd, KEYS) == [None, "mug", "mug"]
 
 
 def test_a_thing_that_the_frame_cuts_keeps_its_name():
     names = np.array([[0.6, 0.1, 0.2, 0.1]])
-    np.testing.assert_allclose(naming.weighed(names, [None]), names)
+    np.testing.assert_allclose(naming.weigh(names, [None]), names)
 
 
 def test_unknown_things_get_no_category():
@@ -48,7 +48,7 @@ def test_unknown_things_get_no_category():
 
 def test_words_are_given_out_all_together():
     names = np.array([[0.6, 0.3, 0.05, 0.05], [0.7, 0.01, 0.2, 0.09], [0.1, 0.1, 0.1, 0.7]])
-    pairs = naming.assigned(names, KEYS, np.ones(3), ("mug", "bowl", "gizmo"))
+    pairs = naming.assign(names, KEYS, np.ones(3), ("mug", "bowl", "gizmo"))
     assert dict(pairs) == {0: 1, 1: 0, 2: 2}
-    fewer = naming.assigned(names, KEYS, np.array([0.9, 0.9, 0.2]), ("apple",))
+    fewer = naming.assign(names, KEYS, np.array([0.9, 0.9, 0.2]), ("apple",))
     assert fewer == [(1, 0)]

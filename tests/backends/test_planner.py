@@ -249,7 +249,7 @@ def test_two_supports_contradict() -> None:
         PlannedObject("c", "box", "box"),
     ]
     with pytest.raises(InputError, match="two things at once"):
-        relations.checked(objects)
+        relations.check_relations(objects)
 
 
 def test_same_seed_same_plan_and_seeds_differ() -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import pytest
 
 from generator.backends import Backends, Mix, select
-from generator.backends.embedded.imager import Imager as EmbeddedImager
+from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
 from generator.backends.protocols import in_turn
 from generator.calls import Session
 from generator.errors import BackendError

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import torch
-from painted import Picture, iou, paint
+from painted import Picture, paint
 
 from generator.backends.embedded.eye.finds import apart, overlaps
-from generator.backends.embedded.eye.sight import Glance, Sight, glance_at, look
+from generator.backends.embedded.eye.sight import EyeReading, Glance, glance_at, look
 from generator.backends.embedded.eye.weights import load_weights
+from generator.meshes.pixels import mask_iou
 
 
 @pytest.fixture(scope="module")
@@ -19,8 +20,8 @@ def picture() -> Picture:
 
 
 @pytest.fixture(scope="module")
-def sight(picture: Picture) -> Sight:
-    return look(picture.image, least=0.15)
+def sight(picture: Picture) -> EyeReading:
+    return look(picture.image, minimum=0.15)
 
 
 @pytest.fixture(scope="module")
@@ -31,12 +32,12 @@ def glance(picture: Picture) -> Glance:
 @pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 2, 3])
 def test_it_sees_the_same_bits_on_any_number_of_threads(
-    picture: Picture, sight: Sight, glance: Glance, threads: int
+    picture: Picture, sight: EyeReading, glance: Glance, threads: int
 ) -> None:
     before = torch.get_num_threads()
     torch.set_num_threads(threads)
     try:
-        again, looked = glance_at(load_weights(), picture.image), look(picture.image, least=0.15)
+        again, looked = glance_at(load_weights(), picture.image), look(picture.image, minimum=0.15)
     finally:
         torch.set_num_threads(before)
     for name in ("region", "top", "latitude"):
@@ -57,7 +58,7 @@ def test_overlap_and_share_of_masks():
 
 
 @pytest.mark.slow
-def test_things_share_no_pixel_and_the_surest_come_first(sight: Sight):
+def test_things_share_no_pixel_and_the_surest_come_first(sight: EyeReading):
     assert (np.sum([t.visible for t in sight.things], axis=0) <= 1).all()
     scores = [t.score for t in sight.things]
     assert scores == sorted(scores, reverse=True) and 0.15 <= min(scores) <= max(scores) <= 1
@@ -65,9 +66,9 @@ def test_things_share_no_pixel_and_the_surest_come_first(sight: Sight):
 
 
 @pytest.mark.slow
-def test_what_lies_in_a_bowl_is_a_thing_and_the_bowl_another(picture: Picture, sight: Sight):
+def test_what_lies_in_a_bowl_is_a_thing_and_the_bowl_another(picture: Picture, sight: EyeReading):
     for number in (1, 2, 3):
-        assert max(iou(t.visible, picture.ids == number) for t in sight.things) > 0.6
+        assert max(mask_iou(t.visible, picture.ids == number) for t in sight.things) > 0.6
 
 
 @pytest.mark.slow

@@ -7,7 +7,11 @@ import trimesh
 
 from generator.backends.embedded.shapes.choosing import stroke_share
 from generator.backends.embedded.shapes.slices import fit_slices
-from generator.backends.embedded.shapes.solids import Posed, simplify_profile, stack_of_ellipses
+from generator.backends.embedded.shapes.solids import (
+    PosedSolid,
+    simplify_profile,
+    stack_of_ellipses,
+)
 from generator.geometry import view_direction, view_rotation
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection
@@ -37,7 +41,7 @@ def test_a_stack_is_closed_and_its_parts_fill_it():
 
 def test_a_leaning_thing_is_met_again():
     view = closeup()
-    truth = Posed("slices", stack_of_ellipses(HEIGHTS, RADII, SHIFTS, 1.0), 0.0, np.zeros(3))
+    truth = PosedSolid("slices", stack_of_ellipses(HEIGHTS, RADII, SHIFTS, 1.0), 0.0, np.zeros(3))
     mask = view.silhouette(truth.world, truth.solid.faces)
     found = fit_slices(mask, view)
     assert found is not None
@@ -50,7 +54,7 @@ def test_a_thin_stem_holds_what_is_above_and_below_it():
     view = closeup()
     radii = np.array([14.0, 14, 1.2, 1.2, 1.2, 1.2, 20, 18, 8])
     shifts = np.zeros(9)
-    truth = Posed("slices", stack_of_ellipses(HEIGHTS, radii, shifts, 1.0), 0.0, np.zeros(3))
+    truth = PosedSolid("slices", stack_of_ellipses(HEIGHTS, radii, shifts, 1.0), 0.0, np.zeros(3))
     mask = view.silhouette(truth.world, truth.solid.faces)
     found = fit_slices(mask, view)
     assert found is not None

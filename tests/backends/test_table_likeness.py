@@ -159,7 +159,7 @@ FORMS = {
 @pytest.mark.parametrize("name", [*FORMS])
 def test_legs_and_height_are_those_of_the_picture(name):
     truth = FORMS[name]
-    shown, again, model = rebuilt(truth.built(), truth.outline)
+    shown, again, model = rebuilt(truth.build(), truth.outline)
     assert model.size[2] == pytest.approx(truth.height, rel=0.07)
     assert mask_iou(shown.ids == 1, again.ids == 1) > 0.93
     np.testing.assert_allclose(model.size[:2], truth.size[:2])
@@ -167,7 +167,7 @@ def test_legs_and_height_are_those_of_the_picture(name):
 
 @pytest.mark.slow
 def test_a_shape_that_nobody_told_is_tried_out():
-    shown, again, model = rebuilt(form("oval", 0.7).built(), None)
+    shown, again, model = rebuilt(form("oval", 0.7).build(), None)
     assert mask_iou(shown.ids == 1, again.ids == 1) > 0.93
     rim = np.abs(model.mesh.vertices[:, :2]).sum(1)[model.mesh.vertices[:, 2] > 0.49]
     assert rim.max() < 0.9, "an oval has no corners"
@@ -177,7 +177,7 @@ def test_legs_that_lean_beyond_the_top_keep_their_thickness():
     leaning = form("rectangle", 0.7, inset=(0.03, 0.03), lean=0.3, high=0.04, low=0.008)
     for ring in leaning.pieces():
         np.testing.assert_allclose(np.ptp(ring[:, :, :2], axis=1), [[0.008] * 2, [0.04] * 2])
-    assert leaning.built().size == pytest.approx(leaning.size)
+    assert leaning.build().size == pytest.approx(leaning.size)
 
 
 def test_three_legs_for_a_triangle_four_for_the_rest():
@@ -194,7 +194,7 @@ def painted(model: Model, texture: np.ndarray) -> Model:
 @pytest.mark.slow
 def test_a_white_top_stays_plain():
     truth = form("rectangle", 0.7)
-    white = painted(truth.built(), np.full((8, 8, 3), 236, np.uint8))
+    white = painted(truth.build(), np.full((8, 8, 3), 236, np.uint8))
     shown, again, _ = rebuilt(white, truth.outline)
     upper = (shown.ids == 1) & (again.ids == 1) & (np.arange(HEIGHT)[:, None] < HEIGHT // 2)
     low, high = np.quantile(again.image[upper].mean(1), [0.1, 0.9])
@@ -207,7 +207,7 @@ def test_a_striped_top_keeps_its_stripes():
     truth = form("rectangle", 0.7)
     stripes = np.repeat(np.array([[90, 60, 40], [190, 140, 90]] * 4, np.uint8)[:, None], 8, 1)
     stripes = np.kron(stripes, np.ones((16, 16, 1), np.uint8)).astype(np.uint8)
-    shown, again, _ = rebuilt(painted(truth.built(), stripes), truth.outline)
+    shown, again, _ = rebuilt(painted(truth.build(), stripes), truth.outline)
     upper = (shown.ids == 1) & (again.ids == 1) & (np.arange(HEIGHT)[:, None] < HEIGHT // 2)
     low, high = np.quantile(again.image[upper].mean(1), [0.1, 0.9])
     assert high - low >= 40

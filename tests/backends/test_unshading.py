@@ -17,7 +17,7 @@ def test_the_light_on_a_plain_thing_is_found_and_removed():
     normal, light = sphere(), Shading(np.array([0.15, -0.1, 0.35]))
     colors = np.array([90.0, 140.0, 200.0]) * light.at(normal)[:, None]
     found = estimate_shading(colors, normal, np.ones(len(normal), bool))
-    plain = found.removed(colors, normal)
+    plain = found.remove(colors, normal)
     before, after = colors.std(0) / colors.mean(0), plain.std(0) / plain.mean(0)
     assert (after < 0.4 * before).all()
     assert np.abs(plain.mean(0) / [90, 140, 200] - 1).max() < 0.08
@@ -27,7 +27,7 @@ def test_what_faces_up_keeps_its_colour():
     up = np.tile([0.0, 0.0, 1.0], (50, 1))
     colors = np.full((50, 3), 120.0)
     shading = estimate_shading(colors, up, np.ones(50, bool))
-    np.testing.assert_allclose(shading.removed(colors, up), colors)
+    np.testing.assert_allclose(shading.remove(colors, up), colors)
 
 
 def test_differently_coloured_sides_are_not_taken_for_light():

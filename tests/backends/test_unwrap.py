@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generator.meshes.unwrap import unwrap, welded
+from generator.meshes.unwrap import unwrap
+from generator.scene.triangles import weld_index
 
 
 def soup(count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -32,4 +33,4 @@ def test_vertices_at_one_place_are_one_in_the_order_of_their_places() -> None:
     order = np.lexsort(np.round(places / np.ptp(places, axis=0).max() * 1e5).T[::-1])
     rank = np.empty(50, np.int64)
     rank[order] = np.arange(50)
-    assert np.array_equal(welded(places[which]), np.unique(rank[which], return_inverse=True)[1])
+    assert np.array_equal(weld_index(places[which]), np.unique(rank[which], return_inverse=True)[1])

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from forging import png, put, put_mesh, put_texture, rewrite
+from forging import png, put, put_mesh, put_texture, refused, rewrite
 from toy import toy_scene
 
 import assets_cache
@@ -27,12 +27,6 @@ LINE = b"v 0.000000 0.000000 0.000000\n"
 def path(tmp_path: Path) -> Path:
     scene = toy_scene()
     return bundle.save(scene.replace(report=judge(scene)), tmp_path / "store")
-
-
-def refused(path: Path, match: str) -> None:
-    with pytest.raises(BundleError, match=match):
-        bundle.load(path)
-    assert bundle.verify(path)
 
 
 def repeat(payload: dict[str, Any], count: int) -> None:

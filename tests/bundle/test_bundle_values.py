@@ -24,7 +24,7 @@ from generator.bundle.fields import numbers
 from generator.bundle.segments import Segments
 from generator.errors import BundleError, InputError, SceneError
 from generator.physics.gate import judge
-from generator.physics.mjcf import compiled, document, scene_spec
+from generator.physics.mjcf import compile_spec, document, scene_spec
 from generator.scene import Provenance, View
 
 ESCAPE = "\x1b[2J\x1b[Hx"
@@ -124,7 +124,7 @@ def test_what_loads_compiles_and_is_sound_for_verify(path: Path, fov: float) -> 
     forged = derive(rewrite(path, put_in("view", "fov", value=fov)))
     assert bundle.verify(forged) == []
     scene = bundle.load(forged)
-    assert compiled(scene_spec(scene), scene.name).nbody == 3
+    assert compile_spec(scene_spec(scene), scene.name).nbody == 3
 
 
 def test_a_hull_that_mujoco_cannot_build_does_not_load(path: Path) -> None:
@@ -148,7 +148,7 @@ def test_bodies_that_overlap_all_over_do_not_load(
 
 def test_numbers_too_small_for_mujoco_are_zero() -> None:
     scene = toy_scene().replace(view=View(1e-320, 0.9, 0.6))
-    assert compiled(scene_spec(scene), "toy").ncam == 2
+    assert compile_spec(scene_spec(scene), "toy").ncam == 2
 
 
 # ------------------------------------------------------------------------------------------- texts

@@ -42,15 +42,15 @@ def test_solid_is_closed_and_has_its_volume(solid: solids.Solid, volume: float, 
 
 def test_turning_and_moving_keep_volume():
     solid = solids.ellipsoid(0.1, 0.2, 0.3)
-    moved = solid.turned(0, 0.7).turned(1, -1.1).turned(2, 2.0).moved(1, -2, 3)
+    moved = solid.turn(0, 0.7).turn(1, -1.1).turn(2, 2.0).move(1, -2, 3)
     assert moved.volume == pytest.approx(solid.volume)
-    np.testing.assert_allclose(solids.box(1, 1, 1).turned(2, np.pi / 2).bounds[1], [0.5, 0.5, 1])
+    np.testing.assert_allclose(solids.box(1, 1, 1).turn(2, np.pi / 2).bounds[1], [0.5, 0.5, 1])
 
 
 def test_atlas_keeps_each_tile():
     red, blue = textures.plain((200, 0, 0)), textures.plain((0, 0, 200))
     stripes = textures.stripes([(0, 200, 0), (90, 90, 90)], 2)
-    boxes = [solids.box(1, 1, 1).moved(x=2.0 * k) for k in range(3)]
+    boxes = [solids.box(1, 1, 1).move(x=2.0 * k) for k in range(3)]
     made = mesh_of(shape(zip(boxes, (red, blue, stripes), strict=True), ()))
     height, width = made.texture.shape[:2]
     x = np.clip((made.uv[:, 0] * width).astype(int), 0, width - 1)

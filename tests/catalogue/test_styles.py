@@ -8,7 +8,7 @@ from solidity import fingerprint, is_closed, mass_of
 
 from generator.catalogue import CATEGORIES, build
 from generator.catalogue.build.solids import signed_volume
-from generator.catalogue.build.styles import STYLES, flattened, styled
+from generator.catalogue.build.styles import STYLES, apply_style, flatten
 from generator.errors import InputError
 from generator.scene import Model
 
@@ -73,7 +73,7 @@ def test_low_poly_is_coarser():
 def test_flattened_tile_has_few_vivid_colours():
     rng = np.random.default_rng(0)
     tile = np.clip(rng.normal((180, 90, 80), 12, (64, 64, 3)), 0, 255).astype(np.uint8)
-    flat = flattened(tile, 4, 1.5)
+    flat = flatten(tile, 4, 1.5)
     assert len(np.unique(flat.reshape(-1, 3), axis=0)) <= 4
     assert np.ptp(flat.mean((0, 1))) > np.ptp(tile.mean((0, 1)))
 
@@ -82,4 +82,4 @@ def test_styled_leaves_the_plain_shape_alone():
     from generator.catalogue.surfaces.look import Look
 
     made = CATEGORIES["mug"].shape(Look(np.random.default_rng(0), {}))
-    assert styled(made, "") is made
+    assert apply_style(made, "") is made

@@ -8,25 +8,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
-from toy import toy_object, toy_scene
+from toy import toy_object
+from worlds import world_of
 
 from generator.errors import StorageError
 from generator.scene import ConvexPart
 from tabletopgen_env.detection.detector import PATH, read_detector, save_weights
-from tabletopgen_env.detection.look import Look, look
+from tabletopgen_env.detection.look import HeightView, look
 from tabletopgen_env.detection.model import GraspNetwork
-from tabletopgen_env.detection.network import MIDDLES, PLACES, SEEN, TURNS, rate, turned
+from tabletopgen_env.detection.network import MIDDLES, PLACES, SEEN, TURNS, rate, turn_views
 from tabletopgen_env.expert.arm import wrist_is_free, wrists_are_free
 from tabletopgen_env.expert.planning.grasps import TIP, Grasp, is_like
 from tabletopgen_env.expert.planning.heights import surroundings
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.world import World
-
-
-def world_of(*objects) -> World:
-    world = World(toy_scene(objects), Panda())
-    world.reset()
-    return world
 
 
 def best_of(*objects) -> Grasp:
@@ -79,8 +72,8 @@ def test_it_sees_the_same_whatever_parts_a_thing_is_made_of() -> None:
 
 def test_it_turns_with_what_it_sees() -> None:
     heights = look(world_of(toy_object("box", (0.12, 0.04, 0.06), (0.1, 0.05))), "box").heights
-    straight = turned(heights, 0.0)
-    quarter = turned(np.rot90(heights, axes=(1, 2)), np.pi / 2)
+    straight = turn_views(heights, 0.0)
+    quarter = turn_views(np.rot90(heights, axes=(1, 2)), np.pi / 2)
     np.testing.assert_allclose(straight[0], quarter[0], atol=1e-4)
 
 
@@ -88,7 +81,7 @@ def test_maps_are_seen_where_they_are() -> None:
     """A cell's height is seen at the cell's place, and only there."""
     heights = np.zeros((2, 64, 64), np.uint8)
     heights[1, 40, 20] = 100  # 3.4 cm along, -4.6 cm across
-    seen = turned(heights, 0.0)[0, 1]
+    seen = turn_views(heights, 0.0)[0, 1]
     axis = (np.arange(SEEN) - (SEEN - 1) / 2) * 0.005
     weights = seen / seen.sum()
     assert axis @ weights.sum(1) == pytest.approx(0.034, abs=0.0015)
@@ -102,7 +95,7 @@ def test_the_network_is_the_one_that_is_trained() -> None:
     weights = {key: value.float().numpy() for key, value in network.weights().items()}
     network.layers.load_state_dict({key: torch.from_numpy(v) for key, v in weights.items()})
     heights = np.random.default_rng(0).integers(0, 60, (2, 64, 64), dtype=np.uint8)
-    seen = turned(heights, 0.3)
+    seen = turn_views(heights, 0.3)
     trained = network(torch.from_numpy(seen)[None])
     for one, other in zip(rate(weights, seen), trained, strict=True):
         assert one.shape == (TURNS, PLACES, PLACES)
@@ -115,7 +108,7 @@ def test_a_place_is_rated_about_its_middle() -> None:
     weights = {key: value.float().numpy() for key, value in GraspNetwork().weights().items()}
     both = {key: (v + v[..., ::-1, ::-1]) if v.ndim == 4 else v for key, v in weights.items()}
     heights = np.random.default_rng(0).integers(0, 60, (2, 64, 64), dtype=np.uint8)
-    seen = turned(heights, 0.0)
+    seen = turn_views(heights, 0.0)
     one = rate(both, seen).best
     other = rate(both, np.ascontiguousarray(seen[:, :, ::-1, ::-1])).best
     np.testing.assert_allclose(one, other[:, ::-1, ::-1], rtol=1e-3, atol=1e-4)
@@ -123,7 +116,7 @@ def test_a_place_is_rated_about_its_middle() -> None:
 
 
 def test_where_there_is_nothing_there_is_no_grasp() -> None:
-    empty = Look(np.zeros((2, 64, 64), np.uint8), np.zeros(2), 0.0, 0.74)
+    empty = HeightView(np.zeros((2, 64, 64), np.uint8), np.zeros(2), 0.0, 0.74)
     assert read_detector().detect(empty) == []
 
 
@@ -184,7 +177,7 @@ def test_weights_that_cannot_be_used_say_what_to_do(tmp_path: Path) -> None:
             read_detector(path)
 
     sound = dict(read_detector().weights)
-    refused(None, r"detection\.training")
+    refused(None, r"grasps\.training")
     refused(PATH.read_bytes()[:1000], "cannot be used")
     refused(b"x" * 2**23, "more than 4194304 bytes")
     save_weights({**sound, "0.bias": np.zeros(3)}, path, {})

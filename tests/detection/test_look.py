@@ -4,18 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from toy import toy_object, toy_scene
+from toy import toy_object
+from worlds import world_of
 
 from tabletopgen_env.detection.look import CELL, CELLS, STEP, look
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.world import World
-
-
-def world_of(*objects) -> World:
-    world = World(toy_scene(objects), Panda())
-    world.reset()
-    return world
-
 
 BOX = toy_object("box", (0.08, 0.04, 0.06), (0.1, 0.05), yaw=0.5)
 BESIDE = toy_object("tower", (0.02, 0.02, 0.1), (0.1, 0.12))

@@ -12,20 +12,8 @@ from toy import toy_object, toy_scene
 
 from generator.errors import BundleError
 from research.grasps import training
-from research.grasps.labels import (
-    COLUMNS,
-    Lesson,
-    lesson,
-    lessons,
-)
-from research.grasps.training import (
-    batch_of,
-    gather,
-    judged,
-    loss_of,
-    read,
-    train,
-)
+from research.grasps.labels import COLUMNS, GraspLesson, lesson, lessons
+from research.grasps.training import batch_of, evaluate, gather, loss_of, read, train
 from tabletopgen_env.detection.detector import GraspDetector
 from tabletopgen_env.detection.model import GraspNetwork
 from tabletopgen_env.detection.network import PLACES, TURNS, Rated
@@ -44,7 +32,7 @@ def world() -> World:
     return made
 
 
-def taught(aside: bool = False) -> Lesson:
+def taught(aside: bool = False) -> GraspLesson:
     rng = np.random.default_rng(next(s for s in range(9) if (
         np.random.default_rng(s).random() < 0.5
     ) == aside))  # fmt: skip
@@ -119,9 +107,9 @@ def detector_of(network: GraspNetwork) -> GraspDetector:
 @pytest.mark.slow
 def test_it_learns_what_it_is_taught() -> None:
     network = train([taught(), taught(aside=True)], steps=240, seed=0, size=2)
-    marks = judged(detector_of(network), [taught()])
+    marks = evaluate(detector_of(network), [taught()])
     assert marks.objects == 1 and marks.found == 1.0 and marks.worse < 0.3
-    assert judged(detector_of(GraspNetwork()), [taught()]).found == 0.0
+    assert evaluate(detector_of(GraspNetwork()), [taught()]).found == 0.0
 
 
 @pytest.mark.slow

@@ -20,11 +20,11 @@ from tabletopgen_env.certificates import certify as certify_module
 from tabletopgen_env.certificates.certificate import (
     FILE,
     Certificate,
-    Instance,
+    TaskInstance,
     Terms,
     scene_digest,
 )
-from tabletopgen_env.certificates.certify import instance_of, offered
+from tabletopgen_env.certificates.certify import find_instances, instance_of
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.tasks.lift import Lift
@@ -54,7 +54,7 @@ def kitchen(tmp_path: Path) -> Path:
 def certify(bundle: Path) -> Certify:
     """Writes instances into the bundle's certificate, made for ``tasks`` or for theirs."""
 
-    def write(*instances: Instance, tasks: Iterable[str] = (), into: Path = bundle) -> Path:
+    def write(*instances: TaskInstance, tasks: Iterable[str] = (), into: Path = bundle) -> Path:
         terms = Terms((*tasks, *(i.task for i in instances)))
         made = Certificate(scene_digest(into), terms, {}, instances)
         certificate.write_certificate(into, made)
@@ -85,8 +85,10 @@ def test_only_certified_instances_are_drawn(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
     first, second, *_ = names
-    solved = Instance("Lift", second, None, 30, 30)
-    certify(Instance("Lift", first, None, 29, 30), solved, Instance("Push", first, None, 30, 30))
+    solved = TaskInstance("Lift", second, None, 30, 30)
+    certify(
+        TaskInstance("Lift", first, None, 29, 30), solved, TaskInstance("Push", first, None, 30, 30)
+    )
     env = make_env(bundle, task="Lift")
     assert seen(env, "target") == {second} and seen(env, "certified") == {True}
     still = np.zeros(5, np.float32)
@@ -99,7 +101,7 @@ def test_only_certified_instances_are_drawn(
 def test_all_certified_instances_are_drawn_by_the_seed(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(*(Instance("Lift", name, None, 30, 30) for name in names[:3]))
+    certify(*(TaskInstance("Lift", name, None, 30, 30) for name in names[:3]))
     one, other = make_env(bundle, task="Lift"), make_env(bundle, task="Lift")
     assert seen(one, "target", 20) == set(names[:3])
     for k in range(5):
@@ -108,8 +110,8 @@ def test_all_certified_instances_are_drawn_by_the_seed(
 
 @pytest.mark.slow
 def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
-    pushed = offered(world_of(bundle), Push(), 0, 1)[0]
-    certify(Instance("Reach", None, None, 30, 30), replace(pushed, successes=30, episodes=30))
+    pushed = find_instances(world_of(bundle), Push(), 0, 1)[0]
+    certify(TaskInstance("Reach", None, None, 30, 30), replace(pushed, successes=30, episodes=30))
     for task in ("Reach", "Push"):
         env = make_env(bundle, task=task)
         spots = set()
@@ -134,7 +136,7 @@ def test_what_certify_lists_of_a_task_is_drawn(task: str, bundle: Path, certify:
 
 def test_what_options_ask_for_wins(bundle: Path, certify: Certify, names: list[str]) -> None:
     first, second, *_ = names
-    certify(Instance("Lift", second, None, 30, 30))
+    certify(TaskInstance("Lift", second, None, 30, 30))
     info = make_env(bundle, task="Lift").reset(seed=0, options={"target": first})[1]
     assert info["target"] == first and info["certified"] is False
     info = make_env("kitchen-cutting-*", task="Lift").reset(seed=0, options={"scene": bundle})[1]
@@ -143,7 +145,7 @@ def test_what_options_ask_for_wins(bundle: Path, certify: Certify, names: list[s
 
 @pytest.mark.slow
 def test_without_a_word_on_the_task_it_is_sampled_freely(bundle: Path, certify: Certify) -> None:
-    certify(Instance("Push", "mug_1", "spot", 10, 10))
+    certify(TaskInstance("Push", "mug_1", "spot", 10, 10))
     assert seen(make_env(bundle, task="Lift"), "certified", 2) == {False}
     (bundle / FILE).unlink()
     assert seen(make_env(bundle, task="Lift"), "certified", 1) == {False}
@@ -154,7 +156,7 @@ def test_without_a_word_on_the_task_it_is_sampled_freely(bundle: Path, certify: 
 def test_a_scene_without_a_solved_instance_is_passed_over(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(Instance("Lift", names[0], None, 1, 10))
+    certify(TaskInstance("Lift", names[0], None, 1, 10))
     env = make_env([bundle, "kitchen-cutting-*"], task="Lift")
     assert seen(env, "scene") == {"kitchen-cutting"}
     with pytest.raises(SceneError, match=r"nothing certified: of 1 instances of Lift .*=False"):
@@ -162,7 +164,7 @@ def test_a_scene_without_a_solved_instance_is_passed_over(
 
 
 def test_too_few_episodes_are_told(bundle: Path, names: list[str]) -> None:
-    listed = Instance("Lift", names[0], None, 20, 20)
+    listed = TaskInstance("Lift", names[0], None, 20, 20)
     made = Certificate(scene_digest(bundle), Terms(("Lift",), 20), {}, (listed,))
     certificate.write_certificate(bundle, made)
     with pytest.raises(SceneError, match=r"made with 20 episodes .* fewer than 30 certify nothing"):
@@ -172,7 +174,7 @@ def test_too_few_episodes_are_told(bundle: Path, names: list[str]) -> None:
 def test_what_it_was_made_for_and_lists_nothing_of_is_not_certified(
     bundle: Path, certify: Certify
 ) -> None:
-    certify(Instance("Push", "mug_1", "spot", 10, 10), tasks=["Lift"])
+    certify(TaskInstance("Push", "mug_1", "spot", 10, 10), tasks=["Lift"])
     with pytest.raises(SceneError, match=r"its certificate lists nothing of Lift\. .*=False"):
         make_env(bundle, task="Lift").reset(seed=0)
 
@@ -218,14 +220,16 @@ def test_the_reasons_of_a_scene_passed_over_take_nothing_from_the_seed(
 
 @pytest.mark.slow
 def test_presets_are_certified_by_themselves(kitchen: Path, certify: Callable[..., Path]) -> None:
-    solved = Instance("Sequence", None, None, 30, 30, "kitchen")
+    solved = TaskInstance("Sequence", None, None, 30, 30, "kitchen")
     certify(solved, into=kitchen)
     env = make_env(kitchen, task="Sequence", preset="kitchen")
     info = env.reset(seed=0)[1]
     assert info["certified"] is True and info["instruction"] == PRESETS["kitchen"].instruction
     with pytest.raises(SceneError, match="lists nothing of Sequence"):
         make_env(kitchen, task="Sequence").reset(seed=0)
-    certify(Instance("Sequence", None, None, 30, 30), replace(solved, successes=3), into=kitchen)
+    certify(
+        TaskInstance("Sequence", None, None, 30, 30), replace(solved, successes=3), into=kitchen
+    )
     assert make_env(kitchen, task="Sequence").reset(seed=0)[1]["certified"] is True
     with pytest.raises(SceneError, match=r"of 1 instances of Sequence .*'kitchen'"):
         make_env(kitchen, task="Sequence", preset="kitchen").reset(seed=0)
@@ -237,13 +241,13 @@ def test_certifying_sequence_tries_the_presets_that_fit(
 ) -> None:
     asked: list[str] = []
 
-    def solved(env: Any, instance: Instance, rng: np.random.Generator) -> bool:
+    def solved(env: Any, instance: TaskInstance, rng: np.random.Generator) -> bool:
         asked.append(env.task.instruction(*_begun(env)))
         return True
 
     monkeypatch.setattr(certify_module, "_solved", solved)
     made = certify_module.certify(kitchen, Terms(("Sequence",), episodes=2))
-    drawn = Instance("Sequence", None, None, 2, 2)
+    drawn = TaskInstance("Sequence", None, None, 2, 2)
     assert made.instances == (drawn, replace(drawn, preset="kitchen"))
     assert asked[2:] == [PRESETS["kitchen"].instruction] * 2 and asked[0] != asked[2]
 
@@ -266,7 +270,7 @@ def test_certificates_tell_presets_apart_and_say_nothing_of_tasks_of_ones_own() 
 def test_where_things_are_moved_nothing_is_certified(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(Instance("Lift", names[0], None, 30, 30))
+    certify(TaskInstance("Lift", names[0], None, 30, 30))
     moved = make_env(bundle, task="Lift", randomization=Randomization(move=0.01))
     assert moved.reset(seed=0)[1]["certified"] is False
     heavier = make_env(bundle, task="Lift", randomization=Randomization(mass=(0.9, 1.1)))
@@ -275,10 +279,11 @@ def test_where_things_are_moved_nothing_is_certified(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "listed", [Instance("Lift", "unicorn_1", None, 30, 30), Instance("Lift", None, "spot", 30, 30)]
+    "listed",
+    [TaskInstance("Lift", "unicorn_1", None, 30, 30), TaskInstance("Lift", None, "spot", 30, 30)],
 )
 def test_a_damaged_certificate_is_refused_unless_it_is_ignored(
-    listed: Instance, bundle: Path, certify: Certify
+    listed: TaskInstance, bundle: Path, certify: Certify
 ) -> None:
     certify(listed)
     with pytest.raises(BundleError, match=f"{FILE} lists what cannot be done there"):
@@ -292,7 +297,7 @@ def test_a_damaged_certificate_is_refused_unless_it_is_ignored(
 def test_it_is_read_once(
     bundle: Path, certify: Certify, names: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    certify(Instance("Lift", names[0], None, 30, 30))
+    certify(TaskInstance("Lift", names[0], None, 30, 30))
     env = make_env(bundle, task="Lift")
     env.reset(seed=0)
     shutil.move(bundle / FILE, bundle.parent / FILE)
@@ -304,7 +309,7 @@ def test_every_kind_of_environment_heeds_it(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
     _, second, *_ = names
-    certify(Instance("Lift", second, None, 30, 30))
+    certify(TaskInstance("Lift", second, None, 30, 30))
     goals = make_env(bundle, task="Lift", observation="goal")
     assert seen(goals, "target", 3) == {second}
     again = pickle.loads(pickle.dumps(goals))
@@ -319,9 +324,9 @@ def test_every_kind_of_environment_heeds_it(
 def test_certifying_again_looks_at_everything(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    before = offered(world_of(bundle), Lift(), 0, 4)
-    certify(Instance("Lift", names[0], None, 30, 30))
-    assert offered(world_of(bundle), Lift(), 0, 4) == before and len(before) > 1
+    before = find_instances(world_of(bundle), Lift(), 0, 4)
+    certify(TaskInstance("Lift", names[0], None, 30, 30))
+    assert find_instances(world_of(bundle), Lift(), 0, 4) == before and len(before) > 1
 
 
 class Counted(Lift):
@@ -345,15 +350,15 @@ class Counted(Lift):
 def test_no_more_is_drawn_than_is_looked_for(bundle: Path) -> None:
     world = world_of(bundle)
     one, late, never = Counted(0), Counted(3), Counted(1000)
-    assert len(offered(world, one, 0, 1)) == 1 and one.asked == 1
-    assert len(offered(world, late, 0, 1)) == 1 and late.asked == 4
-    assert offered(world, never, 0, 1) == () and never.asked < 10
+    assert len(find_instances(world, one, 0, 1)) == 1 and one.asked == 1
+    assert len(find_instances(world, late, 0, 1)) == 1 and late.asked == 4
+    assert find_instances(world, never, 0, 1) == () and never.asked < 10
 
 
 @pytest.mark.slow
 def test_options_that_are_wrong_are_still_the_callers(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(Instance("Lift", names[0], None, 30, 30))
+    certify(TaskInstance("Lift", names[0], None, 30, 30))
     with pytest.raises(InputError, match="No object 'unicorn_1'"):
         make_env(bundle, task="Lift").reset(options={"target": "unicorn_1"})

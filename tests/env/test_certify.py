@@ -14,25 +14,19 @@ import pytest
 from toy import toy_object, toy_scene
 
 from generator.bundle import load, save, verify
+from generator.cli import run
 from generator.errors import BundleError, InputError
 from generator.physics.gate import judge
 from generator.scene import Scene
-from tabletopgen_env.__main__ import run
 from tabletopgen_env.certificates import certify as certify_module
 from tabletopgen_env.certificates.certificate import (
     FILE,
     STARTS,
-    Instance,
+    TaskInstance,
     Terms,
     read_certificate,
 )
-from tabletopgen_env.certificates.certify import (
-    DEFAULT,
-    certified_instances,
-    certify,
-    is_certified,
-    played_again,
-)
+from tabletopgen_env.certificates.certify import DEFAULT, certify, is_certified, played_again
 from tabletopgen_env.env import TabletopEnv, make_env
 
 
@@ -43,6 +37,11 @@ def scene() -> Scene:
     )
     made = toy_scene(things)
     return made.replace(report=judge(made))
+
+
+def certified_at(path: Path) -> tuple[TaskInstance, ...]:
+    found = read_certificate(path)
+    return () if found is None else found.certified
 
 
 TERMS = Terms(("Stack", "Lift"), episodes=2, most=8, seed=3)
@@ -71,7 +70,7 @@ def test_it_lists_what_the_expert_did(certified: Path) -> None:
         ("Lift", "cube_1", None), ("Stack", "cube_1", "board_1"),
     ]  # fmt: skip
     assert all(i.episodes == 2 for i in found.instances)
-    assert certified_instances(certified) == (), "two starts are too few"
+    assert certified_at(certified) == (), "two starts are too few"
 
 
 @pytest.mark.parametrize(
@@ -91,7 +90,7 @@ def test_what_counts_is_solved_from_all_of_many_starts(
 ) -> None:
     payload = json.loads((bundle / FILE).read_text())
     (bundle / FILE).write_text(json.dumps(spoilt(payload, successes=solved, episodes=starts)))
-    assert [i.task for i in certified_instances(bundle)] == ["Lift"] * counts
+    assert [i.task for i in certified_at(bundle)] == ["Lift"] * counts
 
 
 def test_those_that_are_shipped_are_certified_from_enough_starts() -> None:
@@ -104,7 +103,7 @@ def test_the_first_start_is_the_scene_s_own_and_the_others_differ(
 ) -> None:
     starts: list[bytes] = []
 
-    def solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:
+    def solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
         env.reset(seed=int(rng.integers(2**31)), options=instance.options)
         starts.append(env.world.data.qpos.tobytes())
         return True
@@ -122,7 +121,7 @@ def test_instances_are_played_again_from_starts_of_another_seed(
 ) -> None:
     starts: list[int] = []
 
-    def solved(env: Any, instance: Instance, rng: np.random.Generator) -> bool:
+    def solved(env: Any, instance: TaskInstance, rng: np.random.Generator) -> bool:
         starts.append(int(rng.integers(2**31)))
         return len(starts) != 3
 
@@ -166,7 +165,6 @@ def test_the_bundle_stays_sound_and_keeps_it(bundle: Path) -> None:
 def test_a_bundle_without_one_certifies_nothing(tmp_path: Path) -> None:
     path = save(scene(), tmp_path)
     assert read_certificate(path) is None
-    assert certified_instances(path) == ()
 
 
 def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
@@ -202,7 +200,7 @@ def test_what_is_not_sound_is_refused(bundle: Path, spoil: Any, reason: str) -> 
     payload = json.loads((bundle / FILE).read_text())
     (bundle / FILE).write_text(json.dumps(spoil(payload)))
     with pytest.raises(BundleError, match=reason):
-        certified_instances(bundle)
+        read_certificate(bundle)
 
 
 def test_a_certificate_of_an_older_schema_certifies_nothing(bundle: Path) -> None:
@@ -286,7 +284,7 @@ def test_bad_bundles_are_named_also_when_the_rest_is_interrupted(
         raise KeyboardInterrupt
 
     path = save(scene(), tmp_path)
-    monkeypatch.setattr("tabletopgen_env.__main__.certify_all", interrupted)
+    monkeypatch.setattr("tabletopgen_env.certificates.certify.certify_all", interrupted)
     assert run(["certify", str(path)]) == 130
     assert "error: bad is not certified: it is damaged" in capsys.readouterr().err
 
@@ -321,7 +319,7 @@ def test_terms_are_alike_however_they_are_given() -> None:
 
 
 def test_shares_are_of_the_episodes() -> None:
-    assert Instance("Lift", "a", None, 3, 4).share == 0.75
-    assert Instance("Lift", "a", None).share == 0.0
-    assert Instance("Push", "a", "spot").options == {"target": "a", "goal": "spot"}
-    assert Instance("Reach", None, None).options == {}
+    assert TaskInstance("Lift", "a", None, 3, 4).share == 0.75
+    assert TaskInstance("Lift", "a", None).share == 0.0
+    assert TaskInstance("Push", "a", "spot").options == {"target": "a", "goal": "spot"}
+    assert TaskInstance("Reach", None, None).options == {}

@@ -11,7 +11,8 @@ from typing import Any
 import gymnasium as gym
 import numpy as np
 import pytest
-from toy import toy_objects, toy_scene
+from toy import toy_scene
+from worlds import two_scenes
 
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
@@ -27,10 +28,6 @@ SETTINGS: dict[str, dict[str, Any]] = {
     },
     "randomized": {"randomization": "strong", "observation": "goal", "reward": "sparse"},
 }  # fmt: skip
-
-
-def scenes() -> list:
-    return [toy_scene(), toy_scene(toy_objects()[:4], name="four")]
 
 
 def pickled(env: Any) -> Any:
@@ -97,7 +94,7 @@ def test_a_made_environment_is_copied_with_its_wrappers() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("copied", [pickled, copy.deepcopy])
 def test_a_vector_environment_is_copied_slot_by_slot(copied) -> None:
-    envs = gym.make_vec(ID, num_envs=3, scenes=scenes(), threads=2, max_episode_steps=2)
+    envs = gym.make_vec(ID, num_envs=3, scenes=two_scenes(), threads=2, max_episode_steps=2)
     envs.reset(seed=1)
     actions = np.full((3, 5), 0.3, np.float32)
     for _ in range(2):

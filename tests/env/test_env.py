@@ -242,7 +242,7 @@ def test_a_reset_that_fails_when_all_is_drawn_leaves_no_episode(monkeypatch) -> 
     env = make_env(toy_scene(), task="Lift")
     env.reset(seed=0)
     with monkeypatch.context() as broken, pytest.raises(ZeroDivisionError):
-        broken.setattr(type(env.task), "desired", lambda *_: 1 / 0)
+        broken.setattr(type(env.task), "desired_goal", lambda *_: 1 / 0)
         env.reset()
     with pytest.raises(InputError, match=r"Call reset\(\)"):
         env.step(np.zeros(5))

@@ -25,21 +25,10 @@ from tabletopgen_env.rendering.drawer import drawer
 from tabletopgen_env.rendering.kinds import Profile
 from tabletopgen_env.rendering.software import model_camera, visible_shapes
 from tabletopgen_env.robot.mount import Mount
-from tabletopgen_env.robot.outline import arm_points
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.composition import (
-    FRONT_CAMERA,
-    TOP_CAMERA,
-    WRIST_CAMERA,
-    front_camera,
-)
-from tabletopgen_env.world.room import (
-    AMBIENT,
-    BRIGHTEST,
-    HEADLIGHT,
-    SUN,
-    exposure,
-)
+from tabletopgen_env.robot.shells import arm_points
+from tabletopgen_env.world.composition import FRONT_CAMERA, TOP_CAMERA, WRIST_CAMERA, front_camera
+from tabletopgen_env.world.room import AMBIENT, BRIGHTEST, HEADLIGHT, SUN, exposure
 from tabletopgen_env.world.world import World
 
 pytestmark = pytest.mark.slow

@@ -8,7 +8,7 @@ import pytest
 
 from generator.errors import StorageError
 from generator.io.files import write_whole
-from tabletopgen_env.files import typed
+from tabletopgen_env.files import check_type
 
 
 def test_what_cannot_be_written_leaves_the_old_file_and_no_other(
@@ -28,7 +28,7 @@ def test_what_cannot_be_written_leaves_the_old_file_and_no_other(
 
 
 def test_values_are_of_exactly_one_type() -> None:
-    assert typed(3, int) == 3
+    assert check_type(3, int) == 3
     for value, kind in ((True, int), (3, float), ("a", list), (None, str)):
         with pytest.raises(TypeError, match=f"of type {kind.__name__}"):
-            typed(value, kind)
+            check_type(value, kind)

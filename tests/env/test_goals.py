@@ -7,21 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
+from worlds import STILL, wait
 
 from generator.errors import InputError, SceneError
 from generator.geometry import yaw_quaternion
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.goals.goal import (
-    RAISED,
-    Into,
-    OnTop,
-    Raised,
-)
+from tabletopgen_env.goals.goal import RAISED, Into, OnTop, Raised
 from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.push import WAY
 from tabletopgen_env.tasks.registry import task_named
 
-STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
 TOP = 0.74
 
 
@@ -29,13 +24,6 @@ def start(task: str, scene=None, seed: int = 0, **options) -> TabletopEnv:
     env = make_env(scene or toy_scene(), task=task)
     env.reset(seed=seed, options=options)
     return env
-
-
-def wait(env: TabletopEnv, steps: int = 20):
-    """Stand still; return reward and info of the last step."""
-    for _ in range(steps):
-        _, reward, _, _, info = env.step(STILL)
-    return reward, info
 
 
 def put(env: TabletopEnv, name: str, x: float, y: float, on: float = TOP) -> None:

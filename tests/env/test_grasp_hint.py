@@ -102,7 +102,7 @@ def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch)
 def test_resets_with_other_heights_and_distractors_pile_up_no_plans(randomization) -> None:
     env = lift(randomization=randomization)
     shown = {tuple(env.reset(seed=k, options=CUBE)[0][279:]) for k in range(4)}
-    assert len(env.world._known.plans) <= 1
+    assert len(env.world._known.found) <= 1
     if randomization.table_height:
         assert len(shown) == 4, "each is planned for its own height"
 
@@ -265,8 +265,8 @@ def test_a_detected_hint_is_the_detectors_grasp() -> None:
 
 def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
     """Neither the grasps nor the places of the expert's planners are behind it."""
-    for planner in ("choosing.plan_grasps", "placing._held"):
-        monkeypatch.setattr(f"tabletopgen_env.expert.{planner}", lambda *_: 1 / 0)
+    for planner in ("choosing.plan_grasps", "placing._held_underside"):
+        monkeypatch.setattr(f"tabletopgen_env.expert.planning.{planner}", lambda *_: 1 / 0)
     env = lift(task="PickPlace", grasp_hint="detected")
     seen = env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})[0]
     hint, expert = env.hint, TaskExpert(env)

@@ -57,20 +57,20 @@ def test_a_sleeping_thing_wakes_in_the_closing_hand_and_stays_awake_in_the_air(w
     cube = world.position("cube_1")
     stand(world, cube)
     world.step(800)
-    assert asleep(world, "cube_1") and world.touched("cube_1") == (False, False, False)
+    assert asleep(world, "cube_1") and world.touches("cube_1") == (False, False, False)
     world.data.ctrl[world.actuators[7]] = CLOSED
     world.step(200)
-    assert not asleep(world, "cube_1") and world.touched("cube_1") == (True, True, True)
+    assert not asleep(world, "cube_1") and world.touches("cube_1") == (True, True, True)
     send(world, cube + 0.15 * UP, 500)
     for _ in range(20):
         world.step(100)
-        assert not asleep(world, "cube_1") and world.touched("cube_1") == (True, True, True)
+        assert not asleep(world, "cube_1") and world.touches("cube_1") == (True, True, True)
     assert world.position("cube_1")[2] > cube[2] + 0.1
     assert asleep(world, "can_1")
     world.data.ctrl[world.actuators[7]] = OPEN
     world.step(1500)
     assert asleep(world, "cube_1") and world.lowest("cube_1") == pytest.approx(0.74, abs=1e-3)
-    assert world.touched("cube_1") == (False, False, False)
+    assert world.touches("cube_1") == (False, False, False)
 
 
 def test_a_thing_at_rest_against_a_finger_is_touched_for_as_long_as_it_is(world) -> None:
@@ -79,11 +79,11 @@ def test_a_thing_at_rest_against_a_finger_is_touched_for_as_long_as_it_is(world)
     stand(world, cube + 0.2 * UP, CLOSED)
     send(world, cube - 0.08 * along, 600)
     world.step(800)
-    assert asleep(world, "cube_1") and not world.touched("cube_1")[2]
+    assert asleep(world, "cube_1") and not world.touches("cube_1")[2]
     send(world, cube - 0.02 * along, 600)
     for _ in range(30):
         world.step(100)
-        left, right, robot = world.touched("cube_1")
+        left, right, robot = world.touches("cube_1")
         assert robot and left != right and not asleep(world, "cube_1")
     assert np.linalg.norm(world.velocities()[0]) < 0.01, "it is at rest all the same"
 
@@ -95,15 +95,15 @@ def test_a_thing_asleep_against_the_base_is_touched() -> None:
     lean = 0.2
     turned = np.array([np.cos(lean / 2), 0.0, np.sin(lean / 2), 0.0])
     world.teleport("board_1", np.array([-0.19, 0.0, 0.792]), turned)
-    while not world.touched("board_1")[2]:
+    while not world.touches("board_1")[2]:
         world.step(10)
     assert not asleep(world, "board_1")
     world.step(1000)
     assert asleep(world, "board_1") and world.data.ncon == 0, "its contacts are not listed"
-    assert world.touched("board_1") == (False, False, True)
+    assert world.touches("board_1") == (False, False, True)
     world.teleport("board_1", np.array([0.35, 0.2, 0.8]), np.array([1.0, 0, 0, 0]))
     world.step(1500)
-    assert asleep(world, "board_1") and world.touched("board_1") == (False, False, False)
+    assert asleep(world, "board_1") and world.touches("board_1") == (False, False, False)
 
 
 def test_touch_is_looked_up_afresh_after_everything_that_moves(world) -> None:
@@ -111,10 +111,10 @@ def test_touch_is_looked_up_afresh_after_everything_that_moves(world) -> None:
     stand(world, cube)
     world.data.ctrl[world.actuators[7]] = CLOSED
     world.step(300)
-    assert world.touched("cube_1")[2]
+    assert world.touches("cube_1")[2]
     world.teleport("cube_1", cube + 0.2 * ASIDE)
-    assert not world.touched("cube_1")[2]
+    assert not world.touches("cube_1")[2]
     world.teleport("cube_1", cube)
-    assert world.touched("cube_1")[2]
+    assert world.touches("cube_1")[2]
     world.reset()
-    assert not world.touched("cube_1")[2]
+    assert not world.touches("cube_1")[2]

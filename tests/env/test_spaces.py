@@ -17,7 +17,8 @@ from generator.scene import Scene
 from tabletopgen_env.actions import ACTIONS
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.observations.modes import MODES, SLOTS
+from tabletopgen_env.rendering.config import MODES
+from tabletopgen_env.rendering.views import SLOTS
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.world.worlds import Masters
 

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
+from worlds import STILL, wait
 
 from generator.composition import compose
 from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
-from tabletopgen_env.actions import SUBSTEPS
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.goals.goal import SPOT, the
 from tabletopgen_env.goals.instructions import refer
@@ -25,8 +25,6 @@ from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.world.composition import FRONT_CAMERA, TOP_CAMERA
 from tabletopgen_env.world.world import World
 
-STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
-
 AHEAD = np.pi / 2
 """Where a robot at the viewer's side looks: along y."""
 
@@ -35,13 +33,6 @@ def start(target: str, goal, scene=None) -> TabletopEnv:
     env = make_env(scene or toy_scene())
     env.reset(seed=0, options={"target": target, "goal": goal})
     return env
-
-
-def wait(env: TabletopEnv, steps: int = 20):
-    """Stand still; return reward and info of the last step."""
-    for _ in range(steps):
-        _, reward, _, _, info = env.step(STILL)
-    return reward, info
 
 
 def test_standing_on_the_spot_is_the_only_full_reward() -> None:
@@ -78,8 +69,8 @@ def test_moving_through_the_spot_is_no_success() -> None:
     world = env.world
     world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
     world.data.qvel[world._object_dof[world.index("cube_1")][0]] = 0.1
-    desired = env.task.desired(world, env.episode)
-    achieved = env.task.achieved(world, env.episode, desired)
+    desired = env.task.desired_goal(world, env.episode)
+    achieved = env.task.achieved_goal(world, env.episode, desired)
     agreement = env.task.agreement(achieved, desired)
     assert env.task.terms(world, env.episode, agreement)["success"] == 0.0
 
@@ -97,7 +88,7 @@ def test_being_held_on_the_spot_is_no_success() -> None:
         env.step(closed)
     for _ in range(5):
         _, reward, _, _, info = env.step(closed)
-    assert env.world.touched("cube_1") == (True, True, True)
+    assert env.world.touches("cube_1") == (True, True, True)
     assert info["reward_terms"]["place"] == 1.0
     assert not info["success"] and reward == pytest.approx(1 - PickPlace.weights["success"])
 
@@ -137,11 +128,11 @@ def test_the_goal_follows_its_container() -> None:
 def test_reward_rises_along_the_way() -> None:
     env = start("cube_1", (0.2, 0.1))
     world, rewards = env.world, []
-    desired = env.task.desired(world, env.episode)
+    desired = env.task.desired_goal(world, env.episode)
     for xyz in [(-0.15, -0.1, 0.763), (-0.15, -0.1, 0.83), (0.0, 0.0, 0.83), (0.2, 0.1, 0.83),
                 (0.2, 0.1, 0.78), (0.2, 0.1, 0.763)]:  # fmt: skip
         world.teleport("cube_1", np.array(xyz))
-        achieved = env.task.achieved(world, env.episode, desired)
+        achieved = env.task.achieved_goal(world, env.episode, desired)
         terms = env.task.terms(world, env.episode, env.task.agreement(achieved, desired))
         assert all(0 <= v <= 1 for v in terms.values())
         rewards.append(sum(PickPlace.weights[k] * terms[k] for k in ("lift", "place", "success")))
@@ -268,7 +259,7 @@ def test_a_hindsight_goal_is_met_by_what_was_achieved() -> None:
 def test_resetting_leaves_the_scene_where_it_settled() -> None:
     env = start("cube_1", "bowl_1")
     before = {name: env.world.position(name) for name in env.world.names}
-    env.world.step(20 * SUBSTEPS)
+    env.world.step(20 * 25)
     for name, position in before.items():
         assert np.linalg.norm(env.world.position(name) - position) < 2e-3, name
 

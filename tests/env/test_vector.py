@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from toy import toy_objects, toy_scene
+from worlds import two_scenes
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
@@ -21,10 +22,6 @@ from tabletopgen_env.world.worlds import Masters
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 MODES = [mode.value for mode in AutoresetMode]
-
-
-def scenes() -> list:
-    return [toy_scene(), toy_scene(toy_objects()[:4], name="four")]
 
 
 def same(a: Any, b: Any) -> bool:
@@ -58,7 +55,7 @@ def rollout(envs: Any, steps: int = 11, seed: int = 5, masked: bool = False) -> 
 @pytest.mark.parametrize("observation", ["state", "goal"])
 @pytest.mark.parametrize("mode", MODES)
 def test_it_is_gymnasiums_serial_vector_to_the_bit(mode, observation) -> None:
-    setting = {"scenes": scenes(), "observation": observation, "max_episode_steps": 4}
+    setting = {"scenes": two_scenes(), "observation": observation, "max_episode_steps": 4}
     serial = gym.make_vec(
         ID,
         num_envs=3,
@@ -79,7 +76,7 @@ def test_it_is_gymnasiums_serial_vector_to_the_bit(mode, observation) -> None:
 @pytest.mark.slow
 def test_the_number_of_threads_changes_nothing() -> None:
     runs = [
-        rollout(TabletopVectorEnv(5, scenes=scenes(), threads=n, max_episode_steps=4))
+        rollout(TabletopVectorEnv(5, scenes=two_scenes(), threads=n, max_episode_steps=4))
         for n in (1, 2, 5)
     ]
     assert same(runs[0], runs[1]) and same(runs[0], runs[2])
@@ -87,11 +84,11 @@ def test_the_number_of_threads_changes_nothing() -> None:
 
 @pytest.mark.slow
 def test_slots_are_single_environments_with_their_seeds() -> None:
-    envs = TabletopVectorEnv(2, scenes=scenes(), threads=2)
+    envs = TabletopVectorEnv(2, scenes=two_scenes(), threads=2)
     together, _ = envs.reset(seed=[7, 3])
     steps = [envs.step(np.full((2, 5), 0.3)) for _ in range(10)]
     for k, seed in enumerate((7, 3)):
-        alone = make_env(scenes())
+        alone = make_env(two_scenes())
         assert np.array_equal(alone.reset(seed=seed)[0], together[k])
         for seen, reward, *_, info in steps:
             expected = alone.step(np.full(5, 0.3))
@@ -120,7 +117,7 @@ def test_it_can_be_made_in_every_way(mode) -> None:
 
 
 def test_attributes_are_called_got_and_set() -> None:
-    envs = TabletopVectorEnv(3, scenes=scenes(), max_episode_steps=9)
+    envs = TabletopVectorEnv(3, scenes=two_scenes(), max_episode_steps=9)
     envs.reset(seed=0)
     assert envs.get_attr("reward") == ("dense",) * 3
     envs.set_attr("reward", ["sparse", "dense", "sparse"])

@@ -10,17 +10,11 @@ from toy import toy_object, toy_scene, toy_table
 from generator.errors import InputError
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.observations.modes import slot_order
+from tabletopgen_env.rendering.config import ObservationConfig
 from tabletopgen_env.rendering.drawer import drawer
-from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unprojected
+from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unproject
 from tabletopgen_env.rendering.software import model_camera
-from tabletopgen_env.rendering.views import (
-    DEPTH_FAR,
-    SLOTS,
-    TABLETOP,
-    ObservationConfig,
-    geom_labels,
-    pictures,
-)
+from tabletopgen_env.rendering.views import DEPTH_FAR, SLOTS, TABLETOP, geom_labels, pictures
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks.sampling import into
 from tabletopgen_env.world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA
@@ -69,7 +63,7 @@ def test_every_camera_gives_every_kind(renderer) -> None:
 @pytest.mark.parametrize("renderer", RENDERERS)
 def test_a_segmentation_shows_each_object_where_it_is(world, renderer) -> None:
     order = order_of(world)
-    config = ObservationConfig(("front",), ("segmentation",), (200, 240))
+    config = ObservationConfig("pixels", ("front",), ("segmentation",), (200, 240))
     eyes = drawer(renderer, *config.size)
     labels = pictures(config, world, eyes, order)["front_segmentation"]
     eyes.close()
@@ -125,7 +119,7 @@ def test_one_spot_is_marked_at_a_time_and_is_the_table_s(renderer) -> None:
 
 
 def test_gl_and_software_agree_on_depth_and_segmentation(world) -> None:
-    config = ObservationConfig(("front", "wrist", "top"), KINDS[1:], (60, 80))
+    config = ObservationConfig("pixels", ("front", "wrist", "top"), KINDS[1:], (60, 80))
     order = order_of(world)
     a, b = (pictures(config, world, drawer(r, 60, 80), order) for r in ("gl", "software"))
     for camera in config.cameras:
@@ -197,8 +191,8 @@ def test_wrong_configurations_are_explained(settings, message) -> None:
 
 
 def test_lists_and_single_names_are_taken_too() -> None:
-    config = ObservationConfig(["top", "front"], "depth", [32, 48])  # type: ignore[arg-type]
-    assert config == ObservationConfig(("top", "front"), ("depth",), (32, 48))
+    config = ObservationConfig("pixels", ["top", "front"], "depth", [32, 48])  # type: ignore[arg-type]
+    assert config == ObservationConfig("pixels", ("top", "front"), ("depth",), (32, 48))
     assert config.size == (32, 48) and ObservationConfig(image_size=64).size == (64, 64)
 
 
@@ -239,7 +233,7 @@ def test_a_crowded_cloud_is_thinned_evenly_and_always_alike() -> None:
     few = clouded(points=100)
     first, world = few.step(np.zeros(5))[0], few.world
     assert first["point_mask"].all()
-    config = ObservationConfig(("front", "top"), image_size=64, points=1 << 14)
+    config = ObservationConfig("pixels", ("front", "top"), image_size=64, points=1 << 14)
     every = point_cloud(config, world, drawer("software", 64, 64), order_of(world))
     count = int(every["point_mask"].sum())
     kept = np.arange(100) * count // 100
@@ -260,12 +254,12 @@ def test_a_cloud_of_nothing_is_all_padding() -> None:
 def test_pixels_and_points_are_inverse(world) -> None:
     camera = model_camera(world, "front", 12, 20)
     depth = np.linspace(0.5, 3.0, 240).reshape(12, 20)
-    points = unprojected(camera, depth)
+    points = unproject(camera, depth)
     rows, columns = np.indices(depth.shape) + 0.5
     assert np.allclose(camera.project(points), np.stack([columns, rows], -1).reshape(-1, 2))
     assert np.allclose(camera.to_camera(points)[:, 2], depth.ravel())
     depth[3, 4] = np.inf
-    assert np.isnan(unprojected(camera, depth)[3 * 20 + 4]).all()
+    assert np.isnan(unproject(camera, depth)[3 * 20 + 4]).all()
 
 
 def test_there_is_room_for_the_slots_that_the_state_has() -> None:

@@ -30,7 +30,7 @@ def test_reset_is_home_and_the_settled_poses(world) -> None:
     assert np.allclose(world.data.qpos[joints], HOME_QPOS)
     for obj in world.scene.objects:
         assert np.allclose(world.position(obj.name), obj.pose.position)
-    assert not any(world.touched(name)[2] for name in world.names)
+    assert not any(world.touches(name)[2] for name in world.names)
 
 
 def test_the_base_stands_at_the_mount(world) -> None:

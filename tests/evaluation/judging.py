@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from running.paid_server import ask
+from calls.paid_server import ask
 
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.calls import Session
 
 SERVER = "JUDGE_OF_THE_TESTS"
@@ -20,7 +20,7 @@ class Judging:
     """Gives 3, 4 and 5, and ranks by name, the last first."""
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(Reasoner(), name)
+        return getattr(EmbeddedReasoner(), name)
 
     def rate(self, reference: Any, pictures: Any, criteria: Mapping[str, str]) -> dict[str, float]:
         return dict(zip(criteria, (3.0, 4.0, 5.0), strict=True))
@@ -37,7 +37,7 @@ class PaidJudging:
     model: str = field(default_factory=lambda: os.environ.get("JUDGE_MODEL", "m"))
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(Reasoner(), name)
+        return getattr(EmbeddedReasoner(), name)
 
     def rate(self, reference: Any, pictures: Any, criteria: Mapping[str, str]) -> dict[str, float]:
         ask(self.session, os.environ[SERVER], f"{pictures[0].sum()}", question="rate")

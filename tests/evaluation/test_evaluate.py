@@ -10,22 +10,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from calls.paid_server import Says, Served, serving
 from command import command
 from judging import SERVER
 from PIL import Image
-from running.paid_server import Says, Served, serving
 from spoiling import Shot, shot, sound, spoiled, spoiled_four_ways
 
 from generator import bundle
 from generator.backends.select import TABLE
 from generator.errors import InputError
-from generator.evaluation import Evaluation, Limits, evaluate
+from generator.evaluation import DefectLimits, Evaluation, evaluate
 from generator.evaluation.perceptual import EMBEDDED, PUBLISHED
 from generator.evaluation.soundness import PLAIN
 from generator.evaluation.surfaces.sweep import Station
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 
-QUICK = Limits(rule=dataclasses.replace(PLAIN, seconds=1.0))
+QUICK = DefectLimits(rule=dataclasses.replace(PLAIN, seconds=1.0))
 
 
 @pytest.fixture(scope="module")
@@ -142,7 +142,7 @@ def test_a_size_that_the_plan_fixed_is_the_usual_one() -> None:
 
 def test_findings_carry_figures_and_limits() -> None:
     (found,) = evaluate(
-        spoiled(sound(), "can_1", "overlap"), limits=Limits(overlap=1e-3), simulate=False
+        spoiled(sound(), "can_1", "overlap"), limits=DefectLimits(overlap=1e-3), simulate=False
     ).findings
     assert found.value == pytest.approx(3, abs=0.1)
     assert (found.limit, found.unit) == (1.0, "mm")
@@ -174,7 +174,7 @@ def test_what_needs_a_picture_says_so() -> None:
 @pytest.mark.parametrize("wrong", [{"overlap": 0.0}, {"usual_size": 1.0}, {"yaw": float("nan")}])
 def test_limits_that_make_no_sense_are_refused(wrong: dict[str, float]) -> None:
     with pytest.raises(InputError, match="positive"):
-        Limits(**wrong)
+        DefectLimits(**wrong)
 
 
 # ------------------------------------------------------------------------------------ the command
@@ -277,7 +277,7 @@ def test_the_command_asks_a_judge_for_marks_and_a_ranking(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(TABLE, "strict", {"reasoner": "judging:Judging"})  # type: ignore[arg-type]
-    monkeypatch.setattr("generator.evaluation.report._shown", lambda *_: taken.picture)
+    monkeypatch.setattr("generator.evaluation.report._draw", lambda *_: taken.picture)
     few = taken.scene.replace(objects=taken.scene.objects[1:2])
     one, two = saved(few, store), saved(few.replace(name="again"), store)
     picture = store / "picture.png"

@@ -9,11 +9,17 @@ import numpy as np
 import pytest
 from spoiling import shot, sound
 
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.backends.protocols import Judge
 from generator.errors import BackendError, InputError
 from generator.evaluation import evaluate
-from generator.evaluation.judged import CRITERIA, MEASURED, judged, measured, ranked
+from generator.evaluation.judged import (
+    CRITERIA,
+    MEASURED,
+    judge_scene,
+    marks_from_figures,
+    rank_methods,
+)
 
 WHITE = np.full((8, 8, 3), 255, np.uint8)
 
@@ -38,7 +44,7 @@ GOOD = {"VF": 6, "IA": 5.5, "PP": 7}
 
 def test_a_judge_marks_all_criteria_of_one_scene() -> None:
     judge = Friendly(GOOD)
-    marks = judged(judge, WHITE, [WHITE, WHITE])
+    marks = judge_scene(judge, WHITE, [WHITE, WHITE])
     assert isinstance(judge, Judge)
     assert marks.marks == GOOD
     assert marks.average == pytest.approx(18.5 / 3)
@@ -62,37 +68,39 @@ def test_a_judge_marks_all_criteria_of_one_scene() -> None:
 )
 def test_an_answer_off_the_scale_is_refused(marks: Mapping[str, Any]) -> None:
     with pytest.raises(BackendError, match="1 to 7"):
-        judged(Friendly(marks), WHITE, [WHITE])
+        judge_scene(Friendly(marks), WHITE, [WHITE])
 
 
 def test_a_ranking_names_each_method_once() -> None:
     methods = {"ours": [WHITE], "other": [WHITE]}
-    assert ranked(Friendly({}, ("ours", "other")), WHITE, methods) == ("ours", "other")
+    assert rank_methods(Friendly({}, ("ours", "other")), WHITE, methods) == ("ours", "other")
     for order in (("ours",), ("ours", "ours"), ("ours", "third")):
         with pytest.raises(BackendError, match="once"):
-            ranked(Friendly({}, order), WHITE, methods)
+            rank_methods(Friendly({}, order), WHITE, methods)
 
 
 def test_the_embedded_reasoner_is_no_judge_and_says_so() -> None:
     with pytest.raises(BackendError, match="cannot judge"):
-        judged(Reasoner(), WHITE, [WHITE])
+        judge_scene(EmbeddedReasoner(), WHITE, [WHITE])
 
 
 def test_a_judge_needs_a_picture_of_the_scene() -> None:
     with pytest.raises(InputError, match="at least one picture"):
-        judged(Friendly(GOOD), WHITE, [])
+        judge_scene(Friendly(GOOD), WHITE, [])
 
 
 def test_measured_marks_say_what_they_are_and_give_none_for_looks() -> None:
-    best = measured(iou=1.0, built=1.0, pair_collisions=0.0, unsound=0.0)
+    best = marks_from_figures(iou=1.0, built=1.0, pair_collisions=0.0, unsound=0.0)
     assert best.judge == MEASURED
     assert best.marks == {"VF": None, "IA": 7, "PP": 7}
     assert best.average is None
     assert best.facts()["average"] is None
     assert "not marked" in best.notes["VF"]
-    worst = measured(iou=0.0, built=0.0, pair_collisions=0.2, unsound=1.0)
+    worst = marks_from_figures(iou=0.0, built=0.0, pair_collisions=0.2, unsound=1.0)
     assert worst.marks == {"VF": None, "IA": 1, "PP": 1}
-    blind = measured(iou=None, built=None, pair_collisions=0.0, unsound=0.5, simulated=False)
+    blind = marks_from_figures(
+        iou=None, built=None, pair_collisions=0.0, unsound=0.5, simulated=False
+    )
     assert blind.marks == {"VF": None, "IA": None, "PP": 4}
     assert "not simulated" in blind.notes["PP"]
 

@@ -5,15 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tabletopgen_env.expert.planning.heights import Solid
-from tabletopgen_env.expert.planning.runs import (
-    PAD_HEIGHT,
-    RISE,
-    STEP_U,
-    Runs,
-    find_runs,
-    slabs,
-)
+from tabletopgen_env.expert.planning.heights import VoxelSolid
+from tabletopgen_env.expert.planning.runs import PAD_HEIGHT, RISE, STEP_U, Runs, find_runs, slabs
 
 FLOOR = 0.74
 LEVELS = FLOOR + RISE * (np.arange(12) + 0.5)
@@ -21,7 +14,7 @@ LEVELS = FLOOR + RISE * (np.arange(12) + 0.5)
 
 def runs_of(filled: np.ndarray, floor: float = FLOOR) -> Runs:
     """The runs of voxels [line, cell, level], seen as they are stored."""
-    shape = Solid(np.zeros(2), STEP_U, LEVELS[: filled.shape[2]], filled)
+    shape = VoxelSolid(np.zeros(2), STEP_U, LEVELS[: filled.shape[2]], filled)
     columns = np.arange(filled[..., 0].size).reshape(filled.shape[:2])
     return find_runs(slabs(shape, floor), columns)
 

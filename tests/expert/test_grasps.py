@@ -2,20 +2,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from toy import toy_object, toy_scene
+from toy import toy_object
+from worlds import world_of
 
 from generator.scene import Object
 from tabletopgen_env.expert.path import CLEAR, clear_height
 from tabletopgen_env.expert.planning.grasps import TIP, Grasp, plan_grasps
-from tabletopgen_env.expert.planning.heights import height_map, moved
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.world import World
-
-
-def world_of(*objects: Object) -> World:
-    world = World(toy_scene(objects), Panda())
-    world.reset()
-    return world
+from tabletopgen_env.expert.planning.heights import height_map, move_parts
 
 
 def grasps_of(*objects: Object) -> list[Grasp]:
@@ -78,7 +71,7 @@ def test_grasps_follow_the_object_as_it_lies_now() -> None:
 def test_height_map_of_a_moved_box() -> None:
     box = toy_object("box", (0.1, 0.06, 0.04), (0.0, 0.0))
     turn = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
-    parts = moved(box.parts, np.array([0.3, 0.2, 0.5]), turn)
+    parts = move_parts(box.parts, np.array([0.3, 0.2, 0.5]), turn)
     heights = height_map(parts, np.array([0.2, 0.1]), np.array([0.4, 0.3]), 0.002)
     assert heights.at(np.array([0.3, 0.24])) == pytest.approx(0.52)
     assert heights.at(np.array([0.34, 0.2])) == -np.inf

@@ -86,7 +86,8 @@ def attempt(folder: Path) -> None:
     """Try what is installed in a folder: the packages, the command, the module."""
     _run("-P", "-c", TRIAL, folder, cwd=folder, path=folder)
     for words in ([folder / "bin" / "tabletopgen"], ["-m", "tabletopgen_env"]):
-        assert "usage" in _run("-P", *words, "--help", cwd=folder, path=folder).lower()
+        shown = _run("-P", *words, "--help", cwd=folder, path=folder)
+        assert all(name in shown for name in ("usage", "generate", "doctor", "train", "certify"))
 
 
 def _run(*words: object, cwd: Path | None = None, path: Path | None = None) -> str:

@@ -62,7 +62,7 @@ def test_a_demonstration_holds_what_was_seen_done_and_advised() -> None:
 def test_what_is_seen_may_be_a_dict_and_infos_are_told() -> None:
     env = gym.wrappers.TimeLimit(make_env(toy_scene(), task="Lift", observation="goal"), 80)
     told: list[dict] = []
-    shown = demonstrate(env, seed=3, told=told.append)
+    shown = demonstrate(env, seed=3, report=told.append)
     assert shown is not None and set(shown.observations) == set(env.observation_space.spaces)
     seen = shown.observations["observation"]
     assert seen.dtype == np.float32 and len(seen) == len(told) == len(shown.actions) + 1

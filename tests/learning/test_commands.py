@@ -16,7 +16,7 @@ import torch
 from PIL import Image
 from stable_baselines3 import SAC
 
-from tabletopgen_env.__main__ import run
+from generator.cli import run
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.evaluating import evaluate, play, seeds
 from tabletopgen_env.learning.making import single_env, source_of
@@ -65,7 +65,7 @@ def test_resuming_by_the_command(trained: Path, table: str, other: str, capsys) 
     same = ("train", str(trained.parent / "tiny.toml"), "--scenes", table, "--held-out", other,
             "--out", str(trained), "--seed", "3", "--set", "envs=2")  # fmt: skip
     assert command(*same) == 2
-    assert "go on with --resume" in capsys.readouterr().err
+    assert "continue with --resume" in capsys.readouterr().err
     assert command(*same, "--resume") == 0
     assert "32 steps of tiny" in capsys.readouterr().out
 

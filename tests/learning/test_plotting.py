@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image, ImageDraw
+from PIL import Image
 
+from generator.cli import run as command
 from generator.errors import InputError, StorageError
-from tabletopgen_env.__main__ import run as command
-from tabletopgen_env.learning.evaluating import Evaluation
-from tabletopgen_env.learning.plotting import bands, draw, number, ticks
-from tabletopgen_env.learning.runs import Run, begin, opened
+from tabletopgen_env.learning.evaluating import PolicyEvaluation
+from tabletopgen_env.learning.plotting import Band, bands, draw, figure, number
+from tabletopgen_env.learning.runs import Run, begin, open_run
 
 
 def made(path: Path, recipe, seed: int, shares: dict[int, int]) -> Run:
     """A run that was evaluated: episodes solved of 10, by steps."""
     run = begin(path, recipe, seed)
     for steps, solved in shares.items():
-        run.add(steps, steps * 3.6, Evaluation(10, solved, 0.5, 40.0, 3))
+        run.add(steps, steps * 3.6, PolicyEvaluation(10, solved, 0.5, 40.0, 3))
     return run
 
 
@@ -44,7 +45,7 @@ def test_runs_of_other_settings_are_told_apart(small, tmp_path: Path) -> None:
     longer = made(tmp_path / "b", small(steps=999), 1, {0: 1, 100: 3})
     gamma = {"learning_starts": 20, "buffer_size": 2000, "batch_size": 16, "gamma": 0.5}
     other = made(tmp_path / "c", small(options=gamma), 0, {0: 1, 100: 9})
-    again = opened(tmp_path / "a" / ".." / "a")
+    again = open_run(tmp_path / "a" / ".." / "a")
     found = bands([one, longer, again])
     assert {name: band.runs for name, band in found.items()} == {"small-sac": 2}
     assert found["small-sac"].mean[-1] == pytest.approx(0.2)
@@ -73,17 +74,16 @@ def test_more_success_is_drawn_higher(small, tmp_path: Path) -> None:
     assert height("low", 2) > height("high", 8) + 100
 
 
-def test_it_says_that_it_is_validation(small, tmp_path: Path, monkeypatch) -> None:
-    written: list[str] = []
-    text = ImageDraw.ImageDraw.text
+def test_it_says_that_it_is_validation(small, tmp_path: Path) -> None:
+    (axes,) = figure(bands([made(tmp_path / "a", small(), 0, {0: 1, 100: 2})]), "steps").axes
+    assert "validation" in axes.get_title("left")
 
-    def noted(self, xy, said, *args, **kwargs) -> None:
-        written.append(said)
-        text(self, xy, said, *args, **kwargs)
 
-    monkeypatch.setattr(ImageDraw.ImageDraw, "text", noted)
-    draw(bands([made(tmp_path / "a", small(), 0, {0: 1, 100: 2})]))
-    assert "validation" in written[0]
+def test_names_of_recipes_are_no_markup() -> None:
+    band = Band(1, *(np.array([0.0, 1.0]),) * 4)
+    for name in (r"$\frac{$", "_hidden", "a\x1b[2Jb", "\ud800", "x" * 300):
+        picture = draw({name: band})
+        assert (picture == (31, 119, 180)).all(2).any()
 
 
 @pytest.mark.parametrize(
@@ -96,9 +96,18 @@ def test_it_says_that_it_is_validation(small, tmp_path: Path, monkeypatch) -> No
     ],
 )
 def test_axes_have_round_numbers(end: float, wanted: list[str]) -> None:
-    made = ticks(end)
-    assert [number(v) for v in made[:4]] == wanted
-    assert 4 < len(made) <= 11 and made[-1] <= end * (1 + 1e-9)
+    band = Band(1, *(np.array([0.0, end]),) * 4)
+    (axes,) = figure({"one": band}, "steps").axes
+    shown = axes.xaxis.get_major_formatter()
+    made = [v for v in axes.get_xticks() if v <= end * (1 + 1e-9)]
+    assert [shown(v) for v in made[:4]] == wanted == [number(v) for v in made[:4]]
+    assert 4 < len(made) <= 11
+
+
+def test_matplotlib_missing_is_said_with_the_pip_line(monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(InputError, match=r"pip install 'tabletopgen\[plot\]'"):
+        draw({"one": Band(1, *(np.zeros(1),) * 4)})
 
 
 def test_the_command_draws_a_picture(small, tmp_path: Path, capsys) -> None:

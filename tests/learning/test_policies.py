@@ -28,7 +28,7 @@ from tabletopgen_env.learning.policies import (
     save_policy,
 )  # fmt: skip
 from tabletopgen_env.observations.modes import observation_space
-from tabletopgen_env.rendering.views import ObservationConfig
+from tabletopgen_env.rendering.config import ObservationConfig
 
 GOAL = {"observation": "goal"}
 KINDS = [
@@ -272,7 +272,7 @@ def test_policies_are_found_by_name_or_path(policy, tmp_path: Path, monkeypatch)
 
 
 def test_pictures_have_no_policy_files(small) -> None:
-    space = observation_space("pixels", ObservationConfig(("front",), ("rgb",), 64, 64))
+    space = observation_space(ObservationConfig("pixels", ("front",), ("rgb",), 64, 64))
     with pytest.raises(InputError, match="states and goals"):
         inputs_of(space)
 
@@ -292,5 +292,5 @@ def test_a_policy_says_which_detector_it_learned_with(small, tmp_path: Path, mon
 
 def test_what_is_said_of_a_policy_suits_a_terminal(policy, tmp_path: Path, capsys) -> None:
     path = save_policy(policy, tmp_path / "p\x1b[2J.safetensors")
-    commands._loaded(str(path), trust=False, recipe=None)
+    commands._load(str(path), trust=False, recipe=None)
     assert capsys.readouterr().out.startswith(r"p\x1b[2J.safetensors: ")

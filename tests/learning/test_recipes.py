@@ -16,9 +16,9 @@ from generator.errors import InputError
 from tabletopgen_env.learning import training
 from tabletopgen_env.learning.making import (
     blank_model,
+    count_shared,
     many_envs,
     new_model,
-    shared,
     single_env,
     source_of,
     spec_of,
@@ -47,7 +47,9 @@ def test_the_baselines_are_there() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_shipped_recipe_makes_its_environment_and_model(name: str, table: str) -> None:
     found = recipe(name)
-    assert shared(source_of(found.scenes, "train"), source_of(found.held_out, "held_out")) == 0
+    assert (
+        count_shared(source_of(found.scenes, "train"), source_of(found.held_out, "held_out")) == 0
+    )
     source = source_of(table, "train")
     few = dataclasses.replace(found, envs=1, options={**found.options, **_less(found.options)})
     single_env(found.task, found.env, source).close()
@@ -242,7 +244,7 @@ def test_training_draws_from_as_many_tables_as_the_recipe_says(
     seen = []
     monkeypatch.setattr(training, "_check", lambda recipe, env: seen.append(env))
     monkeypatch.setattr(training, "begin", begin)
-    monkeypatch.setattr(training, "shared", lambda *both: seen.extend(both))
+    monkeypatch.setattr(training, "count_shared", lambda *both: seen.extend(both))
     with pytest.raises(Enough):
         training.train(small(scenes="fresh", held_out="fresh", variants=7), folder)
     assert [source.variants for source in seen[:2]] == [7, 7]
@@ -254,12 +256,12 @@ def test_training_draws_from_as_many_tables_as_the_recipe_says(
 def test_tables_in_common_are_told_by_what_they_are(table: str, other: str, tmp_path: Path) -> None:
     copied = str(shutil.copytree(table, tmp_path / "copied"))
     one, two = source_of(table, "train"), source_of((copied, other), "held_out")
-    assert shared(one, two) == shared(two, one) == 1
-    assert shared(one, source_of(other, "held_out")) == 0
-    assert shared(one, FixedScenes((HeldRef(load(Path(copied))),))) == 1
+    assert count_shared(one, two) == count_shared(two, one) == 1
+    assert count_shared(one, source_of(other, "held_out")) == 0
+    assert count_shared(one, FixedScenes((HeldRef(load(Path(copied))),))) == 1
     pool, starters = source_of("refreshing", "train"), source_of("starter:train", "train")
-    assert shared(pool, starters) > 1, "what a pool begins with"
-    assert shared(pool, source_of("starter:held_out", "held_out")) == 0
+    assert count_shared(pool, starters) > 1, "what a pool begins with"
+    assert count_shared(pool, source_of("starter:held_out", "held_out")) == 0
 
 
 def test_a_name_is_printable() -> None:

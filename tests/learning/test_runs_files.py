@@ -11,7 +11,7 @@ import pytest
 
 from generator.errors import InputError
 from tabletopgen_env.learning.recipes import recipe
-from tabletopgen_env.learning.runs import COLUMNS, Counts, Run, begin, opened, read_rows
+from tabletopgen_env.learning.runs import COLUMNS, Counts, Run, begin, open_run, read_rows
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def test_a_recipe_of_wrong_types_is_refused(run: Run, change: dict[str, Any]) ->
     payload = json.loads((run.path / "recipe.json").read_text())
     (run.path / "recipe.json").write_text(json.dumps(payload | change))
     with pytest.raises(InputError):
-        opened(run.path)
+        open_run(run.path)
 
 
 @pytest.mark.parametrize("row", ["1,2,0,0,1,1", "1,2,2,3,1,1", "-1,2,2,1,1,1", "1,nan,2,1,1,1",
@@ -74,7 +74,7 @@ def test_pipes_are_not_waited_for(run: Run) -> None:
     for name in ("recipe.json", "evaluations.csv"):
         (run.path / name).unlink()
         os.mkfifo(run.path / name)
-    for read in (opened, read_rows):
+    for read in (open_run, read_rows):
         with pytest.raises(InputError, match="not a regular file"):
             read(run.path)
     os.mkfifo(run.path / "mine.toml")

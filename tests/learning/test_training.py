@@ -23,11 +23,11 @@ from tabletopgen_env.learning.demonstrations import replay
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.learning.making import load_zip
 from tabletopgen_env.learning.policies import load_policy
-from tabletopgen_env.learning.runs import BEST, LATEST, opened
-from tabletopgen_env.learning.tracking import Plan
+from tabletopgen_env.learning.runs import BEST, LATEST, open_run
+from tabletopgen_env.learning.tracking import TrainingPlan
 from tabletopgen_env.learning.training import train
 
-QUICK = Plan(evaluate_every=60, episodes=2)
+QUICK = TrainingPlan(evaluate_every=60, episodes=2)
 GOAL = {"observation": "goal", "reward": "sparse"}
 CLONING = {"rounds": 2, "episodes": 2, "steps": 20, "last_steps": 20, "batch": 32}
 FAMILIES = {
@@ -53,7 +53,7 @@ def test_every_family_trains(small, folder: Path, family: str) -> None:
     recipe = small(algorithm, **changes)
     done = train(recipe, folder, QUICK, say=quiet)
     assert not done.interrupted
-    run = opened(folder)
+    run = open_run(folder)
     assert run.recipe == recipe and run.seed == 0
     rows = run.rows()
     assert rows and rows[-1].steps == done.steps and all(r.episodes == 2 for r in rows)
@@ -126,7 +126,7 @@ def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm:
     made = []
     for number, seed in enumerate((0, 0, 1)):
         folder = tmp_path / str(number)
-        train(small(algorithm, steps=64), folder, Plan(seed, episodes=1), say=quiet)
+        train(small(algorithm, steps=64), folder, TrainingPlan(seed, episodes=1), say=quiet)
         made.append(weights(folder))
     assert alike(made[0], made[1]) and not alike(made[0], made[2])
 
@@ -136,16 +136,16 @@ def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm:
 def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -> None:
     network = {"layers": [8]}
     train(small(algorithm, steps=60, network=network), folder, QUICK, say=quiet)
-    before, kept = opened(folder).rows(), opened(folder).checkpoint
+    before, kept = open_run(folder).rows(), open_run(folder).checkpoint
     counts = json.loads((kept / "counts.json").read_text())
     assert counts["steps"] == before[-1].steps >= 60 and counts["updates"] > 0
     told: list[str] = []
     done = train(small(algorithm, steps=180, network=network), folder, QUICK, True, told.append)
-    rows = opened(folder).rows()
+    rows = open_run(folder).rows()
     assert rows[: len(before)] == before and len(rows) > len(before)
     assert [r.steps for r in rows] == sorted({r.steps for r in rows})
     assert done.steps == rows[-1].steps >= 180
-    after = opened(folder).checkpoint
+    after = open_run(folder).checkpoint
     assert [p.name for p in folder.glob("checkpoint-*")] == [after.name] != [kept.name]
     more = json.loads((after / "counts.json").read_text())
     steps, updates = (more[k] - counts[k] for k in ("steps", "updates"))
@@ -162,7 +162,7 @@ def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder:
 
     recipe = small(steps=60)
     train(recipe, folder, QUICK, say=quiet)
-    run = opened(folder)
+    run = open_run(folder)
     model = new_model(recipe, many_envs(recipe, source_of(recipe.scenes, "train"), 0), 5)
     assert isinstance(model, SAC)
     fresh = model.log_ent_coef.item()
@@ -178,10 +178,10 @@ def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder:
 
 @pytest.mark.slow
 def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path, monkeypatch) -> None:
-    plan = Plan(episodes=1, keep_replay=False)
+    plan = TrainingPlan(episodes=1, keep_replay=False)
     train(small(steps=40, demonstrations=2), folder, plan, say=quiet)
     told: list[str] = []
-    before = json.loads((opened(folder).checkpoint / "counts.json").read_text())
+    before = json.loads((open_run(folder).checkpoint / "counts.json").read_text())
 
     def random(self: Box, *args: Any, **kwargs: Any) -> None:
         raise AssertionError("what has been learned acts, not chance")
@@ -190,7 +190,7 @@ def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path, monk
     done = train(small(steps=80, demonstrations=2), folder, plan, True, told.append)
     assert any("policy fills it anew" in line for line in told)
     assert any("2 demonstrations" in line for line in told)
-    after = json.loads((opened(folder).checkpoint / "counts.json").read_text())
+    after = json.loads((open_run(folder).checkpoint / "counts.json").read_text())
     steps = done.steps - before["steps"] - 20  # learning_starts
     assert after["updates"] - before["updates"] == steps // 2 > 0
 
@@ -206,7 +206,7 @@ def test_what_goes_on_does_not_repeat_itself(small, tmp_path: Path, monkeypatch)
         return learn(self, *args, **kwargs)
 
     monkeypatch.setattr(PPO, "learn", noting)
-    plan = Plan(episodes=1)
+    plan = TrainingPlan(episodes=1)
     train(small("ppo", steps=32), tmp_path / "a", plan, say=quiet)
     for name in "bc":
         shutil.copytree(tmp_path / "a", tmp_path / name)
@@ -219,9 +219,12 @@ def test_what_goes_on_does_not_repeat_itself(small, tmp_path: Path, monkeypatch)
 
 @pytest.mark.slow
 def test_a_finished_run_says_so(small, folder: Path) -> None:
-    train(small("ppo", steps=32), str(folder), Plan(episodes=1), say=quiet)
+    train(small("ppo", steps=32), str(folder), TrainingPlan(episodes=1), say=quiet)
     told: list[str] = []
-    assert train(small("ppo", steps=32), folder, Plan(episodes=1), True, told.append).steps == 32
+    assert (
+        train(small("ppo", steps=32), folder, TrainingPlan(episodes=1), True, told.append).steps
+        == 32
+    )
     assert any("has 32 steps already" in line for line in told)
 
 
@@ -229,16 +232,16 @@ def test_a_finished_run_says_so(small, folder: Path) -> None:
 def test_what_cannot_be_resumed_or_begun_is_refused(small, folder: Path) -> None:
     with pytest.raises(InputError, match="holds no run"):
         train(small(), folder, QUICK, resume=True, say=quiet)
-    train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
+    train(small("ppo", steps=32), folder, TrainingPlan(episodes=1), say=quiet)
     with pytest.raises(InputError, match="holds a run already"):
         train(small("ppo"), folder, QUICK, say=quiet)
     with pytest.raises(InputError, match="differs in task"):
         train(small("ppo", task="Lift"), folder, QUICK, resume=True, say=quiet)
     with pytest.raises(InputError, match="differs in the seed"):
-        train(small("ppo"), folder, Plan(seed=4), resume=True, say=quiet)
+        train(small("ppo"), folder, TrainingPlan(seed=4), resume=True, say=quiet)
     (folder / "recipe.json").write_text("{")
     with pytest.raises(InputError, match="damaged"):
-        opened(folder)
+        open_run(folder)
     with pytest.raises(InputError, match="something else"):
         train(small(), folder.parent, QUICK, say=quiet)
 
@@ -276,19 +279,19 @@ def test_a_late_error_deletes_nothing(small, folder: Path, monkeypatch) -> None:
     with monkeypatch.context() as changed, pytest.raises(SceneError, match="fell over"):
         changed.setattr(tracking, "evaluate", broken)
         train(small(), folder, QUICK, say=quiet)
-    assert opened(folder).recipe == small() and opened(folder).rows() == []
+    assert open_run(folder).recipe == small() and open_run(folder).rows() == []
     assert list((folder / "tensorboard").iterdir())
     assert train(small(), folder, QUICK, True, quiet).steps >= 120, "it can be begun again"
 
 
 @pytest.mark.slow
 def test_a_damaged_checkpoint_is_refused_and_kept(small, folder: Path) -> None:
-    train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
-    zipped = opened(folder).checkpoint / "model.zip"
+    train(small("ppo", steps=32), folder, TrainingPlan(episodes=1), say=quiet)
+    zipped = open_run(folder).checkpoint / "model.zip"
     zipped.write_bytes(zipped.read_bytes()[:900])
     with pytest.raises(InputError, match="no checkpoint of small-ppo"):
-        train(small("ppo", steps=64), folder, Plan(episodes=1), True, quiet)
-    assert len(opened(folder).rows()) == 1 and zipped.exists()
+        train(small("ppo", steps=64), folder, TrainingPlan(episodes=1), True, quiet)
+    assert len(open_run(folder).rows()) == 1 and zipped.exists()
 
 
 @pytest.mark.slow
@@ -304,7 +307,7 @@ def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None
     done = train(small(steps=10_000), folder, QUICK, say=say)
     assert done.interrupted and 60 <= done.steps < 10_000
     assert signal.getsignal(signal.SIGINT) is before
-    assert opened(folder).checkpoint.name == f"checkpoint-{done.steps}"
+    assert open_run(folder).checkpoint.name == f"checkpoint-{done.steps}"
     assert any("Ctrl-C again" in line for line in told)
     again = train(small(steps=done.steps + 20), folder, QUICK, True, quiet)
     assert again.steps == done.steps + 20
@@ -324,7 +327,7 @@ def test_demonstrations_can_be_interrupted(small, folder: Path, monkeypatch) -> 
         changed.setattr(replay, "demonstrate", interrupting)
         done = train(recipe, folder, QUICK, say=quiet)
     assert done.interrupted and done.steps == 0 and len(begun) == 1
-    assert not opened(folder).kept, "half of them are no start"
+    assert not open_run(folder).kept, "half of them are no start"
     assert train(recipe, folder, QUICK, True, quiet).steps >= 120
 
 
@@ -337,7 +340,7 @@ def test_what_comes_before_the_first_step_is_kept(small, folder: Path, monkeypat
     recipe = small(demonstrations=2, cloning={**CLONING, "rounds": 1})
     done = train(recipe, folder, QUICK, say=say)
     assert done.interrupted and done.steps == 0
-    kept = opened(folder).checkpoint
+    kept = open_run(folder).checkpoint
     assert kept.name == "checkpoint-0" and (kept / "replay.npz").is_file()
     assert load_policy(folder / LATEST).card.steps == 0
     for name in ("fill", "clone"):
@@ -352,25 +355,25 @@ def test_cloning_can_be_interrupted_too(small, folder: Path) -> None:
             os.kill(os.getpid(), signal.SIGINT)
 
     done = train(small("clone", cloning={**CLONING, "rounds": 9}), folder, QUICK, say=say)
-    assert done.interrupted and len(opened(folder).rows()) == 1
+    assert done.interrupted and len(open_run(folder).rows()) == 1
     assert load_policy(folder / LATEST).card.steps == done.steps
 
 
 def test_tensorboard_is_not_needed(small, folder: Path, monkeypatch) -> None:
     monkeypatch.setattr(tracking, "tensorboard_there", lambda: False)
     told: list[str] = []
-    train(small("ppo", steps=32), folder, Plan(episodes=1, bar=True), say=told.append)
+    train(small("ppo", steps=32), folder, TrainingPlan(episodes=1, bar=True), say=told.append)
     assert sum("TensorBoard is not installed" in line for line in told) == 1
     assert not list(folder.glob("tensorboard/*")) and extra.PIP in "".join(told)
 
 
 def test_training_on_held_out_scenes_is_said(small, folder: Path, table: str) -> None:
     told: list[str] = []
-    train(small("ppo", steps=32, held_out=table), folder, Plan(episodes=1), say=told.append)
+    train(small("ppo", steps=32, held_out=table), folder, TrainingPlan(episodes=1), say=told.append)
     assert any("1 of the held-out scenes are trained on" in line for line in told)
 
 
 @pytest.mark.parametrize("wrong", [{"seed": -1}, {"episodes": 0}, {"evaluate_every": 0}])
 def test_plans_out_of_range_are_refused(wrong) -> None:
     with pytest.raises(InputError, match=r"Plan needs|A seed has to be"):
-        Plan(**wrong)
+        TrainingPlan(**wrong)

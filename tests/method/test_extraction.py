@@ -9,20 +9,8 @@ import pytest
 
 from generator.errors import InputError, SceneError
 from generator.geometry import fill_holes, mask_box
-from generator.method.extraction import (
-    ExtractionConfig,
-    clean,
-    extract,
-    unique_names,
-)
-from generator.scene import (
-    Detection,
-    Instance,
-    PlannedObject,
-    PlannedTable,
-    Reference,
-    ScenePlan,
-)
+from generator.method.extraction import ExtractionConfig, clean, extract, unique_names
+from generator.scene import Detection, Instance, PlannedObject, PlannedTable, Reference, ScenePlan
 
 IMAGE = np.full((100, 120, 3), 255, np.uint8)
 

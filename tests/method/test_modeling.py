@@ -16,17 +16,9 @@ from generator.method.modeling import (
     measured_size,
     quarter_turn,
     size_axes_turn,
-    turned,
+    turn,
 )
-from generator.scene import (
-    ConvexPart,
-    Instance,
-    Mesh,
-    Model,
-    Reference,
-    SizePrior,
-    View,
-)
+from generator.scene import ConvexPart, Instance, Mesh, Model, Reference, SizePrior, View
 
 AXES = "xyz"
 CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))
@@ -38,12 +30,12 @@ def test_the_orientation_a_modeler_saw_goes_along_with_the_turns():
     seen = quaternion_matrix(np.array([0.8, 0.1, -0.5, 0.3]))
     model = dataclasses.replace(wedge(), orientation=seen)
     for steps in ([("x", 90)], [("z", 90), ("y", 180)], [("y", -90), ("x", 90), ("z", 90)]):
-        made = turned(model, steps)
+        made = turn(model, steps)
         assert made.orientation is not None
         before = (model.mesh.vertices * model.size) @ seen.T
         after = (made.mesh.vertices * made.size) @ made.orientation.T
         np.testing.assert_allclose(after, before, atol=1e-7)
-    assert turned(wedge(), [("x", 90)]).orientation is None
+    assert turn(wedge(), [("x", 90)]).orientation is None
 
 
 def wedge() -> Model:
@@ -118,7 +110,7 @@ def test_turning_twice_is_turning_by_the_product():
 
 
 def test_sizes_and_cylinder_axes_go_along():
-    model = turned(wedge(), [("x", 90), ("z", 90)])
+    model = turn(wedge(), [("x", 90), ("z", 90)])
     np.testing.assert_allclose(model.size, [0.1, 0.3, 0.2])
     assert model.parts[0].axis == 1
     low, high = model.parts[0].bounds
@@ -126,7 +118,7 @@ def test_sizes_and_cylinder_axes_go_along():
 
 
 def test_a_turn_keeps_the_mesh_outside_out():
-    model = turned(wedge(), [("y", 90)])
+    model = turn(wedge(), [("y", 90)])
 
     def volume(mesh: Mesh) -> float:
         a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))

@@ -27,16 +27,7 @@ from generator.method.publish import (
 )
 from generator.method.refinement import Refinement
 from generator.method.supplement import NOTHING, Supplement
-from generator.scene import (
-    TABLE,
-    Placement,
-    Provenance,
-    Reference,
-    Report,
-    Scene,
-    SizePrior,
-    View,
-)
+from generator.scene import TABLE, Placement, Provenance, Reference, Report, Scene, SizePrior, View
 
 Add = Callable[[Attempt], Supplement]
 FACTS = {

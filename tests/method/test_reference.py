@@ -8,12 +8,7 @@ import pytest
 from PIL import Image
 
 from generator.errors import InputError
-from generator.method.reference import (
-    ReferenceConfig,
-    is_picture_name,
-    read_image,
-    refer,
-)
+from generator.method.reference import ReferenceConfig, is_picture_name, read_image, refer
 from generator.scene import PlannedTable, ScenePlan
 
 

@@ -10,6 +10,7 @@ from command import command
 from PIL import Image
 
 from generator.errors import InputError
+from generator.io.png import encode_png
 from generator.method.reference import ReferenceConfig, refer
 from generator.scene import Intrinsics, Reference
 
@@ -23,16 +24,10 @@ def taken(depth=DEPTH, intrinsics=CAMERA, source=PICTURE, config=None) -> Refere
     return refer(source, nobody, nobody, 0, config, depth=depth, intrinsics=intrinsics)  # type: ignore[arg-type]
 
 
-def png(array: np.ndarray) -> bytes:
-    buffer = io.BytesIO()
-    Image.fromarray(array).save(buffer, "PNG")
-    return buffer.getvalue()
-
-
 def test_metres_millimetres_and_a_file_mean_the_same(tmp_path):
     millimetres = np.full((90, 120), 800, np.uint16)
     path = tmp_path / "depth.png"
-    path.write_bytes(png(millimetres))
+    path.write_bytes(encode_png(millimetres))
     for depth in (DEPTH, DEPTH.astype(float), millimetres, path, str(path), path.read_bytes()):
         reference = taken(depth)
         assert reference.depth is not None and reference.intrinsics == CAMERA
@@ -68,7 +63,7 @@ def test_depth_and_intrinsics_shrink_with_the_picture():
         ({"depth": -DEPTH}, "negative"),
         ({"depth": 1000 * DEPTH}, "metres"),
         ({"depth": np.ones((90, 120), np.int64)}, "int64"),
-        ({"depth": png(PICTURE)}, "16-bit grey PNG"),
+        ({"depth": encode_png(PICTURE)}, "16-bit grey PNG"),
         ({"depth": b"nonsense"}, "The depth map cannot be used"),
         ({"depth": "missing.png"}, "missing.png"),
         ({"intrinsics": Intrinsics(120, 240, 60, 45)}, "square"),
@@ -107,6 +102,6 @@ def test_a_reference_holds_both_or_neither():
 )
 def test_the_command_line_says_what_is_wrong(tmp_path, capsys, arguments, message):
     path = tmp_path / "table.png"
-    path.write_bytes(png(PICTURE))
+    path.write_bytes(encode_png(PICTURE))
     assert command("generate", str(path), *arguments) == 2
     assert message in capsys.readouterr().err

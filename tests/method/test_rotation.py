@@ -7,13 +7,13 @@ import pytest
 import torch
 from posed import FAST, SIZE, VIEW, box, picture_of
 
-from generator.backends.embedded.encoder import Encoder
+from generator.backends.embedded.encoder import EmbeddedEncoder
 from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import wrap
 from generator.method import rotation as dro
 from generator.method.rotation import RotationConfig
-from generator.render.soft import Surface
+from generator.render.soft import SampledSurface
 from generator.scene import TABLE, Mesh, Model, View
 
 
@@ -23,7 +23,7 @@ def doubled(value):
         return value.double() if value.is_floating_point() else value
     if isinstance(value, tuple):
         return tuple(map(doubled, value))
-    if isinstance(value, (Surface, dro.Target, dro.Objective)):
+    if isinstance(value, (SampledSurface, dro.Target, dro.Objective)):
         changes = {f.name: doubled(getattr(value, f.name)) for f in dataclasses.fields(value)}
         return dataclasses.replace(value, **changes)
     return value
@@ -121,7 +121,7 @@ def test_a_gpu_that_is_not_there_is_refused(monkeypatch):
     instance, _ = picture_of(model, 2.0, (320, 240))
     config = dataclasses.replace(FAST, device="cuda:1")
     with pytest.raises(InputError, match=r"torch finds 1 such GPUs"):
-        dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE)
+        dro.make_objectives([model], [instance], VIEW, EmbeddedEncoder(), config, SIZE)
 
 
 # --------------------------------------------------------------------------------------- search
@@ -131,8 +131,8 @@ def test_candidates_keep_their_separation():
     yaws = np.deg2rad(np.arange(0, 360, 5.0))
     losses = np.minimum(np.abs(np.rad2deg(yaws) - 90), np.abs(np.rad2deg(yaws) - 270) + 3)
     config = RotationConfig(candidates=3, separation=np.deg2rad(15.0))
-    np.testing.assert_allclose(np.rad2deg(yaws[dro.selected(yaws, losses, config)]), [90, 270, 75])
-    neighbours = yaws[dro.selected(yaws, losses, RotationConfig(candidates=3, separation=0.0))]
+    np.testing.assert_allclose(np.rad2deg(yaws[dro.select(yaws, losses, config)]), [90, 270, 75])
+    neighbours = yaws[dro.select(yaws, losses, RotationConfig(candidates=3, separation=0.0))]
     assert np.rad2deg(neighbours)[0] == pytest.approx(90)
     assert np.ptp(np.rad2deg(neighbours)) < 200
 
@@ -147,7 +147,7 @@ def test_yaw_is_recovered_with_a_wrong_elevation(key, yaw, pixel):
     instance, reference = picture_of(model, np.deg2rad(yaw), pixel)
     believed = View(VIEW.azimuth, VIEW.elevation + np.deg2rad(2.5), VIEW.fov)
     found = dro.estimate_rotations(
-        reference, (instance,), {model.name: model}, believed, Encoder(), FAST
+        reference, (instance,), {model.name: model}, believed, EmbeddedEncoder(), FAST
     )[model.name]
     assert abs(np.rad2deg(wrap(found.yaw - np.deg2rad(yaw)))) < 4
     assert found.candidates[0] == (found.yaw, found.loss)
@@ -164,7 +164,7 @@ def test_an_object_at_the_side_is_seen_along_its_own_ray():
     errors = {}
     for perspective in (True, False):
         config = dataclasses.replace(FAST, perspective=perspective)
-        found = dro.optimise_rotation(model, instance, wide, Encoder(), config, SIZE)
+        found = dro.optimise_rotation(model, instance, wide, EmbeddedEncoder(), config, SIZE)
         errors[perspective] = abs(np.rad2deg(wrap(found.yaw - yaw)))
     assert errors[True] < 3
     assert errors[False] > errors[True] + 3
@@ -174,9 +174,9 @@ def test_an_object_at_the_side_is_seen_along_its_own_ray():
 def test_refining_descends_from_the_coarse_angle():
     model = build("toy_train", 5)
     instance, _ = picture_of(model, 0.53, (320, 240))
-    objective = dro.make_objectives([model], [instance], VIEW, Encoder(), FAST, SIZE).fine
+    objective = dro.make_objectives([model], [instance], VIEW, EmbeddedEncoder(), FAST, SIZE).fine
     before = dro.coarse_losses(objective, np.array([0.45]))[0, 0]
-    ((found,),) = dro.refine(objective, [[dro.Found(0.45, before)]], 25)
+    ((found,),) = dro.refine(objective, [[dro.RotationCandidate(0.45, before)]], 25)
     assert found.loss < before
     assert abs(found.yaw - 0.53) < abs(0.45 - 0.53) / 2
 
@@ -196,7 +196,7 @@ def test_gradients_of_the_objective_agree_with_finite_differences(settings, weig
         settings, lambda_s=s, lambda_e=e, lambda_a=a, resolution=48, coarse_resolution=48,
         points=2000, relight=False,
     )  # fmt: skip
-    made = dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE).fine
+    made = dro.make_objectives([model], [instance], VIEW, EmbeddedEncoder(), config, SIZE).fine
     objective, owner = doubled(made), torch.zeros(1, dtype=torch.long)
 
     def loss(angles: torch.Tensor) -> torch.Tensor:
@@ -218,11 +218,13 @@ def test_objects_of_a_batch_are_found_as_if_alone():
         picture_of(m, yaw, (320, 240))[0] for m, yaw in zip(models, (0.5, 2.0, -1.0), strict=True)
     ]
     config = dataclasses.replace(FAST, steps=6, patience=0)
-    together = dro.search(dro.make_objectives(models, instances, VIEW, Encoder(), config, SIZE))
+    together = dro.search(
+        dro.make_objectives(models, instances, VIEW, EmbeddedEncoder(), config, SIZE)
+    )
     assert [answer.symmetric for answer in together] == [False, True, False]
     assert together[1].looks[0][0].yaw == 0.0, "a plate has no yaw"
     for model, instance, found in zip(models, instances, together, strict=True):
-        alone = dro.optimise_rotation(model, instance, VIEW, Encoder(), config, SIZE)
+        alone = dro.optimise_rotation(model, instance, VIEW, EmbeddedEncoder(), config, SIZE)
         assert alone.yaw == pytest.approx(found.looks[0][0].yaw, abs=np.deg2rad(0.2))
 
 
@@ -238,7 +240,7 @@ def test_what_may_be_hidden_counts_for_little():
     losses = {}
     for name, where in (("known", None), ("unsure", hidden)):
         objective = dro.make_objectives(
-            [model], [guessed], VIEW, Encoder(), FAST, SIZE, hidden=[where]
+            [model], [guessed], VIEW, EmbeddedEncoder(), FAST, SIZE, hidden=[where]
         ).fine
         losses[name] = float(dro.coarse_losses(objective, np.array([0.53]))[0, 0])
     assert losses["unsure"] < 0.6 * losses["known"]
@@ -253,7 +255,7 @@ def test_a_hidden_part_that_is_missing_is_allowed_for():
     errors = []
     for occluded in (True, False):
         part = dataclasses.replace(instance, crop=cut, occluded=occluded)
-        found = dro.optimise_rotation(model, part, VIEW, Encoder(), FAST, SIZE)
+        found = dro.optimise_rotation(model, part, VIEW, EmbeddedEncoder(), FAST, SIZE)
         errors.append(abs(np.rad2deg(wrap(found.yaw - 0.53))))
     assert errors[0] < min(errors[1], 4)
 
@@ -263,8 +265,8 @@ def test_no_tilt_and_no_fit_leave_both_as_they_are():
     instance, _ = picture_of(model, 0.53, (320, 240))
     part = dataclasses.replace(instance, occluded=True)
     config = dataclasses.replace(FAST, max_tilt=0.0, max_fit=0.0)
-    objective = dro.make_objectives([model], [part], VIEW, Encoder(), config, SIZE).fine
-    ((found,),) = dro.refine(objective, [[dro.Found(0.5)]], 6)
+    objective = dro.make_objectives([model], [part], VIEW, EmbeddedEncoder(), config, SIZE).fine
+    ((found,),) = dro.refine(objective, [[dro.RotationCandidate(0.5)]], 6)
     assert found.tilt == 0.0 and found.place == (0.0, 0.0, 0.0)
     assert abs(found.yaw - 0.53) < 0.02
 
@@ -275,7 +277,7 @@ def test_same_seed_same_rotation():
     instance, _ = picture_of(model, 0.3, (300, 200))
     config = dataclasses.replace(FAST, steps=4)
     first, again = (
-        dro.optimise_rotation(model, instance, VIEW, Encoder(), config, SIZE, seed=3)
+        dro.optimise_rotation(model, instance, VIEW, EmbeddedEncoder(), config, SIZE, seed=3)
         for _ in range(2)
     )
     assert first == again
@@ -285,9 +287,9 @@ def test_same_seed_same_rotation():
 def test_an_object_of_revolution_keeps_yaw_zero():
     model = build("plate", 0)
     instance, _ = picture_of(model, 2.0, (320, 240))
-    found = dro.optimise_rotation(model, instance, VIEW, Encoder(), RotationConfig(), SIZE)
+    found = dro.optimise_rotation(model, instance, VIEW, EmbeddedEncoder(), RotationConfig(), SIZE)
     assert found.yaw == 0.0 and found.symmetric
-    assert found.margin == 0.0 and found.confidence == 0.0 and found.width == np.pi
+    assert found.margin == 0.0 and found.width == np.pi
 
 
 def painted(quarter: tuple[int, int, int], half: tuple[int, int, int]) -> Model:
@@ -320,10 +322,10 @@ def painted(quarter: tuple[int, int, int], half: tuple[int, int, int]) -> Model:
 def test_a_round_thing_with_a_print_is_turned_and_sure():
     model = painted((200, 30, 30), (30, 60, 190))
     instance, _ = picture_of(model, 0.7, (320, 240))
-    found = dro.optimise_rotation(model, instance, VIEW, Encoder(), RotationConfig(), SIZE)
+    found = dro.optimise_rotation(model, instance, VIEW, EmbeddedEncoder(), RotationConfig(), SIZE)
     assert not found.symmetric
     assert abs(np.rad2deg(wrap(found.yaw - 0.7))) < 4
-    assert found.confidence > 0.7
+    assert found.margin > 0.234
     assert np.rad2deg(found.width) < 5
 
 
@@ -337,10 +339,10 @@ def test_a_side_that_looks_the_same_is_no_rival(size, front, order):
     """Of a plain box, half a turn is no other answer; of one with a red end, it is."""
     model = box(size, front)
     instance, _ = picture_of(model, 0.6, (320, 240))
-    found = dro.optimise_rotation(model, instance, VIEW, Encoder(), FAST, SIZE)
+    found = dro.optimise_rotation(model, instance, VIEW, EmbeddedEncoder(), FAST, SIZE)
     assert found.order == order and not found.symmetric
     assert abs(np.rad2deg(wrap(order * (found.yaw - 0.6)) / order)) < 4
-    assert found.confidence > 0.6
+    assert found.margin > 0.15
     rivals = [loss for yaw, loss in found.candidates if abs(wrap(yaw - found.yaw)) > 1]
     if order > 1 and rivals:  # it is sure though another yaw fits as well
         assert min(rivals) < 1.1 * found.loss
@@ -354,8 +356,10 @@ def test_a_weak_print_makes_it_less_sure():
         ("weak", painted((225, 235, 235), (230, 230, 240))),
     ):
         instance, _ = picture_of(model, 0.7, (320, 240))
-        found = dro.optimise_rotation(model, instance, VIEW, Encoder(), RotationConfig(), SIZE)
-        sure[name] = found.confidence
+        found = dro.optimise_rotation(
+            model, instance, VIEW, EmbeddedEncoder(), RotationConfig(), SIZE
+        )
+        sure[name] = found.margin / (found.margin + 0.1)
     assert sure["weak"] < 0.5 * sure["strong"]
 
 
@@ -370,12 +374,14 @@ def test_a_weak_print_makes_it_less_sure():
     ],
 )
 def test_margin_is_told_by_the_closest_look(margins, expected):
-    looks = [[dro.Found(yaw, loss) for yaw, loss in look] for look in margins]
+    looks = [[dro.RotationCandidate(yaw, loss) for yaw, loss in look] for look in margins]
     assert dro.margin(looks) == pytest.approx(expected)
 
 
 def test_margin_is_modulo_the_looks():
-    look = [dro.Found(y, loss) for y, loss in ((0.1, 1.0), (0.1 - np.pi, 1.01), (1.6, 1.4))]
+    look = [
+        dro.RotationCandidate(y, loss) for y, loss in ((0.1, 1.0), (0.1 - np.pi, 1.01), (1.6, 1.4))
+    ]
     assert dro.margin([look]) == pytest.approx(0.01)
     assert dro.margin([look], order=2) == pytest.approx(0.4)
     assert dro.margin([look], order=4) == 0.0
@@ -388,8 +394,10 @@ def test_width_follows_the_curvature():
     for key in ("hairbrush", "mug"):
         model = build(key, 5)
         instance, _ = picture_of(model, 0.5, (320, 240))
-        objective = dro.make_objectives([model], [instance], VIEW, Encoder(), FAST, SIZE).fine
-        ((found, *_),) = dro.refine(objective, [[dro.Found(0.5)]], 20)
+        objective = dro.make_objectives(
+            [model], [instance], VIEW, EmbeddedEncoder(), FAST, SIZE
+        ).fine
+        ((found, *_),) = dro.refine(objective, [[dro.RotationCandidate(0.5)]], 20)
         (wide[key],) = dro.widths(objective, [found])
         there = np.array([found.yaw, found.yaw + 3 * wide[key]])
         low, high = dro.losses_at(objective, 0, there, [found.place] * 2)
@@ -402,11 +410,11 @@ def test_a_mug_whose_handle_is_small_is_not_taken_for_round():
     model = build("mug", 5)
     instance, _ = picture_of(model, 2.4, (320, 240))
     config = dataclasses.replace(RotationConfig(), suspect=1e9)
-    levels = dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE)
+    levels = dro.make_objectives([model], [instance], VIEW, EmbeddedEncoder(), config, SIZE)
     assert not dro.looks_round(levels.close, np.array([True]), config.flat)[0]
     plate = build("plate", 0)
     instance, _ = picture_of(plate, 2.4, (320, 240))
-    levels = dro.make_objectives([plate], [instance], VIEW, Encoder(), config, SIZE)
+    levels = dro.make_objectives([plate], [instance], VIEW, EmbeddedEncoder(), config, SIZE)
     assert dro.looks_round(levels.close, np.array([True]), config.flat)[0]
     assert dro.turning_changes(levels.close(), 0) < config.flat / 2
 
@@ -443,7 +451,7 @@ def test_an_object_reaches_past_the_side_that_is_hidden(side):
     hidden[y0 : y0 + height, x0 : x0 + width] = cut[..., 3] == 0
     part = dataclasses.replace(instance, crop=cut, occluded=True)
     coarse = dro.make_objectives(
-        [model], [part], VIEW, Encoder(), RotationConfig(), SIZE, hidden=[hidden]
+        [model], [part], VIEW, EmbeddedEncoder(), RotationConfig(), SIZE, hidden=[hidden]
     ).coarse
     tight = dro.coarse_losses(coarse, np.array([0.53]))
     losses, ((place,),) = dro.coarse_search(coarse, np.array([0.53]))
@@ -457,9 +465,9 @@ def test_the_table_is_left_out_and_a_missing_model_named():
     model = build("mug", 1)
     instance, reference = picture_of(model, 0.3, (300, 200))
     table = dataclasses.replace(instance, name=TABLE)
-    assert dro.estimate_rotations(reference, (table,), {}, VIEW, Encoder(), FAST) == {}
+    assert dro.estimate_rotations(reference, (table,), {}, VIEW, EmbeddedEncoder(), FAST) == {}
     with pytest.raises(InputError, match="no model"):
-        dro.estimate_rotations(reference, (instance,), {}, VIEW, Encoder(), FAST)
+        dro.estimate_rotations(reference, (instance,), {}, VIEW, EmbeddedEncoder(), FAST)
 
 
 def test_an_empty_crop_is_refused():
@@ -467,4 +475,4 @@ def test_an_empty_crop_is_refused():
     instance, _ = picture_of(model, 0.3, (300, 200))
     empty = dataclasses.replace(instance, crop=np.zeros((8, 8, 4), np.uint8))
     with pytest.raises(InputError, match="empty crop"):
-        dro.optimise_rotation(model, empty, VIEW, Encoder(), FAST, SIZE)
+        dro.optimise_rotation(model, empty, VIEW, EmbeddedEncoder(), FAST, SIZE)

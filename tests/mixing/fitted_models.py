@@ -20,7 +20,7 @@ from torch import Tensor
 from torch.nn import functional
 
 from generator.backends.huggingface.detection.phrases import questions
-from generator.backends.huggingface.detection.pixels import IMAGENET, bounded, seen
+from generator.backends.huggingface.detection.pixels import IMAGENET, bound_size, to_batch
 from generator.backends.huggingface.weights.folder import snapshot
 from generator.backends.huggingface.weights.pins import pins
 from generator.geometry import mask_box
@@ -137,7 +137,7 @@ def masker(examples: Sequence[Example]) -> Any:
     boxes, maps, right = [], [], []
     for example in examples:
         given = {
-            "pixel_values": seen(example.image, MASKS, MASKS, IMAGENET),
+            "pixel_values": to_batch(example.image, MASKS, MASKS, IMAGENET),
             "input_boxes": (MASKS * example.boxes[None]).float(),
             "multimask_output": False,
         }
@@ -188,7 +188,7 @@ def _asked(network: Any, example: Example) -> tuple[Any, dict[str, Tensor]]:
     high, wide = example.image.shape[:2]
     ids = torch.tensor([question.ids])
     return question, {
-        "pixel_values": seen(example.image, *bounded(wide, high, SIDE, 10 * SIDE), IMAGENET),
+        "pixel_values": to_batch(example.image, *bound_size(wide, high, SIDE, 10 * SIDE), IMAGENET),
         "input_ids": ids,
         "token_type_ids": torch.zeros_like(ids),
         "attention_mask": torch.ones_like(ids),

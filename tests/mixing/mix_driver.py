@@ -15,10 +15,10 @@ from backends.openai_server import CHAT, IMAGES
 from fitted_models import SIDE
 
 from generator.backends import Backends
-from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.encoder import HuggingFaceEncoder
+from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.calls import Session
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 from generator.calls.store import CallStore
 from generator.generation import Config, Generation
@@ -45,8 +45,8 @@ def mix(session: Session) -> Backends:
     return Backends.select(
         "cloud",
         session=session,
-        segmenter=Segmenter("grounding-dino-tiny", tiles=1, side=SIDE, device="cpu"),
-        encoder=Encoder(side=28, device="cpu"),
+        segmenter=HuggingFaceSegmenter("grounding-dino-tiny", tiles=1, side=SIDE, device="cpu"),
+        encoder=HuggingFaceEncoder(side=28, device="cpu"),
         modeler="hunyuan3d",
     )
 
@@ -61,7 +61,7 @@ def main(out: str, calls: str, workers: str) -> None:
     logging.basicConfig(level=logging.DEBUG)
     session = Session(
         store=CallStore(calls), prices=PRICES, workers=int(workers), attempts=2,
-        patience=Patience(first=0.01),
+        retry_policy=RetryPolicy(first=0.01),
     )  # fmt: skip
     made = scene(session)
     path = made.save(out)

@@ -10,7 +10,6 @@ import base64
 import contextlib
 import hashlib
 import json
-import re
 import threading
 import time
 from collections.abc import Callable, Collection, Iterator
@@ -21,6 +20,7 @@ from typing import Any
 import laid_table
 import numpy as np
 from backends import openai_server
+from backends.cloud.desk import listed
 from backends.modelers.server import Answer, Call, serving
 from backends.openai_server import CHAT, IMAGES, Request
 from laid_table import BARE, THINGS, VIEW, Thing
@@ -184,8 +184,3 @@ def _sides(thing: Thing, unit: str) -> dict[str, float]:
     """Return length, width and height in centimetres."""
     names = (f"{side}{unit}" for side in ("length", "width", "height"))
     return {name: 100 * size for name, size in zip(names, thing.size, strict=True)}
-
-
-def listed(text: str) -> dict[int, str]:
-    """Return the numbered lines of a prompt: number to label."""
-    return {int(n): label for n, label in re.findall(r"^(\d+): ([^;\n]+)", text, re.MULTILINE)}

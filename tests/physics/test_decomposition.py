@@ -12,7 +12,7 @@ from toy import cube_mesh
 from generator.errors import SceneError
 from generator.physics import decomposition
 from generator.physics.decomposition import decompose
-from generator.physics.parts import model_parts, scaled
+from generator.physics.parts import model_parts, scale_part
 from generator.scene import ConvexPart, Mesh, Model
 
 
@@ -141,4 +141,4 @@ def test_known_parts_are_scaled_not_made(monkeypatch) -> None:
 
 def test_flat_parts_get_a_thickness() -> None:
     sheet = dataclasses.replace(ConvexPart(UNIT), vertices=UNIT * [1, 1, 1e-6])
-    assert np.ptp(scaled(sheet, np.full(3, 0.1)).vertices, axis=0)[2] >= 3.9e-4
+    assert np.ptp(scale_part(sheet, np.full(3, 0.1)).vertices, axis=0)[2] >= 3.9e-4

@@ -9,7 +9,7 @@ import pytest
 from toy import toy_object, toy_scene, toy_table
 
 from generator.errors import InputError
-from generator.physics.gate import Limits, judge, reach, watched
+from generator.physics.gate import GateLimits, judge, reach, watch
 from generator.physics.simulation import Simulation
 from generator.scene import ConvexPart, Object, Pose, Scene, names_in
 
@@ -18,7 +18,7 @@ def cube(name: str, x: float, y: float = 0.0, z: float = 0.0, **options) -> Obje
     return toy_object(name, (0.05, 0.05, 0.05), (x, y), top=0.74 + z, **options)
 
 
-def failures(*objects: Object, limits: Limits | None = None) -> str:
+def failures(*objects: Object, limits: GateLimits | None = None) -> str:
     return "; ".join(judge(toy_scene(objects), limits).failures)
 
 
@@ -105,7 +105,7 @@ def test_what_rolls_off_a_leaning_table_fails_and_passes_on_a_level_one() -> Non
     said = failures(marble(tiny))
     assert "ball_1 moved" in said
     assert "leaning" in said
-    assert failures(marble(tiny), limits=Limits(lean=0.0)) == ""
+    assert failures(marble(tiny), limits=GateLimits(lean=0.0)) == ""
     assert failures(marble(wide)) == ""
 
 
@@ -117,7 +117,7 @@ def test_a_thing_that_slides_evenly_is_seen_though_not_watched_to_the_end() -> N
     simulation = Simulation(scene)
     simulation.place([o.pose for o in scene.objects])
     with simulation.conditions(slope, 0.0, 2e-3):
-        drift, _ = watched(simulation, Limits())
+        drift, _ = watch(simulation, GateLimits())
     assert drift[0] > 0.1
 
 
@@ -149,8 +149,8 @@ def test_a_simulation_that_breaks_down_fails_and_says_at_what(
 
 
 def test_limits_are_the_callers() -> None:
-    assert failures(cube("a_1", 0, z=0.005), limits=Limits(gap=0.006, drift=0.01)) == ""
-    assert judge(toy_scene((cube("a_1", 0),)), Limits(seconds=0.1)).seconds == 0.1
+    assert failures(cube("a_1", 0, z=0.005), limits=GateLimits(gap=0.006, drift=0.01)) == ""
+    assert judge(toy_scene((cube("a_1", 0),)), GateLimits(seconds=0.1)).seconds == 0.1
 
 
 def test_the_report_says_how_much_was_simulated_and_how_much_is_forecast() -> None:
@@ -158,7 +158,7 @@ def test_the_report_says_how_much_was_simulated_and_how_much_is_forecast() -> No
     assert still.seconds == 5.0
     assert still.simulated is not None
     assert 0.5 < still.simulated < 2.0
-    dropped = judge(toy_scene((cube("a_1", 0, z=0.03),)), Limits(seconds=1.5))
+    dropped = judge(toy_scene((cube("a_1", 0, z=0.03),)), GateLimits(seconds=1.5))
     assert (dropped.seconds, dropped.simulated) == (1.5, 1.5)
 
 
@@ -181,4 +181,4 @@ def test_earlier_corrections_stay_in_the_report() -> None:
 )
 def test_limits_out_of_range_are_refused(wrong) -> None:
     with pytest.raises(InputError, match=f"Limits needs {next(iter(wrong))}"):
-        Limits(**wrong)
+        GateLimits(**wrong)

@@ -16,7 +16,7 @@ from generator.physics.inertia import (
     body_mass,
     box_mass,
     is_watertight,
-    joined,
+    join_bodies,
     parts_mass,
 )
 from generator.physics.parts import model_parts
@@ -138,7 +138,7 @@ def test_thin_and_light_things_keep_a_sound_inertia() -> None:
 def test_two_halves_make_the_whole_box() -> None:
     size, half = np.array([0.2, 0.1, 0.06]), np.array([0.1, 0.1, 0.06])
     halves = [box_mass(0.4, np.array([x, 0.02, 0.01]), half) for x in (-0.05, 0.05)]
-    whole = joined(halves)
+    whole = join_bodies(halves)
     assert whole.mass == pytest.approx(0.8)
     np.testing.assert_allclose(whole.com, [0, 0.02, 0.01], atol=1e-12)
     np.testing.assert_allclose(whole.inertia, box_inertia(0.8, size), atol=1e-12)

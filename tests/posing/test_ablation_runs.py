@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from posing import ablations, tables
-from posing.ablations import FIELDS, VARIANTS, Run
+from posing.ablations import FIELDS, VARIANTS, AblationRun
 from posing.tables import Row
 from toy import toy_scene
 
@@ -68,7 +68,7 @@ def test_a_failure_does_not_end_a_run(tmp_path: Path, monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(ablations, "draw_truth", none)
     table = tmp_path / "ablation.csv"
-    how = Run("dev", 1, tmp_path / "strips")
+    how = AblationRun("dev", 1, tmp_path / "strips")
     text = ablations.run(how, 2, 1, table, "bench")
     assert "- scene 1, all: nothing composed" in text
     before = table.read_bytes()

@@ -9,17 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 from posing import solving
-from posing.cases import (
-    VARIANTS,
-    Case,
-    Draw,
-    draw_case,
-    looking_camera,
-    photograph,
-    pose_case,
-)
+from posing.cases import VARIANTS, Draw, TurnCase, draw_case, looking_camera, photograph, pose_case
 from posing.distinct import DISTINCT, alike
-from posing.spoiling import HOLE, Spoiling, eroded, holed, occluder, wrong_size
+from posing.spoiling import HOLE, Spoiling, erode, occluder, punch, wrong_size
 from shapes import cylinder_mesh
 
 from generator.catalogue import build
@@ -38,17 +30,17 @@ def disc(radius: float) -> np.ndarray:
 
 
 def test_erosion_takes_exactly_that_many_pixels() -> None:
-    got = eroded(disc(60), 5)
+    got = erode(disc(60), 5)
     assert (disc(54) & ~got).sum() == 0
     assert (got & ~disc(56)).sum() == 0
-    assert eroded(disc(60), 0).sum() == disc(60).sum()
+    assert erode(disc(60), 0).sum() == disc(60).sum()
 
 
 def test_holes_take_their_share() -> None:
     mask = disc(80)
-    one = holed(mask, 1, np.random.default_rng(3))
+    one = punch(mask, 1, np.random.default_rng(3))
     assert (mask & ~one).sum() == pytest.approx(HOLE * mask.sum(), rel=0.2)
-    many = holed(mask, 12, np.random.default_rng(3))
+    many = punch(mask, 12, np.random.default_rng(3))
     assert 4 * HOLE < (mask & ~many).sum() / mask.sum() <= 12.5 * HOLE
     assert not (many & ~mask).any()
 
@@ -139,7 +131,7 @@ def test_cases_come_again_and_splits_share_none() -> None:
         assert alpha.sum() == np.asarray(case.instance.mask).sum()
 
 
-def plain_case(**spoiled: float) -> Case:
+def plain_case(**spoiled: float) -> TurnCase:
     return draw_case(Draw(only=("toy_train",), spoiling=Spoiling(**spoiled)), 0)  # type: ignore[arg-type]
 
 

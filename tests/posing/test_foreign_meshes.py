@@ -8,10 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 from PIL import Image
-from posing.cases import (
-    Draw,
-    draw_case,
-)
+from posing.cases import Draw, draw_case
 from posing.meshes import load_model, mesh_files
 
 from generator.errors import InputError

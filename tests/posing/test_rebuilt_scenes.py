@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from posing import scenes
-from posing.truth import Truth, azimuth_error, seen, table_width, turned_about
+from posing.truth import Truth, azimuth_error, see, table_width, turned_about
 from shapes import cylinder_mesh
 from toy import toy_object, toy_scene
 
@@ -139,7 +139,7 @@ def test_a_scene_turned_with_its_camera_is_the_same_scene() -> None:
         thing.pose, position=matrix @ thing.pose.position,
         quaternion=yaw_quaternion(thing.placement.yaw + turn),
     )  # fmt: skip
-    a, b = seen(thing, 0.0), seen(dataclasses.replace(thing, pose=pose), turn)
+    a, b = see(thing, 0.0), see(dataclasses.replace(thing, pose=pose), turn)
     np.testing.assert_allclose(a.place, b.place, atol=1e-9)
     assert a.yaw == pytest.approx(b.yaw)
 

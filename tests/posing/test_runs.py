@@ -7,10 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from posing import singles, solving, tables
-from posing.cases import (
-    Case,
-    Draw,
-)
+from posing.cases import Draw, TurnCase
 from test_benchmarks import script
 
 from generator.errors import InputError
@@ -48,9 +45,9 @@ def test_singles_resume_and_sum_up(
 ) -> None:
     calls: list[tuple[int, str]] = []
 
-    def pretend(case: Case, config: str) -> solving.Found:
+    def pretend(case: TurnCase, config: str) -> solving.SolvedPose:
         calls.append((0, config))
-        return solving.Found(case.yaw + np.deg2rad(3.0 if config == "default" else 179.0), 0.1)
+        return solving.SolvedPose(case.yaw + np.deg2rad(3.0 if config == "default" else 179.0), 0.1)
 
     monkeypatch.setattr(solving, "solve", pretend)
     draw = Draw(only=("toy_train",))
@@ -82,7 +79,7 @@ def test_the_summary_tells_whether_sure_answers_are_better() -> None:
 
 @pytest.mark.slow
 def test_a_case_that_fails_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(case: Case, config: str) -> solving.Found:
+    def fails(case: TurnCase, config: str) -> solving.SolvedPose:
         raise InputError("no such thing")
 
     monkeypatch.setattr(solving, "solve", fails)

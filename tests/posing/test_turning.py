@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from posing.turning import best_turn, posed
+from posing.turning import best_turn, turn_cloud
 from shapes import cylinder_mesh
 
 from generator.catalogue import build
@@ -26,8 +26,8 @@ def test_models_of_another_make_are_held_together_by_their_surfaces(turn: float)
     true = build("mug", 5)
     found = build("mug", 9)  # another mug
     yaw = 0.7
-    a = posed(cloud(found.mesh, found.size), yaw + np.deg2rad(turn))
-    b = posed(cloud(true.mesh, true.size), yaw)
+    a = turn_cloud(cloud(found.mesh, found.size), yaw + np.deg2rad(turn))
+    b = turn_cloud(cloud(true.mesh, true.size), yaw)
     got = best_turn(a, b)
     assert got is not None
     assert abs(np.rad2deg(wrap(got - np.deg2rad(turn)))) < 4
@@ -40,7 +40,8 @@ def test_ends_that_are_nearly_alike_are_told_apart(word: str, turn: float) -> No
     """Turned end to end, a pencil covers itself but for its tip: the tip tells."""
     model = build(word, 0)
     got = best_turn(
-        posed(resampled(model), 0.7 + np.deg2rad(turn)), posed(cloud(model.mesh, model.size), 0.7)
+        turn_cloud(resampled(model), 0.7 + np.deg2rad(turn)),
+        turn_cloud(cloud(model.mesh, model.size), 0.7),
     )
     assert got is not None
     assert abs(np.rad2deg(wrap(got - np.deg2rad(turn)))) < 4

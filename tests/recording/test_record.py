@@ -18,11 +18,11 @@ from minari import MinariDataset
 
 from assets_cache import find
 from generator.bundle import load_digest
+from generator.cli import run
 from generator.errors import InputError, SceneError, StorageError
-from tabletopgen_env.__main__ import run
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.recording import RecordConfig, record
-from tabletopgen_env.recording.playing import played
+from tabletopgen_env.recording.playing import play_episodes
 
 TABLE = "office-round-*"
 LIFT = RecordConfig("Lift", scenes=(TABLE,), episodes=2, seed=4)
@@ -38,7 +38,7 @@ def lift(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def first() -> Any:
     """The first episode of ``SEEN``, as it was played."""
     env = SEEN.environment()
-    episodes = played(SEEN, env, 1)
+    episodes = play_episodes(SEEN, env, 1)
     episode = next(episodes)
     env.close()
     return episode
@@ -216,7 +216,7 @@ def test_failures_are_kept_if_asked_and_else_passed_over(
 
     monkeypatch.setattr("tabletopgen_env.recording.playing.demonstrate", other)
     told: list[tuple[int, int]] = []
-    record(replace(LIFT, episodes=1), tmp_path / "a", "npz", told=lambda *n: told.append(n))
+    record(replace(LIFT, episodes=1), tmp_path / "a", "npz", report=lambda *n: told.append(n))
     assert told == [(0, 0), (0, 1), (1, 2)]
     path = record(replace(LIFT, episodes=1, keep_failures=True), tmp_path / "b", "npz")
     assert json.loads((path / "dataset.json").read_text())["episodes"][0]["success"] is False
@@ -232,7 +232,7 @@ def test_what_goes_wrong_leaves_nothing_behind(
         yield first
         raise failure
 
-    monkeypatch.setattr("tabletopgen_env.recording.recorder.played", some)
+    monkeypatch.setattr("tabletopgen_env.recording.recorder.play_episodes", some)
     expected = KeyboardInterrupt if failure is KeyboardInterrupt else StorageError
     with pytest.raises(expected):
         record(replace(SEEN, episodes=2), tmp_path / "new" / "seen-v0", format)
@@ -246,7 +246,7 @@ def test_it_gives_up_where_the_expert_solves_nothing(
         while True:
             yield SceneError("the expert did not 'fly'")
 
-    monkeypatch.setattr("tabletopgen_env.recording.recorder.played", none)
+    monkeypatch.setattr("tabletopgen_env.recording.recorder.play_episodes", none)
     with pytest.raises(SceneError, match=r"50 episodes in a row .* did not 'fly'"):
         record(LIFT, tmp_path / "none", "npz")
     assert list(tmp_path.iterdir()) == []
@@ -318,7 +318,8 @@ def test_the_command_records_and_says_where(
 
 @pytest.mark.slow
 def test_the_command_line_loads_no_formats() -> None:
-    code = "import sys, tabletopgen_env.__main__ as m; print({'minari', 'h5py'} & set(sys.modules))"
+    code = "import sys; from generator import cli; cli.app('record'); "
+    code += "print({'minari', 'h5py'} & set(sys.modules))"
     done = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
     )

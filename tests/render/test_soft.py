@@ -150,7 +150,7 @@ def test_objects_of_a_stack_are_drawn_as_if_alone():
 
 def test_thinned_surfaces_look_alike():
     surface = soft.sample_surface(l_shape(), SIZE, 9000, 0)
-    few = surface.thinned(3)
+    few = surface.thin(3)
     assert few.position.shape[1] == 3000
     assert float(few.area) == pytest.approx(3 * float(surface.area))
     yaws = torch.tensor([0.3])
@@ -161,11 +161,11 @@ def test_thinned_surfaces_look_alike():
 def test_a_fit_moves_the_object_in_its_crop():
     surface = soft.sample_surface(l_shape(), SIZE, 4000, 0)
     tight = soft.render(surface, pose(torch.tensor([0.3])), center(1), 64).silhouette[0]
-    fit = soft.Fit(torch.tensor([[0.125, -0.0625]]), torch.zeros(1))
+    fit = soft.CropFit(torch.tensor([[0.125, -0.0625]]), torch.zeros(1))
     moved = soft.render(surface, pose(torch.tensor([0.3])), center(1), 64, fit=fit).silhouette[0]
     rolled = torch.roll(tight, (-4, 8), (0, 1))
     assert float((rolled - moved).abs()[8:-8, 12:-12].max()) < 0.02
-    smaller = soft.Fit(torch.zeros(1, 2), torch.tensor([-0.2]))
+    smaller = soft.CropFit(torch.zeros(1, 2), torch.tensor([-0.2]))
     shrunk = soft.render(surface, pose(torch.tensor([0.3])), center(1), 64, fit=smaller).silhouette
     assert float(shrunk.sum() / tight.sum()) == pytest.approx(np.exp(-0.4), rel=0.05)
 

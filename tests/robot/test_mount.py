@@ -8,13 +8,7 @@ from toy import toy_object, toy_scene, toy_table
 from generator.errors import InputError
 from generator.geometry import inside_margin, rotation_z
 from tabletopgen_env.robot.kinematics import solve_ik
-from tabletopgen_env.robot.mount import (
-    PEDESTAL_RADIUS,
-    Mount,
-    add_pedestal,
-    obstacle,
-    reachable,
-)
+from tabletopgen_env.robot.mount import PEDESTAL_RADIUS, Mount, add_pedestal, obstacle, reachable
 
 DOWN = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])
 

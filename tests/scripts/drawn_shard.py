@@ -9,12 +9,7 @@ from posing.truth import photograph
 
 from generator.catalogue import CATEGORIES
 from generator.composition import compose
-from research.eye.sample import (
-    BACKGROUND,
-    OBJECT,
-    TOP,
-    Sample,
-)
+from research.eye.sample import BACKGROUND, OBJECT, TOP, Sample
 from research.eye.shards import ShardWriter
 
 

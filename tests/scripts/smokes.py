@@ -127,7 +127,6 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         _table("speed_vector_pixels_resets"), "| vector | steps | 8 slots, 2 threads |",
     ),
     "docs/make_task_pictures.py": Smoke("reach --out {out}", ("reach.png",)),
-    "docs/make_tasks_page.py": Smoke("--out {out}", ("tasks.md",)),
     "examples/demo.py": Smoke(
         "--only text --text 'a die and a bowl' --out {out}",
         ("report.md", "text.png", "text_panda.png", "scenes/*/scene.json", "text/*.png"),

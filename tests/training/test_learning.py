@@ -101,10 +101,10 @@ def test_a_run_goes_on_where_it_stopped(tmp_path, monkeypatch):
     with ShardWriter(tmp_path / "a.shard", list(CATEGORIES)) as shard:
         shard.add(sample())
     train.train(_args(tmp_path, tmp_path / "run", 1e-4))
-    first = train.Run(tmp_path / "run", 1e-3, "cpu")
+    first = train.TrainingRun(tmp_path / "run", 1e-3, "cpu")
     assert first.steps >= 1 and first.spent > 0
     train.train(_args(tmp_path, tmp_path / "run", 2e-4 + first.spent / 60))
-    assert train.Run(tmp_path / "run", 1e-3, "cpu").steps > first.steps
+    assert train.TrainingRun(tmp_path / "run", 1e-3, "cpu").steps > first.steps
 
 
 def test_late_in_a_run_whole_pictures_take_turns_with_crops(tmp_path):
@@ -120,7 +120,7 @@ def test_late_in_a_run_whole_pictures_take_turns_with_crops(tmp_path):
 @pytest.mark.slow
 def test_settled_norms_keep_their_statistics(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "new_eye", lambda: Eye(len(CATEGORIES) + 1))
-    run = train.Run(tmp_path, 1e-3, "cpu")
+    run = train.TrainingRun(tmp_path, 1e-3, "cpu")
     run.settle()
     before = {k: v.clone() for k, v in run.eye.state_dict().items() if "running" in k}
     run.step(train.collate([cut(sample(), 64, np.random.default_rng(0))]), 0.0)
@@ -135,5 +135,5 @@ def test_an_empty_folder_is_refused(tmp_path):
 
 def test_new_categories_start_as_unknown_does():
     state = {f"namer.1.{part}": torch.arange(3.0) for part in ("weight", "bias")}
-    changed = train.renamed(state, ["a", "b"], ["b", "c"])
+    changed = train.rename_categories(state, ["a", "b"], ["b", "c"])
     assert changed["namer.1.bias"].tolist() == [1.0, 2.0, 2.0]

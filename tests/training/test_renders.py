@@ -13,22 +13,11 @@ from scipy.ndimage import binary_dilation, binary_erosion
 
 from generator.errors import BackendError
 from research.eye.pictures import gl, renders
-from research.eye.pictures.gl import Painter
+from research.eye.pictures.gl import GlPainter
 from research.eye.pictures.rendering import draw, render_sample
 from research.eye.pictures.staging import stage
-from research.eye.pictures.supply import (
-    KEYS,
-    SEEDS,
-    Supply,
-    supply,
-)
-from research.eye.sample import (
-    BACKGROUND,
-    OBJECT,
-    TABLE_REST,
-    TOP,
-    Sample,
-)
+from research.eye.pictures.supply import KEYS, SEEDS, Supply, supply
+from research.eye.sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample
 
 SIDE = 256
 
@@ -39,9 +28,9 @@ def kept() -> Supply:
 
 
 @pytest.fixture(scope="module")
-def painter(kept: Supply) -> Iterator[Painter]:
+def painter(kept: Supply) -> Iterator[GlPainter]:
     try:
-        made = Painter(kept.stock, SIDE)
+        made = GlPainter(kept.stock, SIDE)
     except BackendError as error:
         pytest.skip(str(error))
     yield made
@@ -49,7 +38,7 @@ def painter(kept: Supply) -> Iterator[Painter]:
 
 
 @pytest.fixture(scope="module")
-def samples(kept: Supply, painter: Painter) -> list[Sample]:
+def samples(kept: Supply, painter: GlPainter) -> list[Sample]:
     return [render_sample(np.random.default_rng([3, k]), kept, painter) for k in range(3)]
 
 
@@ -80,7 +69,7 @@ def test_whole_masks_lie_where_the_camera_sees_the_boxes(samples: list[Sample]) 
             assert extent <= 2.6 * reach / distance + 4
 
 
-def test_the_top_lies_on_its_plane(kept: Supply, painter: Painter) -> None:
+def test_the_top_lies_on_its_plane(kept: Supply, painter: GlPainter) -> None:
     """Depth of visible tabletop pixels is that of the plane through the top's outline."""
     staging = stage(np.random.default_rng(4), kept, SIDE)
     s = draw(np.random.default_rng(0), staging, kept, painter)
@@ -93,7 +82,7 @@ def test_the_top_lies_on_its_plane(kept: Supply, painter: Painter) -> None:
     assert np.allclose(s.depth[sure].astype(float), expected, rtol=0.01)
 
 
-def test_an_object_alone_covers_what_it_shows(kept: Supply, painter: Painter) -> None:
+def test_an_object_alone_covers_what_it_shows(kept: Supply, painter: GlPainter) -> None:
     """With nothing in front of it, a thing's whole mask is its visible one."""
     staging = stage(np.random.default_rng(8), kept, SIDE)
     assert staging.objects
@@ -107,7 +96,7 @@ def test_an_object_alone_covers_what_it_shows(kept: Supply, painter: Painter) ->
 
 
 def test_samples_depend_on_their_seed_alone(
-    kept: Supply, painter: Painter, samples: list[Sample]
+    kept: Supply, painter: GlPainter, samples: list[Sample]
 ) -> None:
     again = render_sample(np.random.default_rng([3, 1]), kept, painter)
     for name in ("image", "visible", "full", "region", "outline", "depth", "category"):
@@ -128,7 +117,7 @@ def test_nothing_floats_or_leaves_the_table(kept: Supply) -> None:
 
 @pytest.mark.slow
 def test_finished_shards_are_not_made_again(
-    tmp_path: Path, painter: Painter, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, painter: GlPainter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(renders, "SIDE", 64)
     monkeypatch.setattr(renders, "PER_SHARD", 2)
@@ -170,7 +159,7 @@ def test_without_opengl_the_error_names_the_packages(
 
     monkeypatch.setattr(gl.importlib, "import_module", refuse)
     with pytest.raises(BackendError, match="libegl1"):
-        Painter(kept.stock, SIDE)
+        GlPainter(kept.stock, SIDE)
 
 
 def test_background_is_there(samples: list[Sample]) -> None:

@@ -11,13 +11,7 @@ import pytest
 
 from generator.errors import StorageError
 from generator.scene import View
-from research.eye.sample import (
-    OBJECT,
-    TOP,
-    Sample,
-    filled,
-    latitude,
-)
+from research.eye.sample import OBJECT, TOP, Sample, fill, latitude
 from research.eye.shards import ShardReader, ShardWriter
 
 SIDE = 64
@@ -26,7 +20,7 @@ SIDE = 64
 def sample(seed: int) -> Sample:
     rng = np.random.default_rng(seed)
     outline = np.array([[4, 10], [60, 10], [70, 50], [-8, 50]], np.float32)
-    top = filled(outline, SIDE, SIDE)
+    top = fill(outline, SIDE, SIDE)
     full = np.zeros((2, SIDE, SIDE), bool)
     full[0, 20:40, 10:30] = True
     full[1, 25:45, 22:50] = True
@@ -134,7 +128,7 @@ def test_latitude_is_the_elevation_at_the_middle_and_grows_downwards() -> None:
 
 def test_no_outline_fills_nothing() -> None:
     empty = dataclasses.replace(sample(0), outline=np.zeros((0, 2), np.float32))
-    assert not filled(empty.outline, 8, 8).any()
+    assert not fill(empty.outline, 8, 8).any()
 
 
 @pytest.mark.parametrize("version", ["true", "2"])

@@ -24,13 +24,8 @@ from ...scene import (
 )
 from .. import protocols
 from .drawing import cutting
-from .drawing.asking import (
-    RATIOS,
-    Form,
-    Painter,
-    Tolerated,
-)
-from .drawing.pictures import on_white, padded, shrunk
+from .drawing.asking import RATIOS, Form, Painter, Tolerated
+from .drawing.pictures import on_white, pad, shrink
 from .prompts import prompt
 from .questions import planning
 from .questions.checking import faults
@@ -49,7 +44,7 @@ _EARLIER = "\n\nAn earlier drawing was wrong: "
 
 
 @dataclass(frozen=True)
-class Imager:
+class CloudImager:
     """Answers the three picture questions by an image model, and a chat model that checks it.
 
     Attributes:
@@ -112,7 +107,7 @@ class Imager:
             "draw", style=plan.style, table=table, things=things, count=str(len(plan.objects)),
             take=self._take(seed, 0),
         )  # fmt: skip
-        return shrunk(on_white(self.painter.paint("draw", text, _WIDE)), _WORK)
+        return shrink(on_white(self.painter.paint("draw", text, _WIDE)), _WORK)
 
     def complete(
         self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
@@ -126,7 +121,7 @@ class Imager:
         place = Labelled.of(
             reference.image, [_as_instance(detection)], table=detection.label == TABLE
         ).picture()
-        where = padded(place, *RATIOS[self.painter.form])
+        where = pad(place, *RATIOS[self.painter.form])
         bare = " Nothing stands on it: draw its top bare." if detection.label == TABLE else ""
         used, complaint = Used(self.session.store), ""
         for take in range(1 + REDRAWS):
@@ -188,9 +183,7 @@ class Imager:
             BackendError: a server gave no answer at all.
         """
         things = Labelled.of(reference.image, instances)
-        pictures = [
-            padded(p, *RATIOS[self.painter.form]) for p in (reference.image, things.picture())
-        ]
+        pictures = [pad(p, *RATIOS[self.painter.form]) for p in (reference.image, things.picture())]
         extent = _table_size(reference, models)
         ratio = extent[0] / extent[1] if extent else _WIDE
         size = (
@@ -205,7 +198,7 @@ class Imager:
                 complaint=complaint, take=self._take(0, take),
             )  # fmt: skip
             drawn = self.painter.paint("top_view", text, ratio, pictures)
-            image = shrunk(on_white(drawn), _WORK)
+            image = shrink(on_white(drawn), _WORK)
             found = faults(self.chat, things, image)
             if not found:
                 height, across = image.shape[:2]

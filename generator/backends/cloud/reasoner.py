@@ -22,12 +22,7 @@ from ...scene import (
 )
 from .drawing.pictures import on_white
 from .prompts import prompt as worded
-from .questions import (
-    estimating,
-    judging,
-    orientation,
-    planning,
-)
+from .questions import estimating, judging, orientation, planning
 from .server import configuration
 from .server.answers import OrientationAnswer, PlanAnswer
 from .server.asking import Chat, Manners
@@ -35,7 +30,7 @@ from .server.calling import Server
 
 
 @dataclass(frozen=True)
-class Reasoner:
+class CloudReasoner:
     """Answers the six questions, and the two of ``Judge`` and of ``PoseGuesser``, by a chat model.
 
     Attributes:
@@ -78,7 +73,7 @@ class Reasoner:
             worded("plan_scene", text=text, seed=str(seed)),
             (),
             PlanAnswer,
-            lambda answer: planning.planned(prompt, answer),
+            lambda answer: planning.to_plan(prompt, answer),
         )
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:

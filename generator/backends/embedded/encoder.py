@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Encoder:
+class EmbeddedEncoder:
     """A fixed filter bank as Phi of Eq. 4.
 
     At each scale, stride 2, 4 and 8, a map holds two chroma channels and the derivatives of

@@ -13,7 +13,7 @@ from .drawing import completion, painter, topview
 
 
 @dataclass(frozen=True)
-class Imager:
+class EmbeddedImager:
     """Answers the three picture questions without any model: see each module for its method."""
 
     def draw(self, plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:

@@ -19,8 +19,8 @@ from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from .shapes.choosing import best_solid
 from .shapes.framing import proportion_gap
 from .shapes.likeness import Likeness, fit_likeness
-from .shapes.painting import PROJECT, painted
-from .shapes.solids import Posed
+from .shapes.painting import PROJECT, paint
+from .shapes.solids import PosedSolid
 from .tables.likeness import model_table
 
 _COARSE = 100  # of those that catalogue shapes are searched with
@@ -32,7 +32,7 @@ _TRUST = 0.12  # in between, a label is believed unless a solid overlaps that mu
 
 
 @dataclass(frozen=True)
-class Modeler:
+class EmbeddedModeler:
     """The embedded image-to-3D backend. ``texture`` is the side of the baked textures, texels."""
 
     seed: int = 0
@@ -46,7 +46,7 @@ class Modeler:
         category = known_category(instance, size)
         found = None
         if category is not None:
-            coarse = projection.resized(_COARSE)
+            coarse = projection.resize(_COARSE)
             found = fit_likeness(
                 category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
                 instance.occluded,
@@ -55,7 +55,7 @@ class Modeler:
                 found = None  # a book does not stand as a box does
             elif found.iou >= _SURE:
                 return likeness_model(found, instance, projection, size, self.texture)
-        small = projection.resized(_WORKING)
+        small = projection.resize(_WORKING)
         mask = small_mask(instance, small)
         posed = best_solid(mask, small, size.extent)
         if found is not None and found.iou >= _ALIKE:
@@ -73,7 +73,7 @@ def likeness_model(
         found.model,
         name=instance.label,
         label=instance.label,
-        mesh=painted(
+        mesh=paint(
             found.model.mesh,
             found.extent,
             found.yaw,
@@ -95,7 +95,7 @@ def small_mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]
 
 
 def solid_model(
-    posed: Posed, instance: Instance, projection: Projection, size: SizePrior, texture: int
+    posed: PosedSolid, instance: Instance, projection: Projection, size: SizePrior, texture: int
 ) -> Model:
     """Paint a posed solid from the crop and bring it to the canonical frame."""
     world = posed.world
@@ -103,7 +103,7 @@ def solid_model(
     atlas, picture = baking.paint(
         world, posed.solid.faces, instance.crop, projection, planes, texture, posed.kind != "carved"
     )
-    mesh, center, extent = to_unit_box(baking.textured(atlas, posed.solid.vertices, picture))
+    mesh, center, extent = to_unit_box(baking.apply_texture(atlas, posed.solid.vertices, picture))
     return Model(
         instance.label,
         instance.label,
@@ -114,7 +114,7 @@ def solid_model(
     )
 
 
-def mirror_planes(posed: Posed, projection: Projection) -> tuple[Float[np.ndarray, "4"], ...]:
+def mirror_planes(posed: PosedSolid, projection: Projection) -> tuple[Float[np.ndarray, "4"], ...]:
     """Return the vertical planes about which a solid may be taken to look alike."""
     low, high = posed.solid.vertices.min(0), posed.solid.vertices.max(0)
     middle = rotation_z(posed.yaw) @ ((low + high) / 2) + posed.position

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...language.naming import known
+from ...language.naming import find_category
 from ...language.planner import plan_scene
 from ...scene import (
     TABLE,
@@ -21,18 +21,8 @@ from ...scene import (
     View,
 )
 from .layout import guessing
-from .layout.survey import (
-    Survey,
-    solid_size,
-    stacking_of,
-    survey,
-)
-from .plane.measure import (
-    apparent_scale,
-    measured_extent,
-    usual_solid,
-    whole_box,
-)
+from .layout.survey import Survey, solid_size, stacking_of, survey
+from .plane.measure import apparent_scale, measured_extent, usual_solid, whole_box
 from .segmenter import GENERIC
 
 _TAU = 0.25  # tolerance of proportions, as in the RMA-Score
@@ -41,7 +31,7 @@ _HEIGHT = 0.74
 
 
 @dataclass(frozen=True)
-class Reasoner:
+class EmbeddedReasoner:
     """Answers the six questions without any model; the picture's part rests on the table plane.
 
     The two of ``PoseGuesser`` it answers by a naive look at the picture (``guessing``).
@@ -82,7 +72,7 @@ class Reasoner:
             if instance.name in solids:
                 prior = solid_size(instance, solids, stacking, prior)
             elif prior is not None:
-                category = known(instance.label)
+                category = find_category(instance.label)
                 if category is not None:
                     solid = usual_solid(category.key)
                     looks.append(apparent_scale(whole_box(instance), solid, plane))
@@ -136,7 +126,7 @@ class Reasoner:
 
 
 def _holds(label: str) -> bool:
-    found = known(label)
+    found = find_category(label)
     return found is not None and found.container
 
 
@@ -144,7 +134,7 @@ def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
     """Return the size a text fixed or the catalogue knows; None for unknown words."""
     planned = reference.plan.objects if reference.plan else ()
     asked = next((p for p in planned if p.noun == instance.label), None)
-    found = known(asked.category if asked else instance.label)
+    found = find_category(asked.category if asked else instance.label)
     state = found.state if found else "as shown"
     if asked is not None and asked.size is not None:
         return SizePrior(instance.name, np.array(asked.size), state)

@@ -11,16 +11,11 @@ from jaxtyping import Bool, Float, UInt8
 
 from ...errors import SceneError
 from ...geometry import main_parts, mask_box
-from ...language.naming import (
-    assigned,
-    free_labels,
-    shape_word,
-    weighed,
-)
+from ...language.naming import assign, free_labels, shape_word, weigh
 from ...scene import TABLE, Detection, Intrinsics
 from .depth.plane import find_depth_plane
-from .depth.things import confirmed
-from .eye.sight import Sight, Thing, see
+from .depth.things import confirm
+from .eye.sight import EyeReading, EyeThing, see
 from .eye.weights import load_weights
 from .plane.measure import apparent_scale, usual_solid
 from .plane.outline import top_of
@@ -42,7 +37,7 @@ _BAND = 0.012  # of the picture's longer side: how far GrabCut may move a mask's
 
 
 @dataclass(frozen=True)
-class Segmenter:
+class EmbeddedSegmenter:
     """Finds things with a small network of the project's own (``eye``)."""
 
     def segment(
@@ -74,26 +69,26 @@ class Segmenter:
         measured = None
         if depth is not None and intrinsics is not None:
             measured = find_depth_plane(depth, intrinsics, table)
-        named = _asked(things, wanted) if wanted else _named(image, things, measured)
+        named = _pick_wanted(things, wanted) if wanted else _label(image, things, measured)
         found = [
             Detection(label, mask_box(mask), mask, thing.score, thing.whole | mask)
             for thing, label in named
             if (mask := refine(image, thing.visible)).any()
         ]
         if depth is not None and measured is not None:
-            found = confirmed(found, depth, measured)
+            found = confirm(found, depth, measured)
         found = sorted(found, key=lambda d: (d.box[3], d.box[0]))
         for thing in found:
             table &= ~thing.mask
         return (Detection(TABLE, mask_box(table), table), *found)
 
 
-def table_of(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> Bool[np.ndarray, "h w"]:
+def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.ndarray, "h w"]:
     """Return the pixels that show the table: what the eye takes for it, drawn onto the edges."""
     return refine(image, main_parts(sight.shows("top", "legs")))
 
 
-def _on_table(sight: Sight, least: float) -> list[Thing]:
+def _on_table(sight: EyeReading, minimum: float) -> list[EyeThing]:
     """Return the things that stand on the table or on each other, not beside or under it."""
     top = top_of(sight)
     side = max(top.shape)
@@ -101,7 +96,7 @@ def _on_table(sight: Sight, least: float) -> list[Thing]:
     kept = []
     for thing in sight.things:
         area = int(thing.visible.sum())
-        if thing.score < least or area < _SMALLEST * top.size:
+        if thing.score < minimum or area < _SMALLEST * top.size:
             continue
         foot = thing.whole & (np.arange(top.shape[0])[:, None] >= _foot_line(thing.whole))
         if (foot & near).sum() > 0.5 * foot.sum():
@@ -115,7 +110,7 @@ def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:
     return int(rows[-1] - (rows[-1] - rows[0]) / 6) if len(rows) else 0
 
 
-def _asked(things: Sequence[Thing], wanted: tuple[str, ...]) -> list[tuple[Thing, str]]:
+def _pick_wanted(things: Sequence[EyeThing], wanted: tuple[str, ...]) -> list[tuple[EyeThing, str]]:
     """Return the things that were asked for, with their words, no more than asked.
 
     What the eye doubts must look like its word.
@@ -124,25 +119,25 @@ def _asked(things: Sequence[Thing], wanted: tuple[str, ...]) -> list[tuple[Thing
         return []
     names = np.stack([t.names for t in things]).astype(float)
     scores = np.array([t.score for t in things])
-    pairs = assigned(names, load_weights().categories, scores, wanted, scores < SURE)
+    pairs = assign(names, load_weights().categories, scores, wanted, scores < SURE)
     return [(things[i], wanted[j]) for i, j in pairs]
 
 
-def _named(
-    image: UInt8[np.ndarray, "h w 3"], things: Sequence[Thing], measured: TablePlane | None
-) -> list[tuple[Thing, str]]:
+def _label(
+    image: UInt8[np.ndarray, "h w 3"], things: Sequence[EyeThing], measured: TablePlane | None
+) -> list[tuple[EyeThing, str]]:
     """Return the things with their labels; ``measured`` is the plane in metres that depth shows."""
     if not things:
         return []
     keys = load_weights().categories
     names = np.stack([t.names for t in things]).astype(float)
     looks = looks_of(things, measured or find_tabletop(image), keys)
-    labels = free_labels(weighed(names, looks, metric=measured is not None), keys)
+    labels = free_labels(weigh(names, looks, metric=measured is not None), keys)
     return [(t, label or _shape(t)) for t, label in zip(things, labels, strict=True)]
 
 
 def looks_of(
-    things: Sequence[Thing], plane: TablePlane, keys: Sequence[str]
+    things: Sequence[EyeThing], plane: TablePlane, keys: Sequence[str]
 ) -> list[dict[int, tuple[float, float]] | None]:
     """Return how large and how much alike a thing looks, by the index of each likely category."""
     looks = []
@@ -159,7 +154,7 @@ def looks_of(
     return looks
 
 
-def _shape(thing: Thing) -> str:
+def _shape(thing: EyeThing) -> str:
     x0, y0, x1, y1 = mask_box(thing.visible)
     share = float(thing.visible.sum() / ((x1 - x0) * (y1 - y0)))
     return shape_word(x1 - x0, y1 - y0, share)

@@ -9,7 +9,7 @@ from jaxtyping import Float
 
 from ...errors import BackendError, require
 from ..installing import working
-from .detection.pixels import IMAGENET, normalised
+from .detection.pixels import IMAGENET, normalise
 from .weights.folder import models_folder
 from .weights.loading import Once, device_for, load_model
 from .weights.pins import pin
@@ -22,7 +22,7 @@ _KIND = "Dinov2Model"
 
 
 @dataclass(frozen=True)
-class Encoder:
+class HuggingFaceEncoder:
     """DINOv2's tokens as Phi of Eq. 4: one map of the patches, one of the whole image.
 
     Each position's vector has length 1, so that squared distances are in [0, 4] as they are with
@@ -52,8 +52,8 @@ class Encoder:
     _network: Once[Any] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        require(self, "side", least=14, most=2048, whole=True)
-        require(self, "batch", least=1, whole=True)
+        require(self, "side", minimum=14, maximum=2048, integer=True)
+        require(self, "batch", minimum=1, integer=True)
         object.__setattr__(self, "revision", pin(self.weights, _KIND).stamp)
         object.__setattr__(self, "_network", Once(self._load))
 
@@ -93,7 +93,7 @@ class Encoder:
         )
         fast = network.device.type == "cuda" and not self.exact
         with torch.autocast(network.device.type, torch.bfloat16, enabled=fast):
-            tokens = network(pixel_values=normalised(sized, IMAGENET)).last_hidden_state
+            tokens = network(pixel_values=normalise(sized, IMAGENET)).last_hidden_state
         unit = functional.normalize(tokens.float(), dim=-1).mT
         return unit[..., 1:].unflatten(-1, (rows, columns)), unit[..., :1, None]
 

@@ -12,29 +12,18 @@ from jaxtyping import Bool, Float, UInt8
 from ...catalogue import CATEGORIES
 from ...errors import SceneError, require
 from ...geometry import mask_box
+from ...meshes.pixels import mask_iou
 from ...scene import TABLE, Detection, Intrinsics
 from ..installing import working
-from .detection.detections import Find, Finder, Masker
+from .detection.detections import BoxDetection, Finder, Masker
 from .detection.ground import on_table
 from .detection.grounding_dino import GroundingDino
-from .detection.merging import (
-    ALIKE,
-    cleaned,
-    distinct,
-    named,
-    separate,
-    union_share,
-)
+from .detection.merging import ALIKE, clean, distinct, name_generic, separate
 from .detection.sam2 import Sam2
 from .detection.sam3 import Sam3
 from .detection.tiles import Tile, tiles_of
 from .weights.folder import models_folder
-from .weights.loading import (
-    Once,
-    device_for,
-    load_model,
-    load_tokenizer,
-)
+from .weights.loading import Once, device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"
@@ -54,7 +43,7 @@ def usual_detector() -> str:
 
 
 @dataclass(frozen=True)
-class Segmenter:
+class HuggingFaceSegmenter:
     """Finds things by words, and masks them.
 
     The picture is looked at as a whole and in parts. Of one thing found several times the surest
@@ -92,11 +81,11 @@ class Segmenter:
     _masker: Once[Masker] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        require(self, "threshold", above=0, most=1)
-        require(self, "tiles", least=1, most=8, whole=True)
-        require(self, "overlap", least=0, most=0.5)
-        require(self, "side", least=32, most=4096, whole=True)
-        require(self, "words", least=1, whole=True)
+        require(self, "threshold", above=0, maximum=1)
+        require(self, "tiles", minimum=1, maximum=8, integer=True)
+        require(self, "overlap", minimum=0, maximum=0.5)
+        require(self, "side", minimum=32, maximum=4096, integer=True)
+        require(self, "words", minimum=1, integer=True)
         used = [pin(self.detector, *_KINDS)]
         if not self._alone:
             used.append(pin(self.masker, "Sam2Model"))
@@ -126,21 +115,21 @@ class Segmenter:
         words = tuple(dict.fromkeys((TABLE, *labels)))
         with working(_WHAT):
             parts = tiles_of(image.shape[1], image.shape[0], self.tiles, self.overlap)
-            found = self._found(image, words, parts)
+            found = self._find(image, words, parts)
             masked = self._masker().mask(image, found, parts)
-        table, things = _table_and_things([cleaned(f) for f in masked])
+        table, things = _table_and_things([clean(f) for f in masked])
         things = separate(things, _SMALLEST * table.size)
         for thing in things:
             table &= ~thing.mask
         if not table.any():
             raise SceneError("The things found hide the whole table. Show more of the tabletop.")
-        told = [Detection(f.label, f.box, f.mask, min(f.score, 1.0)) for f in things]
-        told.sort(key=lambda d: (d.box[3], d.box[0]))
-        return (Detection(TABLE, mask_box(table), table), *told)
+        detections = [Detection(f.label, f.box, f.mask, min(f.score, 1.0)) for f in things]
+        detections.sort(key=lambda d: (d.box[3], d.box[0]))
+        return (Detection(TABLE, mask_box(table), table), *detections)
 
-    def _found(
+    def _find(
         self, image: UInt8[np.ndarray, "h w 3"], words: tuple[str, ...], parts: Sequence[Tile]
-    ) -> list[Find]:
+    ) -> list[BoxDetection]:
         """Return one find for each box, generic ones named by a second look at the whole.
 
         A table's box may be a thing's too: no other word for it takes the table away.
@@ -151,7 +140,7 @@ class Segmenter:
         things = distinct([f for f in found if f.label != TABLE])
         if any(f.label == GENERIC for f in things):
             nouns = dict.fromkeys(c.noun for c in CATEGORIES.values())
-            things = named(things, GENERIC, finder.find(image, tuple(nouns), parts[:1]))
+            things = name_generic(things, GENERIC, finder.find(image, tuple(nouns), parts[:1]))
         return [*tables, *things]
 
     @property
@@ -171,18 +160,20 @@ class Segmenter:
         return Sam2(load_model(model, folder, _WHAT, device=device_for(self.device)))
 
 
-def _table_and_things(finds: Sequence[Find]) -> tuple[Bool[np.ndarray, "h w"], list[Find]]:
+def _table_and_things(
+    detections: Sequence[BoxDetection],
+) -> tuple[Bool[np.ndarray, "h w"], list[BoxDetection]]:
     """Return the table's mask, and the finds that are other things and stand on it.
 
     Raises:
         SceneError: there is no table.
     """
-    tables = [f for f in finds if f.label == TABLE]
+    tables = [f for f in detections if f.label == TABLE]
     if not tables:
         raise SceneError(
             "No table found in the picture. Show the whole tabletop, or lower the segmenter's "
             "threshold."
         )
     table = max(tables, key=lambda f: f.score).mask
-    things = [f for f in finds if f.label != TABLE and union_share(f.mask, table) <= ALIKE]
+    things = [f for f in detections if f.label != TABLE and mask_iou(f.mask, table) <= ALIKE]
     return table.copy(), on_table(things, table)

@@ -93,10 +93,10 @@ class Service:
     def _call(self, action: str, body: Mapping[str, Any], memo: str) -> Mapping[str, Any]:
         until = time.monotonic() + self.timeout
         while True:
-            told = self._once(action, body, memo)
-            error = told.get("Error")
+            reply = self._once(action, body, memo)
+            error = reply.get("Error")
             if not isinstance(error, Mapping):
-                return told
+                return reply
             code = str(error.get("Code", ""))
             if not code.startswith(_BUSY) or time.monotonic() > until:
                 break
@@ -122,16 +122,16 @@ class Service:
         answer = self.client.post("/", content=json.dumps(body).encode(), headers=headers)
         self.used.add(answer.headers)
         try:
-            told = parse_object(answer.content, "The answer", BackendError).get("Response")
+            reply = parse_object(answer.content, "The answer", BackendError).get("Response")
         except BackendError:
-            told = None
-        if not isinstance(told, Mapping):
+            reply = None
+        if not isinstance(reply, Mapping):
             self.used.drop(last=True)
             raise BackendError(
                 f"{self.what} {action} was answered by {answer.status_code}, "
                 f"{excerpt(answer.content, 80, self.keys)!r}. Is {self.endpoint} Tencent's?"
             )
-        return told
+        return reply
 
 
 def _hint(code: str) -> str:

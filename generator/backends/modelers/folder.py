@@ -35,7 +35,7 @@ class Folder:
         path: the folder; empty: the one that the environment's ``TABLETOPGEN_ASSETS`` names.
         up: which axis of the files is up.
         faces: most triangles of a mesh, see ``Normal``.
-        texture: side of a texture made anew, texels.
+        texture: side of a texture made again, texels.
         rest: who models what the folder has no file for; None: that is an error.
     """
 

@@ -51,7 +51,7 @@ class Hunyuan3D:
         asked_faces: triangles that it is asked for.
         timeout: seconds for one answer, those in which it works for others included.
         faces: most triangles kept, see ``Normal``.
-        texture: side of a texture made anew, texels.
+        texture: side of a texture made again, texels.
         session: what the calls of one generation share.
     """
 
@@ -74,10 +74,10 @@ class Hunyuan3D:
                 f"hunyuan3d has no version {self.version!r}." + choices(self.version, _BODIES)
             )
         if self.url:
-            _checked(self.url)
-        require(self, "octree", least=64, most=512, whole=True)
-        require(self, "steps", least=1, most=20, whole=True)
-        require(self, "asked_faces", least=1000, most=100_000, whole=True)
+            _check_url(self.url)
+        require(self, "octree", minimum=64, maximum=512, integer=True)
+        require(self, "steps", minimum=1, maximum=20, integer=True)
+        require(self, "asked_faces", minimum=1000, maximum=100_000, integer=True)
         require(self, "timeout", above=0)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
@@ -124,16 +124,16 @@ class Hunyuan3D:
         headers = {"x-tabletopgen-question": "health", "x-tabletopgen-memo": "no"}
         with client:
             answer = client.get("health", headers=headers)
-        told = _object(answer.content)
-        if answer.status_code != 200 or told.get("status") != "healthy":
+        reply = _object(answer.content)
+        if answer.status_code != 200 or reply.get("status") != "healthy":
             raise BackendError(
                 f"hunyuan3d, health: {self._address()} answers {answer.status_code}, "
                 f"{answer.content[:80]!r}. Is it Hunyuan3D-2.1's api_server.py?"
             )
-        return str(told.get("worker_id", ""))
+        return str(reply.get("worker_id", ""))
 
     def _address(self) -> str:
-        return _checked(self.url or os.environ.get(ADDRESS, "") or USUAL)
+        return _check_url(self.url or os.environ.get(ADDRESS, "") or USUAL)
 
     def _ask(self, body: Mapping[str, Any], what: str, memo: str, used: Used) -> bytes:
         client = self.session.client(
@@ -153,11 +153,11 @@ class Hunyuan3D:
 
     def _refusal(self, status: int, content: bytes) -> str:
         """Return what an answer that is no mesh says: the server tells of failures by 404."""
-        told = _object(content)
-        if "error_code" in told:
+        reply = _object(content)
+        if "error_code" in reply:
             hint = " (2.0 needs --enable_tex for textures)" if self.version == "2.0" else ""
             return (
-                f"the server failed ({status}, {str(told.get('text', ''))[:200]!r}). Its own log "
+                f"the server failed ({status}, {str(reply.get('text', ''))[:200]!r}). Its own log "
                 f"has the reason: GPU memory, or no texture model{hint}."
             )
         if status == 422:
@@ -177,7 +177,7 @@ _BODIES: Mapping[str, Mapping[str, Any]] = {
 }
 
 
-def _checked(url: str) -> str:
+def _check_url(url: str) -> str:
     return checked_address(url, "hunyuan3d: its address", f"Correct Hunyuan3D.url or {ADDRESS}.")
 
 

@@ -67,10 +67,10 @@ class Sam3D:
             raise BackendError(f"{what} its crop shows nothing.")
         with self._turn, working(what):
             image = np.ascontiguousarray(instance.crop[..., :3])
-            told = call(self._inference, "sam3d", image, mask, seed=self.seed)
-            made = told["glb"]
+            output = call(self._inference, "sam3d", image, mask, seed=self.seed)
+            made = output["glb"]
         mesh = normal_trimesh(only_mesh(made, what), what, up="y", to=to)
-        seen = orientation(told.get("rotation"), view, what)
+        seen = orientation(output.get("rotation"), view, what)
         return dataclasses.replace(foreign_model(mesh, instance, size), orientation=seen)
 
     @cached_property
@@ -113,9 +113,9 @@ def orientation(rotation: Any, view: View, what: str) -> Float[np.ndarray, "3 3"
     except (TypeError, ValueError):
         quaternion = np.full(4, np.nan)
     if not abs(float(np.linalg.norm(quaternion)) - 1) <= _UNIT:
-        told = " ".join(str(rotation).split())[:80]
+        output = " ".join(str(rotation).split())[:80]
         logging.getLogger(__name__).warning(
-            "%s its rotation is no unit quaternion (%s); it is not used.", what, told
+            "%s its rotation is no unit quaternion (%s); it is not used.", what, output
         )
         return None
     to_camera = np.diag([-1.0, -1.0, 1.0]) @ quaternion_matrix(quaternion).T

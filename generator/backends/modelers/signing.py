@@ -35,8 +35,8 @@ def authorization(
     text = "\n".join([_METHOD, str(timestamp), scope, _digest(request.encode())])
     key = f"TC3{secret_key}".encode()
     for word in (day, service, "tc3_request"):
-        key = _keyed(key, word)
-    signature = _keyed(key, text).hex()
+        key = _hmac(key, word)
+    signature = _hmac(key, text).hex()
     return (
         f"{_METHOD} Credential={secret_id}/{scope}, SignedHeaders={_SIGNED}, Signature={signature}"
     )
@@ -56,5 +56,5 @@ def _digest(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def _keyed(key: bytes, text: str) -> bytes:
+def _hmac(key: bytes, text: str) -> bytes:
     return hmac.new(key, text.encode(), hashlib.sha256).digest()

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
-from ...calls.http.address import linked, local
+from ...calls.http.address import check_link, local
 from ...calls.http.redaction import excerpt
 from ...calls.session import Session
 from ...calls.used import Used
@@ -49,7 +49,7 @@ class Tencent:
         timeout: seconds that a job may take.
         hosts: ends of the names of hosts that results may be downloaded from, over https.
         faces: most triangles kept, see ``Normal``.
-        texture: side of a texture made anew, texels.
+        texture: side of a texture made again, texels.
         session: what the calls of one generation share.
     """
 
@@ -70,7 +70,7 @@ class Tencent:
             raise BackendError(
                 f"tencent makes no {self.style!r}." + choices(self.style, get_args(Style))
             )
-        require(self, "asked_faces", least=40_000, most=1_500_000, whole=True)
+        require(self, "asked_faces", minimum=40_000, maximum=1_500_000, integer=True)
         require(self, "interval", "timeout", above=0)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
@@ -124,19 +124,19 @@ class Tencent:
             LostJob: it was over before this look at it, and nothing can be had of it.
         """
         what, until = service.what, time.monotonic() + self.timeout
-        told = service.look(job, "yes")
-        new = told.get("Status") in ("WAIT", "RUN")
-        while told.get("Status") in ("WAIT", "RUN"):
+        reply = service.look(job, "yes")
+        new = reply.get("Status") in ("WAIT", "RUN")
+        while reply.get("Status") in ("WAIT", "RUN"):
             if time.monotonic() > until:
                 raise BackendError(
                     f"{what} job {job} is not done after {self.timeout:g} s. It goes on there; "
                     "run it again to look at it again."
                 )
             self.session.pause(self.interval)
-            told = service.look(job, "renew")
-        if told.get("Status") != "DONE":
-            _failed(told, job, service, new)
-        raw = self._download(told, service)
+            reply = service.look(job, "renew")
+        if reply.get("Status") != "DONE":
+            _raise_failure(reply, job, service, new)
+        raw = self._download(reply, service)
         if raw is None:  # its address has expired: another look gives another
             raw = self._download(service.look(job, "renew"), service)
         if raw is None and not new:
@@ -145,15 +145,15 @@ class Tencent:
             raise BackendError(f"{what} the result of job {job} cannot be fetched. Run it again.")
         return raw
 
-    def _download(self, told: Mapping[str, Any], service: Service) -> bytes | None:
+    def _download(self, reply: Mapping[str, Any], service: Service) -> bytes | None:
         """Return the GLB that a job's answer names; None if its address has expired."""
         what = service.what
-        files = dict(_files(told))
+        files = dict(_files(reply))
         if "GLB" not in files:
             service.used.drop()
             raise BackendError(f"{what} the result has no GLB." + choices("GLB", files))
         try:
-            url = linked(files["GLB"], f"{what} the result's address", BackendError)
+            url = check_link(files["GLB"], f"{what} the result's address", BackendError)
         except BackendError:
             service.used.drop(last=True)  # the job is paid for: the next run looks at it again
             raise
@@ -185,18 +185,18 @@ class Tencent:
         return safe and f".{host}".endswith(ends)
 
 
-def _failed(told: Mapping[str, Any], job: str, service: Service, new: bool) -> None:
-    said = f"{told.get('ErrorCode', '')} {told.get('ErrorMessage', '')}".strip()
+def _raise_failure(reply: Mapping[str, Any], job: str, service: Service, new: bool) -> None:
+    said = f"{reply.get('ErrorCode', '')} {reply.get('ErrorMessage', '')}".strip()
     said = excerpt(said, 300, service.keys)
-    reason = f"job {job} ended as {str(told.get('Status'))[:40]!r} ({said})."
+    reason = f"job {job} ended as {str(reply.get('Status'))[:40]!r} ({said})."
     if not new:
         raise LostJob(reason)
     raise BackendError(f"{service.what} {reason} Run it again to submit it anew.")
 
 
-def _files(told: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def _files(reply: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     """Yield type and address of each file of a job's result that has both."""
-    listed = told.get("ResultFile3Ds")
+    listed = reply.get("ResultFile3Ds")
     for entry in listed[:_MOST_FILES] if isinstance(listed, list) else ():
         kind, url = (entry.get("Type"), entry.get("Url")) if isinstance(entry, Mapping) else (0, 0)
         if isinstance(kind, str) and isinstance(url, str) and len(kind) <= 20 and kind.isalnum():

@@ -56,7 +56,7 @@ class Trellis:
             raise BackendError(
                 f"trellis has no version {self.version!r}." + choices(self.version, _WEIGHTS)
             )
-        require(self, "steps", least=1, whole=True)
+        require(self, "steps", minimum=1, integer=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return its mesh of one instance; see ``protocols.Modeler``.

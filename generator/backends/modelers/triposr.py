@@ -43,7 +43,7 @@ class TripoSR:
     )
 
     def __post_init__(self) -> None:
-        require(self, "resolution", least=32, most=512, whole=True)
+        require(self, "resolution", minimum=32, maximum=512, integer=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return its mesh of one instance; see ``protocols.Modeler``.

@@ -43,7 +43,7 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
     return url.rstrip("/")
 
 
-def linked(url: object, what: str, error: type[TabletopError]) -> str:
+def check_link(url: object, what: str, error: type[TabletopError]) -> str:
     """Return the address of a file that a server's answer names: http(s), with no user in it.
 
     Whether the host may be asked is for the caller to say.

@@ -25,8 +25,8 @@ _PIECE = 2**18  # bytes that are unpacked at once
 UNPACKED = "gzip, deflate"
 """How an answer's body may be packed, as a request says it; it is packed once, or not at all."""
 
-Dial = Callable[[float, int], httpx2.BaseTransport]
-"""Gives the connections of one call, by when it must be over and what its answer may have."""
+Dial = Callable[[float], httpx2.BaseTransport]
+"""Gives the connections of one call, by when it must be over."""
 
 
 @dataclass(frozen=True)
@@ -79,25 +79,26 @@ def exchange(
     until = time.monotonic() + timeout
     paid = request.method not in ("GET", "HEAD")
     try:
-        with dial(until, most_bytes) as wire:
+        with dial(until) as wire:
             reply = _read(wire, request, until, most_bytes)
-    except (httpx2.ConnectTimeout, httpx2.PoolTimeout):
-        connect = request.extensions["timeout"]["connect"]
-        return Trouble(f"It did not take the call within {connect:g} s.", again=True)
-    except (httpx2.TimeoutException, _TooSlow):
-        told = f"It did not answer within {timeout:g} s."
-        return Trouble(told, again=True, charged=paid, late=True)
-    except (httpx2.ConnectError, httpx2.ProxyError) as error:
-        again = "certificate" not in str(error).lower()
-        return Trouble(f"It cannot be reached ({error}).", again=again)
-    except (httpx2.TransportError, zlib.error) as error:
+    except (httpx2.ConnectTimeout, httpx2.PoolTimeout, httpx2.ConnectError, httpx2.ProxyError) as e:
+        late = time.monotonic() >= until  # then the connection was shut down
+        if late or not isinstance(e, httpx2.ConnectError | httpx2.ProxyError):
+            connect = request.extensions["timeout"]["connect"]
+            return Trouble(f"It did not take the call within {connect:g} s.", again=True)
+        again = "certificate" not in str(e).lower()
+        return Trouble(f"It cannot be reached ({e}).", again=again)
+    except (httpx2.TransportError, zlib.error, _TooSlow) as error:
+        if isinstance(error, _TooSlow | httpx2.TimeoutException) or time.monotonic() >= until:
+            told = f"It did not answer within {timeout:g} s."
+            return Trouble(told, again=True, charged=paid, late=True)
         if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
             return Trouble(f"The request cannot be sent ({error}).", again=False)
         told = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
         return Trouble(told, again=True, charged=paid)
     if isinstance(reply, Trouble):
         return reply
-    return _judged(reply, paid, secrets)
+    return _judge(reply, paid, secrets)
 
 
 class _TooSlow(Exception):
@@ -158,7 +159,7 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
     pieces, size = [], 0
     length = response.headers.get("content-length", "")
     if not (length.isdecimal() and (len(length) > 18 or int(length) > most_bytes)):
-        for piece in _unpacked(response.iter_raw(_PIECE), packed):
+        for piece in _unpack(response.iter_raw(_PIECE), packed):
             size += len(piece)
             pieces.append(piece)
             if size > most_bytes:
@@ -173,7 +174,7 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
     return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
-def _unpacked(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
+def _unpack(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
     """Yield a body's pieces, none of more than ``_PIECE`` bytes, as they were before packing."""
     if packed in ("", "identity"):
         yield from raw
@@ -192,7 +193,7 @@ def _unpacked(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
             raise zlib.error("the packed body ends too early")
 
 
-def _judged(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
+def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
     """Return the answer with its JSON, or why it is none."""
     status, again = reply.status, reply.status in _AGAIN
     head = reply.body[:_EXCERPT].lstrip().lower()

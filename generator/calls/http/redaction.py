@@ -37,14 +37,14 @@ _SIGNED = re.compile(
 """Parameters of signed links: how they are signed, not what they lead to."""
 
 
-def redacted(text: str, secrets: Iterable[str] = ()) -> str:
+def redact(text: str, secrets: Iterable[str] = ()) -> str:
     """Return ``text`` without the secrets given, and without what is shaped like a key.
 
     A secret is found as it is, quoted for a URL, escaped in JSON, or in base64 by itself; one of
     fewer than ``SHORT`` characters only where it is a word by itself, or it would garble others.
     """
     for secret in sorted(set(secrets), key=len, reverse=True):
-        text = _found(secret).sub(REDACTED, text)
+        text = _pattern_of(secret).sub(REDACTED, text)
     for shape in _SHAPES:
         text = shape.sub(REDACTED, text)
     return text
@@ -60,13 +60,13 @@ def excerpt(said: bytes | str, most: int, secrets: Iterable[str] = ()) -> str:
     text = said[:_READ] if isinstance(said, str) else said[:_READ].decode("utf-8", "replace")
     if len(said) > _READ:  # a key that is cut in two could not be found any more
         text = text[: -(_CUT + _WIDER * max(map(len, secrets), default=0))]
-    text = redacted(text, secrets)[:most]
+    text = redact(text, secrets)[:most]
     return "".join(c if c.isprintable() or c in "\n\r\t" else "?" for c in text)
 
 
 def holds(text: str, secrets: Iterable[str]) -> bool:
     """Return whether a text holds one of the secrets, in any of the forms that are redacted."""
-    return any(_found(secret).search(text) for secret in secrets)
+    return any(_pattern_of(secret).search(text) for secret in secrets)
 
 
 def plain_url(url: str) -> str:
@@ -83,7 +83,7 @@ def plain_url(url: str) -> str:
     return urlunsplit((parts.scheme, parts.netloc.rpartition("@")[2], parts.path, kept, ""))
 
 
-def _found(secret: str) -> re.Pattern[str]:
+def _pattern_of(secret: str) -> re.Pattern[str]:
     """Return what finds a secret in each of its forms."""
     if not secret.strip():
         return _NOTHING

@@ -14,13 +14,14 @@ from ...errors import BackendError, require
 
 
 @dataclass(frozen=True)
-class Patience:
+class RetryPolicy:
     """How calls are tried again; all in seconds but ``factor`` and ``failures``.
 
     The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
     A server that says how long to wait (Retry-After) is obeyed up to ``obeyed``; one that asks for
     more is not waited for. After ``failures`` in a row a server is left alone for ``rest``; then
-    one call tries it. Calls that fail beside each other count as one of them: see ``Line``.
+    one call tries it. Calls that fail beside each other count as one of them: see
+    ``FailureStreak``.
 
     Raises:
         InputError: a number is out of range.
@@ -34,17 +35,17 @@ class Patience:
     rest: float = 30.0
 
     def __post_init__(self) -> None:
-        require(self, "first", "longest", "obeyed", "rest", least=0)
-        require(self, "factor", least=1)
-        require(self, "failures", least=1, whole=True)
+        require(self, "first", "longest", "obeyed", "rest", minimum=0)
+        require(self, "factor", minimum=1)
+        require(self, "failures", minimum=1, integer=True)
 
     def pause(self, k: int, share: float) -> float:
         """Return the wait after the k-th failure, k from 0; ``share`` in [0, 1] is the draw."""
-        whole = min(self.first * self.factor ** min(k, 64), self.longest)
-        return whole * (0.5 + 0.5 * share)
+        longest = min(self.first * self.factor ** min(k, 64), self.longest)
+        return longest * (0.5 + 0.5 * share)
 
-    def drawn(self, k: int) -> float:
-        """Return the wait after the k-th failure, drawn anew each time."""
+    def draw(self, k: int) -> float:
+        """Return the wait after the k-th failure, drawn at random."""
         return self.pause(k, random.random())
 
 
@@ -70,7 +71,7 @@ def retry_after(text: str | None, now: datetime | None = None) -> float | None:
 
 
 @dataclass
-class Line:
+class FailureStreak:
     """The failures in a row that one call stands at the end of: earlier calls' and its own.
 
     Of calls at once each has a line of its own, so that one bad moment of a server, which befalls
@@ -85,11 +86,11 @@ class Breaker:
     """Keeps calls from a server that does not work: one for each server, shared by all threads."""
 
     def __init__(
-        self, server: str, patience: Patience, clock: Callable[[], float] = time.monotonic
+        self, server: str, policy: RetryPolicy, clock: Callable[[], float] = time.monotonic
     ) -> None:
         """``server`` is its name in messages; ``clock`` tells seconds."""
         self._server = server
-        self._patience = patience
+        self._policy = policy
         self._clock = clock
         self._lock = threading.Lock()
         self._failures = 0
@@ -104,7 +105,7 @@ class Breaker:
             BackendError: the server failed too often in a row, and has not rested yet.
         """
         with self._lock:
-            if self._failures < self._patience.failures:
+            if self._failures < self._policy.failures:
                 return
             left = self._closed_again - self._clock()
             if left > 0:
@@ -113,20 +114,20 @@ class Breaker:
                     f"last: {self._reason} It is left alone for {left:.0f} s more. "
                     "See whether it runs, then try again."
                 )
-            self._closed_again = self._clock() + self._patience.rest  # others wait for this one
+            self._closed_again = self._clock() + self._policy.rest  # others wait for this one
 
-    def line(self) -> Line:
+    def line(self) -> FailureStreak:
         """Return the line of a call that begins now."""
         with self._lock:
-            return Line(self._turn, self._failures)
+            return FailureStreak(self._turn, self._failures)
 
-    def worked(self) -> None:
+    def record_success(self) -> None:
         """Hear that a call was answered."""
         with self._lock:
             self._failures = 0
             self._turn += 1
 
-    def failed(self, reason: str, line: Line) -> None:
+    def record_failure(self, reason: str, line: FailureStreak) -> None:
         """Hear that the call of a line was not; ``reason`` is a sentence for messages."""
         with self._lock:
             if line.turn != self._turn:
@@ -134,7 +135,7 @@ class Breaker:
             line.length += 1
             self._failures = max(self._failures, line.length)
             self._reason = reason
-            self._closed_again = self._clock() + self._patience.rest
+            self._closed_again = self._clock() + self._policy.rest
 
 
 class Breakers:
@@ -144,7 +145,7 @@ class Breakers:
         self._lock = threading.Lock()
         self._made: dict[tuple[str, str], Breaker] = {}
 
-    def of(self, server: str, origin: str, patience: Patience) -> Breaker:
+    def of(self, server: str, origin: str, policy: RetryPolicy) -> Breaker:
         """Return the breaker of the server of that name at ``origin``."""
         with self._lock:
-            return self._made.setdefault((server, origin), Breaker(server, patience))
+            return self._made.setdefault((server, origin), Breaker(server, policy))

@@ -6,21 +6,16 @@ import contextlib
 import dataclasses
 import json
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 from ...errors import BudgetError, StorageError
 from ...io.files import write_whole
-from .budget import Spender
-from .entries import (
-    Entry,
-    Row,
-    rows_of,
-    table,
-)
+from .budget import SharedBudget
+from .entries import Entry, LedgerRow, rows_of, table
 from .prices import Prices
-from .spending import Spending, new_call
+from .spending import Spending
 
 LEDGER = "ledger.json"
 """The file that lies beside what a bundle lists."""
@@ -31,16 +26,17 @@ _POLL = 0.1  # seconds between two looks at whether to stop
 class Account:
     """The calls of one scene, entered by any thread.
 
-    With a ``spender`` a budget is that of all who spend from its purse, in any process.
+    With a ``shared`` budget, see ``SharedBudget.spending``, a budget is that of all processes.
     """
 
-    def __init__(self, spender: Spender | None = None) -> None:
-        self._spender = spender
+    def __init__(self, shared: SharedBudget | None = None) -> None:
+        self._shared = shared
         self._lock = threading.Lock()
         self._ended = threading.Condition(self._lock)
         self._entries: list[Entry] = []
         self._notes: list[str] = []
-        self._reserved: list[float] = []
+        self._reserved: dict[int, float] = {}
+        self._calls = 0
         self._spending: Spending | None = None
 
     def resume(self, spending: Spending, prices: Prices | None = None) -> None:
@@ -54,7 +50,7 @@ class Account:
             StorageError: the file is there, and cannot be read.
             InputError: what was spent was in another currency.
         """
-        entries = [_priced(_earlier(told), prices) for told in spending.earlier()]
+        entries = [_price(entry, prices) for entry in spending.earlier()]
         with self._lock:
             self._spending = spending
             self._entries[:0] = entries
@@ -75,13 +71,13 @@ class Account:
         Raises:
             StorageError: with ``must``, the disk refuses. Else, and at its end, it is noted.
         """
-        spending, call = self._spending, new_call()
+        spending, calls = self._spending, list[int]()
 
         def write(entry: Entry, must: bool = False) -> None:
             if spending is None or sent.money == 0:
                 return
             try:
-                spending.write(call, key, entry)
+                calls.append(spending.write(key, entry, *calls[:1]))
             except StorageError as error:  # an answer must not be lost for it
                 if must:
                     raise
@@ -126,7 +122,7 @@ class Account:
     @contextlib.contextmanager
     def reserving(
         self,
-        most: float | None,
+        maximum: float | None,
         budget: float | None,
         what: str,
         check: Callable[[], None] = lambda: None,
@@ -137,7 +133,7 @@ class Account:
         than they might.
 
         Args:
-            most: the most it can cost; None where that is not known.
+            maximum: the most it can cost; None where that is not known.
             budget: what all calls may cost; None for no limit.
             what: names the call in the message.
             check: called now and then while it waits; may raise.
@@ -145,24 +141,23 @@ class Account:
         Raises:
             BudgetError: it might exceed the budget, or nobody knows.
         """
-        if budget is not None and most is None:
+        if budget is not None and maximum is None:
             raise BudgetError(
                 f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
                 'Add the model, or its server as "@host", to the price table, or give no budget.'
             )
-        asked = most or 0.0
-        if budget is not None and asked and self._spender is None:  # a purse has its own sum
+        if budget is not None and maximum and self._shared is None:  # a shared one has its own sum
             self._check_earlier(what, budget)
         with self._ended:
-            while not self._taken(asked, budget, what):
+            while (reservation := self._reserve(maximum, budget, what)) is None:
                 check()
                 self._ended.wait(_POLL)
-        left = [asked]
+        open_ = [reservation]
 
         def enter(entry: Entry | None) -> None:
             with self._ended:
-                if left:
-                    self._settle(left.pop(), entry)
+                if open_:
+                    self._settle(open_.pop(), maximum if entry is None else entry.money)
                 if entry is not None:
                     self._entries.append(entry)
                 self._ended.notify_all()
@@ -170,7 +165,7 @@ class Account:
         try:
             yield enter
         finally:
-            enter(None)
+            enter(None)  # a call that nobody entered broke off, and may have been answered
 
     def _check_earlier(self, what: str, budget: float) -> None:
         """Refuse a call where nobody knows what earlier ones cost."""
@@ -186,36 +181,33 @@ class Account:
                 "only be removed."
             )
 
-    def _taken(self, asked: float, budget: float | None, what: str) -> bool:
+    def _reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:
         """Set aside what a call may cost, if it may be sent now; else others have to end first."""
-        if self._spender is not None:
-            return self._spender.hold(asked, budget, what)
-        spent = sum(entry.money or 0.0 for entry in self._entries)
-        if budget is None or not asked or spent + sum(self._reserved) + asked <= budget:
-            self._reserved.append(asked)
-            return True
+        if self._shared is not None:
+            return self._shared.reserve(maximum, budget, what)
+        asked, spent = maximum or 0.0, sum(entry.money or 0.0 for entry in self._entries)
+        if budget is None or not asked or spent + sum(self._reserved.values()) + asked <= budget:
+            self._calls += 1
+            self._reserved[self._calls] = asked
+            return self._calls
         if spent + asked > budget:
             raise BudgetError(
                 f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g}, "
                 f"{spent:.4f} is spent. What was answered is kept; raise the budget to go on."
             )
-        return False
+        return None
 
-    def _settle(self, asked: float, entry: Entry | None) -> None:
-        """Give back what was set aside for a call, and spend what it cost.
+    def _settle(self, reservation: int, money: float | None) -> None:
+        """Put what a call cost in place of its reservation."""
+        self._reserved.pop(reservation, None)
+        if self._shared is not None:
+            try:
+                self._shared.settle(reservation, money)
+            except StorageError as error:  # it stays reserved; the answer must not be lost
+                if str(error) not in self._notes:
+                    self._notes.append(str(error))
 
-        One that nobody entered broke off: a purse, which others trust, counts it as answered.
-        """
-        if self._spender is None:
-            self._reserved.remove(asked)
-            return
-        try:
-            self._spender.settle(asked, asked if entry is None else entry.money)
-        except StorageError as error:  # what is set aside stays so; the answer must not be lost
-            if str(error) not in self._notes:
-                self._notes.append(str(error))
-
-    def summary(self) -> tuple[Row, ...]:
+    def summary(self) -> tuple[LedgerRow, ...]:
         """Return a row for each question, server and model, in the order first asked."""
         return rows_of(self.entries)
 
@@ -250,14 +242,7 @@ class Account:
         return path
 
 
-def _earlier(told: Mapping[str, Any]) -> Entry:
-    """Return a call of an earlier run as ``Spending`` keeps it."""
-    known = {f.name for f in dataclasses.fields(Entry)}
-    entry = Entry(**{name: value for name, value in told.items() if name in known})
-    return dataclasses.replace(entry, earlier=True)
-
-
-def _priced(entry: Entry, prices: Prices | None) -> Entry:
+def _price(entry: Entry, prices: Prices | None) -> Entry:
     """Return an answer of unknown price with that of its model, if that is known by now."""
     if entry.money is not None or entry.outcome != "answered" or prices is None:
         return entry

@@ -32,7 +32,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Row:
+class LedgerRow:
     """All calls of one question to one model: sums of their entries.
 
     ``money`` is of the calls whose price is known; ``unpriced`` counts the others.
@@ -52,7 +52,7 @@ class Row:
     unpriced: int
 
 
-def rows_of(entries: Iterable[Entry]) -> tuple[Row, ...]:
+def rows_of(entries: Iterable[Entry]) -> tuple[LedgerRow, ...]:
     """Return a row for each question, server and model, in the order first asked."""
     groups: dict[tuple[str, str, str], list[Entry]] = {}
     for entry in entries:
@@ -78,10 +78,10 @@ def table(entries: Sequence[Entry], currency: str) -> str:
     )
 
 
-def _row(server: str, question: str, model: str, entries: Iterable[Entry]) -> Row:
+def _row(server: str, question: str, model: str, entries: Iterable[Entry]) -> LedgerRow:
     entries = tuple(entries)
     outcomes = [entry.outcome for entry in entries]
-    return Row(
+    return LedgerRow(
         server, question, model,
         calls=outcomes.count("answered"),
         cached=outcomes.count("cached"),
@@ -95,7 +95,7 @@ def _row(server: str, question: str, model: str, entries: Iterable[Entry]) -> Ro
     )  # fmt: skip
 
 
-def _cells(row: Row) -> tuple[str, ...]:
+def _cells(row: LedgerRow) -> tuple[str, ...]:
     money = f"{row.money:.4f}" if row.money or not row.unpriced else ""
     unknown = f"{row.unpriced} unknown" * bool(row.unpriced)
     return (

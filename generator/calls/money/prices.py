@@ -10,12 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ...errors import (
-    InputError,
-    choices,
-    require,
-    require_number,
-)
+from ...errors import InputError, choices, require, require_number
 from ...io.reading import parse_toml, printable, read_regular
 
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
@@ -45,7 +40,7 @@ class Price:
     picture: float = 16_384.0
 
     def __post_init__(self) -> None:
-        require(self, "input", "output", "image", "call", "picture", least=0)
+        require(self, "input", "output", "image", "call", "picture", minimum=0)
 
     def of(self, tokens_in: int, tokens_out: int, images: int) -> float:
         """Return what one call costs."""
@@ -70,7 +65,7 @@ class Prices:
         return Prices, (self.date, self.currency, dict(self.models))
 
     @classmethod
-    def shipped(cls) -> Prices:
+    def default(cls) -> Prices:
         """Return the examples that come with the package."""
         return cls.load(_SHIPPED)
 
@@ -116,5 +111,5 @@ def _price(where: str, entry: Any) -> Price:
     for name, value in entry.items():
         if name not in known:
             raise InputError(f"{where}: no price {name!r}." + choices(name, known))
-        require_number(f"{where} needs {name}", value, least=0, most=_MOST)
+        require_number(f"{where} needs {name}", value, minimum=0, maximum=_MOST)
     return Price(**{name: float(value) for name, value in entry.items()})

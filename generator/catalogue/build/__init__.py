@@ -1,1 +1,1 @@
-"""How things are made: solids, outlines, shapes, styles, collision parts, materials."""
+"""Building blocks: solids, outlines, shapes, styles, collision parts, materials."""

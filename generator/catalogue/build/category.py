@@ -1,4 +1,4 @@
-"""What the catalogue knows about a kind of object, besides how to shape it."""
+"""Facts about a category of objects, besides its shape."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..surfaces.look import SIZE_FACTORS, Look
 from .matter import HOLLOW, friction, growth
 from .shape import Shape, mesh_of
 from .solids import signed_volume
-from .styles import styled
+from .styles import apply_style
 
 _VARIATION = 0.5, 2.0  # a variant's mass, in nominal ones
 _WALL_DENSITY = 2000.0  # kg/m^3; only its product with the wall's thickness counts
@@ -76,7 +76,7 @@ def model_of(
     ``size`` replaces the variant's own extent (and the attribute "size" with it). What is hollow is
     a shell: at another scale it weighs by its area, with walls as thick as before.
     """
-    made = styled(category.shape(look), look.attributes.get("style", ""))
+    made = apply_style(category.shape(look), look.attributes.get("style", ""))
     mesh = mesh_of(made)
     unit, center, extent = to_unit_box(mesh)
     words = look.attributes.get("size", "").lower().split()

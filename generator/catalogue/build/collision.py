@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...scene import ConvexPart
-from .outlines import ellipse, lifted
+from .outlines import ellipse, lift
 from .solids import Solid
 
 MOST_VERTICES = 32
@@ -44,7 +44,7 @@ def hull_of(*solids: Solid) -> ConvexPart:
     return hull_part(np.concatenate([s.vertices for s in solids]))
 
 
-def footed(points: Any, share: float = 0.12) -> ConvexPart:
+def flat_foot(points: Any, share: float = 0.12) -> ConvexPart:
     """Return the hull of ``points`` with the lowest ``share`` of its height set down on z = 0.
 
     What is drawn with a flat spot below gets the same flat foot this way, and does not roll. A
@@ -74,7 +74,7 @@ def resting_ball(x: float, y: float, z: float, flat: float = 0.45) -> ConvexPart
     """
     levels = [(-1.0, flat), (-0.55, 0.835), (0.25, 0.968), (0.93, 0.36)]
     points = [
-        lifted(ellipse(x * r, y * r, 8, np.pi / 8 * (k % 2)), z / 2 * (1 + h))
+        lift(ellipse(x * r, y * r, 8, np.pi / 8 * (k % 2)), z / 2 * (1 + h))
         for k, (h, r) in enumerate(levels)
     ]
     return ConvexPart(np.concatenate(points))

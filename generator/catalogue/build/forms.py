@@ -8,29 +8,24 @@ import numpy as np
 from jaxtyping import Float
 
 from ..surfaces import prints, textures
-from ..surfaces.colors import RGB, readable_on, tinted
+from ..surfaces.colors import RGB, readable_on, tint_color
 from ..surfaces.look import Look
 from ..surfaces.textures import Tile
-from .outlines import lifted, smooth
-from .solids import (
-    Solid,
-    loft,
-    prism,
-    tube,
-)
+from .outlines import lift, smooth
+from .solids import Solid, loft, prism, tube
 
 
 def side_view(outline: Any, width: float, bevel: float = 0.0) -> Solid:
     """Return a side view (x, z; counter-clockwise) as thick as ``width`` along y."""
-    return prism(outline, -width / 2, width / 2, bevel).turned(0, np.pi / 2)
+    return prism(outline, -width / 2, width / 2, bevel).turn(0, np.pi / 2)
 
 
 def facing(solid: Solid) -> Solid:
     """Return a solid with its top (+z) turned to the front (-y)."""
-    return solid.turned(0, np.pi / 2)
+    return solid.turn(0, np.pi / 2)
 
 
-def lobed(solid: Solid, count: int, depth: float) -> Solid:
+def lobe(solid: Solid, count: int, depth: float) -> Solid:
     """Return a solid about z with ``count`` lobes: its radius swells and sinks by ``depth``."""
 
     def warp(p: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
@@ -38,7 +33,7 @@ def lobed(solid: Solid, count: int, depth: float) -> Solid:
         factor = 1 + depth * (np.abs(np.cos(count * around / 2)) - 0.64)
         return p * np.column_stack([factor, factor, np.ones(len(p))])
 
-    return solid.bent(warp)
+    return solid.bend(warp)
 
 
 def blade(path: Any, width: float, *, thick: float = 0.35, sides: int = 6) -> Solid:
@@ -49,7 +44,7 @@ def blade(path: Any, width: float, *, thick: float = 0.35, sides: int = 6) -> So
     return tube(points, radii, sides, squash=thick)
 
 
-def streaked(rng: np.random.Generator, color: RGB, other: RGB, count: int = 18) -> Tile:
+def streaks(rng: np.random.Generator, color: RGB, other: RGB, count: int = 18) -> Tile:
     """Return a skin with soft upright streaks of ``other``."""
     wave = textures.noise(rng, 96, 96, (2, count), 2)
     mix = np.clip(0.5 + wave, 0, 1)[..., None] * 0.8
@@ -74,12 +69,12 @@ def wrap(
     One front lies in the middle (u = 0.5), a second one opposite.
     """
     image = prints.canvas(320, 160, ground)
-    prints.lines(image, look.rng, (0.06, 0.28, 0.13, 0.5), 7, tinted(color, 0.7))
+    prints.lines(image, look.rng, (0.06, 0.28, 0.13, 0.5), 7, tint_color(color, 0.7))
     prints.barcode(image, look.rng, 0.82, 0.4, 0.12)
     wide = int(share * 320)
     panel = prints.canvas(wide, 160, ground)
     prints.disc(panel, 0.5, 0.56, 0.26, color)
-    prints.disc(panel, 0.5, 0.56, 0.22, tinted(color, 1.35))
+    prints.disc(panel, 0.5, 0.56, 0.22, tint_color(color, 1.35))
     prints.fill(panel, 0.04, 0.43, 0.92, 0.26, color)
     prints.write(panel[:, 4:-4], title, 0.5, 0.55, 0.17, readable_on(color), bold=True)
     for k in range(fronts):
@@ -97,7 +92,7 @@ def turned_to(tile: Tile, u: float) -> Tile:
 
 def packet(outline: np.ndarray, levels: list[tuple[float, float, float]]) -> Solid:
     """Return a packet: ``outline`` scaled in x and y at each (z, x factor, y factor)."""
-    rings = [lifted(outline * [fx, fy], z) for z, fx, fy in levels]
+    rings = [lift(outline * [fx, fy], z) for z, fx, fy in levels]
     heights = np.array([z for z, _, _ in levels])
     curve = np.column_stack([[fy * 0.05 for _, _, fy in levels], heights])
     span = heights - heights.min()

@@ -1,4 +1,4 @@
-"""What things are made of: how slippery that is, and how weight grows with size.
+"""Materials: friction, and how weight grows with size.
 
 Friction is the sliding coefficient of a dry thing on a plain wooden top, after the usual handbook
 ranges (wood on wood 0.25-0.5, metal on wood 0.2-0.6, leather on wood 0.3-0.6), towards their upper

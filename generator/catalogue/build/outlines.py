@@ -76,6 +76,6 @@ def inset(outline: Any, distance: float) -> Float[np.ndarray, "m 2"]:
     return middle + (outline - middle) * np.maximum(1 - distance / half, 0.02)
 
 
-def lifted(outline: Any, z: float) -> Float[np.ndarray, "m 3"]:
+def lift(outline: Any, z: float) -> Float[np.ndarray, "m 3"]:
     """Return an outline as a ring at height ``z``."""
     return np.column_stack([outline, np.full(len(outline), z)])

@@ -32,13 +32,11 @@ class Shape:
     parts: tuple[ConvexPart, ...]
     opacity: float = 1.0
 
-    def scaled(self, factor: float) -> Shape:
+    def scale(self, factor: float) -> Shape:
         """Return the shape enlarged by ``factor``."""
         return replace(
             self,
-            pieces=tuple(
-                Piece(p.solid.scaled(factor, factor, factor), p.tile) for p in self.pieces
-            ),
+            pieces=tuple(Piece(p.solid.scale(factor, factor, factor), p.tile) for p in self.pieces),
             parts=tuple(ConvexPart(p.vertices * factor, p.kind, p.axis) for p in self.parts),
         )
 
@@ -52,13 +50,13 @@ def shape(
 
     What dips below z = 0 is pressed flat there.
     """
-    return Shape(tuple(Piece(_pressed(s), t) for s, t in pieces), tuple(parts), opacity)
+    return Shape(tuple(Piece(_press(s), t) for s, t in pieces), tuple(parts), opacity)
 
 
-def _pressed(solid: Solid) -> Solid:
+def _press(solid: Solid) -> Solid:
     if solid.vertices[:, 2].min() >= 0:
         return solid
-    return solid.bent(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
+    return solid.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
 
 
 def mesh_of(made: Shape) -> Mesh:

@@ -17,12 +17,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from ...scene import frozen_array
-from .outlines import (
-    ellipse,
-    inset,
-    lifted,
-    rectangle,
-)
+from .outlines import ellipse, inset, lift, rectangle
 
 SHARP = np.deg2rad(38.0)
 """Edges that turn by more than this get vertices of their own on either side."""
@@ -57,15 +52,15 @@ class Solid:
         """Enclosed volume, cubic metres."""
         return signed_volume(self.vertices, self.faces)
 
-    def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
+    def move(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
         """Return the solid shifted."""
         return Solid(self.vertices + np.array([x, y, z]), self.faces, self.uv)
 
-    def scaled(self, x: float, y: float, z: float) -> Solid:
+    def scale(self, x: float, y: float, z: float) -> Solid:
         """Return the solid stretched along the axes by positive factors."""
         return Solid(self.vertices * np.array([x, y, z]), self.faces, self.uv)
 
-    def turned(self, axis: int, angle: float) -> Solid:
+    def turn(self, axis: int, angle: float) -> Solid:
         """Return the solid turned about the x (0), y (1) or z (2) axis through the origin."""
         c, s = float(np.cos(angle)), float(np.sin(angle))
         i, j = (axis + 1) % 3, (axis + 2) % 3
@@ -74,11 +69,11 @@ class Solid:
         vertices[:, j] = s * self.vertices[:, i] + c * self.vertices[:, j]
         return Solid(vertices, self.faces, self.uv)
 
-    def bent(self, warp: Callable[[Float[np.ndarray, "n 3"]], Float[np.ndarray, "n 3"]]) -> Solid:
+    def bend(self, warp: Callable[[Float[np.ndarray, "n 3"]], Float[np.ndarray, "n 3"]]) -> Solid:
         """Return the solid with its vertices moved by ``warp``, which must keep it embedded."""
         return Solid(warp(self.vertices.copy()), self.faces, self.uv)
 
-    def painted(self, low: tuple[float, float], high: tuple[float, float]) -> Solid:
+    def paint(self, low: tuple[float, float], high: tuple[float, float]) -> Solid:
         """Return the solid using only the rectangle ``low`` to ``high`` of its texture."""
         corner, span = np.array(low), np.array(high) - np.array(low)
         return Solid(self.vertices, self.faces, corner + self.uv * span)
@@ -90,7 +85,7 @@ def signed_volume(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 
     return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
-def joined(solids: Sequence[Solid]) -> Solid:
+def join(solids: Sequence[Solid]) -> Solid:
     """Return several solids as one (they keep their own closed surfaces)."""
 
     def add(a: Solid, b: Solid) -> Solid:
@@ -103,7 +98,7 @@ def joined(solids: Sequence[Solid]) -> Solid:
     return reduce(add, solids)
 
 
-def refined(solid: Solid) -> Solid:
+def refine(solid: Solid) -> Solid:
     """Return the solid with every triangle split in four, so that it bends smoothly."""
     v, f, uv = solid.vertices, solid.faces, solid.uv
     pairs = np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]])
@@ -232,7 +227,7 @@ def loft(
     solids = [Solid(flat, faces[whole], np.clip(uv.reshape(-1, 2), 0, 1))]
     if outline is not None and not loop:
         solids += [_cap(rings[0], outline, True), _cap(rings[-1], outline, False)]
-    return outward(joined(solids))
+    return outward(join(solids))
 
 
 def outward(solid: Solid) -> Solid:
@@ -252,11 +247,11 @@ def prism(outline: Any, low: float, high: float, bevel: float = 0.0) -> Solid:
     """
     outline = np.asarray(outline, float)
     if bevel <= 0:
-        return loft(np.stack([lifted(outline, low), lifted(outline, high)]), outline)
+        return loft(np.stack([lift(outline, low), lift(outline, high)]), outline)
     bevel = min(bevel, 0.49 * (high - low))
     small = inset(outline, bevel)
     rings = [(small, low), (outline, low + bevel), (outline, high - bevel), (small, high)]
-    return loft(np.stack([lifted(o, z) for o, z in rings]), outline)
+    return loft(np.stack([lift(o, z) for o, z in rings]), outline)
 
 
 def box(x: float, y: float, z: float) -> Solid:
@@ -284,14 +279,14 @@ def block(x: float, y: float, z: float, radius: float, bevel: float = 0.0, steps
 
 def open_box(x: float, y: float, z: float, wall: float, bottom: float) -> list[Solid]:
     """Return an open box standing on z = 0: a bottom and four walls."""
-    side = box(wall, y, z - bottom).moved(z=bottom)
-    front = box(x - 2 * wall, wall, z - bottom).moved(z=bottom)
+    side = box(wall, y, z - bottom).move(z=bottom)
+    front = box(x - 2 * wall, wall, z - bottom).move(z=bottom)
     return [
         box(x, y, bottom),
-        side.moved(x=-(x - wall) / 2),
-        side.moved(x=(x - wall) / 2),
-        front.moved(y=-(y - wall) / 2),
-        front.moved(y=(y - wall) / 2),
+        side.move(x=-(x - wall) / 2),
+        side.move(x=(x - wall) / 2),
+        front.move(y=-(y - wall) / 2),
+        front.move(y=(y - wall) / 2),
     ]
 
 
@@ -325,7 +320,7 @@ def cylinder(
     if bevel > 0:
         radii = [radius - bevel, radius, upper, upper - bevel]
         heights = [0, bevel, height - bevel, height]
-    rings = np.stack([lifted(unit * r, z) for r, z in zip(radii, heights, strict=True)])
+    rings = np.stack([lift(unit * r, z) for r, z in zip(radii, heights, strict=True)])
     return loft(rings, unit, profile=np.column_stack([radii, heights]))
 
 
@@ -334,7 +329,7 @@ def ellipsoid(x: float, y: float, z: float, segments: int = 24, rings: int = 14)
     angles = np.linspace(-np.pi / 2, np.pi / 2, rings + 1)
     profile = np.column_stack([np.cos(angles), np.sin(angles)]) / 2
     profile[[0, -1], 0] = 0
-    return lathe(profile, segments).scaled(x, y, z)
+    return lathe(profile, segments).scale(x, y, z)
 
 
 def torus(radius: float, tube: float, segments: int = 28, sides: int = 10) -> Solid:

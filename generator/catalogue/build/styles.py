@@ -1,7 +1,7 @@
-"""Drawing styles: what any shape looks like as a cartoon or in low-poly, whatever its category.
+"""Drawing styles: any shape as a cartoon or in low-poly, independent of its category.
 
 A style rewrites a finished shape in metres: its solids, its texture tiles and, where the solids
-grow, its collision parts. Nothing here knows a category.
+grow, its collision parts. It does not depend on the category.
 """
 
 from __future__ import annotations
@@ -16,12 +16,7 @@ from ...errors import InputError, choices
 from ...scene import ConvexPart
 from ..surfaces.textures import Tile
 from .shape import Piece, Shape
-from .solids import (
-    Solid,
-    outward,
-    refined,
-    signed_volume,
-)
+from .solids import Solid, outward, refine, signed_volume
 
 MOST_FACES = 4800
 """No style makes a shape of more faces than this."""
@@ -47,7 +42,7 @@ STRAY = 0.06
 _LIGHT = np.array([-0.45, -0.55, 0.7])
 
 
-def styled(made: Shape, style: str) -> Shape:
+def apply_style(made: Shape, style: str) -> Shape:
     """Return a shape in a style: one of ``STYLES``, in any case, "_" or "-"; "" leaves it.
 
     Raises:
@@ -64,7 +59,7 @@ def styled(made: Shape, style: str) -> Shape:
 # ---------------------------------------------------------------------------------- textures
 
 
-def flattened(tile: Tile, colors: int, saturation: float = 1.0, lightness: float = 1.0) -> Tile:
+def flatten(tile: Tile, colors: int, saturation: float = 1.0, lightness: float = 1.0) -> Tile:
     """Return a tile in at most ``colors`` flat colours without fine detail, made more vivid."""
     from PIL import Image, ImageFilter
 
@@ -89,38 +84,38 @@ def cartoon(made: Shape) -> Shape:
     pieces = []
     for k, piece in enumerate(made.pieces):
         soft = piece.solid
-        if _closed(_welded(soft)[1][soft.faces]):  # a side of a cube alone cannot be rounded
+        if _closed(_weld(soft)[1][soft.faces]):  # a side of a cube alone cannot be rounded
             share = budget - sum(counts[k + 1 :])
             fine = _refined_within(soft, 2 * ROUNDER * reach, share)
-            soft = _grounded(_thickened(_rounded(fine, ROUNDER * reach), THICKER * reach))
+            soft = _press_flat(_thicken(_round(fine, ROUNDER * reach), THICKER * reach))
         budget -= len(soft.faces)
-        pieces.append(Piece(soft, flattened(piece.tile, 5, 1.5, 1.08)))
+        pieces.append(Piece(soft, flatten(piece.tile, 5, 1.5, 1.08)))
     points = np.concatenate([p.solid.vertices for p in pieces])
     low, high = points.min(0), points.max(0)
-    parts = tuple(_grown(part, THICKER * reach, low, high) for part in made.parts)
+    parts = tuple(_grow(part, THICKER * reach, low, high) for part in made.parts)
     return Shape(tuple(pieces), parts, made.opacity)
 
 
-def _refined_within(solid: Solid, edge: float, most: int) -> Solid:
-    """Split triangles while edges are longer than ``edge`` and the faces stay within ``most``."""
+def _refined_within(solid: Solid, edge: float, maximum: int) -> Solid:
+    """Split triangles with edges longer than ``edge``, up to ``maximum`` faces."""
     for _ in range(3):
         p = solid.vertices[solid.faces]
         longest = np.linalg.norm(p - np.roll(p, 1, 1), axis=-1).max()
-        if longest <= edge or 4 * len(solid.faces) > min(most, 1000):
+        if longest <= edge or 4 * len(solid.faces) > min(maximum, 1000):
             break
-        solid = refined(solid)
+        solid = refine(solid)
     return solid
 
 
-def _welded(solid: Solid) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "n"]]:
+def _weld(solid: Solid) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "n"]]:
     """Return the distinct positions of a solid's vertices and which of them each vertex has."""
     points, index = np.unique(solid.vertices.round(7) + 0.0, axis=0, return_inverse=True)
     return points, index.reshape(-1)
 
 
-def _rounded(solid: Solid, radius: float) -> Solid:
+def _round(solid: Solid, radius: float) -> Solid:
     """Return a solid relaxed towards its neighbours' mean, its box kept, at most by ``radius``."""
-    points, index = _welded(solid)
+    points, index = _weld(solid)
     faces = index[solid.faces]
     a, b, c = (points[faces[:, k]] for k in range(3))
     area = float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
@@ -136,10 +131,10 @@ def _rounded(solid: Solid, radius: float) -> Solid:
     step = soft - points
     length = np.linalg.norm(step, axis=1, keepdims=True)
     soft = points + step * np.minimum(1, radius / np.maximum(length, 1e-12))
-    return Solid(_fitted(soft, points)[index], solid.faces, solid.uv)
+    return Solid(_fit(soft, points)[index], solid.faces, solid.uv)
 
 
-def _fitted(
+def _fit(
     points: Float[np.ndarray, "k 3"], like: Float[np.ndarray, "n 3"]
 ) -> Float[np.ndarray, "k 3"]:
     """Stretch points to the bounds of others."""
@@ -148,9 +143,9 @@ def _fitted(
     return like.min(0) + (points - low) * ratio
 
 
-def _thickened(solid: Solid, thickness: float) -> Solid:
+def _thicken(solid: Solid, thickness: float) -> Solid:
     """Move a solid's surface outwards along its vertex normals."""
-    points, index = _welded(solid)
+    points, index = _weld(solid)
     faces = index[solid.faces]
     a, b, c = (points[faces[:, k]] for k in range(3))
     ways = np.cross(b - a, c - a)
@@ -161,12 +156,12 @@ def _thickened(solid: Solid, thickness: float) -> Solid:
     return Solid((points + thickness * total)[index], solid.faces, solid.uv)
 
 
-def _grounded(solid: Solid) -> Solid:
+def _press_flat(solid: Solid) -> Solid:
     """Press flat what went below z = 0."""
-    return solid.bent(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
+    return solid.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
 
 
-def _grown(
+def _grow(
     part: ConvexPart,
     by: float,
     low: Float[np.ndarray, "3"],
@@ -184,18 +179,18 @@ def _grown(
 
 def low_poly(made: Shape) -> Shape:
     """Return a shape of coarse facets, each in one flat colour."""
-    return Shape(tuple(_faceted(piece) for piece in made.pieces), made.parts, made.opacity)
+    return Shape(tuple(_facet(piece) for piece in made.pieces), made.parts, made.opacity)
 
 
-def _faceted(piece: Piece) -> Piece:
+def _facet(piece: Piece) -> Piece:
     """Return a piece decimated and painted facet by facet, or merely flattened if it is simple."""
     solid = piece.solid
-    tile = flattened(piece.tile, 3, 1.25, 1.04)
+    tile = flatten(piece.tile, 3, 1.25, 1.04)
     span = np.sort(np.ptp(solid.vertices, axis=0))
     sheet = span[0] < SHEET * span[1] and len(solid.faces) <= 4 * FEW
     if sheet or len(solid.faces) <= FEW:
         return Piece(solid, tile)
-    coarse, source = _decimated(solid)
+    coarse, source = _decimate(solid)
     p = coarse.vertices[coarse.faces]
     flat = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
     flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-20)
@@ -212,19 +207,19 @@ def _faceted(piece: Piece) -> Piece:
     return Piece(Solid(p.reshape(-1, 3), faces, uv), swatch)
 
 
-def _decimated(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
+def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
     """Return a coarser closed solid in the same box, and for each face the nearest old one."""
     import fast_simplification
     from scipy.spatial import KDTree
 
-    points, index = _welded(solid)
+    points, index = _weld(solid)
     faces = index[solid.faces]
     whole, reach = abs(signed_volume(points, faces)), np.ptp(points, axis=0).max()
     tree = KDTree(_places(points, faces, reach))
     for share in KEPT:
         target = 1 - max(share, FEW / 2 / len(faces))
         v, f = fast_simplification.simplify(points, faces.astype(np.int32), target, agg=5)[:2]
-        v = _fitted(np.asarray(v, float), points)
+        v = _fit(np.asarray(v, float), points)
         sound = len(f) and _closed(np.asarray(f)) and signed_volume(v, f) > 0.7 * whole
         if sound and _away(points, v, np.asarray(f)) < STRAY * reach:
             coarse = outward(Solid(v, np.asarray(f), np.zeros((len(v), 2))))

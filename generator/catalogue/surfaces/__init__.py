@@ -1,1 +1,1 @@
-"""How things look: colours, textures, glazes, prints."""
+"""Appearance: colours, textures, glazes, prints."""

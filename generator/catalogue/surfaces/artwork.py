@@ -1,18 +1,11 @@
-"""Pictures within pictures: what hangs in frames, lies on covers, shows on screens."""
+"""Artwork for frames, covers and screens."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from .colors import RGB, tinted
-from .ink import (
-    Canvas,
-    canvas,
-    disc,
-    fill,
-    polygon,
-    stroke,
-)
+from .colors import RGB, tint_color
+from .ink import Canvas, canvas, disc, fill, polygon, stroke
 from .textures import Tile
 
 PALETTES: tuple[tuple[RGB, ...], ...] = (
@@ -73,7 +66,7 @@ def _portrait(image: Canvas, rng: np.random.Generator, colors: tuple[RGB, ...]) 
     disc(image, 0.5, 0.37, 0.235, hair)
     fill(image, 0.5 - 0.235 * wide, 0.37, 0.47 * wide, rng.uniform(0.05, 0.32), hair)
     polygon(image, [(0.1, 1), (0.22, 0.76), (0.5, 0.66), (0.78, 0.76), (0.9, 1)], colors[1])
-    fill(image, 0.5 - 0.07 * wide, 0.5, 0.14 * wide, 0.2, tinted(skin, 0.9))
+    fill(image, 0.5 - 0.07 * wide, 0.5, 0.14 * wide, 0.2, tint_color(skin, 0.9))
     disc(image, 0.5, 0.43, 0.175, skin)
     for side in (-1, 1):
         disc(image, 0.5 + side * 0.07 * wide, 0.41, 0.02, (40, 36, 36))
@@ -94,7 +87,7 @@ def _flowers(image: Canvas, rng: np.random.Generator, colors: tuple[RGB, ...]) -
 
 def _skyline(image: Canvas, rng: np.random.Generator, colors: tuple[RGB, ...]) -> None:
     disc(image, rng.uniform(0.2, 0.8), 0.25, 0.1, colors[3])
-    for color, tall in ((tinted(colors[1], 1.3), 0.6), (colors[2], 0.45)):
+    for color, tall in ((tint_color(colors[1], 1.3), 0.6), (colors[2], 0.45)):
         x = 0.0
         while x < 1:
             wide, top = rng.uniform(0.08, 0.18), rng.uniform(0.5, 1.1) * tall

@@ -75,7 +75,7 @@ def rgb(word: str) -> RGB | None:
     return float(color[0]), float(color[1]), float(color[2])
 
 
-def tinted(color: RGB, factor: float) -> RGB:
+def tint_color(color: RGB, factor: float) -> RGB:
     """Return ``color`` darkened (factor below 1) or lightened towards white (above 1, up to 2)."""
     c = np.array(color, float)
     c = c * factor if factor <= 1 else c + (252 - c) * (factor - 1)

@@ -1,19 +1,12 @@
-"""Painted and glazed crockery: what goes round mugs, bowls, pots and vases."""
+"""Paint and glaze for mugs, bowls, pots and vases."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from . import textures
-from .colors import RGB, readable_on, tinted
-from .ink import (
-    canvas,
-    disc,
-    fill,
-    polygon,
-    stroke,
-    write,
-)
+from .colors import RGB, readable_on, tint_color
+from .ink import canvas, disc, fill, polygon, stroke, write
 from .look import Look
 from .textures import Tile
 
@@ -21,26 +14,28 @@ SIDE = 128
 WORDS = ("COFFEE", "HELLO", "TEA", "HOME", "MONDAY", "CLUB", "RUN", "LOVE", "#1", "CAMP", "OK")
 
 
-def glazed(look: Look, color: RGB, *, words: bool = False) -> Tile:
+def glaze_tile(look: Look, color: RGB, *, words: bool = False) -> Tile:
     """Return the outside of a piece of crockery; u goes round (0.5 to the viewer), v up.
 
     Plain, banded, dipped, speckled, reactive, striped, dotted, checked, leafy, floral or, with
     ``words``, printed with a word or a badge. A material asked for stays as it is.
     """
-    other = look.fixed("white", "navy", "terracotta", "teal", "cream", "mustard", "black", "coral")
+    other = look.own_color(
+        "white", "navy", "terracotta", "teal", "cream", "mustard", "black", "coral"
+    )
     kind = int(look.rng.integers(13 if words else 11))
     base = look.surface(color, "ceramic")
     if look.material or kind <= 1:
         return base
     if np.abs(np.array(other) - color).max() < 50:
-        other = tinted(color, 0.5 if sum(color) > 330 else 1.6)
-    makers = (_banded, _dipped, _speckled, _reactive, _striped, _dotted, _checked, _leafy, _floral)
+        other = tint_color(color, 0.5 if sum(color) > 330 else 1.6)
+    makers = (_bands, _dip, _speckles, _reactive, _stripes, _dots, _checks, _leafy, _floral)
     if kind < 11:
         return makers[kind - 2](look, color, other)
-    return _printed(look, color, other, badge=kind == 12)
+    return _print(look, color, other, badge=kind == 12)
 
 
-def _banded(look: Look, color: RGB, other: RGB) -> Tile:
+def _bands(look: Look, color: RGB, other: RGB) -> Tile:
     image = canvas(SIDE, SIDE, color)
     at, wide = look.between(0.06, 0.5), look.between(0.05, 0.2)
     fill(image, 0, at, 1, wide, other)
@@ -48,34 +43,34 @@ def _banded(look: Look, color: RGB, other: RGB) -> Tile:
     return image
 
 
-def _dipped(look: Look, color: RGB, other: RGB) -> Tile:
+def _dip(look: Look, color: RGB, other: RGB) -> Tile:
     rng = look.rng
-    image = textures.speckled(rng, color, 4, SIDE).copy()
+    image = textures.speckles(rng, color, 4, SIDE).copy()
     edge = rng.uniform(0.35, 0.7) + 0.03 * textures.noise(rng, 1, SIDE, (1, 6), 2)[0]
     edge[-12:] += (edge[0] - edge[-1]) * np.linspace(0, 1, 12)
     below = np.arange(SIDE)[:, None] / SIDE > edge[None]
-    image[below] = textures.speckled(rng, other, 5, SIDE)[below]
+    image[below] = textures.speckles(rng, other, 5, SIDE)[below]
     return image
 
 
-def _speckled(look: Look, color: RGB, other: RGB) -> Tile:
-    return textures.spotted(look.rng, color, tinted(color, 0.55), look.between(0.02, 0.07))
+def _speckles(look: Look, color: RGB, other: RGB) -> Tile:
+    return textures.spots(look.rng, color, tint_color(color, 0.55), look.between(0.02, 0.07))
 
 
 def _reactive(look: Look, color: RGB, other: RGB) -> Tile:
-    low, high = (tinted(color, 0.5), tinted(color, 1.3))
+    low, high = (tint_color(color, 0.5), tint_color(color, 1.3))
     tile = textures.gradient(low if look.chance(0.5) else other, high, look.rng, 9)
-    return textures.fitted(tile, SIDE, SIDE)
+    return textures.fit(tile, SIDE, SIDE)
 
 
-def _striped(look: Look, color: RGB, other: RGB) -> Tile:
+def _stripes(look: Look, color: RGB, other: RGB) -> Tile:
     upright = look.chance(0.5)
     count = int(look.rng.integers(6, 12)) if upright else int(look.rng.integers(3, 7))
     colors = [color, other] if look.chance(0.5) else [color, color, color, other]
     return textures.stripes(colors, count, upright=upright, side=SIDE)
 
 
-def _dotted(look: Look, color: RGB, other: RGB) -> Tile:
+def _dots(look: Look, color: RGB, other: RGB) -> Tile:
     image = canvas(SIDE, SIDE, color)
     rows = int(look.rng.integers(3, 6))
     for j in range(rows):
@@ -85,7 +80,7 @@ def _dotted(look: Look, color: RGB, other: RGB) -> Tile:
     return image
 
 
-def _checked(look: Look, color: RGB, other: RGB) -> Tile:
+def _checks(look: Look, color: RGB, other: RGB) -> Tile:
     rows = int(look.rng.integers(3, 7))
     y, x = np.mgrid[0:SIDE, 0:SIDE] / SIDE
     odd = (np.floor(2 * rows * x) + np.floor(rows * y)) % 2 > 0
@@ -115,7 +110,7 @@ def _floral(look: Look, color: RGB, other: RGB) -> Tile:
     return image
 
 
-def _printed(look: Look, color: RGB, other: RGB, *, badge: bool) -> Tile:
+def _print(look: Look, color: RGB, other: RGB, *, badge: bool) -> Tile:
     image = canvas(2 * SIDE, SIDE, color)
     for x in (0.25, 0.5, 0.75):
         part = image[:, int((x - 0.115) * 2 * SIDE) : int((x + 0.115) * 2 * SIDE)]

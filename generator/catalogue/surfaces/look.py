@@ -1,4 +1,4 @@
-"""How one variant of a category looks: seeded choices that give way to what was asked for."""
+"""Appearance of one variant of a category: seeded choices, overridden by requested attributes."""
 
 from __future__ import annotations
 
@@ -8,16 +8,8 @@ from typing import TypeVar
 
 import numpy as np
 
-from .colors import RGB, rgb, tinted
-from .textures import (
-    Tile,
-    brushed,
-    fabric,
-    marble,
-    speckled,
-    spotted,
-    wood,
-)
+from .colors import RGB, rgb, tint_color
+from .textures import Tile, brushed_metal, fabric, marble, speckles, spots, wood
 
 T = TypeVar("T")
 
@@ -106,7 +98,7 @@ class Look:
         r, g, b = np.clip(np.array(base) + drift, 6, 250)
         return float(r), float(g), float(b)
 
-    def fixed(self, *palette: str, spread: float = 6.0) -> RGB:
+    def own_color(self, *palette: str, spread: float = 6.0) -> RGB:
         """Return a colour of ``palette``, whatever colour was asked for (details, screws)."""
         return Look(self.rng, {}).color(*palette, spread=spread)
 
@@ -123,12 +115,12 @@ class Look:
                 return wood(self.rng, ground if own else color)
         for key, ground in METALS.items():
             if key in word.split():
-                return brushed(self.rng, ground if own else color)
+                return brushed_metal(self.rng, ground if own else color)
         if "marble" in word or "stone" in word:
             ground = (232, 230, 226) if own else color
-            return marble(self.rng, ground, tinted(ground, 0.6))
+            return marble(self.rng, ground, tint_color(ground, 0.6))
         if word in ("fabric", "cloth", "linen", "cotton", "felt", "wool"):
             return fabric(self.rng, color)
         if word in ("stoneware", "clay", "granite"):
-            return spotted(self.rng, color, tinted(color, 0.55))
-        return speckled(self.rng, color, 3.0, 32)
+            return spots(self.rng, color, tint_color(color, 0.55))
+        return speckles(self.rng, color, 3.0, 32)

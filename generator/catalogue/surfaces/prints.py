@@ -9,18 +9,8 @@ import numpy as np
 from jaxtyping import Float
 
 from .artwork import artwork, landscape
-from .colors import RGB, readable_on, tinted
-from .ink import (
-    Canvas,
-    barcode,
-    canvas,
-    disc,
-    fill,
-    lines,
-    polygon,
-    stroke,
-    write,
-)
+from .colors import RGB, readable_on, tint_color
+from .ink import Canvas, barcode, canvas, disc, fill, lines, polygon, stroke, write
 from .labels import cover, label
 from .screens import apps, desktop
 from .textures import Tile
@@ -68,7 +58,7 @@ def keys(
             color = accent if special and accent is not None else key
             y, tall = j / len(rows), 1 / len(rows)
             gap, slot = 0.12 * tall, 0.12 * tall * height / width
-            fill(image, a + slot, y + gap, b - a - 2 * slot, tall - 2 * gap, tinted(color, 0.8))
+            fill(image, a + slot, y + gap, b - a - 2 * slot, tall - 2 * gap, tint_color(color, 0.8))
             fill(image, a + 1.6 * slot, y + 1.2 * gap, b - a - 3.2 * slot, tall - 3.6 * gap, color)
             if b - a < 0.12:
                 mark = readable_on(color)

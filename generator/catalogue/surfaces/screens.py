@@ -1,19 +1,12 @@
-"""What computers and phones show."""
+"""Screen contents of computers and phones."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from .artwork import artwork, landscape
-from .colors import RGB, tinted
-from .ink import (
-    Canvas,
-    disc,
-    fill,
-    lines,
-    stroke,
-    write,
-)
+from .colors import RGB, tint_color
+from .ink import Canvas, disc, fill, lines, stroke, write
 from .textures import Tile
 
 BARS: tuple[RGB, ...] = ((60, 110, 190), (70, 72, 84), (190, 90, 70), (60, 140, 110))
@@ -47,7 +40,7 @@ def _windows(image: Canvas, rng: np.random.Generator) -> None:
         lines(image, rng, (x + 0.03, y + 0.13, 0.42, 0.42), 9, (150, 152, 160))
     fill(image, 0, 0.93, 1, 0.07, (36, 40, 52))
     for k in range(6):
-        fill(image, 0.34 + 0.055 * k, 0.945, 0.032, 0.042, tinted(BARS[k % 4], 1.4))
+        fill(image, 0.34 + 0.055 * k, 0.945, 0.032, 0.042, tint_color(BARS[k % 4], 1.4))
 
 
 def _code(image: Canvas, rng: np.random.Generator) -> None:
@@ -146,7 +139,7 @@ def _chat(image: Canvas, rng: np.random.Generator) -> None:
     while y < 0.84:
         tall, wide, mine = rng.uniform(0.05, 0.12), rng.uniform(0.4, 0.7), rng.random() < 0.5
         x = 0.95 - wide if mine else 0.05
-        fill(image, x, y, wide, tall, tinted(own, 1.3) if mine else (255, 255, 255))
+        fill(image, x, y, wide, tall, tint_color(own, 1.3) if mine else (255, 255, 255))
         lines(image, rng, (x + 0.05, y + 0.018, wide - 0.1, tall - 0.025), 2, (90, 92, 98), 0.3)
         y += tall + 0.025
     fill(image, 0.05, 0.92, 0.9, 0.05, (255, 255, 255))

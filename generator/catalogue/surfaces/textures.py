@@ -1,7 +1,7 @@
 """Procedural texture tiles: small ``uint8`` RGB images, row 0 at the top (v = 1).
 
 Every function is pure: the same arguments and generator state give the same bytes. Sides are
-powers of two between 8 and 256 pixels; plain surfaces stay small because they say little.
+powers of two between 8 and 256 pixels; plain surfaces stay small because they hold little detail.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from .colors import RGB, tinted
+from .colors import RGB, tint_color
 
 Tile = UInt8[np.ndarray, "h w 3"]
 
@@ -20,7 +20,7 @@ def _tile(image: Float[np.ndarray, "h w 3"]) -> Tile:
     return np.clip(np.round(image), 0, 255).astype(np.uint8)
 
 
-def _resized(image: np.ndarray, height: int, width: int) -> np.ndarray:
+def _resize(image: np.ndarray, height: int, width: int) -> np.ndarray:
     """Resample smoothly along both axes."""
     rows = np.linspace(0, image.shape[0] - 1, height)
     columns = np.linspace(0, image.shape[1] - 1, width)
@@ -42,7 +42,7 @@ def noise(
     total, weight = np.zeros((height, width)), 1.0
     for k in range(octaves):
         grid = rng.uniform(-1, 1, (cells[0] * 2**k + 2, cells[1] * 2**k + 2))
-        total += weight * _resized(grid, height, width)
+        total += weight * _resize(grid, height, width)
         weight /= 2
     return total / 1.5
 
@@ -52,13 +52,13 @@ def plain(color: RGB) -> Tile:
     return _tile(np.broadcast_to(np.array(color), (8, 8, 3)).astype(float))
 
 
-def speckled(rng: np.random.Generator, color: RGB, amount: float = 6.0, side: int = 64) -> Tile:
+def speckles(rng: np.random.Generator, color: RGB, amount: float = 6.0, side: int = 64) -> Tile:
     """A surface with soft unevenness: plastic, painted metal, ceramic, skin of fruit."""
     shade = noise(rng, side, side, (5, 5), 2) * amount
     return _tile(np.array(color) + shade[..., None])
 
 
-def spotted(
+def spots(
     rng: np.random.Generator, color: RGB, spots: RGB, share: float = 0.02, side: int = 128
 ) -> Tile:
     """A glaze or crust with fine spots of another colour over a ``share`` of it."""
@@ -97,7 +97,7 @@ def marble(rng: np.random.Generator, color: RGB, vein: RGB, side: int = 128) -> 
     return _tile((np.array(color) + cloud) * (1 - veins) + np.array(vein) * veins)
 
 
-def brushed(rng: np.random.Generator, color: RGB, side: int = 64) -> Tile:
+def brushed_metal(rng: np.random.Generator, color: RGB, side: int = 64) -> Tile:
     """Brushed metal, the strokes along u, with one soft glint."""
     strokes = noise(rng, side, side, (side // 2, 2), 1) * 9
     glint = 18 * np.cos(np.linspace(-2.5, 2.5, side))[None, :]
@@ -118,7 +118,7 @@ def fabric(
     return _tile(image + (weave + rng.uniform(-4, 4, (side, side)))[..., None])
 
 
-def woven(rng: np.random.Generator, color: RGB, strands: int = 12) -> Tile:
+def basketwork(rng: np.random.Generator, color: RGB, strands: int = 12) -> Tile:
     """Basketwork: flat strands going over and under each other."""
     side = 96
     y, x = np.mgrid[0:side, 0:side] * strands / side
@@ -148,19 +148,19 @@ def stripes(
     return _tile(image)
 
 
-def stacked(*bands: tuple[Tile, float], side: int = 128) -> Tile:
+def stack(*bands: tuple[Tile, float], side: int = 128) -> Tile:
     """Put tiles above each other, from the bottom up, each with its share of the height."""
     total = sum(share for _, share in bands)
     edges = np.round(np.cumsum([0.0] + [share for _, share in bands]) / total * side).astype(int)
     width = max(tile.shape[1] for tile, _ in bands)
     rows = [
-        fitted(tile, max(int(b - a), 1), width)
+        fit(tile, max(int(b - a), 1), width)
         for (tile, _), a, b in zip(bands, edges, edges[1:], strict=False)
     ]
     return np.concatenate(rows[::-1])
 
 
-def fitted(tile: Tile, height: int, width: int) -> Tile:
+def fit(tile: Tile, height: int, width: int) -> Tile:
     """Resample a tile by nearest pixels."""
     rows = (np.arange(height) + 0.5) * tile.shape[0] / height
     columns = (np.arange(width) + 0.5) * tile.shape[1] / width
@@ -186,7 +186,7 @@ def grid(line: RGB, ground: RGB, rows: int, columns: int, side: int = 128, width
     return _tile(image)
 
 
-def knitted(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
+def knitting(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
     """Strands of yarn wound in slanted rows."""
     side = 128
     y, x = np.mgrid[0:side, 0:side] / side
@@ -194,7 +194,7 @@ def knitted(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
     return _tile(np.array(color) * (0.8 + 0.22 * np.sin(phase))[..., None])
 
 
-def scratched(rng: np.random.Generator, color: RGB, strokes: RGB, count: int = 60) -> Tile:
+def scratches(rng: np.random.Generator, color: RGB, strokes: RGB, count: int = 60) -> Tile:
     """Short slanted strokes on a ground: bread crust, fur, grass, bristles."""
     side = 128
     image = np.broadcast_to(np.array(color, float), (side, side, 3)).copy()
@@ -218,4 +218,4 @@ def leaf(rng: np.random.Generator, color: RGB) -> Tile:
     veins = np.exp(-(np.sin(np.pi * 7 * (y + np.abs(x - 0.5))) ** 2) / 0.02) * 0.35
     mix = np.clip(rib + veins, 0, 1)[..., None] * 0.6
     image = np.array(color) + noise(rng, side, side, (5, 5), 2)[..., None] * 9
-    return _tile(image * (1 - mix) + np.array(tinted(color, 1.5)) * mix)
+    return _tile(image * (1 - mix) + np.array(tint_color(color, 1.5)) * mix)

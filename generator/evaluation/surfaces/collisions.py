@@ -19,8 +19,8 @@ import numpy as np
 
 from ...errors import InputError
 from ...scene import TABLE, Object, Scene
-from .shells import Shell, shells
-from .triangles import bisected, nearest_on_triangles
+from .shells import SurfaceShell, shells
+from .triangles import bisect, nearest_on_triangles
 
 THRESHOLD = 5e-4
 """Overlaps up to this depth, metres, are contact."""
@@ -29,7 +29,7 @@ _TOLERANCE, _SHARE = 2e-5, 0.02  # depths are found to within this length and th
 _MOST = 30_000  # pieces of triangles looked at in one round
 _CORES, _LENGTHS = 48, (5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 1.6e-2)
 
-Body = tuple[Shell, ...]
+Body = tuple[SurfaceShell, ...]
 _UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 
 
@@ -81,14 +81,13 @@ class Collisions:
 class Rates:
     """Col_O and Col_S of a set of scenes, as shares in [0, 1].
 
-    ``col_o`` is taken over all pairs of all scenes. ``col_s_objects`` leaves the table out.
+    ``col_o`` is taken over all pairs of all scenes.
     """
 
     scenes: int
     pairs: int
     col_o: float
     col_s: float
-    col_s_objects: float
 
 
 def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
@@ -131,7 +130,6 @@ def rates(found: Iterable[Collisions]) -> Rates:
         pairs,
         hits / pairs if pairs else 0.0,
         sum(c.col_s for c in every) / len(every),
-        sum(bool(c.overlaps) for c in every) / len(every),
     )
 
 
@@ -146,26 +144,28 @@ def table_body(scene: Scene) -> Body:
     return shells(table.model.mesh, table.scale, np.array([0, 0, table.height / 2]), _UPRIGHT)
 
 
-def overlap_depth(a: Body, b: Body, least: float = THRESHOLD) -> float:
-    """Return the depth of the overlap of two bodies, metres; 0 if none is deeper than ``least``."""
+def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
+    """Return the depth of two bodies' overlap, metres; 0 if none is deeper than ``minimum``."""
     deepest = 0.0
     for one in a:
         for other in b:
-            if _boxes_overlap(one, other) <= least:
+            if _boxes_overlap(one, other) <= minimum:
                 continue
             deepest = max(deepest, _core_depth(one, other), _core_depth(other, one))
-            deepest = _surface_depth(one, other, least, deepest)
-            deepest = _surface_depth(other, one, least, deepest)
-    return deepest if deepest > least else 0.0
+            deepest = _surface_depth(one, other, minimum, deepest)
+            deepest = _surface_depth(other, one, minimum, deepest)
+    return deepest if deepest > minimum else 0.0
 
 
-def _boxes_overlap(a: Shell, b: Shell) -> float:
+def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
     """Return the least distance by which the two boxes must part, which bounds every depth."""
     (low_a, high_a), (low_b, high_b) = a.bounds, b.bounds
     return float(min((high_a - low_b).min(), (high_b - low_a).min()))
 
 
-def _surface_depth(surface: Shell, inside: Shell, least: float, best: float) -> float:
+def _surface_depth(
+    surface: SurfaceShell, inside: SurfaceShell, minimum: float, best: float
+) -> float:
     """Return the larger of ``best`` and the deepest that ``surface`` lies in ``inside``.
 
     Branch and bound over pieces of triangles. No point of a piece lies deeper than its middle by
@@ -174,7 +174,7 @@ def _surface_depth(surface: Shell, inside: Shell, least: float, best: float) -> 
     """
     low, high = inside.bounds
     pieces = surface.corners
-    meets = (pieces.max(1) > low + least) & (pieces.min(1) < high - least)
+    meets = (pieces.max(1) > low + minimum) & (pieces.min(1) < high - minimum)
     pieces = pieces[meets.all(1)]
     if len(pieces):
         best = max(best, float(inside.depths(pieces.reshape(-1, 3))[0].max()))
@@ -184,7 +184,7 @@ def _surface_depth(surface: Shell, inside: Shell, least: float, best: float) -> 
         depth, face = inside.depths(middle)
         best = max(best, float(depth.max()))
         bound = depth + radius
-        goal = max(best * (1 + _SHARE), least) + _TOLERANCE
+        goal = max(best * (1 + _SHARE), minimum) + _TOLERANCE
         open_ = np.flatnonzero((bound > goal) & (face >= 0))
         far = [
             np.linalg.norm(pieces[open_, k] - place, axis=1)
@@ -194,11 +194,11 @@ def _surface_depth(surface: Shell, inside: Shell, least: float, best: float) -> 
         bound[open_] = np.minimum(bound[open_], np.max(far, axis=0, initial=0.0))
         kept = np.flatnonzero(bound > goal)
         kept = kept[np.argsort(-bound[kept], kind="stable")[:_MOST]]
-        pieces = bisected(pieces[kept])
+        pieces = bisect(pieces[kept])
     return best
 
 
-def _core_depth(a: Shell, b: Shell) -> float:
+def _core_depth(a: SurfaceShell, b: SurfaceShell) -> float:
     """Return the diameter of the largest ball, of those about a few points in ``a``, in both."""
     if not (a.closed and b.closed):
         return 0.0

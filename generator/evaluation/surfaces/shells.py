@@ -21,8 +21,9 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
 from ...geometry import quaternion_matrix
-from ...physics.inertia import closed, welded
+from ...physics.inertia import weld
 from ...scene import Mesh
+from ...scene.triangles import closed
 from .triangles import nearest_on_triangles, pseudonormals, solid_angles
 
 _LEAF = 4  # triangles in one box of the tree
@@ -30,7 +31,7 @@ _CHUNK = 400_000  # pairs of a point and a triangle or box held at once
 
 
 @dataclass(frozen=True, eq=False)
-class Shell:
+class SurfaceShell:
     """One connected piece of a surface in the world, metres; neighbours in space stand together.
 
     ``normals`` holds for each triangle the outward pseudonormals of its face, its edges 01, 12, 20
@@ -83,7 +84,7 @@ class Shell:
             inside = np.ones(len(near), bool)
             if self.closed:
                 inside = np.einsum("pk,pk->p", offset, self.normals[face[near], feature]) < 0
-            inside[inside] = self._enclosed(points[near[inside]])
+            inside[inside] = self._encloses(points[near[inside]])
             depth[near] = np.where(inside, length, -length)
         return depth, face
 
@@ -110,7 +111,7 @@ class Shell:
         first = order[np.searchsorted(owner[order], np.arange(len(points)))]
         return place[first], face[first], feature[first]
 
-    def _enclosed(self, points: Float[np.ndarray, "p 3"]) -> Bool[np.ndarray, "p"]:
+    def _encloses(self, points: Float[np.ndarray, "p 3"]) -> Bool[np.ndarray, "p"]:
         step = max(1, _CHUNK // len(self.corners))
         turns = [
             solid_angles(points[k : k + step], self.corners) for k in range(0, len(points), step)
@@ -123,14 +124,14 @@ def shells(
     scale: Float[np.ndarray, "3"],
     position: Float[np.ndarray, "3"],
     quaternion: Float[np.ndarray, "4"],
-) -> tuple[Shell, ...]:
+) -> tuple[SurfaceShell, ...]:
     """Return the shells of a canonical mesh at ``scale`` (its extent, metres) and a world pose.
 
     The texture's seams are joined, and two faces back to back, which bound nothing, left out. A
     closed piece turned inside out is a cavity if another holds it, and then counts as filled;
     otherwise it is turned.
     """
-    vertices, faces = welded(mesh)
+    vertices, faces = weld(mesh)
     vertices = (vertices * scale) @ quaternion_matrix(quaternion).T + position
     faces = _outer(faces)
     if not len(faces):
@@ -149,7 +150,7 @@ def shells(
     return tuple(filled)
 
 
-def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> Shell:
+def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> SurfaceShell:
     corners = vertices[faces]
     middle = corners.mean(1)
     order = np.argsort(_morton(middle), kind="stable")
@@ -165,7 +166,7 @@ def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) ->
         pairs = levels[0].reshape(-1, 2, 2, 3)
         levels.insert(0, np.stack([pairs[:, :, 0].min(1), pairs[:, :, 1].max(1)], 1))
     used = np.unique(faces)
-    return Shell(
+    return SurfaceShell(
         corners, pseudonormals(vertices, faces), closed(faces), tuple(levels),
         KDTree(vertices[used]),
     )  # fmt: skip
@@ -182,7 +183,7 @@ def _outer(faces: Int[np.ndarray, "m 3"]) -> Int[np.ndarray, "m 3"]:
     return faces[balance[group] != 0]
 
 
-def _holds(outer: Shell, inner: Shell) -> bool:
+def _holds(outer: SurfaceShell, inner: SurfaceShell) -> bool:
     return outer.closed and bool((outer.depths(inner.corners[:1, 0])[0] > 0).all())
 
 

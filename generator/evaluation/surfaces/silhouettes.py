@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float
 
 from ...comparison import Comparison
 from ...geometry import Camera, quaternion_matrix, rotation_z
+from ...meshes.pixels import mask_iou
 from ...render.scanlines import rasterise
 from ...scene import TABLE, Object
 from .symmetry import order, yaw_error
@@ -30,7 +31,7 @@ _SAME = 20.0  # degrees: turns nearer than this to a symmetry are not told apart
 
 
 @dataclass(frozen=True)
-class Fit:
+class SilhouetteFit:
     """How an object's silhouette fits its mask: as it stands, best turned, best scaled.
 
     ``turn`` (radians, counter-clockwise) and ``factor`` are what fits best of what was tried.
@@ -44,7 +45,7 @@ class Fit:
     scaled_iou: float
 
 
-def fits(compared: Comparison) -> tuple[Fit, ...]:
+def fits(compared: Comparison) -> tuple[SilhouetteFit, ...]:
     """Return the fit of each object that the picture shows well enough to tell.
 
     Left out are objects without a mask, with one of a few pixels, and such as hide half behind
@@ -71,7 +72,7 @@ def fits(compared: Comparison) -> tuple[Fit, ...]:
 
 def _fit(
     thing: Object, camera: Camera, mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
-) -> Fit | None:
+) -> SilhouetteFit | None:
     if mask.sum() < _LEAST_PIXELS:
         return None
     shape = _silhouette(thing, camera)
@@ -89,7 +90,9 @@ def _fit(
         for factor in FACTORS
     ]
     best_turn, best_factor = max(turned, default=(whole, 0.0)), max(scaled)
-    return Fit(thing.name, whole, best_turn[1], best_turn[0], best_factor[1], best_factor[0])
+    return SilhouetteFit(
+        thing.name, whole, best_turn[1], best_turn[0], best_factor[1], best_factor[0]
+    )
 
 
 def _silhouette(
@@ -114,19 +117,14 @@ def _overlap(
     if not shape.any():
         return 0.0
     here, there = _middle(shape & free if (shape & free).any() else shape), _middle(mask)
-    return max(_iou(s & free, mask) for s in (shape, _shifted(shape, there - here)))
-
-
-def _iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
-    union = int((a | b).sum())
-    return int((a & b).sum()) / union if union else 0.0
+    return max(mask_iou(s & free, mask) for s in (shape, _shift(shape, there - here)))
 
 
 def _middle(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "2"]:
     return np.argwhere(mask).mean(0)
 
 
-def _shifted(mask: Bool[np.ndarray, "h w"], by: Float[np.ndarray, "2"]) -> np.ndarray:
+def _shift(mask: Bool[np.ndarray, "h w"], by: Float[np.ndarray, "2"]) -> np.ndarray:
     """Return a mask moved by whole pixels; what leaves the picture is lost."""
     places = np.argwhere(mask) + np.round(by).astype(int)
     places = places[((places >= 0) & (places < mask.shape)).all(1)]

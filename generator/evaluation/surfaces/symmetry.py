@@ -33,15 +33,15 @@ class Cloud:
     color: Float[np.ndarray, "n 3"]
     spacing: float
 
-    def turned(self, angle: float) -> Float[np.ndarray, "n 3"]:
+    def turn(self, angle: float) -> Float[np.ndarray, "n 3"]:
         """Return the points turned by ``angle`` radians about the vertical."""
         return self.position @ rotation_z(angle).T
 
-    def thinned(self, count: int) -> Cloud:
+    def thin(self, count: int) -> Cloud:
         """Return every k-th point, about ``count``, colours smoothed over as many neighbours."""
         step = max(1, len(self.position) // count)
         position = self.position[::step]
-        smooth = _smoothed(self.position, self.color, position, step * _AROUND)
+        smooth = _smooth(self.position, self.color, position, step * _AROUND)
         return Cloud(position, smooth, self.spacing * math.sqrt(step))
 
 
@@ -53,12 +53,12 @@ def cloud(mesh: Mesh, size: Float[np.ndarray, "3"], count: int = _POINTS) -> Clo
     open_air = ~drawn.covered[0].numpy()
     position = drawn.position[0].numpy().astype(float)[open_air]
     color = drawn.color[0].numpy().astype(float)[open_air]
-    smooth = _smoothed(position, color, position, _AROUND)
+    smooth = _smooth(position, color, position, _AROUND)
     middle = np.array([*position[:, :2].mean(0), position[:, 2].min()])
     return Cloud(position - middle, smooth, math.sqrt(float(drawn.area)))
 
 
-def _smoothed(
+def _smooth(
     position: Float[np.ndarray, "n 3"],
     color: Float[np.ndarray, "n 3"],
     asked: Float[np.ndarray, "m 3"],
@@ -69,12 +69,12 @@ def _smoothed(
     return color[near.reshape(len(asked), -1)].mean(1)
 
 
-def changed(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"]:
+def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"]:
     """Return which points, turned by ``angle`` radians, lie where the surface looks different.
 
     Only each ``every``-th point is asked.
     """
-    turned, color = points.turned(angle)[::every], points.color[::every]
+    turned, color = points.turn(angle)[::every], points.color[::every]
     apart, index = KDTree(points.position).query(turned, k=6)
     away = apart > _NEAR * points.spacing
     shade = np.abs(points.color[index] - color[:, None]).max(-1)
@@ -84,19 +84,15 @@ def changed(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"
 def misfit(points: Cloud, angle: float) -> float:
     """Return the share of the surface that looks different when it is turned by ``angle``."""
     every = max(1, len(points.position) // _ASKED)
-    return float(changed(points, angle, every).mean())
+    return float(find_changes(points, angle, every).mean())
 
 
 def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> float:
     """Return the order of an object's rotational symmetry about the vertical, from shape and look.
 
     1 has none, n looks the same turned by 360/n degrees, infinity turned by any angle. Only
-    ``ORDERS`` are looked for. Up to ``_MISFIT`` of the surface may differ.
-
-    Args:
-        mesh: canonical mesh.
-        size: its extent, metres.
-        prints: whether colours count; otherwise the shape alone does.
+    ``ORDERS`` are looked for. Up to ``_MISFIT`` of the surface may differ. ``size`` is the
+    canonical mesh's extent, metres; without ``prints`` the shape alone counts, not colours.
     """
     if not prints:
         mesh = Mesh(mesh.vertices, mesh.faces, 0 * mesh.uv, mesh.texture)

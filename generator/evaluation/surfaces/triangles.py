@@ -75,7 +75,7 @@ def solid_angles(
     return np.arctan2(volume, rest).sum(1) / (2 * np.pi)
 
 
-def bisected(corners: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "n 3 3"]:
+def bisect(corners: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "n 3 3"]:
     """Return every triangle cut in two across the middle of its longest side."""
     sides = np.roll(corners, -1, axis=1) - corners
     longest = np.argmax(np.einsum("mck,mck->mc", sides, sides), axis=1)
@@ -89,5 +89,5 @@ def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.einsum("...k,...k->...", a, b)
 
 
-def _share(part: np.ndarray, whole: np.ndarray) -> np.ndarray:
-    return np.clip(part / np.where(whole == 0, 1.0, whole), 0.0, 1.0)
+def _share(part: np.ndarray, total: np.ndarray) -> np.ndarray:
+    return np.clip(part / np.where(total == 0, 1.0, total), 0.0, 1.0)

@@ -9,13 +9,7 @@ from functools import cache
 from types import MappingProxyType
 
 from ...catalogue import CATEGORIES
-from .vocabulary import (
-    COLLECTIVES,
-    PARTS,
-    PLACES,
-    SYNONYMS,
-    TABLE_NOUNS,
-)
+from .vocabulary import COLLECTIVES, PARTS, PLACES, SYNONYMS, TABLE_NOUNS
 
 IRREGULAR: Mapping[str, str] = MappingProxyType(
     {

@@ -19,10 +19,7 @@ _MOST_LIBRARIES = 10
 def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes]:
     """Return the material files of an OBJ, and the pictures they show, by the names it uses.
 
-    Args:
-        raw: the OBJ file's content.
-        what: how messages call it.
-        folder: where it lies; None: nowhere, so that it may name no files.
+    ``folder`` is where it lies; an OBJ that lies nowhere (None) may name no files.
 
     Raises:
         BackendError: a file is missing, outside the folder, too large, or no picture.
@@ -44,15 +41,15 @@ def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes
     return found
 
 
-def _names(pattern: re.Pattern[bytes], raw: bytes, what: str, most: int) -> Iterator[str]:
+def _names(pattern: re.Pattern[bytes], raw: bytes, what: str, maximum: int) -> Iterator[str]:
     names = dict.fromkeys(name.strip(b" \t\r") for name in pattern.findall(raw))
-    if len(names) > most:
-        raise BackendError(f"{what} names {len(names)} files; at most {most} are read.")
+    if len(names) > maximum:
+        raise BackendError(f"{what} names {len(names)} files; at most {maximum} are read.")
     for name in filter(None, names):
         yield name.decode("utf-8", "replace").strip("'\"")
 
 
-def _read(name: str, what: str, folder: Path | None, most: int) -> bytes:
+def _read(name: str, what: str, folder: Path | None, maximum: int) -> bytes:
     if folder is None:
         raise BackendError(f"{what} names a file outside itself, {name!r}. Use GLB with all in it.")
     home = folder.resolve()
@@ -67,4 +64,4 @@ def _read(name: str, what: str, folder: Path | None, most: int) -> bytes:
         )
     if not there:
         raise BackendError(f"{what} names {name[:80]!r}, which is not beside it. Put it there.")
-    return read_regular(home / name, f"{what}:", BackendError, max_bytes=most)
+    return read_regular(home / name, f"{what}:", BackendError, max_bytes=maximum)

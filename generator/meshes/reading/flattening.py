@@ -29,14 +29,14 @@ class Crooked(ValueError):
     """The tree of a GLB's nodes is none; the message says why."""
 
 
-def flattened(raw: bytes, header: Header) -> bytes:
+def flatten(raw: bytes, header: Header) -> bytes:
     """Return an inspected GLB with nothing in it but what is looked at.
 
     Each shown mesh hangs where its nodes put it, without any node between. Of each material the
     base colour stays, so that no other picture is ever decoded; the old form by specular and
     glossiness gives its diffuse colour.
     """
-    places = [(mesh, matrix) for mesh, matrix in placed(header)]
+    places = [(mesh, matrix) for mesh, matrix in mesh_places(header)]
     meshes = [_plain_mesh(header, mesh) for mesh in header.get("meshes", ())]
     shown = sorted({mesh for mesh, _ in places})
     numbers = {mesh: k for k, mesh in enumerate(shown)}
@@ -61,7 +61,7 @@ def flattened(raw: bytes, header: Header) -> bytes:
     return b"".join([start, text, rest])
 
 
-def placed(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]]:
+def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]]:
     """Yield each shown mesh's number with its place, once for each node that has it.
 
     Raises:

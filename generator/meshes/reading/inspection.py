@@ -39,8 +39,8 @@ from .flattening import (
     Crooked,
     Header,
     base_color,
+    mesh_places,
     picture_of,
-    placed,
 )
 
 _FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TGA")  # of a texture; others' readers are many
@@ -73,11 +73,9 @@ def inspect_glb(
 ) -> Header:
     """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
 
-    Args:
-        raw: the file's content.
-        what: how messages call it: the backend and the thing it was asked for.
-        most_faces: meshes of more triangles, repeated ones counted each time, are refused.
-        most_texels: colour textures of more pixels together, equal ones counted once, are refused.
+    ``what`` names the backend and the thing it was asked for in messages. Refused are meshes of
+    more than ``most_faces`` triangles, repeated ones counted each time, and colour textures of more
+    than ``most_texels`` pixels together, equal ones counted once.
 
     Raises:
         BackendError: no GLB, cut off, too large, compressed, with files outside itself, without
@@ -142,10 +140,10 @@ def check_lines(text: bytes, what: str) -> None:
         raise BackendError(f"{what} has a line of more than the {MOST_LINE} bytes that are read.")
 
 
-def check_pictures(pictures: Iterable[bytes], most: int = MOST_TEXELS_TOGETHER) -> str | None:
+def check_pictures(pictures: Iterable[bytes], maximum: int = MOST_TEXELS_TOGETHER) -> str | None:
     """Return why pictures cannot be used, or None. Only their headers are read.
 
-    ``most`` bounds their pixels together; equal pictures count once.
+    ``maximum`` bounds their pixels together; equal pictures count once.
     """
     sizes: dict[bytes, int] = {}
     for raw in pictures:
@@ -162,15 +160,17 @@ def check_pictures(pictures: Iterable[bytes], most: int = MOST_TEXELS_TOGETHER) 
         if width * height > MOST_TEXELS:
             return f"has a texture of {width} x {height} pixels; at most {MOST_TEXELS} are read."
         sizes[hashlib.sha256(raw).digest()] = width * height
-        if sum(sizes.values()) > most:
-            return f"has textures of more than {most} pixels together. Make them smaller or fewer."
+        if sum(sizes.values()) > maximum:
+            return (
+                f"has textures of more than {maximum} pixels together. Make them smaller or fewer."
+            )
     return None
 
 
-def _check_size(raw: bytes, what: str, most: int) -> None:
-    if len(raw) > most:
+def _check_size(raw: bytes, what: str, maximum: int) -> None:
+    if len(raw) > maximum:
         raise BackendError(
-            f"{what} takes {len(raw) / 2**20:.0f} MiB; at most {most // 2**20} are read."
+            f"{what} takes {len(raw) / 2**20:.0f} MiB; at most {maximum // 2**20} are read."
         )
 
 
@@ -187,8 +187,8 @@ def _chunks(raw: bytes, what: str) -> tuple[Header, bytes]:
         raise BackendError(f"{what} is glTF version {version}; binary glTF 2.0 is read.")
     if length > len(raw) or size > length - 20:
         raise BackendError(f"{what} is cut off: {len(raw)} of {max(length, size)} bytes are there.")
-    text, told = raw[20 : 20 + size], f"{what} has a damaged header: it"
-    header = parse_object(text, told, BackendError, max_bytes=MOST_HEADER)
+    text, problem = raw[20 : 20 + size], f"{what} has a damaged header: it"
+    header = parse_object(text, problem, BackendError, max_bytes=MOST_HEADER)
     return header, raw[28 + size :]
 
 
@@ -242,21 +242,21 @@ def _amounts(header: Header, size: int) -> str | None:
     return None
 
 
-def _faces(header: Header, most: int) -> str | None:
+def _faces(header: Header, maximum: int) -> str | None:
     """Count triangles as they would be drawn: a mesh at two nodes is there twice."""
     per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
     if sum(parts for *_, parts in per_mesh) > MOST_MESHES:
         return f"has meshes of more than {MOST_MESHES} pieces. Join them."
-    drawn = Counter(mesh for mesh, _ in placed(header))
+    drawn = Counter(mesh for mesh, _ in mesh_places(header))
     if drawn and not 0 <= min(drawn) <= max(drawn) < len(per_mesh):
         return "is damaged: a node names a mesh that is not there. Export it again."
     faces, vertices, parts = (
         sum(times * per_mesh[mesh][k] for mesh, times in drawn.items()) for k in range(3)
     )
-    if not 0 < faces <= most:
-        return f"has {faces} triangles; 1 to {most} are read."
-    if vertices > 3 * most:
-        return f"has {vertices} vertices; at most {3 * most} are read. Leave out unused ones."
+    if not 0 < faces <= maximum:
+        return f"has {faces} triangles; 1 to {maximum} are read."
+    if vertices > 3 * maximum:
+        return f"has {vertices} vertices; at most {3 * maximum} are read. Leave out unused ones."
     if parts > MOST_PARTS:
         return f"has {parts} pieces; at most {MOST_PARTS} are read. Join them."
     return None
@@ -277,7 +277,7 @@ def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
     return faces, vertices, len(mesh["primitives"])
 
 
-def _pictures(header: Header, data: bytes, most: int) -> str | None:
+def _pictures(header: Header, data: bytes, maximum: int) -> str | None:
     """Check the pictures that base colours show; no others are decoded."""
     seen = {picture_of(header, material) for material in header.get("materials", ())}
     images = [header["images"][at] for at in seen if at is not None]
@@ -286,12 +286,12 @@ def _pictures(header: Header, data: bytes, most: int) -> str | None:
     if any(view.get("buffer", 0) != 0 or "uri" in header["buffers"][0] for view in views):
         return "keeps a texture outside its binary chunk, not read. Export plain glTF 2.0."
     try:
-        return check_pictures((_encoded(header, image, data) for image in shown.values()), most)
+        return check_pictures((_file_of(header, image, data) for image in shown.values()), maximum)
     except binascii.Error as error:
         return f"has a damaged texture ({error}). Export it again."
 
 
-def _encoded(header: Header, image: Header, data: bytes) -> bytes:
+def _file_of(header: Header, image: Header, data: bytes) -> bytes:
     if "bufferView" not in image:
         return base64.b64decode(image["uri"].partition("base64,")[2])
     view = header["bufferViews"][image["bufferView"]]

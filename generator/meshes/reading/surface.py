@@ -16,20 +16,19 @@ from trimesh.resolvers import ZipResolver
 from ...errors import BackendError
 from ...render.shading import sample_texture
 from .bounds import MOST_FACES
-from .flattening import Header, flattened
+from .flattening import Header, flatten
 from .inspection import inspect_glb, inspect_obj
-from .textures import Pictures, light, shown
+from .textures import Pictures, light, to_srgb
 
 Kind = Literal["glb", "obj"]
 Axis = Literal["y", "z"]
 
-_AT_ONCE = 100_000  # faces worked on together
 _GREY = (190, 190, 190, 255)
 _LINEAR = np.arange(256) / 255.0
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class ColoredSurface:
     """Triangles with colours. ``picture`` is each face's index into ``pictures``, or -1.
 
     A face with a picture shows it at its vertices' ``uv`` (v upwards, repeating), others their
@@ -44,16 +43,16 @@ class Surface:
     pictures: tuple[UInt8[np.ndarray, "h w 3"], ...]
     opacity: float = 1.0
 
-    def kept(self, which: Bool[np.ndarray, "m"]) -> Surface:
+    def keep(self, which: Bool[np.ndarray, "m"]) -> ColoredSurface:
         """Return some of the faces."""
         return replace(self, faces=self.faces[which], picture=self.picture[which])
 
-    def flipped(self, which: Bool[np.ndarray, "m"]) -> Surface:
+    def flip(self, which: Bool[np.ndarray, "m"]) -> ColoredSurface:
         """Return the surface with some faces turned over."""
         faces = np.where(which[:, None], self.faces[:, ::-1], self.faces)
         return replace(self, faces=faces)
 
-    def upright(self, up: Axis) -> Surface:
+    def upright(self, up: Axis) -> ColoredSurface:
         """Return the surface with +z up, given which axis of the file is."""
         if up == "z":
             return self
@@ -74,38 +73,20 @@ class Surface:
         return found
 
 
-def areas(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "m"]:
-    """Return twice the area of each face."""
-    found = np.zeros(len(faces))
-    for first in range(0, len(faces), _AT_ONCE):
-        part = slice(first, first + _AT_ONCE)
-        a, b, c = vertices[faces[part]].transpose(1, 0, 2)
-        found[part] = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return found
-
-
 def read_surface(
     raw: bytes,
     what: str,
     kind: Kind,
     beside: Mapping[str, bytes] = MappingProxyType({}),
     most_faces: int = MOST_FACES,
-) -> Surface:
+) -> ColoredSurface:
     """Return everything in a GLB or OBJ file as one surface, node transforms applied.
 
-    Of a material the base colour counts: factor, texture, and alpha where it blends.
-
-    Args:
-        raw: the file's content.
-        what: how messages call it.
-        kind: the format.
-        beside: the files that an OBJ names, by name; see ``companions``.
-        most_faces: meshes of more triangles are refused.
+    Of a material the base colour counts: factor, texture, and alpha where it blends. ``what`` names
+    it in messages; ``beside`` holds the files that an OBJ names, by name (see ``companions``).
 
     Raises:
-        BackendError: see ``inspection``; or numbers that are not finite.
+        BackendError: see ``inspection``; more than ``most_faces``; or numbers that are not finite.
     """
     header: Header = {}
     if kind == "glb":
@@ -115,11 +96,11 @@ def read_surface(
     files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})
     try:
         # An OBJ is made UTF-8: its encoding would be guessed at length.
-        plain = raw.decode("utf-8", "replace").encode() if kind == "obj" else flattened(raw, header)
+        plain = raw.decode("utf-8", "replace").encode() if kind == "obj" else flatten(raw, header)
         loaded = trimesh.load_scene(
             io.BytesIO(plain), file_type=kind, resolver=files, process=False
         )
-        parts = _placed(loaded)
+        parts = _place_meshes(loaded)
         asset = header.get("asset")
         maker = str(asset.get("generator", "")) if isinstance(asset, dict) else ""
         return surface_of(parts, what, kind == "glb" and "trimesh" not in maker, most_faces)
@@ -133,17 +114,14 @@ def read_surface(
 
 def surface_of(
     parts: list[trimesh.Trimesh], what: str, linear: bool = False, most_faces: int = MOST_FACES
-) -> Surface:
-    """Return meshes as one surface.
+) -> ColoredSurface:
+    """Return meshes in one frame as one surface; ``what`` names them in messages.
 
-    Args:
-        parts: the meshes, in one frame.
-        what: how messages call them.
-        linear: plain colours are linear, as glTF has them (trimesh writes them as they look).
-        most_faces: meshes of more triangles are refused.
+    Plain colours are ``linear`` as glTF has them (trimesh writes them as they look).
 
     Raises:
-        BackendError: none has faces, they have too many, or a vertex is not there, NaN or infinite.
+        BackendError: none has faces, they have more than ``most_faces``, or a vertex is not there,
+            NaN or infinite.
     """
     count = sum(len(part.faces) for part in parts)
     if not count:
@@ -162,7 +140,7 @@ def surface_of(
     pieces = [_piece(part, pictures, linear) for part in parts]
     shift = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
     alphas = [alpha for *_, alpha in pieces]
-    return Surface(
+    return ColoredSurface(
         np.concatenate([np.asarray(p.vertices, np.float64) for p in parts]),
         np.concatenate([np.asarray(p.faces) + s for p, s in zip(parts, shift, strict=True)]),
         np.concatenate([uv for uv, *_ in pieces]),
@@ -173,7 +151,7 @@ def surface_of(
     )
 
 
-def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
+def _place_meshes(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     """Return the meshes of a scene where its nodes have them, their materials shared.
 
     trimesh's own ``dump`` copies, and so decodes, the pictures of each.
@@ -205,7 +183,7 @@ def _piece(
     if str(getattr(material, "alphaMode", "")) == "BLEND":
         alpha = float(factor[3]) / 255
     image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
-    flat = _seen(factor, linear)
+    flat = _to_srgb(factor, linear)
     if image is not None and getattr(visual, "uv", None) is not None:
         tint = factor[:3] / 255 if linear else light(factor[:3] / 255)
         if hasattr(material, "image"):  # an OBJ's: programs write a grey beside the picture
@@ -216,7 +194,7 @@ def _piece(
         colors = visual.vertex_colors
     if colors is None or len(colors) != count:
         return uv, np.tile(flat, (count, 1)), -1, alpha
-    return uv, _seen(_bytes(np.asarray(colors)), linear), -1, alpha
+    return uv, _to_srgb(_bytes(np.asarray(colors)), linear), -1, alpha
 
 
 def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
@@ -244,7 +222,7 @@ def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
     return np.round(255 * np.clip(np.nan_to_num(values), 0, 1)).astype(np.uint8)
 
 
-def _seen(colors: UInt8[np.ndarray, "*k"], linear: bool) -> UInt8[np.ndarray, "*k"]:
+def _to_srgb(colors: UInt8[np.ndarray, "*k"], linear: bool) -> UInt8[np.ndarray, "*k"]:
     """Return plain colours as they look (sRGB), without alpha."""
-    table = shown(_LINEAR) if linear else _LINEAR
+    table = to_srgb(_LINEAR) if linear else _LINEAR
     return np.round(255 * table).astype(np.uint8)[colors[..., :3]]

@@ -24,16 +24,16 @@ _LINEAR = np.arange(256) / 255.0
 class Pictures:
     """Textures taken in one after the other; ``kept`` has each of them once for each tint."""
 
-    def __init__(self, what: str, most: int = MOST_TEXELS_TOGETHER) -> None:
+    def __init__(self, what: str, maximum: int = MOST_TEXELS_TOGETHER) -> None:
         """Begin with none.
 
         Args:
             what: how messages call the mesh.
-            most: texels that are kept.
+            maximum: texels that are kept.
         """
         self.kept: list[Texels] = []
         self._what = what
-        self._room = most
+        self._room = maximum
         self._sources: list[object] = []  # held, so that no other gets their identity
         self._keys: dict[int, Hashable] = {}
         self._plain: dict[Hashable, Texels] = {}
@@ -50,7 +50,7 @@ class Pictures:
         at = (key, tint.tobytes())
         if at not in self._places:
             if key not in self._plain:
-                self._plain[key] = _small(image.copy() if file is None else _opened(file))
+                self._plain[key] = _small(image.copy() if file is None else _open(file))
             plain = self._plain[key]
             self._room -= plain.shape[0] * plain.shape[1]
             if self._room < 0:
@@ -58,7 +58,7 @@ class Pictures:
                     f"{self._what} shows its textures in too many tints. Bake them, or use fewer."
                 )
             self._places[at] = len(self.kept)
-            self.kept.append(plain if (tint == 1).all() else _tinted(plain, tint))
+            self.kept.append(plain if (tint == 1).all() else _tint(plain, tint))
         return self._places[at]
 
     def _key(self, source: Image.Image | bytes) -> Hashable:
@@ -70,7 +70,7 @@ class Pictures:
         return self._keys[id(source)]
 
 
-def shown(light: np.ndarray) -> np.ndarray:
+def to_srgb(light: np.ndarray) -> np.ndarray:
     """Return linear light, 0 to 1, as it looks (sRGB)."""
     return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
 
@@ -86,7 +86,7 @@ def _file(image: Image.Image) -> bytes | None:
     return file.getvalue() if isinstance(file, io.BytesIO) else None
 
 
-def _opened(file: bytes) -> Image.Image:
+def _open(file: bytes) -> Image.Image:
     return Image.open(io.BytesIO(file))
 
 
@@ -98,6 +98,6 @@ def _small(image: Image.Image) -> Texels:
         return np.array(plain, np.uint8)
 
 
-def _tinted(picture: Texels, tint: Float[np.ndarray, "3"]) -> Texels:
-    table = np.round(255 * shown(light(_LINEAR)[:, None] * tint)).astype(np.uint8)
+def _tint(picture: Texels, tint: Float[np.ndarray, "3"]) -> Texels:
+    table = np.round(255 * to_srgb(light(_LINEAR)[:, None] * tint)).astype(np.uint8)
     return np.stack([table[picture[..., c], c] for c in range(3)], axis=-1)

@@ -1,4 +1,4 @@
-"""A top view held against the reference picture: what an image model moved, dropped or invented.
+"""Checks a top view against the reference picture: what an image model moved, dropped or invented.
 
 The picture tells where each thing's box from above lies on the tabletop's plane (``ground``). One
 scale and one shift carry all of these boxes into the top view, if it is true. Most of what it shows
@@ -16,15 +16,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...geometry import rotated_extent
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Rotation,
-    Stacking,
-    TopView,
-    View,
-)
+from ...scene import TABLE, Instance, Model, Rotation, Stacking, TopView, View
 from .ground import boxes_on_ground, table_on_ground
 
 _ASTRAY = 0.05  # of the table's longer side: how far a box may be from where geometry has it
@@ -95,25 +87,25 @@ def check_top_view(
     ends = _by_ends(table_on_ground(table, view, image_size), top)
     drawn = {n: boxes[n] for n in ground if on[n] == TABLE and n in boxes}
     guesses = {i.name: _guess(i, table, top, boxes, models, rotations) for i in things}
-    carried = _agreed(ground, drawn, ends, length) or ends or _by_sizes(ground, guesses)
+    carried = _agreement(ground, drawn, ends, length) or ends or _by_sizes(ground, guesses)
     placed = {n: carried(box) for n, box in ground.items()} if carried else {}
-    told: dict[str, str] = {}
+    remarks: dict[str, str] = {}
     warnings: tuple[str, ...] = ()
     if carried and not only_missing:
-        told = _false(boxes, placed, drawn, carried.slack * length)
-        astray = sum(what == _ELSEWHERE for what in told.values())
+        remarks = _false(boxes, placed, drawn, carried.slack * length)
+        astray = sum(what == _ELSEWHERE for what in remarks.values())
         if 2 * astray > len(drawn):
-            told = dict.fromkeys(placed, "")
+            remarks = dict.fromkeys(placed, "")
             warnings = (_MOST.format(astray, len(drawn)),)
-        boxes |= {name: placed[name] for name in told}
+        boxes |= {name: placed[name] for name in remarks}
     for thing in sorted(things, key=lambda i: stacking[i.name].order if i.name in stacking else 2):
         name, below = thing.name, boxes.get(on[thing.name])
         lost = name not in boxes
         if lost or not (only_missing or below is None or _over(boxes[name], below)):
             boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
-            told[name] = _LACKS if below is None else _on(on[name], lost)
-    warnings += tuple(f"{name}: {what}." for name, what in told.items() if what)
-    repaired = tuple(dict.fromkeys((*top.repaired, *told)))
+            remarks[name] = _LACKS if below is None else _on(on[name], lost)
+    warnings += tuple(f"{name}: {what}." for name, what in remarks.items() if what)
+    repaired = tuple(dict.fromkeys((*top.repaired, *remarks)))
     return replace(top, boxes=boxes, repaired=repaired), warnings
 
 
@@ -136,7 +128,7 @@ def _middle(box: Box) -> Float[np.ndarray, "2"]:
     return box.reshape(2, 2).mean(0)
 
 
-def _centred(box: Box, on: Box) -> Box:
+def _center(box: Box, on: Box) -> Box:
     return box + np.tile(_middle(on) - _middle(box), 2)
 
 
@@ -145,7 +137,7 @@ def _put(tries: Sequence[Box | None], below: Box | None) -> Box:
     known = [b for b in tries if b is not None]
     if below is None:
         return known[0]
-    return next((b for b in known if _over(b, below)), _centred(known[0], below))
+    return next((b for b in known if _over(b, below)), _center(known[0], below))
 
 
 def _over(box: Box, below: Box) -> bool:
@@ -157,22 +149,22 @@ def _over(box: Box, below: Box) -> bool:
 def _false(
     boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
 ) -> dict[str, str]:
-    """Tell of drawn boxes that are not where geometry has them, or not as large, what is wrong.
+    """Return what is wrong with drawn boxes whose place or size disagrees with geometry, by name.
 
     ``unit`` is the table's length in pixels, times how much more than usual may be off. Only what
     stands on the table is held to its place.
     """
-    told = {}
+    remarks = {}
     for name in placed:
         if name not in boxes:
             continue
         box, there = boxes[name], placed[name]
         grown = _size(box) / _size(there)
         if name in standing and _off(box, there) > _limit(there, unit):
-            told[name] = _ELSEWHERE
+            remarks[name] = _ELSEWHERE
         elif abs(np.log(grown)) > np.log(_GROWN) and abs(_size(box) - _size(there)) > _TINY * unit:
-            told[name] = f"the top view draws it {grown:.2g} times as large; geometry resized it"
-    return told
+            remarks[name] = f"the top view draws it {grown:.2g} times as large; geometry resized it"
+    return remarks
 
 
 def _off(box: Box, there: Box) -> float:
@@ -183,7 +175,7 @@ def _limit(box: Box, length: float) -> float:
     return _ASTRAY * length + _OWN * _size(box)
 
 
-def _agreed(
+def _agreement(
     ground: Mapping[str, Box], drawn: Mapping[str, Box], ends: _Carried | None, length: float
 ) -> _Carried | None:
     """Return the scale and shift on which most drawn boxes agree; None if they do not."""
@@ -192,7 +184,7 @@ def _agreed(
         return None
     best: tuple[float, list[str]] = (0.0, [])
     for pair in combinations(names, 2):
-        carried = _fitted([ground[n] for n in pair], [drawn[n] for n in pair])
+        carried = _fit([ground[n] for n in pair], [drawn[n] for n in pair])
         if carried is None:
             continue
         off = {
@@ -205,7 +197,7 @@ def _agreed(
             best = worth, agree
     if len(best[1]) < max(_FEWEST - 1, _AGREE * len(names)):
         return None
-    carried = _fitted([ground[n] for n in best[1]], [drawn[n] for n in best[1]])
+    carried = _fit([ground[n] for n in best[1]], [drawn[n] for n in best[1]])
     return carried if carried and _likely(carried, ends, ground, drawn, length) else None
 
 
@@ -216,7 +208,7 @@ def _likely(
     drawn: Mapping[str, Box],
     length: float,
 ) -> bool:
-    """Tell whether a scale and a shift are not quite other than what the tabletop's ends tell."""
+    """Return whether a scale and a shift are close to those given by the tabletop's ends."""
     if ends is None:
         return True
     middle = np.mean([ground[n] for n in drawn], axis=0)
@@ -224,7 +216,7 @@ def _likely(
     return bool(scaled and _off(carried(middle), ends(middle)) < _SHIFTED * length)
 
 
-def _fitted(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
+def _fit(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
     """Return the scale and shift that carry middles onto others best; None if they turn them."""
     a, b = (np.array([_middle(box) for box in boxes]) for boxes in (here, there))
     x, y = a - a.mean(0), b - b.mean(0)

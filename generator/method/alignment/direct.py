@@ -1,4 +1,4 @@
-"""Sec. 4.3, without TSA: places and sizes as the reasoner says them, with no view from above."""
+"""Sec. 4.3, without TSA: places and sizes given by the reasoner, without a top view."""
 
 from __future__ import annotations
 
@@ -6,16 +6,8 @@ from collections.abc import Mapping
 
 from ...backends.protocols import PoseGuesser, Reasoner
 from ...errors import BackendError
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    SizePrior,
-    View,
-)
-from .placing import Alignment, placed
+from ...scene import TABLE, Instance, Model, Reference, Rotation, SizePrior, View
+from .placing import Alignment, place_objects
 
 
 def ask_layout(
@@ -28,7 +20,7 @@ def ask_layout(
     reasoner: Reasoner,
     guesser: PoseGuesser,
 ) -> Alignment:
-    """Return the instances placed and scaled as the reasoner says; the table has its usual size.
+    """Return the instances placed and scaled by the reasoner; the table has its usual size.
 
     What stands on what is its answer too, as in TSA, so only x, y and the sizes are others: z
     comes from lowering each mesh, and what stands on another is kept above it. There is no anchor
@@ -37,17 +29,17 @@ def ask_layout(
     Raises:
         BackendError: an answer is missing.
     """
-    told = guesser.guess_layout(reference, instances, sizes, view)
+    guesses = guesser.guess_layout(reference, instances, sizes, view)
     stacking = dict(reasoner.stacking_order(reference, instances, view))
     names = [i.name for i in instances if i.name != TABLE]
     for name in names:
-        if name not in told:
+        if name not in guesses:
             raise BackendError(
                 f"guess_layout: {type(guesser).__name__} gave no place for {name!r}."
             )
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
-    centers = {n: told[n].center for n in names}
-    scales = {n: told[n].size for n in names}
+    centers = {n: guesses[n].center for n in names}
+    scales = {n: guesses[n].size for n in names}
     table_scale = sizes[TABLE].extent
-    placements = placed(names, centers, table_scale, yaws, scales, models, stacking)
+    placements = place_objects(names, centers, table_scale, yaws, scales, models, stacking)
     return Alignment(None, None, table_scale, placements, None, stacking, {})

@@ -1,9 +1,9 @@
-"""Where the reference picture itself has things, seen from above, on a plane below its camera.
+"""Boxes from above that follow from the reference picture, on a plane below its camera.
 
-The plane is the tabletop's, one unit below the camera: how far below, in metres, one picture does
-not tell. A thing's model, turned by its yaw and as large and far as its box in the picture has it,
-stands on that plane in one place only, which tells its box from above. Boxes are (left, far,
-right, near), +x right and +y towards the viewer as in a top view.
+The plane is the tabletop's, one unit below the camera: one picture does not determine how far below
+in metres. A thing's model, turned by its yaw and as large and far as its box in the picture has it,
+stands on that plane in one place only, which tells its box from above. Boxes are (left, far, right,
+near), +x right and +y towards the viewer as in a top view.
 """
 
 from __future__ import annotations
@@ -13,21 +13,9 @@ from collections.abc import Mapping
 import numpy as np
 from jaxtyping import Float
 
-from ...geometry import (
-    Camera,
-    hull_points,
-    rotation_z,
-    view_rotation,
-)
+from ...geometry import Camera, hull_points, rotation_z, view_rotation
 from ...render.crop import in_reference, tight_box
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Rotation,
-    Stacking,
-    View,
-)
+from ...scene import TABLE, Instance, Model, Rotation, Stacking, View
 
 _LEAST = 0.05  # of its distance, at least, a thing's foot is below the camera
 _INSIDE = 0.2  # of a container's height: how high above its foot things in it stand
@@ -43,7 +31,7 @@ def boxes_on_ground(
 ) -> dict[str, Float[np.ndarray, "4"]]:
     """Return each thing's box from above, in units of the camera's height over the tabletop.
 
-    Left out is what has no model, shows nothing, or would stand above the camera's horizon.
+    Instances without a model, without visible pixels or above the camera's horizon are left out.
     ``image_size`` is (width, height) of the reference picture.
     """
     eye = Camera(np.zeros(3), view_rotation(view), view.fov, *image_size)
@@ -55,7 +43,7 @@ def boxes_on_ground(
         low, high = tops.get(rank[name].on, (0.0, 0.0))
         floor = low + _INSIDE * (high - low) if rank[name].inside else high
         yaw = rotations[name].yaw if name in rotations else 0.0
-        found = _stood(shown[name], models[name], yaw, floor, eye)
+        found = _stand(shown[name], models[name], yaw, floor, eye)
         if found is not None:
             boxes[name], tall = found
             tops[name] = floor, floor + tall
@@ -85,7 +73,7 @@ def table_on_ground(
     return np.array([points[:, 0].min(), points[:, 0].max(), -points[:, 1].max()])
 
 
-def _stood(
+def _stand(
     thing: Instance, model: Model, yaw: float, floor: float, eye: Camera
 ) -> tuple[Float[np.ndarray, "4"], float] | None:
     """Return a thing's box from above and its height, both in units of the camera's height."""

@@ -1,4 +1,4 @@
-"""Boxes in a top view drawn freely: what was detected there is matched to the instances."""
+"""Matches what was detected in a freely drawn top view to the instances."""
 
 from __future__ import annotations
 
@@ -10,12 +10,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ...backends.protocols import Segmenter
 from ...errors import SceneError
-from ...scene import (
-    TABLE,
-    Detection,
-    Instance,
-    TopView,
-)
+from ...scene import TABLE, Detection, Instance, TopView
 
 
 def complete_boxes(
@@ -23,7 +18,7 @@ def complete_boxes(
 ) -> tuple[TopView, tuple[str, ...]]:
     """Return the top view with a box for every instance that can be found in its picture.
 
-    What is found there and is none of the instances is left out, with a warning.
+    Detections that match no instance are left out, with a warning.
 
     Detections are matched to instances of the same label, nearest relative position first; a
     wrong label costs more than any distance.
@@ -50,8 +45,10 @@ def complete_boxes(
     for row, column in zip(rows, columns, strict=True):
         boxes[missing[row].name] = things[column].box
     extra = len(things) - len(columns)
-    told = (f"The top view shows {extra} more than the picture; left out.",) if extra > 0 else ()
-    return replace(top, table_box=table, boxes=boxes), told
+    messages = (
+        (f"The top view shows {extra} more than the picture; left out.",) if extra > 0 else ()
+    )
+    return replace(top, table_box=table, boxes=boxes), messages
 
 
 def _cost(

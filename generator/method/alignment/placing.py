@@ -59,7 +59,7 @@ class AlignmentConfig:
 
     def __post_init__(self) -> None:
         require(self, "tau", above=0)
-        require(self, "size_limit", "guess_limit", "table_limit", least=1, endless=True)
+        require(self, "size_limit", "guess_limit", "table_limit", minimum=1, allow_inf=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,13 +104,13 @@ def align(
     config = config or AlignmentConfig()
     shown = imager.top_view(reference, instances, models, rotations, view)
     stacking = dict(reasoner.stacking_order(reference, instances, view))
-    top_view, told = complete_boxes(shown, instances, segmenter)
+    top_view, messages = complete_boxes(shown, instances, segmenter)
     height, width = reference.image.shape[:2]
     top_view, repairs = check_top_view(
         top_view, instances, models, rotations, stacking, view, (width, height),
         only_missing=not config.check,
     )  # fmt: skip
-    told = (*shown.warnings, *told, *repairs)
+    messages = (*shown.warnings, *messages, *repairs)
     names = [i.name for i in instances if i.name != TABLE]
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
     physical = {n: np.asarray(models[n].size) for n in names}
@@ -123,7 +123,7 @@ def align(
         n: rma_score(*pixel_area_and_ratio_error(top.boxes[n], physical[n], yaws[n]), config.tau)
         for n in names
     }
-    warnings = list(told)
+    warnings = list(messages)
     anchor, alpha = _scale(top, scores, physical, yaws, sizes, config, warnings)
     modelled = reference.plan is None and TABLE in models
     usual = np.asarray(models[TABLE].size) if modelled else sizes[TABLE].extent
@@ -135,9 +135,9 @@ def align(
         extent = own_extent((box[2:] - box[:2]) * alpha, yaws[n], physical[n])
         if sizes[n].measured:
             extent[2] = physical[n][2]
-        scales[n] = _limited(n, extent, sizes[n].extent, limit, warnings)
+        scales[n] = _limit(n, extent, sizes[n].extent, limit, warnings)
     centers = _centers(top, alpha)
-    placements = placed(names, centers, table_scale, yaws, scales, models, stacking)
+    placements = place_objects(names, centers, table_scale, yaws, scales, models, stacking)
     return Alignment(
         anchor, alpha, table_scale, placements, top_view, stacking, scores, tuple(warnings)
     )
@@ -187,7 +187,7 @@ def _table_scale(
     return np.array([*across, usual[2] * (factor if modelled else np.clip(factor, 0.85, 1.15))])
 
 
-def _limited(
+def _limit(
     name: str,
     extent: Float[np.ndarray, "3"],
     usual: Float[np.ndarray, "3"],
@@ -216,7 +216,7 @@ def _centers(top: TopView, alpha: float) -> dict[str, Float[np.ndarray, "2"]]:
     }
 
 
-def placed(
+def place_objects(
     names: list[str],
     centers: Mapping[str, Float[np.ndarray, "2"]],
     table_scale: Float[np.ndarray, "3"],

@@ -1,4 +1,4 @@
-"""Joint refinement, beyond the paper: all objects and the camera against all masks at once.
+"""Joint refinement, beyond the paper: fits all objects and the camera to all masks at once.
 
 DRO turns one object at a time and TSA places them from another picture. Here yaw, place and size
 of every object are moved together, by gradient, until what the reference picture's camera sees of

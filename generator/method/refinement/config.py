@@ -33,9 +33,9 @@ class RefinementConfig:
     unsure: float = 0.2
 
     def __post_init__(self) -> None:
-        require(self, "steps", least=0, whole=True)
+        require(self, "steps", minimum=0, integer=True)
         require(self, "learning_rate", above=0)
-        require(self, "turn", "move", "grow", least=0)
-        require(self, "resolution", least=16, whole=True)
-        require(self, "points", least=100, whole=True)
-        require(self, "unsure", least=0, most=1)
+        require(self, "turn", "move", "grow", minimum=0)
+        require(self, "resolution", minimum=16, integer=True)
+        require(self, "points", minimum=100, integer=True)
+        require(self, "unsure", minimum=0, maximum=1)

@@ -1,4 +1,4 @@
-"""What keeps things apart and on the table: their footprints at the heights that they share."""
+"""Keeps things apart and on the table, by their footprints at shared heights."""
 
 from __future__ import annotations
 
@@ -12,12 +12,7 @@ from jaxtyping import Float, Int
 
 from ...errors import InputError
 from ...geometry import convex_outline
-from ...scene import (
-    TABLE,
-    Mesh,
-    Model,
-    Placement,
-)
+from ...scene import TABLE, Mesh, Model, Placement
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -124,7 +119,7 @@ def make_crowd(
 
     rows, shapes = [], []
     for (i, a), (j, b) in combinations(enumerate(placements), 2):
-        low, high = _shared(a, b)
+        low, high = _shared_heights(a, b)
         if a.name in chains[j] or b.name in chains[i] or high - low < _LEAST:
             continue
         rows.append((i, j))
@@ -144,7 +139,7 @@ def make_crowd(
     return Crowd(first, second, one, other, gaps(a, b).clamp_max(0), table)
 
 
-def _shared(a: Placement, b: Placement) -> tuple[float, float]:
+def _shared_heights(a: Placement, b: Placement) -> tuple[float, float]:
     """Return the lowest and highest height that both things have, metres."""
     low, high = ([p.translation[2] + s * p.scale[2] / 2 for p in (a, b)] for s in (-1, 1))
     return max(low), min(high)
@@ -162,7 +157,7 @@ def _footprint(
         a, b = ends[(z[ends[:, 0]] < level) & (z[ends[:, 1]] > level)].T
         share = ((level - z[a]) / (z[b] - z[a]))[:, None]
         points.append((corners[a] + share * (corners[b] - corners[a]))[:, :2])
-    return _simplified(_outline(np.concatenate(points)))
+    return _simplify(_outline(np.concatenate(points)))
 
 
 def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
@@ -174,7 +169,7 @@ def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
         return np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
 
 
-def _simplified(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
+def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
     """Return the outline with ``_CORNERS`` corners; the least go, or the last is repeated."""
     while len(outline) > _CORNERS:
         before, after = outline - np.roll(outline, 1, 0), np.roll(outline, -1, 0) - outline

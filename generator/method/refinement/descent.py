@@ -1,4 +1,4 @@
-"""How well outlines agree, and the descent to where they agree best."""
+"""Agreement of outlines, and the descent to its optimum."""
 
 from __future__ import annotations
 
@@ -8,12 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 from .config import RefinementConfig
-from .problem import (
-    Posed,
-    Problem,
-    Seen,
-    standpoint,
-)
+from .problem import ObservedThings, PosedThings, Problem, standpoint
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -25,11 +20,11 @@ _REACH = 0.02  # of the things' mean distance: the unit of the camera's move
 
 
 def misfits(
-    seen: Seen, posed: Posed, config: RefinementConfig
+    seen: ObservedThings, posed: PosedThings, config: RefinementConfig
 ) -> tuple[Float[np.ndarray, "n"], Float[Tensor, "3"]]:
     """Return one minus the overlap of each thing's outline with its mask, and the camera's place.
 
-    The camera looks from where the outlines agree best: nothing else tells its place.
+    The camera is where the outlines agree best: nothing else determines its place.
     """
     import torch
 
@@ -40,18 +35,18 @@ def misfits(
         [eye], lr=0.5, max_iter=_ROUNDS, tolerance_change=1e-5, line_search_fn="strong_wolfe"
     )
 
-    def looked() -> Tensor:
+    def look() -> Tensor:
         return _misfit(seen, posed, middle + unit * eye, config.resolution)
 
     def closure() -> float:
         optimiser.zero_grad()
-        mean = looked().mean()
+        mean = look().mean()
         mean.backward()
         return float(mean.detach())
 
     optimiser.step(closure)
     with torch.no_grad():
-        return looked().numpy(), middle + unit * eye
+        return look().numpy(), middle + unit * eye
 
 
 def descend(
@@ -76,7 +71,7 @@ def descend(
         grow = steps[:, 3].exp()
         across, up = links.carries @ steps[:, 1:3], links.lifts @ (grow - 1)
         place = posed.place + torch.cat([across, up[:, None]], 1)
-        moved = Posed(posed.surface, posed.yaw + steps[:, 0], place)
+        moved = PosedThings(posed.surface, posed.yaw + steps[:, 0], place)
         misfit = _misfit(seen, moved, camera + unit * eye, config.resolution, grow).mean()
         crowding = problem.crowd.cost(place[:, :2], moved.yaw, grow)
         total = misfit + _HELD * body.square().mean() + _APART * crowding
@@ -96,13 +91,13 @@ def descend(
     return found.numpy().astype(float)
 
 
-def _unit(posed: Posed, camera: Float[Tensor, "3"]) -> float:
+def _unit(posed: PosedThings, camera: Float[Tensor, "3"]) -> float:
     return _REACH * float((posed.place - camera).norm(dim=1).mean())
 
 
 def _misfit(
-    seen: Seen,
-    posed: Posed,
+    seen: ObservedThings,
+    posed: PosedThings,
     camera: Float[Tensor, "3"],
     resolution: int,
     grow: Float[Tensor, "n"] | None = None,
@@ -118,11 +113,11 @@ def _misfit(
     count = len(posed.yaw)
     rotation = soft.object_to_camera(posed.yaw, torch.zeros(count), seen.rotation)
     away = (posed.place - camera)[:, None]
-    center = soft.turned(away, seen.rotation.expand(count, 3, 3))[:, 0]
+    center = soft.rotate(away, seen.rotation.expand(count, 3, 3))[:, 0]
     if grow is not None:  # a thing twice as large at twice the distance looks the same
         center = center / grow[:, None]
     drawn = soft.render(
         posed.surface, rotation, center, resolution, owner=torch.arange(count),
-        window=soft.Window(seen.middle, seen.scale),
+        window=soft.CropWindow(seen.middle, seen.scale),
     )  # fmt: skip
     return 1 - soft.soft_iou(drawn.silhouette, seen.mask, seen.weight)

@@ -1,4 +1,4 @@
-"""The refinement as a stage, and the agreement of outlines that it goes by."""
+"""The refinement as a stage, and the agreement of outlines it optimises."""
 
 from __future__ import annotations
 
@@ -10,15 +10,7 @@ from jaxtyping import Float
 
 from ...geometry import quaternion_matrix, wrap
 from ...render.contact import at_rest
-from ...scene import (
-    TABLE,
-    Instance,
-    Mesh,
-    Model,
-    Object,
-    Placement,
-    View,
-)
+from ...scene import TABLE, Instance, Mesh, Model, Object, Placement, View
 from ...threads import single_thread
 from .config import RefinementConfig
 from .descent import descend, misfits
@@ -65,16 +57,16 @@ def refine_scene(
     The camera's direction is not moved: outlines agree as well with an elevation 3 degrees off, so
     they do not tell it; the table's edges do.
 
-    What comes out worse is not taken, for the whole scene or for an object. A picture with fewer
+    A result that is worse is not used, for the whole scene or for an object. A picture with fewer
     than two objects, which cannot tell where the camera stands, is left as it is.
     """
     config = config or RefinementConfig()
-    shown = _shown(instances)
+    shown = _shown_instances(instances)
     moving = [p for p in placements if p.name in shown]
     if len(moving) < 2 or not config.steps:
         return Refinement(tuple(placements), 0.0, 0.0)
 
-    def measured(placed: Sequence[Placement]) -> Float[np.ndarray, "n"]:
+    def measure(placed: Sequence[Placement]) -> Float[np.ndarray, "n"]:
         there = [p for p in placed if p.name in shown]
         posed = make_posed(
             [models[p.name].mesh for p in there], [p.scale for p in there],
@@ -90,8 +82,8 @@ def refine_scene(
         steps = descend(problem, camera, config)
         carries = problem.links.carries.numpy().astype(float)
         for _ in range(2):
-            found = _moved(placements, moving, steps, carries, models, float(table_scale[2]))
-            after = measured(found)
+            found = _move(placements, moving, steps, carries, models, float(table_scale[2]))
+            after = measure(found)
             worse = after > start + _WORSE
             if not worse.any():
                 break
@@ -116,7 +108,7 @@ def outline_misfit(
     table, and what shows nothing, are left out.
     """
     config = config or RefinementConfig()
-    shown = _shown(instances)
+    shown = _shown_instances(instances)
     there = [o for o in objects if o.name in shown]
     if not there:
         return 1.0
@@ -124,25 +116,25 @@ def outline_misfit(
         things = [shown[o.name] for o in there]
         seen = make_seen(things, list(shown.values()), view, image_size, config)
         posed = make_posed(
-            [_rested(o) for o in there], [np.ones(3)] * len(there), [0.0] * len(there),
+            [_resting_mesh(o) for o in there], [np.ones(3)] * len(there), [0.0] * len(there),
             np.array([o.pose.position for o in there]), config, seed,
         )  # fmt: skip
         found, _ = misfits(seen, posed, config)
     return float((found.sum() + len(shown) - len(there)) / len(shown))
 
 
-def _shown(instances: Sequence[Instance]) -> dict[str, Instance]:
+def _shown_instances(instances: Sequence[Instance]) -> dict[str, Instance]:
     return {i.name: i for i in instances if i.name != TABLE and (i.crop[..., 3] > 127).any()}
 
 
-def _rested(thing: Object) -> Mesh:
+def _resting_mesh(thing: Object) -> Mesh:
     """Return an object's mesh in metres, turned as it rests."""
     mesh = thing.model.mesh
     turn = quaternion_matrix(thing.pose.quaternion)
     return replace(mesh, vertices=(mesh.vertices * thing.scale) @ turn.T)
 
 
-def _moved(
+def _move(
     placements: Sequence[Placement],
     moving: Sequence[Placement],
     steps: Float[np.ndarray, "n 4"],

@@ -1,4 +1,4 @@
-"""What the picture shows of things, and what moves them: the tensors of the joint refinement."""
+"""Tensors of the joint refinement: what the picture shows, and what moves things."""
 
 from __future__ import annotations
 
@@ -10,24 +10,18 @@ import numpy as np
 from jaxtyping import Float
 
 from ...geometry import Camera, view_rotation
-from ...scene import (
-    Instance,
-    Mesh,
-    Model,
-    Placement,
-    View,
-)
+from ...scene import Instance, Mesh, Model, Placement, View
 from .config import RefinementConfig
 from .crowding import Crowd, make_crowd
 
 if TYPE_CHECKING:
     from torch import Tensor
 
-    from ...render.soft import Surface
+    from ...render.soft import SampledSurface
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class ObservedThings:
     """What the picture shows of ``n`` things, in tight crops, and the camera's direction.
 
     ``middle`` is the crops' in x/z, y/z of the camera; ``scale`` is in pixels per unit of those.
@@ -41,10 +35,10 @@ class Seen:
 
 
 @dataclass(frozen=True, eq=False)
-class Posed:
+class PosedThings:
     """Where ``n`` things are: surface, yaw (radians), box centre (metres)."""
 
-    surface: Surface
+    surface: SampledSurface
     yaw: Float[Tensor, "n"]
     place: Float[Tensor, "n 3"]
 
@@ -65,8 +59,8 @@ class Links:
 class Problem:
     """Everything the loss needs of ``n`` things."""
 
-    seen: Seen
-    posed: Posed
+    seen: ObservedThings
+    posed: PosedThings
     links: Links
     crowd: Crowd
 
@@ -77,16 +71,9 @@ def make_seen(
     view: View,
     image_size: tuple[int, int],
     config: RefinementConfig,
-) -> Seen:
+) -> ObservedThings:
     """Return what the picture shows of things; any of ``all_things`` may hide them."""
-    from ...render.crop import (
-        MARGIN,
-        hiders,
-        in_reference,
-        mask_in_crop,
-        tight_box,
-        tight_crop,
-    )
+    from ...render.crop import MARGIN, hiders, in_reference, mask_in_crop, tight_box, tight_crop
     from ...render.soft import smooth
 
     size = config.resolution
@@ -103,7 +90,7 @@ def make_seen(
             sure -= (1 - config.unsure) * over
         weights.append(sure)
     span = (boxes[:, 2:] - boxes[:, :2]).max(1) / eye.focal
-    return Seen(
+    return ObservedThings(
         smooth(tensor(masks)[:, None])[:, 0],
         tensor(weights),
         tensor(((boxes[:, :2] + boxes[:, 2:]) / 2 - eye.center) / eye.focal),
@@ -113,7 +100,7 @@ def make_seen(
 
 
 def make_problem(
-    seen: Seen,
+    seen: ObservedThings,
     moving: Sequence[Placement],
     placements: Sequence[Placement],
     models: Mapping[str, Model],
@@ -162,16 +149,16 @@ def make_posed(
     places: Float[np.ndarray, "n 3"],
     config: RefinementConfig,
     seed: int,
-) -> Posed:
+) -> PosedThings:
     """Return things where they are, with points drawn from their surfaces."""
     from ...render.soft import sample_surface, stack
 
     pairs = zip(meshes, scales, strict=True)
     surfaces = [sample_surface(mesh, scale, config.points, seed) for mesh, scale in pairs]
-    return Posed(stack(surfaces), tensor(yaws), tensor(places))
+    return PosedThings(stack(surfaces), tensor(yaws), tensor(places))
 
 
-def standpoint(seen: Seen, posed: Posed) -> Float[Tensor, "3"]:
+def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
     """Return where a camera of known direction stands that sees things in their crops' middles.
 
     Least squares over the distances of the things' centres from their rays.

@@ -8,14 +8,8 @@ them in one tensor.
 from .certainty import margin, widths
 from .config import RotationConfig
 from .estimate import estimate_rotations, optimise_rotation
-from .found import Answer, Found
-from .losses import (
-    appearance_loss,
-    contour_distance,
-    edge_loss,
-    rotation_loss,
-    silhouette_loss,
-)
+from .found import RotationAnswer, RotationCandidate
+from .losses import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
 from .objective import (
     Candidates,
     Levels,
@@ -25,23 +19,16 @@ from .objective import (
     make_objectives,
     make_target,
 )
-from .prior import preferred, prior_yaw, same_side
-from .search import (
-    coarse_losses,
-    coarse_search,
-    losses_at,
-    refine,
-    search,
-    selected,
-)
+from .prior import prefer, prior_yaw, same_side
+from .search import coarse_losses, coarse_search, losses_at, refine, search, select
 from .symmetry import looks_order, looks_round, turning_changes
 
 __all__ = [
-    "Answer",
     "Candidates",
-    "Found",
     "Levels",
     "Objective",
+    "RotationAnswer",
+    "RotationCandidate",
     "RotationConfig",
     "Target",
     "appearance_loss",
@@ -58,13 +45,13 @@ __all__ = [
     "make_target",
     "margin",
     "optimise_rotation",
-    "preferred",
+    "prefer",
     "prior_yaw",
     "refine",
     "rotation_loss",
     "same_side",
     "search",
-    "selected",
+    "select",
     "silhouette_loss",
     "turning_changes",
     "widths",

@@ -1,11 +1,11 @@
-"""How sure a found yaw is: against other sides, and against small turns."""
+"""Certainty of a yaw: against other sides, and against small turns."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...geometry import wrap
-from .found import Found, Rows
+from .found import RotationCandidate, Rows
 from .objective import Candidates, Objective
 
 OTHER = float(np.deg2rad(20.0))
@@ -42,7 +42,7 @@ def margin(rounds: Rows, order: int = 1) -> float:
     return max(least, 0.0) if np.isfinite(least) else 0.0
 
 
-def widths(objective: Objective, found: list[Found]) -> list[float]:
+def widths(objective: Objective, found: list[RotationCandidate]) -> list[float]:
     """Return the change of yaw, radians in (0, pi], that adds ``RISE`` to each object's loss.
 
     By the second difference at the found pose of each of the objective's objects; pi where the
@@ -50,7 +50,7 @@ def widths(objective: Objective, found: list[Found]) -> list[float]:
     """
     import torch
 
-    from ...render.soft import Fit
+    from ...render.soft import CropFit
 
     device = objective.middle.device
     rows = torch.tensor(
@@ -58,7 +58,7 @@ def widths(objective: Objective, found: list[Found]) -> list[float]:
         device=device,
     )
     owner = torch.arange(len(found), device=device).repeat_interleave(3)
-    poses = Candidates(owner, rows[:, 0], rows[:, 1], Fit(rows[:, 2:4], rows[:, 4]))
+    poses = Candidates(owner, rows[:, 0], rows[:, 1], CropFit(rows[:, 2:4], rows[:, 4]))
     with torch.no_grad():
         losses = objective(poses).view(-1, 3).double().cpu().numpy()
     curvature = (losses[:, 0] - 2 * losses[:, 1] + losses[:, 2]) / _STEP**2

@@ -41,8 +41,9 @@ class RotationConfig:
         patience: stop after that many steps without progress; 0 never stops early.
         suspect, flat: an object whose coarse losses vary by less than ``suspect`` of the lowest
             may look the same from all sides. Then its own renders are compared with each other;
-            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. Likewise told
-            is which turns leave the looks of a doubtful object as they are. 0 asks for neither.
+            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. The same
+            comparison tells which turns leave the looks of a doubtful object unchanged. 0 turns
+            both off.
         edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
         keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
         perspective: see each object along its own ray; False looks at all of them as if they
@@ -56,7 +57,7 @@ class RotationConfig:
         relight: put the picture's light, a linear function of the surface's normal, on each render
             before Eq. 4 compares the two.
         unsure: weight of pixels where another instance may hide this one.
-        device: where torch works, "cpu" or "cuda". Only the CPU repeats itself to the bit.
+        device: where torch works, "cpu" or "cuda". Only the CPU is reproducible bit for bit.
     """
 
     lambda_s: float = 0.5
@@ -99,21 +100,23 @@ class RotationConfig:
     device: str = "cpu"
 
     def __post_init__(self) -> None:
-        require(self, "lambda_s", "lambda_e", "lambda_a", "fit_cost", least=0)
+        require(self, "lambda_s", "lambda_e", "lambda_a", "fit_cost", minimum=0)
         if not self.lambda_s + self.lambda_e + self.lambda_a > 0:
             raise InputError("RotationConfig needs one of lambda_s, lambda_e and lambda_a above 0.")
-        require(self, "coarse_step", above=0, most=np.pi)
-        require(self, "separation", least=0, most=np.pi)
-        require(self, "candidates", "rivals", "finalists", "thinning", least=1, whole=True)
+        require(self, "coarse_step", above=0, maximum=np.pi)
+        require(self, "separation", minimum=0, maximum=np.pi)
+        require(self, "candidates", "rivals", "finalists", "thinning", minimum=1, integer=True)
         require(self, "coarse_steps", "rival_steps", "close_steps", "steps", "patience",
-                least=0, whole=True)  # fmt: skip
-        require(self, "coarse_resolution", "resolution", "close_resolution", least=16, whole=True)
-        require(self, "points", "close_points", least=100, whole=True)
+                minimum=0, integer=True)  # fmt: skip
+        require(
+            self, "coarse_resolution", "resolution", "close_resolution", minimum=16, integer=True
+        )
+        require(self, "points", "close_points", minimum=100, integer=True)
         shares = ("rival", "crowded", "doubt", "tie", "suspect", "flat")
-        require(self, *shares, least=0, endless=True)
+        require(self, *shares, minimum=0, allow_inf=True)
         require(self, "learning_rate", "edge_unit", above=0)
-        require(self, "max_tilt", least=0, most=np.pi / 2)
-        require(self, "max_fit", "unsure", least=0, most=1)
+        require(self, "max_tilt", minimum=0, maximum=np.pi / 2)
+        require(self, "max_fit", "unsure", minimum=0, maximum=1)
         if not re.fullmatch(r"cpu|cuda(:\d+)?", str(self.device)):
             raise InputError(
                 f"RotationConfig needs device 'cpu', 'cuda' or 'cuda:N', got {self.device!r}."

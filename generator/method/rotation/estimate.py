@@ -11,17 +11,10 @@ from jaxtyping import Bool
 from ...backends.protocols import Encoder
 from ...errors import InputError
 from ...render.crop import hiders
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    View,
-)
+from ...scene import TABLE, Instance, Model, Reference, Rotation, View
 from ...threads import single_thread, threads
 from .config import RotationConfig
-from .found import Answer
+from .found import RotationAnswer
 from .objective import make_objectives
 from .prior import prior_yaw
 from .search import search
@@ -54,7 +47,7 @@ def estimate_rotations(
             raise InputError(f"Instance {instance.name!r} has no model; make the models first.")
     hidden = [hiders(instance, things) for instance in things]
 
-    def searched(group: Sequence[int]) -> list[Answer]:
+    def search_group(group: Sequence[int]) -> list[RotationAnswer]:
         for k in group:
             if progress:
                 progress(things[k].name)
@@ -69,9 +62,11 @@ def estimate_rotations(
     with single_thread():
         if config.device == "cpu":
             with ThreadPoolExecutor(min(threads(), max(len(things), 1))) as pool:
-                found = [rows[0] for rows in pool.map(searched, [[k] for k in range(len(things))])]
+                found = [
+                    rows[0] for rows in pool.map(search_group, [[k] for k in range(len(things))])
+                ]
         else:
-            found = searched(range(len(things))) if things else []
+            found = search_group(range(len(things))) if things else []
     return {t.name: _rotation(t.name, rows) for t, rows in zip(things, found, strict=True)}
 
 
@@ -112,7 +107,7 @@ def optimise_rotation(
     return _rotation(instance.name, found)
 
 
-def _rotation(name: str, answer: Answer) -> Rotation:
+def _rotation(name: str, answer: RotationAnswer) -> Rotation:
     found = answer.looks[0]
     candidates = tuple((f.yaw, f.loss) for f in found)
     return Rotation(

@@ -1,4 +1,4 @@
-"""What the search finds."""
+"""Results of the search."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Place = tuple[float, float, float]
 """Shift to the right and down, as shares of a crop's side, and logarithm of the zoom."""
 
 
-class Found(NamedTuple):
+class RotationCandidate(NamedTuple):
     """A candidate's yaw (radians), loss, tilt (radians) and place in its crop."""
 
     yaw: float
@@ -20,13 +20,13 @@ class Found(NamedTuple):
     place: Place = (0.0, 0.0, 0.0)
 
 
-Rows = list[list[Found]]
+Rows = list[list[RotationCandidate]]
 """Candidates, best first: those of several objects, or of one object at several looks."""
 
 
 @dataclass(frozen=True)
-class Answer:
-    """What is found for one object.
+class RotationAnswer:
+    """The result for one object.
 
     ``looks`` are its candidates at each look, the closest look first; ``margin``, ``width``,
     ``symmetric`` and ``order`` are those of ``generator.scene.Rotation``.

@@ -71,7 +71,7 @@ def rotation_loss(
 def contour_distance(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "h w"]:
     """Return D_S of Eq. 3: each pixel's distance to the nearest Canny edge of ``mask``, pixels.
 
-    SciPy's transform is used since OpenCV's exact one does not repeat itself to the bit.
+    SciPy's transform is used because OpenCV's exact one is not reproducible bit for bit.
     """
     import cv2
     from scipy import ndimage

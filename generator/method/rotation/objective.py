@@ -1,4 +1,4 @@
-"""What candidates are compared with, and L_rot of Eq. 1 for objects of a scene, all at once."""
+"""Targets of the comparison, and L_rot of Eq. 1 for all objects of a scene at once."""
 
 from __future__ import annotations
 
@@ -15,18 +15,12 @@ from ...errors import InputError
 from ...geometry import view_rotation
 from ...scene import Instance, Model, View
 from .config import RotationConfig
-from .losses import (
-    appearance_loss,
-    contour_distance,
-    edge_loss,
-    rotation_loss,
-    silhouette_loss,
-)
+from .losses import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
 
 if TYPE_CHECKING:
     from torch import Tensor
 
-    from ...render.soft import Fit, SoftImages, Surface
+    from ...render.soft import CropFit, SampledSurface, SoftImages
 
 
 _NEAR_SIDE = 0.04  # of a crop's side: so near to a side of the box, what hides may cut it off
@@ -60,7 +54,7 @@ class Candidates:
     owner: Int[Tensor, "b"]
     yaw: Float[Tensor, "b"]
     tilt: Float[Tensor, "b"]
-    fit: Fit | None = None
+    fit: CropFit | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +65,7 @@ class Objective:
     whose outline was completed by a guess: they may be shifted and scaled in their crops.
     """
 
-    surface: Surface
+    surface: SampledSurface
     target: Target
     encoder: Encoder
     config: RotationConfig
@@ -87,7 +81,7 @@ class Objective:
         """Render the candidates and return each one's loss."""
         return self.compare(self.render(poses), self.target, poses.owner)
 
-    def placed(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
+    def place(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
         """Return rotations from object to camera axes, and where the centres lie, metres."""
         from ...render import soft
 
@@ -103,7 +97,7 @@ class Objective:
         from ...render import soft
 
         return soft.render(
-            self.surface, *self.placed(poses), self.target.mask.shape[-1],
+            self.surface, *self.place(poses), self.target.mask.shape[-1],
             self.config.keep_aspect, poses.owner, poses.fit, normals=self.config.relight,
         )  # fmt: skip
 
@@ -238,10 +232,10 @@ def make_objectives(
     masks = hidden or [None] * len(instances)
     loose = config.refine_fit and config.max_fit > 0
 
-    def sampled(points: int) -> Surface:
+    def sample(points: int) -> SampledSurface:
         return stack([sample_surface(m.mesh, m.size, points, seed) for m in models])
 
-    def at(resolution: int, points: Surface) -> Objective:
+    def at(resolution: int, points: SampledSurface) -> Objective:
         targets = [
             make_target(i, encoder, config, resolution, h)
             for i, h in zip(instances, masks, strict=True)
@@ -252,7 +246,7 @@ def make_objectives(
 
         return Objective(
             points.to(config.device),
-            _stacked(targets, config.device),
+            _stack(targets, config.device),
             encoder,
             config,
             tensor(view_rotation(view)),
@@ -261,26 +255,26 @@ def make_objectives(
             torch.tensor([loose and i.occluded for i in instances]).to(config.device),
         )
 
-    surface = sampled(config.points)
+    surface = sample(config.points)
     return Levels(
-        at(config.coarse_resolution, surface.thinned(config.thinning)),
+        at(config.coarse_resolution, surface.thin(config.thinning)),
         at(config.resolution, surface),
-        cache(lambda: at(config.close_resolution, sampled(config.close_points))),
+        cache(lambda: at(config.close_resolution, sample(config.close_points))),
     )
 
 
-def _stacked(targets: list[Target], device: str) -> Target:
+def _stack(targets: list[Target], device: str) -> Target:
     import torch
 
-    def joined(*tensors: Tensor) -> Tensor:
+    def join(*tensors: Tensor) -> Tensor:
         return torch.cat(tensors).to(device)
 
     return Target(
-        joined(*(t.image for t in targets)),
-        joined(*(t.mask for t in targets)),
-        joined(*(t.distance for t in targets)),
-        tuple(joined(*level) for level in zip(*(t.features for t in targets), strict=True)),
-        joined(*(t.weight for t in targets)),
-        tuple(joined(*level) for level in zip(*(t.weights for t in targets), strict=True)),
-        joined(*(t.cut for t in targets)),
+        join(*(t.image for t in targets)),
+        join(*(t.mask for t in targets)),
+        join(*(t.distance for t in targets)),
+        tuple(join(*level) for level in zip(*(t.features for t in targets), strict=True)),
+        join(*(t.weight for t in targets)),
+        tuple(join(*level) for level in zip(*(t.weights for t in targets), strict=True)),
+        join(*(t.cut for t in targets)),
     )

@@ -1,8 +1,8 @@
-"""What a modeler saw of an object's orientation: a hint where renders cannot tell the sides apart.
+"""The orientation seen by a modeler: a hint where renders cannot tell the sides apart.
 
 A model may come with the orientation in which its modeler saw it (``Model.orientation``). The yaw
-that it implies is one more start of the search, and it decides between sides whose losses differ
-by next to nothing. It never speaks against a loss that is clearly the least.
+that it implies is one more start of the search, and it decides between sides whose losses hardly
+differ. It never overrides a loss that is clearly lowest.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 from ...geometry import wrap
 from ...scene import Model
 from .certainty import OTHER
-from .found import Found
+from .found import RotationCandidate
 
 UPRIGHT = float(np.deg2rad(30.0))
 """Angle between a model's upward axis and the table's above which its yaw tells nothing."""
@@ -40,8 +40,8 @@ def agrees(yaw: float, prior: float | None) -> bool:
     return prior is not None and abs(wrap(yaw - prior)) <= NEAR
 
 
-def preferred(found: list[Found], prior: float | None) -> list[Found]:
-    """Return candidates, best first, with the one that the prior speaks for put in front.
+def prefer(found: list[RotationCandidate], prior: float | None) -> list[RotationCandidate]:
+    """Return candidates, best first, with the one that the prior supports in front.
 
     That is the best of another side that agrees with the prior, if the best does not, and if the
     losses of the two cannot be told apart.
@@ -56,7 +56,7 @@ def preferred(found: list[Found], prior: float | None) -> list[Found]:
     return found
 
 
-def same_side(found: Found, order: int, prior: float | None) -> Found:
+def same_side(found: RotationCandidate, order: int, prior: float | None) -> RotationCandidate:
     """Return a candidate turned, by a multiple of 2 pi / ``order``, to where the prior has it.
 
     So turned it looks the same; where no such turn agrees with the prior, it stays.

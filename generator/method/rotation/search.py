@@ -14,14 +14,9 @@ from jaxtyping import Float
 from ...geometry import wrap
 from .certainty import OTHER, margin, widths
 from .config import RotationConfig
-from .found import (
-    Answer,
-    Found,
-    Place,
-    Rows,
-)
+from .found import Place, RotationAnswer, RotationCandidate, Rows
 from .objective import Candidates, Levels, Objective
-from .prior import agrees, preferred, same_side
+from .prior import agrees, prefer, same_side
 from .sides import reaching_past
 from .symmetry import looks_order, looks_round
 
@@ -33,7 +28,7 @@ _CHUNK = 24  # coarse candidates of an object rendered at once
 _SHIFT = 0.3  # Adam's step of shift and zoom, per step of yaw
 
 
-def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list[Answer]:
+def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list[RotationAnswer]:
     """Return what is found for every object.
 
     An object that looks the same from all sides has one candidate, yaw 0. ``priors`` are yaws
@@ -43,9 +38,9 @@ def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list
     hints = [None] * len(coarse) if priors is None else list(priors)
     starts, crowded, still, whole = _starts(levels, hints)
 
-    def rivals_of(rows: Rows, most: int, share: float) -> Rows:
+    def rivals_of(rows: Rows, maximum: int, share: float) -> Rows:
         return [
-            _rivals(found, most, share, config, hint)
+            _rivals(found, maximum, share, config, hint)
             for found, hint in zip(rows, hints, strict=True)
         ]
 
@@ -65,13 +60,13 @@ def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list
         rounds.append([new or old[:1] for new, old in zip(refined, rivals, strict=True)])
     finalists = rivals_of(rounds[-1], config.finalists, config.tie)
     last = refine(close, finalists, config.steps)
-    rounds.append([preferred(found, hint) for found, hint in zip(last, hints, strict=True)])
+    rounds.append([prefer(found, hint) for found, hint in zip(last, hints, strict=True)])
     exact = widths(close, [flat or found[0] for flat, found in zip(still, rounds[-1], strict=True)])
     answers = []
     for k, flat in enumerate(still):
         looks = [found[k] for found in reversed(rounds)]
         if flat is not None:
-            answers.append(Answer([[flat]]))
+            answers.append(RotationAnswer([[flat]]))
         else:
             answers.append(_answer(levels, k, looks, exact[k], whole[k], hints[k]))
     return answers
@@ -82,13 +77,13 @@ def _answer(
     number: int,
     looks: Rows,
     width: float,
-    whole: list[Found],
+    candidates: list[RotationCandidate],
     prior: float | None,
-) -> Answer:
+) -> RotationAnswer:
     """Return an object's answer; where another side fits about as well, look if it is the same.
 
-    ``whole`` is the coarse search: all candidates may be of sides that are the same. Of those that
-    are, the one that the prior speaks for is taken.
+    ``candidates`` is the coarse search: all candidates may be of sides that are the same. Of those
+    that are, the one that the prior supports is taken.
     """
     config, sure, order = levels.coarse.config, margin(looks), 1
     least = min(looks[0], key=lambda f: f.loss).yaw
@@ -96,14 +91,14 @@ def _answer(
         order = looks_order(levels.close(), number, looks[0][0].yaw, config.flat)
         overruled = abs(wrap(order * (least - looks[0][0].yaw))) / order >= OTHER
         sure = margin(looks, order)
-        sure = sure if overruled else sure or margin([looks[0][:1], whole], order)
+        sure = sure if overruled else sure or margin([looks[0][:1], candidates], order)
         looks = [[same_side(looks[0][0], order, prior), *looks[0][1:]], *looks[1:]]
-    return Answer(looks, sure, width, False, order)
+    return RotationAnswer(looks, sure, width, False, order)
 
 
 def _starts(
     levels: Levels, priors: Sequence[float | None]
-) -> tuple[Rows, list[bool], list[Found | None], Rows]:
+) -> tuple[Rows, list[bool], list[RotationCandidate | None], Rows]:
     """Search the whole turn.
 
     Returns:
@@ -120,32 +115,39 @@ def _starts(
     starts: Rows = []
     crowded: list[bool] = []
     for k, row in enumerate(losses):
-        best = selected(yaws, row, config)
+        best = select(yaws, row, config)
         close = len(best) > 1 and row[best[-1]] < (1 + config.crowded) * row.min()
         crowded.append(not flat[k] and bool(close))
         if crowded[-1]:
             row = losses_at(levels.fine, k, yaws, places[k])
-            best = selected(yaws, row, config)
-        found = [Found(float(yaws[n]), float(row[n]), 0.0, places[k][n]) for n in best]
+            best = select(yaws, row, config)
+        found = [RotationCandidate(float(yaws[n]), float(row[n]), 0.0, places[k][n]) for n in best]
         hint = priors[k]
         if hint is not None:
             found = _with_start(levels.fine if crowded[-1] else levels.coarse, k, found, hint)
         starts.append([] if flat[k] else found)
-    still = [Found(0.0, float(row[0])) if f else None for f, row in zip(flat, losses, strict=True)]
+    still = [
+        RotationCandidate(0.0, float(row[0])) if f else None
+        for f, row in zip(flat, losses, strict=True)
+    ]
     whole = [
-        [Found(float(yaw), float(loss)) for yaw, loss in zip(yaws, row, strict=True)]
+        [RotationCandidate(float(yaw), float(loss)) for yaw, loss in zip(yaws, row, strict=True)]
         for row in losses
     ]
     return starts, crowded, still, whole
 
 
-def _with_start(objective: Objective, number: int, found: list[Found], yaw: float) -> list[Found]:
+def _with_start(
+    objective: Objective, number: int, found: list[RotationCandidate], yaw: float
+) -> list[RotationCandidate]:
     """Return starts, best first, with one at ``yaw`` (radians), unless one is there already."""
     if any(abs(wrap(f.yaw - yaw)) < objective.config.separation / 3 for f in found):
         return found
     nearest = min(found, key=lambda f: abs(wrap(f.yaw - yaw)))
     (loss,) = losses_at(objective, number, np.array([yaw]), [nearest.place])
-    return sorted([*found, Found(yaw, float(loss), 0.0, nearest.place)], key=lambda f: f.loss)
+    return sorted(
+        [*found, RotationCandidate(yaw, float(loss), 0.0, nearest.place)], key=lambda f: f.loss
+    )
 
 
 def coarse_search(
@@ -198,7 +200,7 @@ def losses_at(
     """Return Eq. 1 of one object at yaws (radians), each in a place of its crop; no gradients."""
     import torch
 
-    from ...render.soft import Fit
+    from ...render.soft import CropFit
 
     device = objective.middle.device
     rows = torch.as_tensor(np.column_stack([yaws, places]), dtype=torch.float32, device=device)
@@ -206,12 +208,12 @@ def losses_at(
     with torch.no_grad():
         for part in rows.split(_CHUNK):
             owner = torch.full((len(part),), number, device=device)
-            fit = Fit(part[:, 1:3], part[:, 3])
+            fit = CropFit(part[:, 1:3], part[:, 3])
             out.append(objective(Candidates(owner, part[:, 0], torch.zeros_like(part[:, 0]), fit)))
     return torch.cat(out).cpu().numpy()
 
 
-def selected(
+def select(
     yaws: Float[np.ndarray, "n"], losses: Float[np.ndarray, "n"], config: RotationConfig
 ) -> list[int]:
     """Return which yaws have the lowest loss: at most ``candidates``, ``separation`` apart."""
@@ -231,7 +233,7 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
     """
     import torch
 
-    from ...render.soft import Fit
+    from ...render.soft import CropFit
 
     config, device = objective.config, objective.middle.device
     owners = [k for k, found in enumerate(starts) for _ in found]
@@ -242,14 +244,14 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
         [[f.yaw, f.tilt, *f.place] for found in starts for f in found], device=device
     )
     yaw = begin[:, 0].clone().requires_grad_()
-    tilt = _unbounded(begin[:, 1], config.max_tilt).requires_grad_(config.refine_camera)
+    tilt = _unbound(begin[:, 1], config.max_tilt).requires_grad_(config.refine_camera)
     loose = objective.loose[owner, None].float()
     change = torch.zeros(len(owners), 3, device=device, requires_grad=bool(loose.any()))
 
     def poses() -> tuple[Candidates, Float[Tensor, "b 3"]]:
-        place = begin[:, 2:] + loose * _bounded(change, config.max_fit)
-        fit = Fit(place[:, :2], place[:, 2]) if change.requires_grad else None
-        return Candidates(owner, yaw, _bounded(tilt, config.max_tilt), fit), place
+        place = begin[:, 2:] + loose * _bound(change, config.max_fit)
+        fit = CropFit(place[:, :2], place[:, 2]) if change.requires_grad else None
+        return Candidates(owner, yaw, _bound(tilt, config.max_tilt), fit), place
 
     groups = [
         {"params": [yaw, tilt], "lr": config.learning_rate},
@@ -278,35 +280,41 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
             for group, rate in zip(optimiser.param_groups, rates, strict=True):
                 group["lr"] = rate * fall
     rows = iter(best.cpu().tolist())
-    refined = [[_found(*next(rows)) for _ in found] for found in starts]
+    refined = [[_candidate(*next(rows)) for _ in found] for found in starts]
     return [sorted(found, key=lambda f: f.loss) for found in refined]
 
 
-def _found(loss: float, yaw: float, tilt: float, x: float, y: float, zoom: float) -> Found:
-    return Found(wrap(yaw), loss, tilt, (x, y, zoom))
+def _candidate(
+    loss: float, yaw: float, tilt: float, x: float, y: float, zoom: float
+) -> RotationCandidate:
+    return RotationCandidate(wrap(yaw), loss, tilt, (x, y, zoom))
 
 
 def _rivals(
-    found: list[Found], most: int, share: float, config: RotationConfig, prior: float | None
-) -> list[Found]:
+    found: list[RotationCandidate],
+    maximum: int,
+    share: float,
+    config: RotationConfig,
+    prior: float | None,
+) -> list[RotationCandidate]:
     """Return the best candidates, without those that have come to the same place or lie behind.
 
     One that agrees with the prior is among them, unless it lies behind.
     """
-    kept: list[Found] = []
+    kept: list[RotationCandidate] = []
     for candidate in sorted(found, key=lambda f: f.loss):
         near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)
         if not near and candidate.loss <= (1 + share) * (kept[0].loss if kept else np.inf):
             kept.append(candidate)
-    best = kept[:most]
+    best = kept[:maximum]
     if prior is not None and not any(agrees(f.yaw, prior) for f in best):
-        best[-1:] = next(([f] for f in kept[most:] if agrees(f.yaw, prior)), best[-1:])
+        best[-1:] = next(([f] for f in kept[maximum:] if agrees(f.yaw, prior)), best[-1:])
     return best
 
 
-def _bounded(raw: Tensor, most: float) -> Tensor:
-    return most * (raw / most).tanh() if most else 0 * raw
+def _bound(raw: Tensor, maximum: float) -> Tensor:
+    return maximum * (raw / maximum).tanh() if maximum else 0 * raw
 
 
-def _unbounded(value: Tensor, most: float) -> Tensor:
-    return most * (value / most).clamp(-0.999, 0.999).atanh() if most else 0 * value
+def _unbound(value: Tensor, maximum: float) -> Tensor:
+    return maximum * (value / maximum).clamp(-0.999, 0.999).atanh() if maximum else 0 * value

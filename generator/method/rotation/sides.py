@@ -1,4 +1,4 @@
-"""Where an object lies in its crop if something hides one side of it."""
+"""Place of an object in its crop if something hides one side of it."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 from .objective import Candidates, Objective
 
 if TYPE_CHECKING:
-    from ...render.soft import Fit
+    from ...render.soft import CropFit
 
 LEFT, TOP, RIGHT, BOTTOM = range(4)
 
 _MOST = 0.3  # change of size, and of place over the crop's side, that is not tried
 
 
-def reaching_past(objective: Objective, poses: Candidates, side: int) -> Fit:
+def reaching_past(objective: Objective, poses: Candidates, side: int) -> CropFit:
     """Return how candidates are drawn that agree with their boxes at all sides but one.
 
     The two opposite sides that are left tell the size, the third the place. A candidate that
@@ -23,10 +23,10 @@ def reaching_past(objective: Objective, poses: Candidates, side: int) -> Fit:
     import torch
 
     from ...render.crop import MARGIN
-    from ...render.soft import Fit, bounds
+    from ...render.soft import CropFit, bounds
 
     owner = poses.owner
-    low, high = bounds(objective.surface.corners[owner], *objective.placed(poses))
+    low, high = bounds(objective.surface.corners[owner], *objective.place(poses))
     own, box = high - low, objective.span[owner]
     inner = 1 - 2 * MARGIN
     own = inner * own / own.amax(1, keepdim=True)  # shares of the crop's side
@@ -39,4 +39,4 @@ def reaching_past(objective: Objective, poses: Candidates, side: int) -> Fit:
     moved = past / 2 if side in (RIGHT, BOTTOM) else -past / 2
     shift = torch.zeros_like(own)
     shift[:, across] = moved
-    return Fit(shift, zoom)
+    return CropFit(shift, zoom)

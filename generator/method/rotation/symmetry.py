@@ -1,4 +1,4 @@
-"""Which sides of an object look the same: told by its own renders, not by the picture."""
+"""Which sides of an object look the same, judged by its own renders, not by the picture."""
 
 from __future__ import annotations
 
@@ -61,9 +61,7 @@ def _changes(
     owner = torch.full((len(yaws),), number, device=device)
     poses = Candidates(owner, yaw, torch.zeros_like(yaw))
     still = Candidates(owner[:1], yaw[:1], poses.tilt[:1])
-    one, other = (
-        replace(objective, surface=objective.surface.thinned(2, first)) for first in (0, 1)
-    )
+    one, other = (replace(objective, surface=objective.surface.thin(2, first)) for first in (0, 1))
     with torch.no_grad():
         drawn = one.render(still)
         whole, side = drawn.silhouette, drawn.silhouette.shape[-1] * objective.config.edge_unit

@@ -90,12 +90,12 @@ def arrange(
     for _ in range(count * 2):
         if len(placed) >= count:
             break
-        thing = _posed(rng, supply, int(rng.choice(choice)), front, grown)
+        thing = _pose(rng, supply, int(rng.choice(choice)), front, grown)
         if placed and rng.random() < stacking:
-            tried = (_stacked(rng, supply, thing, placed, k) for k in _bases(rng, supply, placed))
+            tried = (_stack(rng, supply, thing, placed, k) for k in _bases(rng, supply, placed))
             found = next((f for f in tried if f is not None), None)
         else:
-            found = _laid(rng, supply, thing, ground, center, spread)
+            found = _lay(rng, supply, thing, ground, center, spread)
         if found is not None:
             placed.append(found)
     return placed
@@ -127,7 +127,7 @@ def _candidates(rng: np.random.Generator, supply: Supply) -> list[int]:
     return chosen + strays if len(chosen) > 3 else list(every)
 
 
-def _posed(
+def _pose(
     rng: np.random.Generator, supply: Supply, index: int, front: bool, grown: float
 ) -> Placed:
     """Return a thing of some size and turn, not yet anywhere; a few have fallen over."""
@@ -139,18 +139,18 @@ def _posed(
     slender = size[2] > 0.5 * min(size[0], size[1])
     fallen = slender and rng.random() < 0.05
     if fallen:
-        rotation = rotation @ _tipped(int(rng.integers(4)))
+        rotation = rotation @ _tip(int(rng.integers(4)))
     wrapped = float((yaw + np.pi) % (2 * np.pi) - np.pi)
     return Placed(index, size, wrapped, rotation, np.zeros(3), not fallen)
 
 
-def _tipped(side: int) -> Float[np.ndarray, "3 3"]:
+def _tip(side: int) -> Float[np.ndarray, "3 3"]:
     """Return the rotation of a thing fallen to one of four sides."""
     over = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
     return rotation_z(side * np.pi / 2) @ over
 
 
-def _laid(
+def _lay(
     rng: np.random.Generator,
     supply: Supply,
     thing: Placed,
@@ -172,7 +172,7 @@ def _laid(
     return None
 
 
-def _stacked(
+def _stack(
     rng: np.random.Generator, supply: Supply, thing: Placed, placed: list[Placed], base: int
 ) -> Placed | None:
     """Return the thing resting on or in another one, or None where it would not stay."""

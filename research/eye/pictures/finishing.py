@@ -1,4 +1,4 @@
-"""What happens to a picture after it is drawn: cartoon ink, lens, sensor, colours, JPEG."""
+"""Post-processing of a picture: cartoon ink, lens, sensor, colours, JPEG."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def cartoon(
     return flat * (1 - line) + rng.uniform(0, 60) * line
 
 
-def developed(
+def develop(
     rng: np.random.Generator, image: Float[np.ndarray, "h w 3"], clean: bool
 ) -> UInt8[np.ndarray, "h w 3"]:
     """Return the picture as a camera would give it; a ``clean`` one keeps its white white."""

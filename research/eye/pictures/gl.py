@@ -26,7 +26,7 @@ _NO_GL = (
 
 
 @dataclass(frozen=True, eq=False)
-class Thing:
+class PlacedMesh:
     """A mesh of the stock at a place: ``linear @ mesh + position``.
 
     ``linear`` holds turn and size, metres. ``texture`` is a number of the stock's textures.
@@ -55,7 +55,7 @@ class Lamp:
     spread: float = 0.0
 
 
-class Painter:
+class GlPainter:
     """One GL context holding one stock. Free it with ``close``.
 
     Raises:
@@ -98,7 +98,7 @@ class Painter:
 
     def picture(
         self,
-        things: Sequence[Thing],
+        things: Sequence[PlacedMesh],
         camera: Camera,
         lamps: Sequence[Lamp],
         rng: np.random.Generator,
@@ -121,7 +121,7 @@ class Painter:
         return total[::-1] / passes
 
     def ids(
-        self, things: Sequence[Thing], camera: Camera
+        self, things: Sequence[PlacedMesh], camera: Camera
     ) -> tuple[Int[np.ndarray, "h w"], Float[np.ndarray, "h w"]]:
         """Return the index of the thing each pixel shows (-1 none) and its depth, metres."""
         self._load(things)
@@ -129,7 +129,7 @@ class Painter:
 
     def silhouettes(
         self,
-        things: Sequence[Thing],
+        things: Sequence[PlacedMesh],
         boxes: Float[np.ndarray, "n 4"],
         camera: Camera,
     ) -> Bool[np.ndarray, "n h w"]:
@@ -176,7 +176,7 @@ class Painter:
         self._scene.flags[flag.mjRND_SEGMENT] = segment
         self._scene.flags[flag.mjRND_IDCOLOR] = segment
 
-    def _load(self, things: Sequence[Thing]) -> None:
+    def _load(self, things: Sequence[PlacedMesh]) -> None:
         import mujoco
 
         nothing, one = np.zeros(9), np.ones(4, np.float32)

@@ -7,7 +7,7 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from generator.catalogue.surfaces import textures
-from generator.catalogue.surfaces.colors import COLORS, tinted
+from generator.catalogue.surfaces.colors import COLORS, tint_color
 from generator.catalogue.surfaces.look import WOODS
 
 Picture = UInt8[np.ndarray, "h w 3"]
@@ -21,7 +21,7 @@ def any_color(rng: np.random.Generator) -> tuple[float, float, float]:
     return float(r), float(g), float(b)
 
 
-def muted(rng: np.random.Generator) -> tuple[float, float, float]:
+def muted_color(rng: np.random.Generator) -> tuple[float, float, float]:
     """Return a colour as rooms have: mostly greyish, from dark to light."""
     grey, color = rng.uniform(30, 240), np.array(any_color(rng))
     r, g, b = grey + (color - color.mean()) * rng.beta(1.0, 3.0)
@@ -35,28 +35,28 @@ def surface(rng: np.random.Generator) -> Picture:
         wood = WOODS[str(rng.choice(sorted(WOODS)))]
         return textures.wood(rng, wood, side=256, planks=int(rng.integers(3, 8)))
     if kind == 1:
-        ground = muted(rng)
-        return textures.grid(tinted(ground, 0.75), ground, 4, 4, 128, int(rng.integers(1, 4)))
+        ground = muted_color(rng)
+        return textures.grid(tint_color(ground, 0.75), ground, 4, 4, 128, int(rng.integers(1, 4)))
     if kind == 2:
         return carpet(rng)
     if kind == 3:
         return stone(rng)
-    color = tinted(muted(rng), 1.5) if kind == 4 else muted(rng)
-    return textures.speckled(rng, color, float(rng.uniform(2, 14)), 128)
+    color = tint_color(muted_color(rng), 1.5) if kind == 4 else muted_color(rng)
+    return textures.speckles(rng, color, float(rng.uniform(2, 14)), 128)
 
 
 def stone(rng: np.random.Generator) -> Picture:
     """Return veined stone, from faint grey veins in white to bold ones of any colour."""
     if rng.random() < 0.4:
         return textures.marble(rng, (225, 222, 216), (150, 145, 140), 128)
-    ground = muted(rng) if rng.random() < 0.5 else tinted(muted(rng), 1.6)
-    return textures.marble(rng, ground, muted(rng), 128)
+    ground = muted_color(rng) if rng.random() < 0.5 else tint_color(muted_color(rng), 1.6)
+    return textures.marble(rng, ground, muted_color(rng), 128)
 
 
 def carpet(rng: np.random.Generator) -> Picture:
     """Return a carpet of many thin strokes of related colours."""
     side = 128
-    base = np.array(muted(rng)) * rng.uniform(0.4, 1)
+    base = np.array(muted_color(rng)) * rng.uniform(0.4, 1)
     strokes = rng.normal(0, 1, (side, side // 8)).repeat(8, 1)
     image = base + strokes[..., None] * rng.uniform(3, 22) + rng.normal(0, 6, (side, side, 1))
     return np.clip(image, 0, 255).astype(np.uint8)
@@ -70,7 +70,7 @@ def cloth(rng: np.random.Generator) -> Picture:
     if kind == 1:
         return textures.fabric(rng, any_color(rng))
     if kind == 2:
-        return textures.woven(rng, any_color(rng))
+        return textures.basketwork(rng, any_color(rng))
     return textures.stripes([any_color(rng), any_color(rng)], int(rng.integers(2, 9)))
 
 
@@ -80,9 +80,9 @@ def clutter(rng: np.random.Generator, side: int = 256, shapes: int = 60) -> Pict
     small = rng.uniform(0, 255, (int(rng.integers(2, 9)), int(rng.integers(2, 9)), 1))
     small = small + rng.normal(0, 40, (*small.shape[:2], 3))
     image = cv2.resize(small.astype(np.float32), (side, side), interpolation=cv2.INTER_CUBIC)
-    image = np.clip(image * 0.6 + np.array(muted(rng)) * 0.4, 0, 255).astype(np.uint8)
+    image = np.clip(image * 0.6 + np.array(muted_color(rng)) * 0.4, 0, 255).astype(np.uint8)
     for k in range(int(rng.integers(shapes // 4, shapes))):
-        color = any_color(rng) if rng.random() < vivid else muted(rng)
+        color = any_color(rng) if rng.random() < vivid else muted_color(rng)
         scale = side * float(rng.uniform(0.02, 0.25))
         at = rng.uniform(0, side, 2)
         angle, aspect = float(rng.uniform(0, 180)), float(rng.uniform(0.1, 1))
@@ -99,7 +99,7 @@ def clutter(rng: np.random.Generator, side: int = 256, shapes: int = 60) -> Pict
 
 def gradient(rng: np.random.Generator, side: int = 512) -> Picture:
     """Return a studio background: two shades, upwards or outwards."""
-    first = np.array(tinted(any_color(rng), 1.6) if rng.random() < 0.4 else muted(rng))
+    first = np.array(tint_color(any_color(rng), 1.6) if rng.random() < 0.4 else muted_color(rng))
     second = np.clip(first * rng.uniform(0.4, 1.25), 0, 255)
     y, x = np.mgrid[0 : 1 : side * 1j, 0 : 1 : side * 1j]
     if rng.random() < 0.5:

@@ -1,4 +1,4 @@
-"""From a seed to a finished sample: stage, draw, ask for the truth, finish."""
+"""From a seed to a finished sample: stage, draw, read the ground truth, post-process."""
 
 from __future__ import annotations
 
@@ -10,23 +10,16 @@ from jaxtyping import Bool, Float, Int
 
 from generator.geometry import Camera
 
-from ..sample import (
-    BACKGROUND,
-    OBJECT,
-    TABLE_REST,
-    TOP,
-    Sample,
-    filled,
-)
+from ..sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample, fill
 from . import finishing
-from .gl import Painter, Thing
+from .gl import GlPainter, PlacedMesh
 from .staging import Staging, backdrop_board, stage
 from .supply import Supply
 
 _LEAST = 12  # pixels that an instance must show to count as one
 
 
-def render_sample(rng: np.random.Generator, supply: Supply, painter: Painter) -> Sample:
+def render_sample(rng: np.random.Generator, supply: Supply, painter: GlPainter) -> Sample:
     """Return one random sample drawn by ``painter``, which holds the supply's stock."""
     while True:
         staging = stage(rng, supply, painter.side)
@@ -35,7 +28,7 @@ def render_sample(rng: np.random.Generator, supply: Supply, painter: Painter) ->
             return sample
 
 
-def draw(rng: np.random.Generator, staging: Staging, supply: Supply, painter: Painter) -> Sample:
+def draw(rng: np.random.Generator, staging: Staging, supply: Supply, painter: GlPainter) -> Sample:
     """Return the finished sample of a staged scene."""
     camera = staging.camera
     painter.hang(staging.backdrop)
@@ -46,26 +39,26 @@ def draw(rng: np.random.Generator, staging: Staging, supply: Supply, painter: Pa
     n, t = len(staging.objects), len(staging.tabletop)
     visible = np.where((ids >= 0) & (ids < n), ids + 1, 0)
     on_table = (ids >= n) & (ids < n + t)
-    outline = _projected(staging.outline, camera)
-    top = filled(outline, painter.side, painter.side)
+    outline = _project(staging.outline, camera)
+    top = fill(outline, painter.side, painter.side)
     if staging.mirror > 0:
-        image = _reflected(rng, image, on_table & top, staging, board, painter)
+        image = _reflect(rng, image, on_table & top, staging, board, painter)
     full = painter.silhouettes(staging.objects, _boxes(staging, supply), camera)
     region = np.full(ids.shape, BACKGROUND, np.uint8)
     region[on_table] = TABLE_REST
     region[on_table & top] = TOP
     region[visible > 0] = OBJECT
     if staging.cartoon:
-        image = finishing.cartoon(rng, image, *_inked(staging, ids, depth))
+        image = finishing.cartoon(rng, image, *_ink(staging, ids, depth))
     clean = staging.setting == "white" or staging.cartoon
-    picture = finishing.developed(rng, image, clean)
-    kept, visible = _kept(visible, full)
+    picture = finishing.develop(rng, image, clean)
+    kept, visible = _keep_shown(visible, full)
     lost = (region == OBJECT) & (visible == 0)
     region[lost] = np.where(top[lost], TOP, BACKGROUND)
     return _sample(staging, supply, picture, visible, full, kept, region, top, outline, depth)
 
 
-def _inked(
+def _ink(
     staging: Staging, ids: Int[np.ndarray, "h w"], depth: Float[np.ndarray, "h w"]
 ) -> tuple[Int[np.ndarray, "h w"], Float[np.ndarray, "h w"]]:
     """Return ids and depth whose edges get ink: the table is one thing, a white floor none."""
@@ -110,7 +103,7 @@ def _sample(
     )
 
 
-def _kept(
+def _keep_shown(
     visible: Int[np.ndarray, "h w"], full: Bool[np.ndarray, "n h w"]
 ) -> tuple[list[int], Int[np.ndarray, "h w"]]:
     """Return the instances that show enough, and the index map renumbered to them.
@@ -140,7 +133,7 @@ def _boxes(staging: Staging, supply: Supply) -> Float[np.ndarray, "n 4"]:
     return boxes
 
 
-def _projected(corners: Float[np.ndarray, "k 3"], camera: Camera) -> Float[np.ndarray, "m 2"]:
+def _project(corners: Float[np.ndarray, "k 3"], camera: Camera) -> Float[np.ndarray, "m 2"]:
     """Return a convex polygon's pixels, cut where it comes too near to the camera."""
     near = 0.02
     depth = camera.to_camera(corners)[:, 2] - near
@@ -155,13 +148,13 @@ def _projected(corners: Float[np.ndarray, "k 3"], camera: Camera) -> Float[np.nd
     return camera.project(np.array(cut)) if len(cut) >= 3 else np.zeros((0, 2))
 
 
-def _reflected(
+def _reflect(
     rng: np.random.Generator,
     image: Float[np.ndarray, "h w 3"],
     shiny: Bool[np.ndarray, "h w"],
     staging: Staging,
-    board: Thing,
-    painter: Painter,
+    board: PlacedMesh,
+    painter: GlPainter,
 ) -> Float[np.ndarray, "h w 3"]:
     """Return the picture with the things mirrored faintly in the tabletop."""
     height = staging.outline[0, 2]

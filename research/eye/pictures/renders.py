@@ -20,12 +20,7 @@ from generator.errors import InputError
 
 from ..shards import ShardReader, ShardWriter
 from ..sheet import contact_sheet
-from .supply import (
-    KEYS,
-    SEEDS,
-    Split,
-    supply,
-)
+from .supply import KEYS, SEEDS, Split, supply
 
 SIDE = 512
 """Pixels a side of every picture."""
@@ -35,7 +30,7 @@ PER_SHARD = 100
 
 
 @dataclass(frozen=True)
-class Job:
+class ShardJob:
     """A shard to make."""
 
     out: Path
@@ -50,16 +45,18 @@ def shard_path(out: Path, split: Split, seed: int, number: int) -> Path:
     return out / f"{split}-{seed}-{number:05d}.shard"
 
 
-def plan(out: Path, count: int, seed: int, split: Split) -> tuple[Job, ...]:
+def plan(out: Path, count: int, seed: int, split: Split) -> tuple[ShardJob, ...]:
     """Return what is left to render of ``count`` samples; finished shards are skipped."""
     jobs = (
-        Job(out, seed, split, k, min(PER_SHARD, count - k * PER_SHARD))
+        ShardJob(out, seed, split, k, min(PER_SHARD, count - k * PER_SHARD))
         for k in range(-(-count // PER_SHARD))
     )
-    return tuple(j for j in jobs if _held(shard_path(out, split, seed, j.number)) < j.samples)
+    return tuple(
+        j for j in jobs if _count_samples(shard_path(out, split, seed, j.number)) < j.samples
+    )
 
 
-def _held(path: Path) -> int:
+def _count_samples(path: Path) -> int:
     """Return how many samples a shard holds, 0 where there is none."""
     if not path.exists():
         return 0
@@ -68,17 +65,17 @@ def _held(path: Path) -> int:
     return len(reader)
 
 
-def render(job: Job) -> int:
+def render(job: ShardJob) -> int:
     """Render a shard and return how many samples it got.
 
     Every sample depends on seed, split, its shard and its place alone.
     """
-    from .gl import Painter
+    from .gl import GlPainter
     from .rendering import render_sample
 
     origin = SEEDS[job.split][0]
     kept = supply(job.seed * 100_003 + job.number, job.split)
-    painter = Painter(kept.stock, SIDE)
+    painter = GlPainter(kept.stock, SIDE)
     path = shard_path(job.out, job.split, job.seed, job.number)
     try:
         with ShardWriter(path, KEYS) as writer:
@@ -90,7 +87,7 @@ def render(job: Job) -> int:
     return job.samples
 
 
-def render_all(jobs: tuple[Job, ...], workers: int) -> Iterator[int]:
+def render_all(jobs: tuple[ShardJob, ...], workers: int) -> Iterator[int]:
     """Run jobs in ``workers`` processes (1: in this one); yields as they finish."""
     os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software GL: one thread each
     if workers <= 1:
@@ -121,7 +118,7 @@ def main() -> None:
         Image.fromarray(contact_sheet(samples)).save(chosen.sheet)
 
 
-def _run(jobs: tuple[Job, ...], workers: int, count: int) -> None:
+def _run(jobs: tuple[ShardJob, ...], workers: int, count: int) -> None:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
     left = sum(job.samples for job in jobs)

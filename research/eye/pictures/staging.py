@@ -10,17 +10,12 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from generator.catalogue.build.outlines import rectangle
-from generator.geometry import (
-    Camera,
-    framing_camera,
-    inside_margin,
-    rotation_z,
-)
+from generator.geometry import Camera, framing_camera, inside_margin, rotation_z
 from generator.scene import View
 
 from . import patterns
 from .arranging import Placed, arrange
-from .gl import Lamp, Thing
+from .gl import Lamp, PlacedMesh
 from .supply import Supply
 
 Setting = Literal["white", "gradient", "room", "clutter"]
@@ -48,9 +43,9 @@ class Staging:
     """
 
     placed: tuple[Placed, ...]
-    objects: tuple[Thing, ...]
-    tabletop: tuple[Thing, ...]
-    surroundings: tuple[Thing, ...]
+    objects: tuple[PlacedMesh, ...]
+    tabletop: tuple[PlacedMesh, ...]
+    surroundings: tuple[PlacedMesh, ...]
     backdrop: UInt8[np.ndarray, "s s 3"]
     outline: Float[np.ndarray, "k 3"]
     camera: Camera
@@ -79,7 +74,7 @@ def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
     backdrop, surroundings = _surroundings(rng, supply, setting, camera, view, outline, lamps)
     return Staging(
         tuple(placed),
-        tuple(_drawn(rng, supply, p, tone) for p in placed),
+        tuple(_draw(rng, supply, p, tone) for p in placed),
         tuple(tabletop),
         tuple(surroundings),
         backdrop,
@@ -186,7 +181,7 @@ def _down(rng: np.random.Generator, view: View, spread: float) -> Float[np.ndarr
 # ------------------------------------------------------------------------------------ things
 
 
-def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone) -> Thing:
+def _draw(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone) -> PlacedMesh:
     """Return the thing as drawn: its own look, or a borrowed colour or texture."""
     mesh = supply.model_mesh(placed.model)
     texture = mesh
@@ -210,7 +205,7 @@ def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone)
     if color[3] == 1 and rng.random() < 0.015:
         color[3] = rng.uniform(0.35, 0.7)
     r, g, b, a = (float(c) for c in color)
-    return Thing(
+    return PlacedMesh(
         mesh,
         placed.rotation @ np.diag(placed.size),
         placed.position,
@@ -227,25 +222,27 @@ def _level(rng: np.random.Generator, tone: Tone) -> Float[np.ndarray, "3"]:
     return grey * rng.uniform(0.92, 1, 3)
 
 
-def _furniture(rng: np.random.Generator, supply: Supply, index: int, tone: Tone) -> list[Thing]:
+def _furniture(
+    rng: np.random.Generator, supply: Supply, index: int, tone: Tone
+) -> list[PlacedMesh]:
     """Return the table: as built, or its top plain white or coloured, or covered by a texture."""
     size = supply.tables[index].size
     mesh = supply.table_mesh(index)
     at = np.array([0.0, 0.0, size[2] / 2])
     gloss = float(rng.choice([0.0, 0.1, 0.5]))
-    legs = Thing(mesh, np.diag(size), at, mesh, _paint(rng), gloss, 0.6)
+    legs = PlacedMesh(mesh, np.diag(size), at, mesh, _paint(rng), gloss, 0.6)
     chance = rng.random() if tone == "any" else 0.5
     if chance < 0.45:
-        top = Thing(mesh + 1, np.diag(size), at, mesh, legs.color, gloss, 0.6)
+        top = PlacedMesh(mesh + 1, np.diag(size), at, mesh, legs.color, gloss, 0.6)
     elif chance < 0.8:
         plain = np.full(3, rng.uniform(0.8, 1)) if rng.random() < 0.6 else rng.uniform(0, 1, 3)
         if tone != "any":
             plain = _level(rng, tone)
         r, g, b = (float(c) for c in plain * rng.uniform(0.95, 1, 3))
-        top = Thing(mesh + 1, np.diag(size), at, 0, (r, g, b, 1.0), gloss, 0.6)
+        top = PlacedMesh(mesh + 1, np.diag(size), at, 0, (r, g, b, 1.0), gloss, 0.6)
     else:
         look = supply.cloths if chance > 0.96 else supply.surfaces
-        top = Thing(mesh + 2, np.diag(size), at, int(rng.choice(look)), specular=gloss)
+        top = PlacedMesh(mesh + 2, np.diag(size), at, int(rng.choice(look)), specular=gloss)
     if 0.45 < chance < 0.6:  # legs like the top
         legs = dataclasses.replace(legs, texture=0, color=top.color)
     return [legs, top]
@@ -261,7 +258,7 @@ def _paint(rng: np.random.Generator) -> tuple[float, float, float, float]:
 
 def _covers(
     rng: np.random.Generator, supply: Supply, outline: Float[np.ndarray, "k 2"], height: float
-) -> list[Thing]:
+) -> list[PlacedMesh]:
     """Return now and then a cloth over most of the top; smaller ones are things of their own."""
     if rng.random() > 0.06:
         return []
@@ -279,9 +276,9 @@ def _board(
     repeat: int,
     yaw: float = 0.0,
     glow: float = 0.0,
-) -> Thing:
+) -> PlacedMesh:
     """Return a box of the stock, its upper side textured."""
-    return Thing(repeat, rotation_z(yaw) @ np.diag(size), at, texture, glow=glow, specular=0.0)
+    return PlacedMesh(repeat, rotation_z(yaw) @ np.diag(size), at, texture, glow=glow, specular=0.0)
 
 
 # ------------------------------------------------------------------------------- surroundings
@@ -295,7 +292,7 @@ def _surroundings(
     view: View,
     outline: Float[np.ndarray, "k 2"],
     lamps: list[Lamp],
-) -> tuple[UInt8[np.ndarray, "s s 3"], list[Thing]]:
+) -> tuple[UInt8[np.ndarray, "s s 3"], list[PlacedMesh]]:
     """Return the backdrop's picture and the things around the table."""
     side = 512
     if setting == "white":
@@ -310,7 +307,7 @@ def _surroundings(
     return backdrop, _room(rng, supply, view, outline)
 
 
-def _white_floor(rng: np.random.Generator, lamps: list[Lamp], shade: float) -> list[Thing]:
+def _white_floor(rng: np.random.Generator, lamps: list[Lamp], shade: float) -> list[PlacedMesh]:
     """Return a floor that is as bright as the backdrop but for a faint shadow.
 
     Its own glow makes up for what the lights without shadows do not give.
@@ -322,13 +319,15 @@ def _white_floor(rng: np.random.Generator, lamps: list[Lamp], shade: float) -> l
     glow = max(0.0, max(1 - depth, 1.002 - cast) - given)
     size = np.array([14.0, 14.0, 0.02])
     return [
-        Thing(0, np.diag(size), np.array([0, 0, -0.01]), 0, (shade, shade, shade, 1.0), 0, 0, glow)
+        PlacedMesh(
+            0, np.diag(size), np.array([0, 0, -0.01]), 0, (shade, shade, shade, 1.0), 0, 0, glow
+        )
     ]
 
 
 def _room(
     rng: np.random.Generator, supply: Supply, view: View, outline: Float[np.ndarray, "k 2"]
-) -> list[Thing]:
+) -> list[PlacedMesh]:
     """Return a floor, perhaps walls, and furniture standing about, none in front of the table."""
     away = np.array([-np.sin(view.azimuth), np.cos(view.azimuth)])
     reach = float(np.abs(outline).max())
@@ -351,7 +350,9 @@ def _room(
     return things
 
 
-def _bystander(rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"]) -> list[Thing]:
+def _bystander(
+    rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"]
+) -> list[PlacedMesh]:
     """Return a box, an enlarged thing, or another tabletop with a few things on it."""
     yaw, kind = float(rng.uniform(-np.pi, np.pi)), rng.random()
     every = (*supply.surfaces, *supply.cloths, *supply.prints)
@@ -365,30 +366,32 @@ def _bystander(rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "
     size = supply.models[index].size
     size = size * float(rng.uniform(0.3, 0.9) / size.max())
     mesh, place = supply.model_mesh(index), np.array([*at, size[2] / 2])
-    return [Thing(mesh, rotation_z(yaw) @ np.diag(size), place, mesh)]
+    return [PlacedMesh(mesh, rotation_z(yaw) @ np.diag(size), place, mesh)]
 
 
 def _another_table(
     rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"], yaw: float
-) -> list[Thing]:
+) -> list[PlacedMesh]:
     index = int(rng.integers(len(supply.tables)))
     size, first = supply.tables[index].size * [0.7, 0.7, 1.0], supply.table_mesh(index)
     place, turn = np.array([*at, size[2] / 2]), rotation_z(yaw)
-    things = [Thing(first + k, turn @ np.diag(size), place, first) for k in range(2)]
+    things = [PlacedMesh(first + k, turn @ np.diag(size), place, first) for k in range(2)]
     for _ in range(int(rng.integers(4))):
         k = int(rng.integers(len(supply.models)))
         model, mesh = supply.models[k], supply.model_mesh(k)
         spot = at + turn[:2, :2] @ (rng.uniform(-0.25, 0.25, 2) * size[:2])
         rest = np.array([*spot, size[2] + model.size[2] / 2])
-        things.append(Thing(mesh, turn @ np.diag(model.size), rest, mesh))
+        things.append(PlacedMesh(mesh, turn @ np.diag(model.size), rest, mesh))
     return things
 
 
-def backdrop_board(camera: Camera, texture: int) -> Thing:
+def backdrop_board(camera: Camera, texture: int) -> PlacedMesh:
     """Return a glowing board far behind everything that fills the camera's picture."""
     distance = 25.0
     extent = 2.2 * distance * np.tan(camera.fov / 2) * max(1.0, camera.width / camera.height)
     right, down, forward = camera.rotation
     turn = np.column_stack([right, forward, -down])  # its -y side faces the camera
     linear = turn @ np.diag([extent, 0.01, extent])
-    return Thing(0, linear, camera.position + distance * forward, texture, specular=0.0, glow=1.0)
+    return PlacedMesh(
+        0, linear, camera.position + distance * forward, texture, specular=0.0, glow=1.0
+    )

@@ -6,14 +6,7 @@ import numpy as np
 
 from generator.catalogue.build.outlines import ellipse, smooth
 from generator.catalogue.build.shape import Shape, mesh_of, shape
-from generator.catalogue.build.solids import (
-    Solid,
-    block,
-    cylinder,
-    ellipsoid,
-    lathe,
-    prism,
-)
+from generator.catalogue.build.solids import Solid, block, cylinder, ellipsoid, lathe, prism
 from generator.catalogue.surfaces import textures
 from generator.geometry import to_unit_box
 from generator.scene import Model
@@ -24,7 +17,7 @@ from . import patterns
 def stranger(seed: int) -> Model:
     """Return a random solid thing of 3 to 35 cm, with any texture; it has no collision parts."""
     rng = np.random.default_rng([seed, 41])
-    kinds = (_turned, _turned, _extruded, _joined, _joined, _pebble)
+    kinds = (_lathe, _lathe, _extrusion, _composite, _composite, _pebble)
     solids = kinds[int(rng.integers(len(kinds)))](rng)
     tiles = [_tile(rng) for _ in range(int(rng.integers(1, 4)))]
     pieces = [(solid, tiles[k % len(tiles)]) for k, solid in enumerate(solids)]
@@ -38,15 +31,15 @@ def _tile(rng: np.random.Generator) -> textures.Tile:
     kind = int(rng.integers(7))
     color = patterns.any_color(rng)
     if kind <= 2:
-        return textures.speckled(rng, color, float(rng.uniform(0, 8)))
+        return textures.speckles(rng, color, float(rng.uniform(0, 8)))
     if kind == 3:
-        return textures.brushed(rng, color)
+        return textures.brushed_metal(rng, color)
     if kind == 4:
         return patterns.cloth(rng)
     return patterns.clutter(rng, 128, 24) if kind == 5 else textures.wood(rng, color)
 
 
-def _turned(rng: np.random.Generator) -> list[Solid]:
+def _lathe(rng: np.random.Generator) -> list[Solid]:
     count = int(rng.integers(3, 7))
     heights = np.linspace(0, rng.uniform(0.3, 3), count)
     radii = rng.uniform(0.12, 0.6, count)
@@ -65,25 +58,25 @@ def _turned(rng: np.random.Generator) -> list[Solid]:
     return [lathe(profile, 24)]
 
 
-def _extruded(rng: np.random.Generator) -> list[Solid]:
+def _extrusion(rng: np.random.Generator) -> list[Solid]:
     count = int(rng.integers(3, 16))
     radii = rng.uniform(0.45, 1, count) if rng.random() < 0.7 else np.ones(count)
     outline = ellipse(2, 2, count) * radii[:, None] * [1, rng.uniform(0.3, 1)]
     solid = prism(outline, 0, float(np.exp(rng.uniform(np.log(0.05), np.log(2)))))
-    return [solid.turned(0, np.pi / 2)] if rng.random() < 0.3 else [solid]
+    return [solid.turn(0, np.pi / 2)] if rng.random() < 0.3 else [solid]
 
 
-def _joined(rng: np.random.Generator) -> list[Solid]:
+def _composite(rng: np.random.Generator) -> list[Solid]:
     first = rng.uniform(0.3, 1, 3)
     solids = [block(*first, radius=0.1 * float(rng.random()))]
     for _ in range(int(rng.integers(1, 5))):
         x, y, z = rng.uniform(0.15, 0.8, 3)
         part = block(x, y, z, 0.02) if rng.random() < 0.6 else cylinder(x / 2, z, 16)
         at = (rng.uniform(-0.5, 0.5, 3) * first) + [0, 0, 0.3 * first[2]]
-        solids.append(part.moved(at[0], at[1], max(0.0, at[2])))
+        solids.append(part.move(at[0], at[1], max(0.0, at[2])))
     return solids
 
 
 def _pebble(rng: np.random.Generator) -> list[Solid]:
     x, y, z = rng.uniform(0.4, 1, 3)
-    return [ellipsoid(x, y, z, 20, 10).moved(z=z / 2)]
+    return [ellipsoid(x, y, z, 20, 10).move(z=z / 2)]

@@ -1,4 +1,4 @@
-"""What scenes are set with: a seeded choice of models, tables and textures, compiled once."""
+"""The stock of scenes: a seeded choice of models, tables and textures, compiled once."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supp
     strangers = 0 if split == "eval" else models // 6
     order = np.concatenate([rng.permutation(len(KEYS)) for _ in range(1 + models // len(KEYS))])
     chosen = [int(k) for k in order[: models - strangers]]
-    made = [_built(rng, KEYS[k], low, high) for k in chosen]
+    made = [_build(rng, KEYS[k], low, high) for k in chosen]
     made += [stranger(int(rng.integers(low, high)) + 7919 * seed) for _ in range(strangers)]
     categories = chosen + [UNKNOWN] * strangers
     stands = [_table(rng, low, high) for _ in range(tables)]
@@ -105,14 +105,14 @@ def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supp
     )
 
 
-def _built(rng: np.random.Generator, key: str, low: int, high: int) -> Model:
+def _build(rng: np.random.Generator, key: str, low: int, high: int) -> Model:
     """Return a variant of a category, now and then in one of the catalogue's styles."""
     style = _pick(rng, sorted(STYLES)) if rng.random() < 0.15 else ""
     return build(key, int(rng.integers(low, high)), attributes={"style": style})
 
 
 def _unit_box(repeat: int) -> Mesh:
-    solid = box(1, 1, 1).moved(z=-0.5)
+    solid = box(1, 1, 1).move(z=-0.5)
     white = np.full((8, 8, 3), 255, np.uint8)
     return Mesh(solid.vertices, solid.faces, solid.uv * repeat, white)
 

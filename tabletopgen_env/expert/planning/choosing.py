@@ -1,4 +1,4 @@
-"""Which of an object's grasps to take: the best one that the arm can reach."""
+"""Choice of a grasp: the best one that the arm can reach."""
 
 from __future__ import annotations
 
@@ -11,13 +11,7 @@ from jaxtyping import Float
 
 from generator.geometry import wrap
 
-from ..arm import (
-    easiest,
-    knuckle_is_free,
-    stretch,
-    up,
-    wrists_are_free,
-)
+from ..arm import easiest, knuckle_is_free, stretch, up, wrists_are_free
 from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
 
@@ -32,7 +26,7 @@ _MOST = 80  # grasps that are looked at
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class GraspPlan:
     """A grasp that can be reached: the hand's yaw in the base frame, and where the object was."""
 
     grasp: Grasp
@@ -41,33 +35,27 @@ class Plan:
 
 
 class Chooser(Protocol):
-    """Says which grasp to take: the expert's planner (``choose``), or a detector."""
+    """Chooses a grasp: the expert's planner (``choose``), or a detector."""
 
-    def __call__(self, world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
+    def __call__(
+        self, world: World, target: str, failed: tuple[Grasp, ...] = ()
+    ) -> GraspPlan | None:
         """Return a grasp of ``target`` where it is now, None if there is none; as ``choose``."""
         ...
 
 
-def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
+def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> GraspPlan | None:
     """Return the best grasp of ``target`` where it is now that the arm can reach, None if none.
 
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        failed: grasps that failed, which rank last.
+    Those that ``failed`` rank last.
     """
-    return reached(world, target, plan_grasps(world, target, failed)[:_MOST])
+    return first_reachable(world, target, plan_grasps(world, target, failed)[:_MOST])
 
 
-def reached(world: World, target: str, found: list[Grasp]) -> Plan | None:
-    """Return the first grasp that the arm can reach, None if it can reach none.
+def first_reachable(world: World, target: str, found: list[Grasp]) -> GraspPlan | None:
+    """Return the first of the grasps ``found`` that the arm can reach; None if it can reach none.
 
     The wrist is kept off the height map of all but the target.
-
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        found: its grasps, best first.
     """
     center = world.position(target)
     low, high = center[:2] - _AROUND, center[:2] + _AROUND
@@ -75,17 +63,17 @@ def reached(world: World, target: str, found: list[Grasp]) -> Plan | None:
     points = np.array([grasp.point for grasp in found]).reshape(-1, 3)
     clear = wrists_are_free(world, others, points[:, :2], points[:, 2] - TIP)
     free = list(compress(found, clear))
-    last: Plan | None = None
-    # Where the wrist has no room for any, it may yet come by.
+    last: GraspPlan | None = None
+    # If the wrist has no room for any grasp, it may still pass.
     for grasp in free or found:
         points, tip = (grasp.point, grasp.point + up(HOVER)), float(grasp.point[2]) - TIP
         yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
         if yaw is None:
             continue
-        last = last or Plan(grasp, yaw, center)
+        last = last or GraspPlan(grasp, yaw, center)
         for turned in (yaw, wrap(yaw + np.pi)):
             if knuckle_is_free(world, others, grasp.point[:2], tip, turned) and (
                 turned == yaw or stretch(world, points, turned) is not None
             ):
-                return Plan(grasp, turned, center)
+                return GraspPlan(grasp, turned, center)
     return last

@@ -1,4 +1,4 @@
-"""Where the tool has to be for what it holds to be let go, followed until the fingers open."""
+"""The tool's path to the place where the held object is released."""
 
 from __future__ import annotations
 
@@ -31,14 +31,10 @@ _PUSHED = 0.02  # metres above the place below which a goal that moves is being 
 
 
 class Drop:
-    """The way of a held object to the place that was planned for it in its goal's region.
+    """The way of a held object to the place that ``plan`` has for it in its goal's region.
 
-    Args:
-        world: live poses count.
-        goal: what is asked for; its target is in the hand.
-        yaw: the hand's, now, in the base frame, radians.
-        opening: how far the fingers will open to let go, metres.
-        plan: says where.
+    ``yaw`` is the hand's, now, in the base frame, radians; ``opening`` how far the fingers will
+    open to let go, metres.
     """
 
     def __init__(
@@ -59,11 +55,11 @@ class Drop:
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Let what has shifted in the hand, and the goal's own way, count.
+        """Update the place by how the object has shifted in the hand and the goal has moved.
 
-        What is let go no longer counts, nor does a goal that moves when the hand is down there.
+        A released object no longer counts, nor does a goal that moves while the hand is at it.
         """
-        left, right, _ = world.touched(self._target)
+        left, right, _ = world.touches(self._target)
         if not (left and right):
             return
         place, tool = self._place, world.data.site_xpos[world.tcp]
@@ -102,8 +98,8 @@ def hanging(world: World, target: str) -> float:
 def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
     """Return where from the tool the middle of the held object is, and how far it reaches about it.
 
-    Metres, along the table, world frame. With much ``turn`` (radians) left the middle may come to
-    be anywhere around the tool.
+    Metres, along the table, world frame. With a large ``turn`` (radians) left, the middle may end
+    up anywhere around the tool.
     """
     if abs(turn) > _TURNING:
         return np.zeros(3), breadth(world, target)
@@ -128,7 +124,7 @@ def met(world: World, goal: Goal) -> bool:
 def lost(world: World, goal: Goal) -> bool:
     """Return whether the goal's target lies still and let go, but not as the goal asks."""
     assert goal.target is not None
-    still = not world.touched(goal.target)[2] and at_rest(world, goal.target)
+    still = not world.touches(goal.target)[2] and at_rest(world, goal.target)
     return still and not met(world, goal)
 
 

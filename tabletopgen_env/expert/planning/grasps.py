@@ -18,23 +18,8 @@ from jaxtyping import Bool, Float, Int
 from generator.geometry import rotation_yaw, rotation_z
 
 from ...robot import franka
-from .heights import (
-    HeightMap,
-    Solid,
-    moved,
-    solid,
-    surroundings,
-)
-from .runs import (
-    FINGER_HALF,
-    PAD_HEIGHT,
-    RISE,
-    STEP_U,
-    STEP_V,
-    Slabs,
-    find_runs,
-    slabs,
-)
+from .heights import HeightMap, VoxelSolid, move_parts, solid, surroundings
+from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -70,15 +55,9 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` where it is now, best first.
-
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        avoid: grasps that failed; those like them rank last.
-    """
+    """Return top grasps of ``target`` where it is now, best first; those like ``avoid`` last."""
     candidates = grasps_along(world, target, _angles(world, target))
-    found = [_demoted(grasp, avoid) for grasp in candidates]
+    found = [_demote(grasp, avoid) for grasp in candidates]
     return sorted(found, key=lambda grasp: -grasp.score)
 
 
@@ -90,7 +69,7 @@ def _angles(world: World, target: str) -> list[float]:
 def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator[Grasp]:
     """Yield grasps of ``target`` where it is now, by the ``angles`` of their fingers' opening."""
     position, rotation = world.position(target), world.rotation(target)
-    own = moved(world.scene.object(target).parts, position, rotation)
+    own = move_parts(world.scene.object(target).parts, position, rotation)
     bounds = np.stack([part.bounds[:, :2] for part in own])
     low, high = bounds[:, 0].min(0), bounds[:, 1].max(0)
     others = surroundings(world, target, low - _PALM_REACH, high + _PALM_REACH, STEP_V)
@@ -98,7 +77,7 @@ def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator
     floor = world.scene.table.height
     # Cut in the object's own heading, so that what fits stays so wherever it is moved and turned.
     heading = rotation_z(rotation_yaw(rotation))
-    shape = solid(moved(own, -_level(position) @ heading, heading.T), STEP_U, RISE)
+    shape = solid(move_parts(own, -_level(position) @ heading, heading.T), STEP_U, RISE)
     cut = slabs(shape, floor)
     for angle in angles:
         yield from _along(
@@ -110,7 +89,7 @@ def _level(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
     return np.array([point[0], point[1], 0.0])
 
 
-def _demoted(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
+def _demote(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
     for failed in avoid:
         if is_like(grasp, failed):
             grasp = Grasp(grasp.point, grasp.angle, grasp.opening, grasp.width, grasp.score - 4.0)
@@ -131,7 +110,7 @@ class _Seen:
     ``heading`` turns from their frame into the world's, along the table.
     """
 
-    shape: Solid
+    shape: VoxelSolid
     cut: Slabs
     center: Float[np.ndarray, "2"]
     heading: Float[np.ndarray, "2 2"]
@@ -147,7 +126,7 @@ class _Seen:
         return np.array(self.shape.filled.shape[:2]) * self.shape.cell
 
     def columns(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
-        """Return the column nearest to each point (x, y, world); see ``Solid.nearest``."""
+        """Return the column nearest to each point (x, y, world); see ``VoxelSolid.nearest``."""
         return self.shape.nearest((points - self.center) @ self.heading)
 
 

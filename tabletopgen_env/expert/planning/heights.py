@@ -37,7 +37,7 @@ class HeightMap:
         return np.where(inside, self.heights.take(np.where(inside, i * ny + j, 0)), -np.inf)
 
 
-def moved(
+def move_parts(
     parts: Iterable[ConvexPart],
     position: Float[np.ndarray, "3"],
     rotation: Float[np.ndarray, "3 3"],
@@ -88,13 +88,13 @@ def surroundings(
         part
         for obj in world.scene.objects
         if obj.name != target
-        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
+        for part in move_parts(obj.parts, world.position(obj.name), world.rotation(obj.name))
     ]
     return height_map(parts, low, high, cell)
 
 
 @dataclass(frozen=True, eq=False)
-class Solid:
+class VoxelSolid:
     """An object as voxels, world frame.
 
     ``filled[i, j, k]`` is at (``origin`` + ``cell`` * (i, j), ``levels[k]``), metres; ``levels``
@@ -125,7 +125,7 @@ def _nearest(
     return np.rint(i).astype(int), np.rint(j).astype(int)
 
 
-def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
+def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> VoxelSolid:
     """Return world-frame ``parts`` as voxels of ``cell`` by ``cell`` by ``rise`` metres."""
     bounds = np.stack([part.bounds for part in parts])
     first, last = bounds[:, 0].min(0), bounds[:, 1].max(0)
@@ -134,9 +134,9 @@ def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
     filled = np.zeros((len(axes[0]), len(axes[1]), len(levels)), bool)
     for part, cells, points in _over(parts, axes):
         hit, ground, ceiling = part_span(part, points)
-        # What is thinner than a voxel fills the one in whose middle it lies.
+        # A part thinner than a voxel fills the voxel at its middle.
         spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2
         low, high = ground[:, None] - spare, ceiling[:, None] + spare
         window = filled[cells]
         window[np.unravel_index(hit, window.shape[:2])] |= (levels >= low) & (levels <= high)
-    return Solid(np.array([axis[0] for axis in axes]), cell, levels, filled)
+    return VoxelSolid(np.array([axis[0] for axis in axes]), cell, levels, filled)

@@ -1,8 +1,8 @@
 """Where to let go of what the hand holds: place and turn, with room for it and for the fingers.
 
 What is held, and the fingers that open around it, come straight down on the height map of all
-else: their undersides say how deep they go. Of many places and turns in the goal's region that one
-is best where the thing comes to lie low, near the middle and well supported, and falls least.
+else: their undersides say how deep they go. Of many places and turns in the goal's region, the best
+one is low, near the middle and well supported, with the shortest fall.
 """
 
 from __future__ import annotations
@@ -15,21 +15,10 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z, wrap
 
-from ...goals.goal import (
-    INSIDE,
-    Goal,
-    Into,
-    OnTop,
-    Region,
-)
+from ...goals.goal import INSIDE, Goal, Into, OnTop, Region
 from ..arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
-from .heights import (
-    HeightMap,
-    moved,
-    solid,
-    surroundings,
-)
+from .heights import HeightMap, move_parts, solid, surroundings
 
 if TYPE_CHECKING:
     from ...world.world import World
@@ -65,7 +54,7 @@ class Place:
 
 
 class Placer(Protocol):
-    """Says where to let go: the expert's planner (``plan_place``), or ``middle_place``."""
+    """Plans where to let go: the expert's planner (``plan_place``), or ``middle_place``."""
 
     def __call__(self, world: World, goal: Goal, yaw: float, opening: float) -> Place:
         """Return a place; see ``plan_place``."""
@@ -82,15 +71,12 @@ class Underside(NamedTuple):
 def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     """Return the best place in a goal's region for its target, held as it is now.
 
-    Args:
-        world: the world; live poses count.
-        goal: what is asked for; its target is in the hand.
-        yaw: the hand's, now, in the base frame, radians.
-        opening: how far the fingers open to let go, metres.
+    ``yaw`` is the hand's, now, in the base frame, radians; ``opening`` how far the fingers open to
+    let go, metres.
     """
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
-    held = _held(world, goal.target, tool)
+    held = _held_underside(world, goal.target, tool)
     hand = _hand(opening, yaw + world.mount.yaw)
     offset = (world.position(goal.target) - tool)[:2]
     lever = np.zeros(2)
@@ -137,7 +123,7 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     """
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
-    held, hand = _boxed(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
+    held, hand = _boxed_underside(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
     offset = (world.position(goal.target) - tool)[:2]
     region = goal.region(world)
     others = _room(world, goal.target, region, held)
@@ -197,9 +183,11 @@ def _room(world: World, target: str, region: Region, held: Underside) -> HeightM
     return HeightMap(found.origin, _CELL, np.maximum(heights, world.scene.table.height))
 
 
-def _held(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
+def _held_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
     """Return the underside of the target as it hangs in the hand."""
-    own = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
+    own = move_parts(
+        world.scene.object(target).parts, world.position(target), world.rotation(target)
+    )
     shape = solid(own, _CELL, _CELL)
     i, j = np.nonzero(shape.filled.any(-1))
     low = shape.levels[shape.filled[i, j].argmax(-1)] - _CELL / 2
@@ -210,7 +198,7 @@ def _held(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
     return Underside(at[kept] - tool[:2], np.maximum(low[kept], world.lowest(target)) - tool[2])
 
 
-def _boxed(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
+def _boxed_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
     """Return the underside of the target as if it filled its box as it hangs in the hand."""
     rotation, half = world.rotation(target), world.scene.object(target).scale / 2
     across = np.linspace(-1.0, 1.0, 9)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .choosing import Chooser, Plan, choose
+from .choosing import Chooser, GraspPlan, choose
 
 if TYPE_CHECKING:
     from ...world.world import World
 
 
-def first_plan(world: World, name: str, chooser: Chooser = choose) -> Plan | None:
+def first_plan(world: World, name: str, chooser: Chooser = choose) -> GraspPlan | None:
     """Return the grasp that ``chooser`` takes of an object at the start of an episode."""
     return world.remember((chooser, name), lambda: chooser(world, name))
 

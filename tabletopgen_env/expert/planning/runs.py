@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 
-from .heights import Solid
+from .heights import VoxelSolid
 
 WIDEST = 0.0735
 """Widest run to straddle, metres: the opening of 8 cm less what aiming needs."""
@@ -41,9 +41,9 @@ _TOUCHED = 0.75
 class Slabs:
     """An object cut, from every level up, into slabs as high as a finger's pad.
 
-    Bit b of ``codes[k, c]`` says whether column c (as ``Solid.nearest`` counts) is filled at level
-    k + b. ``tops[c]`` is the number of levels up to the highest one filled, ``looks[t]`` the slabs
-    to look at where that is t: height of the fingertips (metres), lowest level and bits.
+    Bit b of ``codes[k, c]`` says whether column c (as ``VoxelSolid.nearest`` counts) is filled at
+    level k + b. ``tops[c]`` is the number of levels up to the highest one filled, ``looks[t]`` the
+    slabs to look at where that is t: height of the fingertips (metres), lowest level and bits.
     """
 
     codes: UInt8[np.ndarray, "nz c"]
@@ -51,7 +51,7 @@ class Slabs:
     looks: Mapping[int, tuple[tuple[float, int, int], ...]]
 
 
-def slabs(shape: Solid, floor: float) -> Slabs:
+def slabs(shape: VoxelSolid, floor: float) -> Slabs:
     """Cut ``shape``, which stands over a table as high as ``floor`` (metres)."""
     count = len(shape.levels)
     filled = np.ascontiguousarray(shape.filled.reshape(-1, count).T).astype(np.uint8)

@@ -17,12 +17,7 @@ from generator.scene import ConvexPart
 
 from ..arm import stretch, turn_left, wrist_is_free
 from .grasps import TIP
-from .heights import (
-    HeightMap,
-    height_map,
-    moved,
-    surroundings,
-)
+from .heights import HeightMap, height_map, move_parts, surroundings
 
 if TYPE_CHECKING:
     from ...world.world import World
@@ -90,18 +85,16 @@ def plan_stroke(
 ) -> Stroke | None:
     """Return the stroke that pushes an object, as it is now, towards a spot; None if none can.
 
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        spot: where its centre is to go (x, y, world).
-        others: what is ``beside`` it, if known.
-        care: how much room the hand has to have.
+    ``spot`` is where its centre is to go (x, y, world), ``others`` what is ``beside`` it, if known,
+    and ``care`` how much room the hand has to have.
     """
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))
     ahead = way / max(length, 1e-9)
     bearing = float(np.arctan2(ahead[1], ahead[0]))
-    parts = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
+    parts = move_parts(
+        world.scene.object(target).parts, world.position(target), world.rotation(target)
+    )
     com = mass_center(world, target)[:2]
     others = others or beside(world, target)
     own = _tops(parts)
@@ -109,7 +102,7 @@ def plan_stroke(
     best: tuple[float, Stroke] | None = None
     for k, turn in enumerate(_TURNS):
         if best is not None and k > 1:
-            break  # the hand and its opposite are compared, the others are makeshifts
+            break  # the hand and its opposite are compared; the others are fallbacks
         # The fingers open along the hand's y axis; side by side they are broadest.
         opening = bearing + turn + np.pi / 2
         found = _contact(parts, own, com, ahead, opening, world.scene.table.height)
@@ -152,7 +145,7 @@ def _contact(
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
     """Return where the tool (x, y) and how high it is when the fingers touch, world frame.
 
-    As low as may be, with the palm over the object; None if the fingers would miss it.
+    As low as possible, with the palm over the object; None if the fingers would miss it.
     """
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()

@@ -48,9 +48,9 @@ class CloningConfig:
 
     def __post_init__(self) -> None:
         counts = ("rounds", "episodes", "steps", "last_steps", "batch")
-        require(self, *counts, least=1, whole=True)
-        require(self, "expert_share", least=0, most=1)
-        require(self, "noise", least=0)
+        require(self, *counts, minimum=1, integer=True)
+        require(self, "expert_share", minimum=0, maximum=1)
+        require(self, "noise", minimum=0)
         require(self, "learning_rate", above=0)
 
 
@@ -70,16 +70,11 @@ def clone(
     env: gym.Env[Any, np.ndarray],
     config: CloningConfig,
     seed: int,
-    told: Callable[[Round], None] | None = None,
+    report: Callable[[Round], None] | None = None,
 ) -> list[Demonstration]:
-    """Fit a model's actor to the expert's advice; return every episode seen.
+    """Fit a model's actor, in place, to the expert's advice in ``env``; return every episode seen.
 
-    Args:
-        model: whose actor is fitted, in place.
-        env: where it is taught.
-        config: settings.
-        seed: of the episodes and the batches.
-        told: called after each round.
+    ``seed`` is of the episodes and the batches; ``report`` is called after each round.
     """
     seeds = episode_seeds(seed, 2)
     generator = torch.Generator().manual_seed(seed)
@@ -92,9 +87,9 @@ def clone(
         steps = config.last_steps if number == config.rounds - 1 else config.steps
         loss = fit(model, seen, steps, config, generator)
         judged = tried or shown
-        if told:
+        if report:
             share = float(np.mean([d.solved for d in judged]))
-            told(Round(number, sum(len(d.advice) for d in seen), share, loss))
+            report(Round(number, sum(len(d.advice) for d in seen), share, loss))
     return seen
 
 

@@ -37,7 +37,7 @@ class Demonstration:
     solved: bool
     instruction: str
 
-    def seen(self, step: int) -> Any:
+    def observation(self, step: int) -> Any:
         """Return what was seen before a step, or after the last one (``step`` = t)."""
         if isinstance(self.observations, dict):
             return {name: part[step] for name, part in self.observations.items()}
@@ -49,27 +49,21 @@ def demonstrate(
     seed: int,
     policy: Policy | None = None,
     noise: float = 0.0,
-    told: Callable[[dict[str, Any]], None] | None = None,
+    report: Callable[[dict[str, Any]], None] | None = None,
     to_the_limit: bool = False,
 ) -> Demonstration | None:
-    """Play one episode with the expert watching; None if it knows no way.
+    """Play one episode of "ee_delta" with the expert watching; None if it knows no way.
 
-    It ends when success has held (``episodes.Held``), or at the time limit.
-
-    Args:
-        env: an environment in the action mode "ee_delta".
-        seed: of the episode, and of the noise.
-        policy: who acts; None for the expert itself.
-        noise: standard deviation of what is added to the expert's motion (not to the gripper), so
-            that it shows how to come back.
-        told: called with the info of ``reset`` and of each step.
-        to_the_limit: go on to the time limit in any case; solved is then what ends in a success
-            that has held.
+    It ends when success has held (``episodes.Held``), or at the time limit. ``policy`` acts, or the
+    expert itself. ``noise`` is the standard deviation of what is added to the expert's motion (not
+    to the gripper), so that it shows how to come back. ``report`` gets the info of ``reset`` and of
+    each step. ``to_the_limit`` goes on to the time limit in any case; solved is then what ends in a
+    success that has held.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)
-    if told:
-        told(info)
+    if report:
+        report(info)
     expert = TaskExpert(env, 1.0 if policy is None else PATIENCE)
     try:
         expert.reset()
@@ -85,22 +79,22 @@ def demonstrate(
             action = np.append(np.clip(shaken, -1, 1), advice[-1]).astype(np.float32)
         seen, reward, ended, cut, info = env.step(action)
         over, solved = ended or cut, held.after(info)
-        if told:
-            told(info)
+        if report:
+            report(info)
         shown.append(seen)
         advised.append(advice)
         done.append(action)
         earned.append(reward)
     return Demonstration(
-        stacked(shown), np.asarray(advised, np.float32), np.asarray(done, np.float32),
+        stack(shown), np.asarray(advised, np.float32), np.asarray(done, np.float32),
         np.asarray(earned, np.float32), solved, info["instruction"],
     )  # fmt: skip
 
 
-def stacked(seen: Sequence[Any]) -> Any:
+def stack(seen: Sequence[Any]) -> Any:
     """Return observations as one array with a row for each, or a dict of such arrays."""
     if isinstance(seen[0], Mapping):
-        return {name: stacked([each[name] for each in seen]) for name in seen[0]}
+        return {name: stack([each[name] for each in seen]) for name in seen[0]}
     return np.stack(seen)
 
 

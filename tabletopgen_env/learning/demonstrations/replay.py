@@ -15,7 +15,7 @@ from generator.errors import InputError, SceneError
 from generator.io.npz import read_arrays
 
 from ...episodes import episode_seeds
-from .recorded import Demonstration, demonstrate, stacked
+from .recorded import Demonstration, demonstrate, stack
 
 MISSES = 100
 """After so many episodes in a row that the expert does not solve, filling ends in an error."""
@@ -35,15 +35,9 @@ def fill(
     """Put episodes of the expert that end in success into a buffer; return how many.
 
     Episodes go on to the time limit, so that the buffer shows what staying there is worth; their
-    last transitions are marked as timeouts, not as ends. A buffer of several environments takes
-    as many episodes at a time, so the number is rounded up to a multiple of theirs.
-
-    Args:
-        buffer: the buffer, of "ee_delta" actions.
-        env: where the expert acts; it observes what the buffer holds.
-        episodes: how many.
-        seed: of the episodes.
-        between: called before each episode, and may raise to end it.
+    last transitions are marked as timeouts, not as ends. A buffer of several environments takes as
+    many episodes at a time, so the number is rounded up to a multiple of theirs. ``between`` is
+    called before each episode, and may raise to end it.
 
     Raises:
         InputError: the buffer has no room for them.
@@ -51,7 +45,7 @@ def fill(
     """
     wide = buffer.n_envs
     rounds = -(-episodes // wide)
-    solved = _solved(env, seed, between or (lambda: None))
+    solved = _solved_episodes(env, seed, between or (lambda: None))
     for _ in range(rounds):
         together = [next(solved) for _ in range(wide)]
         length = len(together[0].actions)
@@ -67,7 +61,7 @@ def fill(
     return rounds * wide
 
 
-def _solved(
+def _solved_episodes(
     env: gym.Env[Any, np.ndarray], seed: int, between: Callable[[], None]
 ) -> Iterator[Demonstration]:
     """Yield episodes that end in success, without end."""
@@ -89,7 +83,8 @@ def _solved(
 def _add(buffer: ReplayBuffer, together: Sequence[Demonstration], step: int) -> None:
     last = step == len(together[0].actions) - 1
     buffer.add(
-        stacked([d.seen(step) for d in together]), stacked([d.seen(step + 1) for d in together]),
+        stack([d.observation(step) for d in together]),
+        stack([d.observation(step + 1) for d in together]),
         np.stack([d.actions[step] for d in together]),
         np.stack([d.rewards[step] for d in together]),
         np.full(len(together), last), [{"TimeLimit.truncated": last}] * len(together),
@@ -137,11 +132,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
-    """Return an array that is of the kind and shape of another.
-
-    Raises:
-        ValueError: it is not.
-    """
+    """Return an array that is of the kind and shape of another (ValueError: it is not)."""
     if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
         raise ValueError(f"{kept.dtype} of {kept.shape} stands for {own.dtype} of {own.shape}")
     return kept

@@ -49,11 +49,9 @@ class Actor(nn.Module):
 
 
 def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
-    """Return a copy of a model's actor, and what becomes of its actions.
+    """Return a copy of the actor of an SAC, TD3 or PPO, and what becomes of its actions.
 
-    Args:
-        model: an SAC, TD3 or PPO made by ``making.new_model``.
-        network: what it was made with.
+    ``network`` is what ``making.new_model`` made it with.
     """
     size = model.action_space.shape
     actor = Actor(network, inputs_of(model.observation_space), int(np.prod(size or (0,))))
@@ -101,7 +99,7 @@ def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
     several = "" not in inputs
     given = observation if several else {"": observation}
     if several != isinstance(observation, Mapping) or set(inputs) - set(given):
-        raise InputError(f"The policy looks at {dict(inputs)}, got {_told(observation)}.")
+        raise InputError(f"The policy looks at {dict(inputs)}, got {_describe(observation)}.")
     made, batch = {}, False
     for name, size in inputs.items():
         part = np.asarray(given[name], np.float32)
@@ -109,13 +107,13 @@ def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
         if part.ndim not in (1, 2) or part.shape[-1] != size:
             raise InputError(
                 f"The policy looks at {name or 'an observation'} of {size} entries, got "
-                f"{_told(part)}. Make the environment with the policy's own settings."
+                f"{_describe(part)}. Make the environment with the policy's own settings."
             )
         made[name] = torch.from_numpy(part if batch else part[None])
     return (made if several else made[""]), batch
 
 
-def _told(observation: Any) -> str:
+def _describe(observation: Any) -> str:
     if isinstance(observation, Mapping):
         return f"a dict with {', '.join(map(str, observation)) or 'nothing'}"
     return f"an array of shape {np.shape(observation)}"

@@ -13,12 +13,7 @@ from torch import Tensor
 
 from generator.errors import InputError
 
-from ...observations.modes import (
-    GOAL_BOUNDS,
-    ROBOT_BOUNDS,
-    SLOT_BOUNDS,
-    SLOTS,
-)
+from ...observations.modes import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS, SLOTS
 from ...tasks.task import ENTRIES
 from .network import TableExtractor
 

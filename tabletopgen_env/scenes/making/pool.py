@@ -16,7 +16,7 @@ from generator.errors import SceneError
 from ..fixed import Bundle, FixedScenes, is_there
 from ..fresh import FreshScenes
 from ..source import SceneRef
-from .crew import Crew, Failed, Made
+from .background import Background, FailedScene, MadeScene
 
 MOST_FAILURES = 5
 """So many scenes in a row may fail while the first pool is made."""
@@ -26,7 +26,7 @@ REST = 60.0
 
 
 @dataclass(frozen=True)
-class Pace:
+class RenewalPace:
     """How often a scene is renewed: so many a minute, or one every so many draws."""
 
     per_minute: float | None
@@ -42,7 +42,7 @@ class Pace:
         return seconds * (self.per_minute or 0.0) / 60
 
 
-class Pool:
+class ScenePool:
     """At most ``size`` scenes, the oldest first.
 
     Args:
@@ -63,7 +63,7 @@ class Pool:
         fresh: FreshScenes,
         size: int,
         initial: FixedScenes | None,
-        pace: Pace,
+        pace: RenewalPace,
         workers: int,
         seed: int,
     ) -> None:
@@ -85,7 +85,7 @@ class Pool:
             self.refs = [initial.refs[k] for k in few]
         else:
             self._fill()
-        self.crew = Crew(workers) if workers else None
+        self.background = Background(workers) if workers else None
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Renew what is due or finished, and draw one of the scenes, all equally likely."""
@@ -93,33 +93,33 @@ class Pool:
         due = self._pace.due(self._draws, now - self._last)
         self._draws, self._last = self._draws + 1, now
         self._owed = min(self._owed + due, self._size)
-        if self.crew is None:
+        if self.background is None:
             while self._owed >= 1:
                 self._owed -= 1
                 self._make_one()
         else:
             if now >= self._resting_until:
-                self._order(self.crew)
-            for end in self.crew.collect():
+                self._order(self.background)
+            for end in self.background.collect():
                 self._take(end)
         return self._pick(rng)
 
     # ---------------------------------------------------------------------------------- renewing
 
-    def _order(self, crew: Crew) -> None:
+    def _order(self, background: Background) -> None:
         """Order what is missing or due, never more than the pool holds."""
-        missing = self._size - len(self.refs) - crew.open
-        count = missing if missing > 0 else min(int(self._owed), self._size - crew.open)
+        missing = self._size - len(self.refs) - background.open
+        count = missing if missing > 0 else min(int(self._owed), self._size - background.open)
         self._owed = max(self._owed - count, 0.0)
         try:
             for _ in range(count):
-                crew.order(self._fresh.recipe(self._next()))
+                background.order(self._fresh.recipe(self._next()))
         except SceneError as error:
             self._resting_until = time.monotonic() + REST
             self._fail(str(error))
 
-    def _take(self, end: Made | Failed) -> None:
-        if isinstance(end, Failed):
+    def _take(self, end: MadeScene | FailedScene) -> None:
+        if isinstance(end, FailedScene):
             return self._fail(end.reason)
         return self._add(SceneRef(end.recipe.key, Bundle(end.bundle), end.difficulty))
 
@@ -132,9 +132,9 @@ class Pool:
 
     def _drop(self, ref: SceneRef) -> None:
         """Delete what this pool had made, at one stroke for who may be loading it."""
-        if self.crew is not None and isinstance(ref.load, Bundle):
+        if self.background is not None and isinstance(ref.load, Bundle):
             job = ref.load.path.parent
-            if job.parent == self.crew.folder:
+            if job.parent == self.background.folder:
                 gone = job.with_name(f"{job.name}.gone")
                 with contextlib.suppress(OSError):  # it may have been deleted by others
                     job.rename(gone)

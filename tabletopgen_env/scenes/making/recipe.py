@@ -15,7 +15,7 @@ from generator.errors import InputError, SceneError, choices
 from generator.language.distribution import SceneDistribution
 from generator.scene import Scene, ScenePlan
 
-from ..splitting import Rule, kinds_of, scene_kinds
+from ..splitting import SplitRule, kinds_of, scene_kinds
 
 COMPOSE, GENERATE = "compose", "generate"
 
@@ -30,7 +30,7 @@ Maker = Callable[[str | ScenePlan, int], Scene]
 
 
 @dataclass(frozen=True)
-class Recipe:
+class SceneRecipe:
     """What decides a scene that is made on demand: the same recipe makes the same scene.
 
     Attributes:
@@ -45,7 +45,7 @@ class Recipe:
     what: str | SceneDistribution
     seed: int
     making: str = COMPOSE
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[SplitRule, ...] = ()
 
     @property
     def identity(self) -> str:
@@ -97,11 +97,11 @@ class Recipe:
             SceneError: no sound scene of the right side came of any attempt.
         """
         make = maker(self.making)
-        what = self.plan() if self.making == COMPOSE else self._given()
+        what = self.plan() if self.making == COMPOSE else self._input()
         failures: list[str] = []
         for attempt in range(ATTEMPTS):
             try:
-                return self._checked(make(what, self.seed + attempt * MOST_SEEDS))
+                return self._check(make(what, self.seed + attempt * MOST_SEEDS))
             except SceneError as error:
                 failures.append(str(error))
         raise SceneError(
@@ -109,36 +109,16 @@ class Recipe:
             + " ".join(dict.fromkeys(failures))
         )
 
-    def _given(self) -> str | ScenePlan:
+    def _input(self) -> str | ScenePlan:
         return self.what if isinstance(self.what, str) else self.plan()
 
-    def _checked(self, scene: Scene) -> Scene:
+    def _check(self, scene: Scene) -> Scene:
         """Return the scene if it is what the rules ask for; what is planned may turn out else."""
         found = scene_kinds(scene)
         for rule in self.rules:
             if rule.by == "category" and not rule.admits(lambda: "", lambda: found):
                 raise SceneError(f"Scene {scene.name!r} is not for {rule}.")
         return scene
-
-    def to_json(self) -> dict[str, Any]:
-        """Return the recipe as plain JSON values."""
-        facts = dataclasses.asdict(self)
-        return facts if isinstance(self.what, str) else facts | {"what": _facts(self.what)}
-
-    @classmethod
-    def from_json(cls, values: dict[str, Any]) -> Recipe:
-        """Read a recipe back.
-
-        Raises:
-            InputError: the values are no recipe's.
-        """
-        what = values["what"]
-        return cls(
-            what if isinstance(what, str) else SceneDistribution(**what),
-            values["seed"],
-            values["making"],
-            tuple(Rule(**rule) for rule in values["rules"]),
-        )
 
 
 def _facts(distribution: SceneDistribution) -> dict[str, Any]:
@@ -150,7 +130,7 @@ def _facts(distribution: SceneDistribution) -> dict[str, Any]:
 
 
 def maker(making: str) -> Maker:
-    """Return the function that ``Recipe.making`` names.
+    """Return the function that ``SceneRecipe.making`` names.
 
     Raises:
         InputError: there is none.

@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 from openai_server import CHAT, IMAGES, KEY, Running, start
 
-from generator.backends.cloud.imager import Imager
-from generator.backends.cloud.reasoner import Reasoner
-from generator.backends.embedded.imager import Imager as EmbeddedImager
-from generator.calls.http.waiting import Patience
+from generator.backends.cloud.imager import CloudImager
+from generator.backends.cloud.reasoner import CloudReasoner
+from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.session import Session
 
-QUICK = Patience(first=0.01, longest=0.02, rest=0.05)
+QUICK = RetryPolicy(first=0.01, longest=0.02, rest=0.05)
 
 
 @pytest.fixture
@@ -34,17 +34,17 @@ def server(monkeypatch: pytest.MonkeyPatch) -> Iterator[Running]:
 
 @pytest.fixture
 def session() -> Session:
-    return Session(patience=QUICK, attempts=3)
+    return Session(retry_policy=QUICK, attempts=3)
 
 
 @pytest.fixture
-def reasoner(server: Running, session: Session) -> Reasoner:
-    return Reasoner(session=session)
+def reasoner(server: Running, session: Session) -> CloudReasoner:
+    return CloudReasoner(session=session)
 
 
 @pytest.fixture
-def make_imager(server: Running, session: Session) -> Callable[..., Imager]:
-    def make(**fields: Any) -> Imager:
-        return Imager(**{"session": session, "fallback": EmbeddedImager(), **fields})
+def make_imager(server: Running, session: Session) -> Callable[..., CloudImager]:
+    def make(**fields: Any) -> CloudImager:
+        return CloudImager(**{"session": session, "fallback": EmbeddedImager(), **fields})
 
     return make

@@ -14,7 +14,7 @@ from desk import reference
 from leaks import everything
 from openai_server import KEY, Request, Running, from_uri, pixels
 
-from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server import calling, configuration
 from generator.backends.cloud.server.asking import ANSWER, REASKS
 from generator.calls.money.prices import Price, Prices
@@ -32,7 +32,7 @@ def forms(server: Running) -> list[str | None]:
     return [b["response_format"]["type"] if "response_format" in b else None for b in bodies]
 
 
-def test_a_strict_schema_is_asked_for_first(server: Running, reasoner: Reasoner) -> None:
+def test_a_strict_schema_is_asked_for_first(server: Running, reasoner: CloudReasoner) -> None:
     server.script.chat = lambda request: KINDS
     assert reasoner.list_objects(reference()) == NOUNS
     (request,) = server.script.asked("completions")
@@ -41,7 +41,9 @@ def test_a_strict_schema_is_asked_for_first(server: Running, reasoner: Reasoner)
     assert not any(name.lower().startswith("x-tabletopgen") for name in request.headers)
 
 
-def test_the_forms_a_server_knows_are_learned_once(server: Running, reasoner: Reasoner) -> None:
+def test_the_forms_a_server_knows_are_learned_once(
+    server: Running, reasoner: CloudReasoner
+) -> None:
     server.script.chat = lambda request: f"Sure!\n```json\n{KINDS}\n```"
     server.script.forms = ()
     assert reasoner.list_objects(reference()) == NOUNS
@@ -50,14 +52,14 @@ def test_the_forms_a_server_knows_are_learned_once(server: Running, reasoner: Re
     assert forms(server)[3:] == [None]
 
 
-def test_json_objects_are_enough(server: Running, reasoner: Reasoner) -> None:
+def test_json_objects_are_enough(server: Running, reasoner: CloudReasoner) -> None:
     server.script.chat = lambda request: KINDS
     server.script.forms = ("json_object",)
     assert reasoner.list_objects(reference()) == NOUNS
     assert forms(server) == ["json_schema", "json_object"]
 
 
-def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: Reasoner) -> None:
+def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: CloudReasoner) -> None:
     server.script.chat = lambda request: KINDS
     server.script.knows_seed = False
     assert reasoner.list_objects(reference()) == NOUNS
@@ -67,7 +69,7 @@ def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: Reason
 
 @pytest.mark.parametrize("known", [("max_completion_tokens",), ("max_tokens",), ()])
 def test_an_answer_has_a_bound_in_the_form_that_the_server_takes(
-    server: Running, reasoner: Reasoner, known: tuple[str, ...]
+    server: Running, reasoner: CloudReasoner, known: tuple[str, ...]
 ) -> None:
     server.script.chat = lambda request: KINDS
     server.script.bounds = known
@@ -81,7 +83,7 @@ def test_an_answer_has_a_bound_in_the_form_that_the_server_takes(
     assert len(told) == tries + 1, "learned once"
 
 
-def test_what_an_answer_may_cost_is_bounded(server: Running, reasoner: Reasoner) -> None:
+def test_what_an_answer_may_cost_is_bounded(server: Running, reasoner: CloudReasoner) -> None:
     prices = Prices(models={reasoner.model: Price(output=1e6)})
     dry = replace(reasoner, session=Session(dry=True, prices=prices))
     with pytest.raises(DryRunError, match=f"at most {ANSWER}.0000 USD"):
@@ -89,7 +91,7 @@ def test_what_an_answer_may_cost_is_bounded(server: Running, reasoner: Reasoner)
 
 
 def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
-    server: Running, reasoner: Reasoner
+    server: Running, reasoner: CloudReasoner
 ) -> None:
     said = ['{"kinds": [{"noun": "mug", "count": 0}]}', "Two mugs.", KINDS]
 
@@ -106,7 +108,7 @@ def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
     assert "no JSON object" in last[4]["content"]
 
 
-def test_it_is_given_up_after_so_many_answers(server: Running, reasoner: Reasoner) -> None:
+def test_it_is_given_up_after_so_many_answers(server: Running, reasoner: CloudReasoner) -> None:
     server.script.chat = lambda request: '{"kinds": []}'
     with pytest.raises(BackendError, match=r"list_objects failed: 4 answers could not be used"):
         reasoner.list_objects(reference())
@@ -121,21 +123,21 @@ def test_it_is_given_up_after_so_many_answers(server: Running, reasoner: Reasone
         "I'm sorry, I can't assist. I will not.",
     ],
 )
-def test_a_refusal_is_said_at_once(server: Running, reasoner: Reasoner, said: object) -> None:
+def test_a_refusal_is_said_at_once(server: Running, reasoner: CloudReasoner, said: object) -> None:
     server.script.chat = lambda request: said
     with pytest.raises(BackendError, match=r"list_objects failed: the model refuses: .*I will not"):
         reasoner.list_objects(reference())
     assert len(server.script.requests) == 1
 
 
-def test_a_cut_off_answer_says_so(server: Running, reasoner: Reasoner) -> None:
+def test_a_cut_off_answer_says_so(server: Running, reasoner: CloudReasoner) -> None:
     cut = {"message": {"content": KINDS[:9]}, "finish_reason": "length"}
     server.script.chat = lambda request: cut
     with pytest.raises(BackendError, match="limit of tokens"):
         reasoner.list_objects(reference())
 
 
-def test_content_in_parts_is_joined(server: Running, reasoner: Reasoner) -> None:
+def test_content_in_parts_is_joined(server: Running, reasoner: CloudReasoner) -> None:
     parts = [{"type": "text", "text": KINDS[:9]}, {"type": "text", "text": KINDS[9:]}]
     server.script.chat = lambda r: {"message": {"content": parts}, "finish_reason": "stop"}
     assert reasoner.list_objects(reference()) == NOUNS
@@ -145,7 +147,7 @@ def test_content_in_parts_is_joined(server: Running, reasoner: Reasoner) -> None
     "failures", [["429"], ["500", "429"], ["truncated"], ["wrong json"], ["error in 200"]]
 )
 def test_what_passes_is_waited_for(
-    server: Running, reasoner: Reasoner, failures: list[str]
+    server: Running, reasoner: CloudReasoner, failures: list[str]
 ) -> None:
     server.script.chat = lambda request: KINDS
     server.script.failures.extend(failures)
@@ -167,7 +169,7 @@ def test_what_passes_is_waited_for(
     ],
 )
 def test_a_server_that_fails_is_named(
-    server: Running, reasoner: Reasoner, failures: list[str], message: str
+    server: Running, reasoner: CloudReasoner, failures: list[str], message: str
 ) -> None:
     server.script.failures.extend(failures)
     with pytest.raises(BackendError, match=message) as caught:
@@ -177,7 +179,7 @@ def test_a_server_that_fails_is_named(
     assert KEY not in everything(caught.value)
 
 
-def test_a_dead_server_is_named(server: Running, reasoner: Reasoner) -> None:
+def test_a_dead_server_is_named(server: Running, reasoner: CloudReasoner) -> None:
     server.stop()
     with pytest.raises(BackendError, match=r"cloud/127.0.0.1:\d+, list_objects") as caught:
         reasoner.list_objects(reference())
@@ -186,7 +188,7 @@ def test_a_dead_server_is_named(server: Running, reasoner: Reasoner) -> None:
 
 @pytest.mark.slow
 def test_a_server_that_hangs_is_not_waited_for_for_ever(
-    server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch
+    server: Running, reasoner: CloudReasoner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(calling._TIMEOUT, "chat", 0.3)
     server.script.hang = 1.0
@@ -210,7 +212,7 @@ def refused_request() -> httpx2.Request:
     ids=("the session's own", "another", "none"),
 )
 def test_what_the_sdk_wraps_as_no_connection_is_told(
-    reasoner: Reasoner, cause: Exception | None, told: str
+    reasoner: CloudReasoner, cause: Exception | None, told: str
 ) -> None:
     """Whether it wraps what the session raises depends on its version."""
 
@@ -221,7 +223,7 @@ def test_what_the_sdk_wraps_as_no_connection_is_told(
         reasoner.chat.server.call("list_objects", ask, Used(None), "meant")
 
 
-def test_what_else_the_sdk_finds_wrong_is_told(reasoner: Reasoner) -> None:
+def test_what_else_the_sdk_finds_wrong_is_told(reasoner: CloudReasoner) -> None:
     def ask(*_: Any) -> None:
         raise openai.OpenAIError("the header is too long")
 
@@ -231,11 +233,11 @@ def test_what_else_the_sdk_finds_wrong_is_told(reasoner: Reasoner) -> None:
 
 def test_an_unknown_model_is_named(server: Running, session: Session) -> None:
     with pytest.raises(BackendError, match=r"have the model 'nosuch'\? Set TABLETOPGEN_CLOUD_CHAT"):
-        Reasoner(model="nosuch", session=session).list_objects(reference())
+        CloudReasoner(model="nosuch", session=session).list_objects(reference())
 
 
 def test_a_wrong_key_is_not_repeated(
-    server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch
+    server: Running, reasoner: CloudReasoner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "wrong-key-987654321")
     with pytest.raises(BackendError, match="Check the key in TABLETOPGEN_CLOUD_KEY") as caught:
@@ -244,7 +246,7 @@ def test_a_wrong_key_is_not_repeated(
 
 
 def test_the_key_is_in_no_message_and_no_file(
-    server: Running, reasoner: Reasoner, tmp_path, monkeypatch: pytest.MonkeyPatch
+    server: Running, reasoner: CloudReasoner, tmp_path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     server.script.chat = lambda request: f"I cannot; your key is {KEY}"
     kept = Session(store=CallStore(tmp_path))
@@ -264,7 +266,7 @@ def test_the_key_is_in_no_message_and_no_file(
 
 @pytest.mark.parametrize("name", ["Authorization", "authorization"])
 def test_the_key_is_ours_whatever_the_environment_says(
-    server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch, name: str
+    server: Running, reasoner: CloudReasoner, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
     added = f"{name}: Bearer sk-gateway-secret-999\nHelicone-Auth: Bearer sk-helicone-777777"
     monkeypatch.setenv("OPENAI_CUSTOM_HEADERS", added)
@@ -284,15 +286,15 @@ def test_who_asks_is_told_to_openai_alone() -> None:
 
 
 def test_a_key_that_a_message_cuts_off_is_in_no_part_of_it(
-    server: Running, reasoner: Reasoner
+    server: Running, reasoner: CloudReasoner
 ) -> None:
     for room in range(250, 330, 4):
-        told = reasoner.chat.server.quoted("x" * room + f" {KEY} " + "y" * 300)
+        told = reasoner.chat.server.quote("x" * room + f" {KEY} " + "y" * 300)
         assert KEY[:6] not in told
 
 
 def test_an_answer_that_is_kept_is_not_asked_for_again(
-    server: Running, reasoner: Reasoner, tmp_path
+    server: Running, reasoner: CloudReasoner, tmp_path
 ) -> None:
     server.script.chat = lambda request: KINDS
     for _ in range(2):
@@ -301,13 +303,13 @@ def test_an_answer_that_is_kept_is_not_asked_for_again(
     assert len(server.script.requests) == 1
 
 
-def test_a_dry_run_sends_nothing(server: Running, reasoner: Reasoner) -> None:
+def test_a_dry_run_sends_nothing(server: Running, reasoner: CloudReasoner) -> None:
     with pytest.raises(DryRunError, match="list_objects"):
         replace(reasoner, session=Session(dry=True)).list_objects(reference())
     assert not server.script.requests
 
 
-def test_pictures_are_shown_as_they_are(server: Running, reasoner: Reasoner) -> None:
+def test_pictures_are_shown_as_they_are(server: Running, reasoner: CloudReasoner) -> None:
     server.script.chat = lambda request: KINDS
     reasoner.list_objects(reference())
     content = server.script.requests[0].body["messages"][0]["content"]

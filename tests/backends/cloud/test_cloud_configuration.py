@@ -10,8 +10,8 @@ from desk import reference
 from openai_server import CHAT, IMAGES, Running
 
 from generator.backends import Backends
-from generator.backends.cloud.imager import Imager
-from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.cloud.imager import CloudImager
+from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server import configuration
 from generator.errors import BackendError
 
@@ -30,7 +30,7 @@ def setting(server: Running, monkeypatch: pytest.MonkeyPatch):
 
 
 def test_openai_is_asked_if_nothing_is_said(setting) -> None:
-    reasoner, imager = Reasoner(), Imager()
+    reasoner, imager = CloudReasoner(), CloudImager()
     assert (reasoner.base_url, reasoner.model, reasoner.server) == (OPENAI, "gpt-4o", "openai")
     assert (imager.base_url, imager.model, imager.form) == (OPENAI, "gpt-image-1", "openai")
 
@@ -38,7 +38,7 @@ def test_openai_is_asked_if_nothing_is_said(setting) -> None:
 def test_pictures_may_come_from_another_server(setting) -> None:
     setting(IMAGE_BASE, ARK)
     setting("TABLETOPGEN_CLOUD_IMAGE_MODEL", "ep-1")
-    imager = Imager()
+    imager = CloudImager()
     assert (imager.base_url, imager.form, imager.server) == (ARK, "seedream", "ark")
     assert (imager.chat_base_url, imager.chat_model) == (OPENAI, "gpt-4o")
 
@@ -57,9 +57,9 @@ def test_the_environment_chooses(server: Running) -> None:
 def test_a_model_must_be_named_elsewhere(setting) -> None:
     setting(BASE, "http://127.0.0.1:11434/v1")
     with pytest.raises(BackendError, match="Set TABLETOPGEN_CLOUD_CHAT_MODEL"):
-        Reasoner()
+        CloudReasoner()
     with pytest.raises(BackendError, match="Set TABLETOPGEN_CLOUD_IMAGE_MODEL"):
-        Imager()
+        CloudImager()
 
 
 @pytest.mark.parametrize(
@@ -68,12 +68,12 @@ def test_a_model_must_be_named_elsewhere(setting) -> None:
 )
 def test_an_address_of_no_use_is_refused(server: Running, url: str) -> None:
     with pytest.raises(BackendError, match="cloud: the base URL") as caught:
-        Reasoner(base_url=url)
+        CloudReasoner(base_url=url)
     assert "pass@" not in str(caught.value)
 
 
 def test_a_slash_at_the_end_makes_no_other_backend(server: Running) -> None:
-    assert Reasoner(base_url=server.url + "/") == Reasoner(base_url=server.url)
+    assert CloudReasoner(base_url=server.url + "/") == CloudReasoner(base_url=server.url)
 
 
 @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ def test_a_missing_key_names_its_variables(setting, url: str, names: str) -> Non
 def test_a_missing_key_names_backend_and_question(setting) -> None:
     setting(BASE, "https://gpu.example/v1")
     with pytest.raises(BackendError, match=r"^cloud \(m at gpu.example\): list_objects: no key"):
-        Reasoner(model="m").list_objects(reference())
+        CloudReasoner(model="m").list_objects(reference())
 
 
 def test_what_cannot_be_selected_names_the_role(setting) -> None:

@@ -18,8 +18,8 @@ from openai_server import KEY, Request, Running
 from PIL import Image
 from toy import cube_mesh
 
-from generator.backends.cloud.drawing.pictures import padded
-from generator.backends.cloud.imager import REDRAWS, Imager
+from generator.backends.cloud.drawing.pictures import pad
+from generator.backends.cloud.imager import REDRAWS, CloudImager
 from generator.backends.cloud.server.asking import data_uri
 from generator.calls.session import Session
 from generator.calls.store import CallStore
@@ -30,7 +30,7 @@ from generator.io.png import encode_png
 from generator.render.crop import in_reference, tight_box
 from generator.scene import Model, PlannedObject, PlannedTable, Relation, ScenePlan, TopView
 
-Make = Callable[..., Imager]
+Make = Callable[..., CloudImager]
 PLAN = ScenePlan(
     "x",
     PlannedTable("round", "walnut", size=(1.0, 0.9, 0.74)),
@@ -406,11 +406,11 @@ def test_a_thing_that_is_never_drawn_is_an_error(
 
 def test_pictures_have_a_shape_that_the_model_takes() -> None:
     wide, high = np.zeros((50, 400, 3), np.uint8), np.zeros((300, 100, 3), np.uint8)
-    assert padded(wide, 0.4, 2.5).shape == (160, 400, 3)
-    assert padded(high, 0.5, 2.0).shape == (300, 150, 3)
-    assert (padded(wide, 0.4, 2.5)[[0, -1]] == 255).all()
-    np.testing.assert_array_equal(padded(wide, 0.4, 2.5)[55:105], wide)
-    np.testing.assert_array_equal(padded(wide, 0.1, 10), wide)
+    assert pad(wide, 0.4, 2.5).shape == (160, 400, 3)
+    assert pad(high, 0.5, 2.0).shape == (300, 150, 3)
+    assert (pad(wide, 0.4, 2.5)[[0, -1]] == 255).all()
+    np.testing.assert_array_equal(pad(wide, 0.4, 2.5)[55:105], wide)
+    np.testing.assert_array_equal(pad(wide, 0.1, 10), wide)
 
 
 def models() -> dict[str, Model]:
@@ -431,7 +431,7 @@ def check(things: list, extra: list = [], from_above: bool = True) -> str:  # no
     return json.dumps({"from_above": from_above, "things": things, "extra": extra})
 
 
-def seen(imager: Imager) -> TopView:
+def seen(imager: CloudImager) -> TopView:
     return imager.top_view(reference(), instances(), models(), {}, VIEW)
 
 

@@ -14,7 +14,7 @@ from toy import cube_mesh
 
 from generator.backends.cloud.questions.labelled import Labelled
 from generator.backends.cloud.questions.orientation import six_sides, turns
-from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server.answers import OrientationAnswer
 from generator.backends.cloud.server.reading import Wrong
 from generator.errors import BackendError, InputError
@@ -54,7 +54,7 @@ def plan(*things: dict[str, Any]) -> dict[str, Any]:
 
 
 def test_a_plan_has_names_categories_metres_and_relations(
-    server: Running, reasoner: Reasoner
+    server: Running, reasoner: CloudReasoner
 ) -> None:
     always(server, plan(
         thing(1, "coffee mug", ("on", 4), color="red", size_word="small"),
@@ -95,7 +95,7 @@ def test_a_plan_has_names_categories_metres_and_relations(
     ],
 )
 def test_a_plan_that_contradicts_itself_is_asked_again(
-    server: Running, reasoner: Reasoner, things: tuple, told: str
+    server: Running, reasoner: CloudReasoner, things: tuple, told: str
 ) -> None:
     good = plan(thing(1, "mug"))
 
@@ -107,7 +107,7 @@ def test_a_plan_that_contradicts_itself_is_asked_again(
     assert told in server.script.requests[1].text
 
 
-def test_another_seed_is_another_question(server: Running, reasoner: Reasoner) -> None:
+def test_another_seed_is_another_question(server: Running, reasoner: CloudReasoner) -> None:
     always(server, plan(thing(1, "mug")))
     for seed in (0, 1):
         reasoner.plan_scene("a mug", seed)
@@ -116,7 +116,7 @@ def test_another_seed_is_another_question(server: Running, reasoner: Reasoner) -
     assert "a mug" in first
 
 
-def test_legs_that_do_not_fit_the_top_are_refused(server: Running, reasoner: Reasoner) -> None:
+def test_legs_that_do_not_fit_the_top_are_refused(server: Running, reasoner: CloudReasoner) -> None:
     told = plan(thing(1, "mug"))
     always(server, {**told, "table": {**told["table"], "legs": "trestle"}})
     with pytest.raises(BackendError, match="a round table has no trestle legs"):
@@ -125,7 +125,7 @@ def test_legs_that_do_not_fit_the_top_are_refused(server: Running, reasoner: Rea
 
 @pytest.mark.parametrize("text", ["", "  \n", "123 ?!", "a mug " * 1000, None])
 def test_a_text_of_no_use_is_refused_before_it_costs(
-    server: Running, reasoner: Reasoner, text: Any
+    server: Running, reasoner: CloudReasoner, text: Any
 ) -> None:
     with pytest.raises(InputError):
         reasoner.plan_scene(text, 0)
@@ -135,7 +135,9 @@ def test_a_text_of_no_use_is_refused_before_it_costs(
 # --------------------------------------------------------------------------------------- pictures
 
 
-def test_kinds_are_words_as_often_as_they_are_seen(server: Running, reasoner: Reasoner) -> None:
+def test_kinds_are_words_as_often_as_they_are_seen(
+    server: Running, reasoner: CloudReasoner
+) -> None:
     always(server, {"kinds": [{"noun": "Toy  car", "count": 2}, {"noun": "book", "count": 1}]})
     assert reasoner.list_objects(reference()) == ("table", "toy car", "toy car", "book")
 
@@ -144,21 +146,21 @@ def test_kinds_are_words_as_often_as_they_are_seen(server: Running, reasoner: Re
     ("nouns", "told"), [(["mug", "Mug"], "listed twice: mug"), (["table"], "no kind of thing")]
 )
 def test_kinds_listed_twice_are_asked_again(
-    server: Running, reasoner: Reasoner, nouns: list[str], told: str
+    server: Running, reasoner: CloudReasoner, nouns: list[str], told: str
 ) -> None:
     always(server, {"kinds": [{"noun": n, "count": 1} for n in nouns]})
     with pytest.raises(BackendError, match=told):
         reasoner.list_objects(reference())
 
 
-def test_planned_words_are_told(server: Running, reasoner: Reasoner) -> None:
+def test_planned_words_are_told(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"kinds": [{"noun": "goblet", "count": 1}]})
     planned = ScenePlan("x", PlannedTable(), (PlannedObject("goblet_1", "goblet", "generic"),))
     reasoner.list_objects(reference(planned))
     assert "drawn to show: goblet" in server.script.requests[0].text
 
 
-def test_the_view_is_in_radians(server: Running, reasoner: Reasoner) -> None:
+def test_the_view_is_in_radians(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"elevation": 60, "azimuth": -10, "vertical_fov": 30})
     view = reasoner.estimate_view(reference(), instances()[0])
     assert np.rad2deg([view.elevation, view.azimuth, view.fov]) == pytest.approx([60, -10, 30])
@@ -166,7 +168,7 @@ def test_the_view_is_in_radians(server: Running, reasoner: Reasoner) -> None:
     assert "0: table; box 62 250 938 917" in server.script.requests[0].text
 
 
-def test_known_intrinsics_tell_the_field_of_view(server: Running, reasoner: Reasoner) -> None:
+def test_known_intrinsics_tell_the_field_of_view(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"elevation": 60, "azimuth": 0, "vertical_fov": 30})
     known = Intrinsics(240, 240, 159.5, 119.5)
     rgbd = Reference(reference().image, depth=np.ones((240, 320)), intrinsics=known)
@@ -174,7 +176,7 @@ def test_known_intrinsics_tell_the_field_of_view(server: Running, reasoner: Reas
 
 
 @pytest.mark.parametrize("bad", [{"elevation": 95}, {"elevation": "high"}, {"azimuth": 170}])
-def test_an_impossible_view_is_refused(server: Running, reasoner: Reasoner, bad: dict) -> None:
+def test_an_impossible_view_is_refused(server: Running, reasoner: CloudReasoner, bad: dict) -> None:
     always(server, {"elevation": 60, "azimuth": 0, "vertical_fov": 30, **bad})
     with pytest.raises(BackendError, match=f"estimate_view.*{next(iter(bad))}"):
         reasoner.estimate_view(reference(), instances()[0])
@@ -190,7 +192,7 @@ def size(id: int, *extent: float) -> dict[str, Any]:
 ALL = [size(0, 120, 70, 74), size(1, 25, 18, 3), size(2, 9, 8, 10), size(3, 14, 1, 1)]
 
 
-def test_sizes_are_metres_by_name(server: Running, reasoner: Reasoner) -> None:
+def test_sizes_are_metres_by_name(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"sizes": ALL[::-1]})
     sizes = reasoner.estimate_sizes(reference(), instances(), VIEW)
     assert set(sizes) == set(THINGS)
@@ -215,14 +217,14 @@ def test_sizes_are_metres_by_name(server: Running, reasoner: Reasoner) -> None:
     ],
 )
 def test_each_number_is_needed_once(
-    server: Running, reasoner: Reasoner, sizes: list, told: str
+    server: Running, reasoner: CloudReasoner, sizes: list, told: str
 ) -> None:
     always(server, {"sizes": sizes})
     with pytest.raises(BackendError, match=f"estimate_sizes.*{told}"):
         reasoner.estimate_sizes(reference(), instances(), VIEW)
 
 
-def test_sizes_that_a_text_fixed_are_kept(server: Running, reasoner: Reasoner) -> None:
+def test_sizes_that_a_text_fixed_are_kept(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"sizes": ALL})
     planned = ScenePlan("x", PlannedTable(size=(1.5, 0.8, 0.7)), (
         PlannedObject("mug_1", "mug", "mug", size=(0.2, 0.2, 0.3)),
@@ -259,7 +261,7 @@ def test_turns_bring_up_upward_and_along_to_x(up: str, along: str) -> None:
 
 
 @pytest.mark.slow
-def test_a_review_ends_in_quarter_turns(server: Running, reasoner: Reasoner) -> None:
+def test_a_review_ends_in_quarter_turns(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"up": "-y", "along": "+z"})
     steps = reasoner.review_orientation(cube_mesh(), instances()[1], SIZES["book_1"])
     assert steps == (("x", -90), ("z", 90))
@@ -270,7 +272,7 @@ def test_a_review_ends_in_quarter_turns(server: Running, reasoner: Reasoner) -> 
 
 @pytest.mark.slow
 def test_a_model_is_shown_from_six_sides_with_its_proportions(
-    server: Running, reasoner: Reasoner
+    server: Running, reasoner: CloudReasoner
 ) -> None:
     always(server, {"up": "+z", "along": "+x"})
     flat = dataclasses.replace(cube_mesh(), vertices=cube_mesh().vertices * [0.2, 0.1, 0.02])
@@ -312,7 +314,7 @@ def rest(id: int, support: int, how: str = "on", leans_at: int | None = None) ->
     return {"id": id, "how": how, "support": support, "leans_at": leans_at}
 
 
-def test_layers_are_counted_from_the_table(server: Running, reasoner: Reasoner) -> None:
+def test_layers_are_counted_from_the_table(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"things": [rest(3, 2, "in"), rest(2, 1), rest(1, 0, leans_at=2)]})
     stacking = reasoner.stacking_order(reference(), instances(), VIEW)
     assert {n: (s.order, s.on, s.inside) for n, s in stacking.items()} == {
@@ -337,7 +339,7 @@ def test_layers_are_counted_from_the_table(server: Running, reasoner: Reasoner) 
     ],
 )
 def test_impossible_stacks_are_asked_again(
-    server: Running, reasoner: Reasoner, things: list, told: str
+    server: Running, reasoner: CloudReasoner, things: list, told: str
 ) -> None:
     always(server, {"things": things})
     with pytest.raises(BackendError, match=f"stacking_order.*{told}"):
@@ -347,7 +349,7 @@ def test_impossible_stacks_are_asked_again(
 # ----------------------------------------------------------------------------------- marks, poses
 
 
-def test_marks_are_given_for_each_criterion(server: Running, reasoner: Reasoner) -> None:
+def test_marks_are_given_for_each_criterion(server: Running, reasoner: CloudReasoner) -> None:
     marks = [{"criterion": c, "why": "so", "mark": m} for c, m in (("PP", 5.5), ("VF", 2))]
     always(server, {"marks": marks})
     image = reference().image
@@ -358,7 +360,7 @@ def test_marks_are_given_for_each_criterion(server: Running, reasoner: Reasoner)
         reasoner.rate(image, (image,), {**criteria, "IA": "alike"})
 
 
-def test_methods_are_ranked_by_letters(server: Running, reasoner: Reasoner) -> None:
+def test_methods_are_ranked_by_letters(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"order": ["b", "A"]})
     image = reference().image
     methods = {"ours": (image,), "theirs": (image, image)}
@@ -369,7 +371,7 @@ def test_methods_are_ranked_by_letters(server: Running, reasoner: Reasoner) -> N
         reasoner.rank(image, methods)
 
 
-def test_yaws_are_radians_without_the_table(server: Running, reasoner: Reasoner) -> None:
+def test_yaws_are_radians_without_the_table(server: Running, reasoner: CloudReasoner) -> None:
     turns = [{"id": 1, "yaw": 90}, {"id": 2, "yaw": 270}, {"id": 3, "yaw": -30}]
     always(server, {"turns": turns})
     yaws = reasoner.guess_rotations(reference(), instances(), SIZES, VIEW)
@@ -379,7 +381,7 @@ def test_yaws_are_radians_without_the_table(server: Running, reasoner: Reasoner)
     assert reasoner.guess_rotations(reference(), instances()[:1], SIZES, VIEW) == {}
 
 
-def test_places_are_metres_from_the_middle(server: Running, reasoner: Reasoner) -> None:
+def test_places_are_metres_from_the_middle(server: Running, reasoner: CloudReasoner) -> None:
     sized = {"length": 20, "width": 10, "height": 5}
     places = [{"id": n, "x": 10 * n, "y": -5, **sized} for n in NUMBERS]
     always(server, {"places": places})
@@ -408,7 +410,7 @@ def test_numbers_are_on_the_picture_whole(box: list[int], tag: tuple[int, int]) 
     assert ((around[1:-1] > 200).all(2)).sum() > 8  # the number on it
 
 
-def test_a_size_prior_is_the_stage_s_own(server: Running, reasoner: Reasoner) -> None:
+def test_a_size_prior_is_the_stage_s_own(server: Running, reasoner: CloudReasoner) -> None:
     always(server, {"sizes": ALL})
     sizes = reasoner.estimate_sizes(reference(), instances(), VIEW)
     assert all(isinstance(s, SizePrior) and s.name == n for n, s in sizes.items())

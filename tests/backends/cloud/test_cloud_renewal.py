@@ -13,9 +13,10 @@ from backends.modelers.server import Answer, serving
 from desk import VIEW, detections, instances, reference
 from openai_server import IMAGES, Request, Running
 
-from generator.backends.cloud.imager import REDRAWS, Imager
-from generator.backends.cloud.reasoner import Reasoner
-from generator.calls.http.waiting import Patience
+from generator.backends.cloud.imager import REDRAWS, CloudImager
+from generator.backends.cloud.reasoner import CloudReasoner
+from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 from generator.calls.session import Session
 from generator.calls.store import CallStore
@@ -30,14 +31,14 @@ Ask = Callable[..., tuple[str, ...]]
 
 def keeping(folder: Path, **settings: object) -> Session:
     """A session of a run of its own, whose answers are kept in ``folder``."""
-    quick = Patience(first=0.01, longest=0.02, rest=0.05)
-    return Session(**{"store": CallStore(folder), "patience": quick, "attempts": 2, **settings})
+    quick = RetryPolicy(first=0.01, longest=0.02, rest=0.05)
+    return Session(**{"store": CallStore(folder), "retry_policy": quick, "attempts": 2, **settings})
 
 
 @pytest.fixture
 def ask(server: Running, tmp_path: Path) -> Ask:
     """One question in a run of its own."""
-    return lambda **settings: Reasoner(session=keeping(tmp_path, **settings)).list_objects(
+    return lambda **settings: CloudReasoner(session=keeping(tmp_path, **settings)).list_objects(
         reference()
     )
 
@@ -128,7 +129,7 @@ def test_money_spent_on_answers_that_were_dropped_is_in_the_ledger(
     server.script.chat = lambda request: "nonsense"
     session = keeping(tmp_path)
     with pytest.raises(UnusableError):
-        Reasoner(session=session).list_objects(reference())
+        CloudReasoner(session=session).list_objects(reference())
     entries = session.account.entries
     assert [(e.outcome, e.tokens_in) for e in entries] == [("answered", 100)] * 4
 
@@ -147,7 +148,9 @@ def test_a_form_that_was_rejected_needs_no_call_again(
     assert ask(dry=True) == NOUNS
 
 
-def test_a_new_question_tries_the_forms_anew(server: Running, ask: Ask, reasoner: Reasoner) -> None:
+def test_a_new_question_tries_the_forms_anew(
+    server: Running, ask: Ask, reasoner: CloudReasoner
+) -> None:
     server.script.chat = lambda request: KINDS
     server.script.forms = ()
     ask()
@@ -160,7 +163,7 @@ def test_a_new_question_tries_the_forms_anew(server: Running, ask: Ask, reasoner
 
 
 def complete(folder: Path, **settings: object) -> str:
-    imager = Imager(session=keeping(folder, **settings))
+    imager = CloudImager(session=keeping(folder, **settings))
     return imager.complete(reference(), detections()["pen_1"], ()).label
 
 
@@ -225,7 +228,7 @@ def test_one_address_for_every_drawing_gives_each_its_own(
 
     with serving(answer) as served:
         for _ in range(2):
-            imager = Imager(f"{served.url}/v1", "seedream-x", session=keeping(tmp_path))
+            imager = CloudImager(f"{served.url}/v1", "seedream-x", session=keeping(tmp_path))
             reds = [int(imager.draw(plan(text), 0)[0, 0, 0]) for text in ("mug", "bowl")]
             assert reds == ([40, 80] if first == "good" else [80, 120])
 
@@ -252,7 +255,7 @@ def geometry(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def top_view(session: Session) -> tuple[str, ...]:
-    imager = Imager(session=session, fallback=EmbeddedImager())
+    imager = CloudImager(session=session, fallback=EmbeddedImager())
     return imager.top_view(reference(), instances(), {}, {}, VIEW).warnings
 
 
@@ -296,7 +299,7 @@ def test_what_more_than_geometry_can_mend_ends_the_scene(
         top_view(keeping(tmp_path))
     monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "")
     with pytest.raises(BackendError, match="top_view: no key"):
-        top = Imager("https://gpu.example", session=keeping(tmp_path))
+        top = CloudImager("https://gpu.example", session=keeping(tmp_path))
         top.top_view(reference(), instances(), {}, {}, VIEW)
     stopped = keeping(tmp_path)
     stopped.stop.set()

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from generator.backends.huggingface.detection.detections import Find
+from generator.backends.huggingface.detection.detections import BoxDetection
 from generator.backends.huggingface.detection.ground import on_table
 from generator.geometry import mask_box
 
 SHAPE = (120, 160)
 
 
-def find(label: str, x0: int, y0: int, x1: int, y1: int) -> Find:
+def find(label: str, x0: int, y0: int, x1: int, y1: int) -> BoxDetection:
     mask = np.zeros(SHAPE, bool)
     mask[y0:y1, x0:x1] = True
-    return Find(label, 1.0, mask_box(mask), mask)
+    return BoxDetection(label, 1.0, mask_box(mask), mask)
 
 
 TABLE = find("table", 20, 60, 140, 110).mask
 
 
-def kept(*things: Find, table: np.ndarray = TABLE) -> list[str]:
+def kept(*things: BoxDetection, table: np.ndarray = TABLE) -> list[str]:
     return [f.label for f in on_table(things, table)]
 
 

@@ -20,10 +20,10 @@ from bounded import LONG, at_once
 from safetensors.torch import load_file, save_file
 
 from generator.backends import Backends
-from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.encoder import HuggingFaceEncoder
+from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.backends.huggingface.weights.folder import (
-    found,
+    find_model,
     missing,
     models_folder,
     snapshot,
@@ -78,11 +78,11 @@ def test_an_unknown_model_lists_those_there_are() -> None:
     with pytest.raises(BackendError, match=r"no model 'dinov2' of kind Sam2Model.*Available: sam2"):
         pin("dinov2", "Sam2Model")
     with pytest.raises(BackendError, match=r"no model 'owl'.*grounding-dino-base.*sam3"):
-        Segmenter("owl")
+        HuggingFaceSegmenter("owl")
     with pytest.raises(BackendError, match="no model 'sam1'"):
-        Segmenter(masker="sam1")
+        HuggingFaceSegmenter(masker="sam1")
     with pytest.raises(BackendError, match="Available: dinov2"):
-        Encoder("clip")
+        HuggingFaceEncoder("clip")
 
 
 # ------------------------------------------------------------------------------------ the folder
@@ -114,11 +114,11 @@ def test_another_commit_is_not_the_model(folder: Path) -> None:
     other = dataclasses.replace(DINOV2, revision="0" * 40)
     assert missing(other, folder) == DINOV2.files
     with pytest.raises(BackendError, match=r"facebook/dinov2-base at 000000000000.*is not in"):
-        found(other, folder, "huggingface, features:")
+        find_model(other, folder, "huggingface, features:")
 
 
 def test_a_missing_model_names_the_question_and_the_command(tmp_path: Path) -> None:
-    encoder = Encoder(folder=str(tmp_path / "none"))
+    encoder = HuggingFaceEncoder(folder=str(tmp_path / "none"))
     with pytest.raises(BackendError) as told:
         encoder.features(torch.zeros(1, 3, 28, 28))
     assert str(told.value).startswith("huggingface, features: model dinov2")
@@ -229,8 +229,8 @@ def test_by_name_in_every_mix_and_nothing_is_read_until_asked(
     monkeypatch.setenv("TABLETOPGEN_MODELS", str(tmp_path))
     monkeypatch.delenv("TABLETOPGEN_DETECTOR", raising=False)
     mix = Backends.select("embedded", segmenter="huggingface", encoder="huggingface")
-    assert isinstance(mix.segmenter, Segmenter)
-    assert isinstance(mix.encoder, Encoder)
+    assert isinstance(mix.segmenter, HuggingFaceSegmenter)
+    assert isinstance(mix.encoder, HuggingFaceEncoder)
     told = mix.identity()
     assert told["segmenter"]["detector"] == "grounding-dino-base"
     assert told["segmenter"]["revisions"] == "grounding-dino-base@12bdfa3120f3, sam2@665f8e2ad61c"
@@ -242,7 +242,7 @@ def test_by_name_in_every_mix_and_nothing_is_read_until_asked(
 
 def test_the_environment_chooses_the_detector(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TABLETOPGEN_DETECTOR", "sam3")
-    assert Segmenter().revisions == "sam3@3c879f39826c"
+    assert HuggingFaceSegmenter().revisions == "sam3@3c879f39826c"
     monkeypatch.setenv("TABLETOPGEN_DETECTOR", "sam")
     with pytest.raises(BackendError, match="no model 'sam'"):
         Backends.select("embedded", segmenter="huggingface")
@@ -254,13 +254,13 @@ def test_the_environment_chooses_the_detector(monkeypatch: pytest.MonkeyPatch) -
 )
 def test_settings_out_of_range_are_refused(setting: dict[str, Any]) -> None:
     with pytest.raises(InputError, match=f"Segmenter needs {next(iter(setting))}"):
-        Segmenter(**setting)
+        HuggingFaceSegmenter(**setting)
 
 
 @pytest.mark.parametrize("setting", [{"side": 13}, {"batch": 0}])
 def test_encoder_settings_out_of_range_are_refused(setting: dict[str, Any]) -> None:
     with pytest.raises(InputError, match=f"Encoder needs {next(iter(setting))}"):
-        Encoder(**setting)
+        HuggingFaceEncoder(**setting)
 
 
 def test_threads_that_ask_at_once_share_what_one_of_them_made() -> None:

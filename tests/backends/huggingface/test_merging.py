@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generator.backends.huggingface.detection.detections import Find
+from generator.backends.huggingface.detection.detections import BoxDetection
 from generator.backends.huggingface.detection.merging import (
-    cleaned,
+    clean,
     distinct,
-    named,
+    name_generic,
     overlap,
     separate,
 )
@@ -18,15 +18,15 @@ from generator.geometry import mask_box
 SHAPE = (60, 80)
 
 
-def box(label: str, score: float, *sides: float) -> Find:
-    return Find(label, score, np.array(sides, float))
+def box(label: str, score: float, *sides: float) -> BoxDetection:
+    return BoxDetection(label, score, np.array(sides, float))
 
 
-def masked(label: str, score: float, *rectangles: tuple[int, int, int, int]) -> Find:
+def masked(label: str, score: float, *rectangles: tuple[int, int, int, int]) -> BoxDetection:
     mask = np.zeros(SHAPE, bool)
     for x0, y0, x1, y1 in rectangles:
         mask[y0:y1, x0:x1] = True
-    return Find(label, score, mask_box(mask), mask)
+    return BoxDetection(label, score, mask_box(mask), mask)
 
 
 def test_overlap_is_the_intersection_over_the_union() -> None:
@@ -64,8 +64,8 @@ def test_what_was_asked_for_as_anything_is_called_by_the_surest_word_there() -> 
         box("mug", 0.7, 0, 0, 9, 9),
         box("jar", 0.9, 20, 0, 30, 10),
     ]
-    assert [f.label for f in named(finds, "object", better)] == ["mug", "object", "cup"]
-    assert named(finds, "object", better)[0].score == 0.5
+    assert [f.label for f in name_generic(finds, "object", better)] == ["mug", "object", "cup"]
+    assert name_generic(finds, "object", better)[0].score == 0.5
 
 
 def test_small_holes_are_filled_handles_stay_and_specks_go() -> None:
@@ -73,7 +73,7 @@ def test_small_holes_are_filled_handles_stay_and_specks_go() -> None:
     find.mask[20, 20] = False
     find.mask[30:45, 30:45] = False
     find.mask[2, 2] = True
-    made = cleaned(find)
+    made = clean(find)
     assert made.mask[20, 20]
     assert not made.mask[35, 35]
     assert not made.mask[2, 2]

@@ -13,7 +13,7 @@ from torch.nn import functional
 
 from generator.backends.huggingface import encoder as module
 from generator.backends.huggingface.detection.pixels import IMAGENET
-from generator.backends.huggingface.encoder import Encoder
+from generator.backends.huggingface.encoder import HuggingFaceEncoder
 from generator.backends.huggingface.weights.folder import snapshot
 from generator.backends.huggingface.weights.loading import load_model
 from generator.backends.huggingface.weights.pins import pins
@@ -22,8 +22,8 @@ from generator.errors import BackendError
 
 
 @pytest.fixture
-def encoder(tiny_models: Path) -> Encoder:
-    return Encoder(side=56, folder=str(tiny_models), device="cpu")
+def encoder(tiny_models: Path) -> HuggingFaceEncoder:
+    return HuggingFaceEncoder(side=56, folder=str(tiny_models), device="cpu")
 
 
 def pictures(count: int = 2, height: int = 40, width: int = 40) -> torch.Tensor:
@@ -32,7 +32,7 @@ def pictures(count: int = 2, height: int = 40, width: int = 40) -> torch.Tensor:
     return functional.interpolate(coarse, (height, width), mode="bilinear")
 
 
-def test_there_is_a_map_of_the_patches_and_one_of_the_whole(encoder: Encoder) -> None:
+def test_there_is_a_map_of_the_patches_and_one_of_the_whole(encoder: HuggingFaceEncoder) -> None:
     assert isinstance(encoder, Protocol)
     patches, whole = encoder.features(pictures(3))
     assert patches.shape == (3, 32, 4, 4)
@@ -46,13 +46,15 @@ def test_there_is_a_map_of_the_patches_and_one_of_the_whole(encoder: Encoder) ->
     [(40, 40, 4, 4), (56, 56, 4, 4), (30, 60, 4, 8), (200, 100, 8, 4), (40, 43, 4, 4)],
 )
 def test_the_shorter_side_is_as_long_as_set_in_whole_patches(
-    encoder: Encoder, height: int, width: int, rows: int, columns: int
+    encoder: HuggingFaceEncoder, height: int, width: int, rows: int, columns: int
 ) -> None:
     patches, _ = encoder.features(pictures(1, height, width))
     assert patches.shape[-2:] == (rows, columns)
 
 
-def test_the_maps_are_dinov2_s_tokens_where_they_are(encoder: Encoder, tiny_models: Path) -> None:
+def test_the_maps_are_dinov2_s_tokens_where_they_are(
+    encoder: HuggingFaceEncoder, tiny_models: Path
+) -> None:
     images = pictures(1, 56, 84)
     network = load_model(pins()["dinov2"], tiny_models, "who:")
     mean, deviation = (torch.tensor(v).view(1, 3, 1, 1) for v in IMAGENET)
@@ -68,9 +70,11 @@ def test_the_maps_are_dinov2_s_tokens_where_they_are(encoder: Encoder, tiny_mode
 @pytest.mark.slow
 def test_a_batch_is_its_pictures_one_by_one(tiny_models: Path) -> None:
     images = pictures(5)
-    whole = Encoder(side=56, folder=str(tiny_models)).features(images)
-    parts = Encoder(side=56, batch=2, folder=str(tiny_models)).features(images)
-    singles = [Encoder(side=56, folder=str(tiny_models)).features(i[None]) for i in images]
+    whole = HuggingFaceEncoder(side=56, folder=str(tiny_models)).features(images)
+    parts = HuggingFaceEncoder(side=56, batch=2, folder=str(tiny_models)).features(images)
+    singles = [
+        HuggingFaceEncoder(side=56, folder=str(tiny_models)).features(i[None]) for i in images
+    ]
     for k, (one, other) in enumerate(zip(whole, parts, strict=True)):
         torch.testing.assert_close(one, other, atol=1e-5, rtol=1e-4)
         torch.testing.assert_close(one, torch.cat([s[k] for s in singles]), atol=1e-5, rtol=1e-4)
@@ -78,7 +82,7 @@ def test_a_batch_is_its_pictures_one_by_one(tiny_models: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("side", [40, 90])
-def test_gradients_agree_with_finite_differences(encoder: Encoder, side: int) -> None:
+def test_gradients_agree_with_finite_differences(encoder: HuggingFaceEncoder, side: int) -> None:
     """Along one direction over all pixels, enlarged to the network's size and reduced to it."""
     images = pictures(2, side, side).requires_grad_()
     generator = torch.Generator().manual_seed(1)
@@ -98,13 +102,13 @@ def test_gradients_agree_with_finite_differences(encoder: Encoder, side: int) ->
     assert (gradient.abs().sum((1, 2, 3)) > 0).all()
 
 
-def test_features_for_no_gradient_keep_none(encoder: Encoder) -> None:
+def test_features_for_no_gradient_keep_none(encoder: HuggingFaceEncoder) -> None:
     with torch.no_grad():
         assert not any(m.requires_grad for m in encoder.features(pictures().requires_grad_()))
     assert all(p.grad is None for p in encoder._network().parameters())
 
 
-def test_maps_have_the_type_of_the_images(encoder: Encoder) -> None:
+def test_maps_have_the_type_of_the_images(encoder: HuggingFaceEncoder) -> None:
     assert {m.dtype for m in encoder.features(pictures().double())} == {torch.float64}
 
 
@@ -133,10 +137,10 @@ def test_bfloat16_is_for_cuda_only(
     )  # fmt: skip
     monkeypatch.setattr(torch, "autocast", Autocast)
     monkeypatch.setattr(module, "load_model", lambda *_, **__: network)
-    patches, _ = Encoder(side=56, exact=exact).features(pictures(1))
+    patches, _ = HuggingFaceEncoder(side=56, exact=exact).features(pictures(1))
     assert (device, torch.bfloat16, fast) in entered
     assert patches.dtype == torch.float32
-    exactly, _ = Encoder(side=56, exact=True).features(pictures(1))
+    exactly, _ = HuggingFaceEncoder(side=56, exact=True).features(pictures(1))
     error = float((patches - exactly).norm())
     assert (1e-4 < error < 0.2) if fast else error == 0
 
@@ -151,7 +155,7 @@ def test_threads_share_one_network(tiny_models: Path, monkeypatch: pytest.Monkey
         return real(*given, **named)
 
     monkeypatch.setattr(module, "load_model", load)
-    encoder, images = Encoder(side=56, folder=str(tiny_models)), pictures(4)
+    encoder, images = HuggingFaceEncoder(side=56, folder=str(tiny_models)), pictures(4)
     with ThreadPoolExecutor(4) as pool:
         made = list(pool.map(lambda image: encoder.features(image[None])[0], images))
     assert len(loads) == 1
@@ -160,17 +164,21 @@ def test_threads_share_one_network(tiny_models: Path, monkeypatch: pytest.Monkey
 
 def test_another_patch_size_is_the_model_s(tmp_path: Path) -> None:
     tiny.dinov2(step=8).save_pretrained(snapshot(pins()["dinov2"], tmp_path))
-    patches, _ = Encoder(side=56, folder=str(tmp_path)).features(pictures(1))
+    patches, _ = HuggingFaceEncoder(side=56, folder=str(tmp_path)).features(pictures(1))
     assert patches.shape[-2:] == (7, 7)
 
 
 @pytest.mark.parametrize("shape", [(3, 28, 28), (1, 4, 28, 28), (1, 1, 28, 28)])
-def test_what_is_no_batch_of_images_is_told(encoder: Encoder, shape: tuple[int, ...]) -> None:
+def test_what_is_no_batch_of_images_is_told(
+    encoder: HuggingFaceEncoder, shape: tuple[int, ...]
+) -> None:
     with pytest.raises(BackendError, match=r"huggingface, features: images are \(b, 3, h, w\)"):
         encoder.features(torch.zeros(shape))
 
 
-def test_a_network_that_fails_is_told(encoder: Encoder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_network_that_fails_is_told(
+    encoder: HuggingFaceEncoder, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def fail(*_: Any, **__: Any) -> None:
         raise RuntimeError("out of memory")
 

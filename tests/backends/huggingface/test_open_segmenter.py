@@ -13,16 +13,17 @@ import transformers
 from painted import paint
 from played_models import play, tokenizer
 
-from generator.backends.huggingface.detection.detections import Find
+from generator.backends.huggingface.detection.detections import BoxDetection
 from generator.backends.huggingface.detection.grounding_dino import GroundingDino
-from generator.backends.huggingface.detection.sam2 import Sam2, enlarged
+from generator.backends.huggingface.detection.sam2 import Sam2, enlarge
 from generator.backends.huggingface.detection.tiles import tiles_of
-from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.backends.huggingface.weights.loading import load_model
 from generator.backends.huggingface.weights.pins import pins
 from generator.backends.protocols import Segmenter as Protocol
 from generator.errors import BackendError, SceneError
 from generator.geometry import mask_box
+from generator.meshes.pixels import mask_iou
 from generator.scene import TABLE, Detection
 
 PLACES = [("mug", -0.3, -0.1, 0.0), ("book", 0.1, 0.0, 0.0), ("apple", 0.35, -0.15, 0.0)]
@@ -51,10 +52,6 @@ def block(shape: tuple[int, int], x0: int, y0: int, x1: int, y1: int) -> np.ndar
     return mask
 
 
-def iou(a: np.ndarray, b: np.ndarray) -> float:
-    return float((a & b).sum() / (a | b).sum())
-
-
 def noise(height: int = 120, width: int = 160) -> np.ndarray:
     """A picture whose parts all look different."""
     return np.random.default_rng(1).integers(0, 256, (height, width, 3)).astype(np.uint8)
@@ -67,7 +64,7 @@ def asked(
     detector: str = DETECTORS[0],
     **settings: Any,
 ) -> tuple[Detection, ...]:
-    segmenter = Segmenter(detector, **settings)
+    segmenter = HuggingFaceSegmenter(detector, **settings)
     play(segmenter, image, truth)
     return segmenter.segment(image, labels)
 
@@ -79,14 +76,14 @@ def asked(
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) -> None:
     """Every thing is in the whole picture and in one to four parts of it."""
-    segmenter = Segmenter(detector, side=96)
+    segmenter = HuggingFaceSegmenter(detector, side=96)
     play(segmenter, desk.image, list(desk.masks.items()))
     table, *things = segmenter.segment(desk.image, (TABLE, *WORDS, "mug"))
     assert table.label == TABLE
-    assert iou(table.mask, desk.masks[TABLE]) > 0.9
+    assert mask_iou(table.mask, desk.masks[TABLE]) > 0.9
     assert sorted(d.label for d in things) == sorted(WORDS)
     for thing in things:
-        assert iou(thing.mask, desk.masks[thing.label]) > 0.8
+        assert mask_iou(thing.mask, desk.masks[thing.label]) > 0.8
         np.testing.assert_array_equal(thing.box, mask_box(thing.mask))
         assert not (thing.mask & table.mask).any()
         assert 0.7 < thing.score <= 1
@@ -100,7 +97,7 @@ def test_small_things_are_masked_in_the_part_that_shows_them_large() -> None:
     ring = (np.hypot(x - 110, y - 310) < 12) & ~(np.hypot(x - 110, y - 310) < 5)
     truth = [(TABLE, block(shape, 20, 40, 620, 460)), ("ring", ring)]
     closely, far = (asked(image, truth, "ring", tiles=n, side=96)[1].mask for n in (4, 1))
-    assert iou(closely, ring) > 0.88 > 0.8 > iou(far, ring)
+    assert mask_iou(closely, ring) > 0.88 > 0.8 > mask_iou(far, ring)
 
 
 def test_what_a_part_cuts_is_found_in_the_whole() -> None:
@@ -109,7 +106,7 @@ def test_what_a_part_cuts_is_found_in_the_whole() -> None:
     truth = [(TABLE, block(shape, 5, 5, 155, 115)), ("tray", block(shape, 30, 40, 130, 80))]
     found = asked(noise(), truth, "tray", side=96)
     assert [d.label for d in found] == [TABLE, "tray"]
-    assert iou(found[1].mask, truth[1][1]) > 0.9
+    assert mask_iou(found[1].mask, truth[1][1]) > 0.9
 
 
 @pytest.mark.slow
@@ -163,7 +160,7 @@ def test_things_that_hide_the_whole_table_are_told() -> None:
 def test_a_model_that_fails_names_backend_and_question(
     detector: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    segmenter = Segmenter(detector)
+    segmenter = HuggingFaceSegmenter(detector)
     players = play(segmenter, noise(), [])
 
     def fail(*_: Any, **__: Any) -> None:
@@ -187,7 +184,7 @@ def test_tiny_models_of_the_real_classes_answer_and_repeat_themselves(
     settings = {"threshold": 0.2, "side": 64, "words": 2, "folder": str(tiny_models)}
     answers = []
     for _ in range(2):
-        segmenter = Segmenter(detector, device="cpu", **settings)
+        segmenter = HuggingFaceSegmenter(detector, device="cpu", **settings)
         assert isinstance(segmenter, Protocol)
         answers.append(segmenter.segment(noise(60, 80), (TABLE, "mug", "red book")))
     first, second = answers
@@ -233,7 +230,7 @@ def test_many_boxes_at_once_are_masked_as_each_by_itself(
     masker = Sam2(load_model(pins()["sam2"], tiny_models, "who:"))
     image, tiles = noise(60, 80), tiles_of(80, 60, 2, 0.25)
     boxes = [(4, 4, 20, 30), (50, 20, 75, 55), (0, 0, 80, 60), (30, 25, 36, 30), (8, 6, 24, 20)]
-    finds = [Find("thing", 1.0, np.array(b, float)) for b in boxes]
+    finds = [BoxDetection("thing", 1.0, np.array(b, float)) for b in boxes]
     together = masker.mask(image, finds, tiles)
     alone = [made for find in finds for made in masker.mask(image, [find], tiles)]
     assert [f.box.tolist() for f in together] == [f.box.tolist() for f in alone]
@@ -247,21 +244,21 @@ def test_a_box_s_mask_is_that_of_the_network_given_the_pixels(tiny_models: Path)
     """The encoded picture, kept for all boxes, gives what the whole network does."""
     network = load_model(pins()["sam2"], tiny_models, "who:")
     image, box = noise(64, 64), np.array([10.0, 12, 40, 50])
-    (found,) = Sam2(network).mask(image, [Find("a", 1.0, box)], tiles_of(64, 64, 1, 0.25))
-    from generator.backends.huggingface.detection.pixels import IMAGENET, seen
+    (found,) = Sam2(network).mask(image, [BoxDetection("a", 1.0, box)], tiles_of(64, 64, 1, 0.25))
+    from generator.backends.huggingface.detection.pixels import IMAGENET, to_batch
 
     with torch.inference_mode():
         answer = network(
-            pixel_values=seen(image, 64, 64, IMAGENET),
+            pixel_values=to_batch(image, 64, 64, IMAGENET),
             input_boxes=torch.tensor(box[None, None]).float(),
             multimask_output=False,
         )
-    (right,) = enlarged(answer.pred_masks[0, :, 0], (64, 64), 0.0)
+    (right,) = enlarge(answer.pred_masks[0, :, 0], (64, 64), 0.0)
     np.testing.assert_array_equal(found.mask, right)
 
 
 def test_maps_are_stretched_as_pictures_are() -> None:
     logits = torch.tensor([[[1.0, -1.0], [1.0, -1.0]]])
-    (mask,) = enlarged(logits, (8, 4), 0.0)
+    (mask,) = enlarge(logits, (8, 4), 0.0)
     assert mask.shape == (4, 8)
     np.testing.assert_array_equal(mask, np.arange(8)[None].repeat(4, 0) < 4)

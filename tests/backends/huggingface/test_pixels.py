@@ -10,9 +10,9 @@ import transformers
 from generator.backends.huggingface.detection.pixels import (
     HALVES,
     IMAGENET,
-    bounded,
-    normalised,
-    seen,
+    bound_size,
+    normalise,
+    to_batch,
 )
 
 
@@ -26,17 +26,17 @@ def test_a_picture_is_resized_and_normalised_as_grounding_dino_s_processor_does(
         size={"shortest_edge": 60, "longest_edge": 100}
     )
     right = torch.as_tensor(processor(image, return_tensors="pt")["pixel_values"])
-    made = seen(image, *bounded(width, height, 60, 100), IMAGENET)
+    made = to_batch(image, *bound_size(width, height, 60, 100), IMAGENET)
     torch.testing.assert_close(made, right, atol=1e-5, rtol=0)
 
 
 def test_a_model_with_halves_sees_values_from_minus_one_to_one() -> None:
     image = np.array([[[0, 255, 0]]], np.uint8)
-    np.testing.assert_allclose(seen(image, 1, 1, HALVES).flatten(), [-1, 1, -1])
+    np.testing.assert_allclose(to_batch(image, 1, 1, HALVES).flatten(), [-1, 1, -1])
 
 
 def test_normalising_keeps_gradients() -> None:
     image = torch.full((1, 3, 2, 2), 0.5, requires_grad=True)
-    normalised(image, IMAGENET).sum().backward()
+    normalise(image, IMAGENET).sum().backward()
     assert image.grad is not None
     np.testing.assert_allclose(image.grad[0, :, 0, 0], 1 / np.array(IMAGENET[1]), rtol=1e-6)

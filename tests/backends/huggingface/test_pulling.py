@@ -20,9 +20,9 @@ from hub_server import Hub
 from huggingface_hub import file_download
 from local_server import local_server
 
-from generator.backends.huggingface.encoder import Encoder
+from generator.backends.huggingface.encoder import HuggingFaceEncoder
 from generator.backends.huggingface.weights import pins as pins_module
-from generator.backends.huggingface.weights.downloading import download, watched
+from generator.backends.huggingface.weights.downloading import download, watch
 from generator.backends.huggingface.weights.folder import missing, snapshot
 from generator.backends.huggingface.weights.loading import load_model
 from generator.backends.huggingface.weights.pins import WEIGHTS, Pin, pins
@@ -71,7 +71,9 @@ def test_what_was_fetched_answers(hub: Hub, model: Pin, tmp_path: Path) -> None:
     import torch
 
     pull(model, tmp_path)
-    patches, _ = Encoder(folder=str(tmp_path), side=28).features(torch.rand(1, 3, 28, 28))
+    patches, _ = HuggingFaceEncoder(folder=str(tmp_path), side=28).features(
+        torch.rand(1, 3, 28, 28)
+    )
     assert patches.shape == (1, 32, 2, 2)
 
 
@@ -209,7 +211,7 @@ def test_a_full_disk_keeps_what_is_there(
 def fake(tmp_path: Path, code: str, seconds: float = 60.0, least: int = 1) -> None:
     """Watch a downloader that runs this code; what it fetches goes to ``tmp_path``."""
     head = f"import json, os, sys, time\nplace = {str(tmp_path / 'file')!r}\n"
-    watched([sys.executable, "-c", head + code], tmp_path, "toy", seconds=seconds, least=least)
+    watch([sys.executable, "-c", head + code], tmp_path, "toy", seconds=seconds, minimum=least)
 
 
 def test_a_download_that_stands_still_is_ended(tmp_path: Path) -> None:

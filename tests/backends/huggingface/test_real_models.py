@@ -9,8 +9,8 @@ import pytest
 import torch
 from painted import paint
 
-from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.encoder import HuggingFaceEncoder
+from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.backends.huggingface.weights.folder import MODELS, missing, models_folder
 from generator.backends.huggingface.weights.pins import pins
 from generator.evaluation.perceptual import CLIP, DINOV2, HubSimilarity
@@ -39,7 +39,7 @@ def needs(*names: str) -> None:
 def test_things_on_a_painted_table_are_found(detector: str, models: tuple[str, ...]) -> None:
     needs(*models)
     picture = paint("rectangle", "oak", PLACES)
-    found = Segmenter(detector).segment(picture.image, (TABLE, *WORDS))
+    found = HuggingFaceSegmenter(detector).segment(picture.image, (TABLE, *WORDS))
     truth = {name: picture.ids == k for k, name in enumerate((TABLE, *WORDS))}
     for name, mask in truth.items():
         shared = [(d.mask & mask).sum() / (d.mask | mask).sum() for d in found if d.label == name]
@@ -52,7 +52,7 @@ def test_dinov2_tells_a_turned_thing_from_a_moved_light() -> None:
         torch.from_numpy(paint("rectangle", "oak", PLACES, azimuth=a).image.copy())
         .permute(2, 0, 1)[None] / 255 for a in (0.0, 40.0)
     )  # fmt: skip
-    encoder = Encoder()
+    encoder = HuggingFaceEncoder()
     first, dim, other = (encoder.features(i) for i in (image, 0.9 * image, turned))
 
     def apart(a: tuple[torch.Tensor, ...], b: tuple[torch.Tensor, ...]) -> float:

@@ -11,7 +11,7 @@ from http.server import BaseHTTPRequestHandler
 
 from local_server import local_server, sent_to
 
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 
@@ -87,4 +87,6 @@ def serving(
 
 def quick(store: CallStore | None = None, attempts: int = 1) -> Session:
     """A session that does not wait long."""
-    return Session(store=store, attempts=attempts, patience=Patience(first=0.01, longest=0.02))
+    return Session(
+        store=store, attempts=attempts, retry_policy=RetryPolicy(first=0.01, longest=0.02)
+    )

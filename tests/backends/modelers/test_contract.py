@@ -15,8 +15,8 @@ from backends.modelers.test_installed import Network, checkout, fake_trellis, in
 from backends.modelers.test_tencent import ID, KEY, Cloud
 
 from generator.backends import Backends
-from generator.backends.embedded.modeler import Modeler as Embedded
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.modeler import EmbeddedModeler as Embedded
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.backends.modelers.folder import Folder
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
 from generator.backends.modelers.tencent import Tencent
@@ -125,7 +125,7 @@ def test_the_same_question_has_the_same_answer(modeler, made):
 
 def test_the_stage_can_align_it(made):
     thing = instance("gizmo")
-    aligned = align_canonically(made, thing, prior("gizmo"), Reasoner())
+    aligned = align_canonically(made, thing, prior("gizmo"), EmbeddedReasoner())
     assert (aligned.name, aligned.label) == (thing.name, thing.label)
 
 

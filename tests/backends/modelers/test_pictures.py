@@ -97,7 +97,7 @@ def test_a_picture_in_several_tints_is_decoded_once_and_kept_for_each(decoded):
 
 
 def test_many_tints_of_a_picture_are_refused():
-    found = Pictures("the file:", most=3 * 64)
+    found = Pictures("the file:", maximum=3 * 64)
     for k in range(3):
         found.place(Image.open(io.BytesIO(png(k))), WHITE)
     with pytest.raises(BackendError, match="the file: shows its textures in too many tints"):

@@ -9,12 +9,7 @@ from backends.modelers.foreign import glb
 
 from generator.errors import BackendError
 from generator.meshes.normalising import Normal, normal_mesh
-from generator.meshes.repairing import (
-    filled,
-    flaws,
-    tidied,
-    welded_shape,
-)
+from generator.meshes.repairing import fill_holes, flaws, tidy, welded_shape
 from generator.physics.inertia import is_watertight
 from generator.scene import Mesh
 
@@ -128,7 +123,7 @@ def test_crumbs_and_what_reduction_leaves_go_from_shapes_too():
     fin = grown(made, list(1.01 * made.vertices[made.faces[0, 0]]))
     vertices, faces = welded_shape(fin.vertices, fin.faces)
     faces = np.vstack([faces, faces[:1, [0, 0, 1]], faces[5:6], faces[5:6]])
-    assert len(tidied(vertices, faces)) == len(ball.faces)
+    assert len(tidy(vertices, faces)) == len(ball.faces)
 
 
 @pytest.mark.parametrize(
@@ -171,7 +166,7 @@ def test_holes_that_meet_in_a_corner_are_closed_each():
     kept[[first, apart[0]]] = False
     faces = np.asarray(ball.faces[kept])
     assert flaws(faces)[0] > 0
-    vertices, closed = filled(np.asarray(ball.vertices), faces)
+    vertices, closed = fill_holes(np.asarray(ball.vertices), faces)
     assert len(vertices) == len(ball.vertices) + 2
     assert mesh_of(vertices, closed).is_watertight
     assert flaws(closed) == (0, 0)
@@ -195,6 +190,6 @@ def test_a_long_rim_and_a_way_that_ends_are_followed():
     around = np.arange(count)
     fan = np.column_stack([around, np.roll(around, -1), np.full(count, count)])
     vertices = np.vstack([rim, [[0, 0, 1]]])
-    assert len(filled(vertices, fan)[1]) == count
+    assert len(fill_holes(vertices, fan)[1]) == count
     same_way = np.array([[0, 1, 2], [0, 1, 3]])  # two sides 0-1: what is left is no loop
-    assert len(filled(np.eye(4, 3), same_way)[1]) == 2
+    assert len(fill_holes(np.eye(4, 3), same_way)[1]) == 2

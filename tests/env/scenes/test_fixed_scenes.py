@@ -9,13 +9,14 @@ import warnings
 import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
+from worlds import names
 
 import assets_cache
 from generator.errors import BundleError
 from generator.scene import Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.scenes import FixedScenes, SceneRef, SceneSource, resolve
+from tabletopgen_env.scenes import SceneRef, SceneSource, resolve
 from tabletopgen_env.scenes.finding import fixed_scenes
 from tabletopgen_env.world.worlds import WorldCache
 
@@ -28,11 +29,6 @@ def store(tmp_path, monkeypatch):
         scene = toy_scene(toy_objects()[: 4 + k], name=f"desk_{k}")
         assets_cache.add(scene, allow_failed=True)
     return tmp_path
-
-
-def names(source: SceneSource) -> list[str]:
-    assert isinstance(source, FixedScenes)
-    return [ref.load().name for ref in source.refs]
 
 
 def test_bundles_by_path_name_glob_and_list(store) -> None:

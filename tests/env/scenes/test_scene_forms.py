@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -17,8 +17,8 @@ from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import (
     FixedScenes,
     FreshScenes,
-    Recipe,
     RefreshingScenes,
+    SceneRecipe,
     SceneSource,
     resolve,
     split,
@@ -80,14 +80,14 @@ def test_a_side_with_none_of_the_first_tables_begins_with_new_ones() -> None:
 
 
 def test_needs_tell_tables_apart_and_none_leave_them_what_they_were() -> None:
-    plain = Recipe(SceneDistribution(), 5)
+    plain = SceneRecipe(SceneDistribution(), 5)
     assert plain.identity == (
         'fresh:5:{"themes": [], "objects": [4, 8], "tables": [], "styles": ["plain"]}'
     )
-    needing = Recipe(SceneDistribution(needs=Tidy.needs), 5)
+    needing = SceneRecipe(SceneDistribution(needs=Tidy.needs), 5)
     assert needing.identity != plain.identity
     for recipe in (plain, needing):
-        assert Recipe.from_json(json.loads(json.dumps(recipe.to_json()))) == recipe
+        assert pickle.loads(pickle.dumps(recipe)) == recipe
 
 
 @pytest.mark.slow

@@ -11,6 +11,7 @@ import sys
 import numpy as np
 import pytest
 from toy import toy_object, toy_scene
+from worlds import names
 
 import assets_cache
 from generator.errors import BundleError, InputError, SceneError
@@ -21,9 +22,9 @@ from tabletopgen_env.scenes import (
     FixedScenes,
     FreshScenes,
     RefreshingScenes,
-    Rule,
     SceneRef,
     SceneSource,
+    SplitRule,
     resolve,
     split,
 )
@@ -45,11 +46,6 @@ def desk(k: int, *names: str) -> Scene:
 def keys(source: SceneSource, draws: int = 40) -> set[str]:
     rng = np.random.default_rng(0)
     return {source.draw(rng).key for _ in range(draws)}
-
-
-def names(source: SceneSource) -> list[str]:
-    assert isinstance(source, FixedScenes)
-    return [ref.load().name for ref in source.refs]
 
 
 @pytest.fixture
@@ -120,7 +116,7 @@ def test_sides_draws_and_scenes_are_the_same_in_every_process() -> None:
 
 def test_sides_are_pinned() -> None:
     """Which side a scene is on must not change with the version: results would not compare."""
-    rule = Rule("held_out")
+    rule = SplitRule("held_out")
     held = [k for k in range(40) if rule.admits(lambda k=k: f"fresh:{k}:a desk", frozenset)]
     assert held == [0, 8, 12, 13, 14, 18, 19, 38]
 
@@ -200,10 +196,10 @@ def test_fresh_scenes_are_split_by_what_is_planned(what) -> None:
 def test_what_no_plan_tells_is_judged_when_it_is_made() -> None:
     fresh = FreshScenes("x", making="makers:categories")
     odd = next(r for k in range(9) if (r := fresh.recipe(np.random.default_rng(k))).seed % 2)
-    mugless = Rule("train", "category", categories=("mug",))
+    mugless = SplitRule("train", "category", categories=("mug",))
     with pytest.raises(SceneError, match=r"mug_1_.* is not for 'train' by category"):
         type(odd)(odd.what, odd.seed, odd.making, (mugless,)).make()
-    mugs = Rule("held_out", "category", categories=("mug",))
+    mugs = SplitRule("held_out", "category", categories=("mug",))
     assert type(odd)(odd.what, odd.seed, odd.making, (mugs,)).make().name.startswith("mug_1")
 
 
@@ -212,7 +208,7 @@ def test_both_splits_can_be_asked_for_at_once() -> None:
     both = split(split(fresh, "train"), "held_out", by="category", categories=("cake",))
     seen = keys(both)
     assert seen < keys(split(fresh, "train"), 4000) | seen
-    digest = Rule("train")
+    digest = SplitRule("train")
     assert all(digest.admits(lambda key=key: key, frozenset) for key in seen)
     assert isinstance(both, FreshScenes) and len(both.rules) == 2
 
@@ -225,7 +221,7 @@ def test_a_pool_is_split_at_first_and_later_on(bundles) -> None:
         FreshScenes("x", making="makers:toy"), size=6, every_resets=1, synchronous=True,
         initial="desk_*", seed=0,
     )  # fmt: skip
-    rule = Rule("held_out", share=0.3)
+    rule = SplitRule("held_out", share=0.3)
     kept = split(pool, "held_out", share=0.3)
     assert isinstance(kept, RefreshingScenes)
     first = {ref.key for ref in split("desk_*", "held_out", share=0.3).refs}  # type: ignore

@@ -55,13 +55,6 @@ def command(*arguments: str) -> bool:
     return _printed(lambda: cli.run(list(arguments)))
 
 
-def robot_command(*arguments: str) -> bool:
-    """Run a command of ``python -m tabletopgen_env``; as ``command``."""
-    from tabletopgen_env.__main__ import run
-
-    return _printed(lambda: run(list(arguments)))
-
-
 def _printed(run: Callable[[], int]) -> bool:
     out = io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):

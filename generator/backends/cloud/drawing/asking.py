@@ -21,14 +21,14 @@ import numpy as np
 import openai
 from jaxtyping import UInt8
 
-from ....calls.http.address import linked
+from ....calls.http.address import check_link
 from ....calls.used import Used
 from ....errors import UnusableError
 from ....io.png import encode_png
 from ..server import configuration
 from ..server.asking import data_uri
 from ..server.calling import Rejected, Server
-from .pictures import RGBA, NotAPicture, decoded
+from .pictures import RGBA, NotAPicture, decode
 
 Form = Literal["openai", "seedream"]
 
@@ -84,16 +84,12 @@ class Painter:
     ) -> RGBA:
         """Return a drawn picture.
 
-        Args:
-            question: what it is for.
-            text: what to draw.
-            ratio: width over height; the nearest that the server can draw is asked for.
-            pictures: to be looked at or edited; the first is edited.
-            keep: where the first picture stays (opaque) and is drawn anew (clear); where the
-                server takes no mask, the text alone says so.
-            clear: ask for nothing behind what is drawn; not all servers can.
-            used: the answers so far where several drawings answer the question; they go with this
-                one if it is of no use.
+        Errors and the account name ``question``. Of width over height, ``ratio``, the nearest that
+        the server can draw is asked for. ``pictures`` are to be looked at or edited; the first is
+        edited, and stays where ``keep`` is opaque; where the server takes no mask, the text alone
+        says so. ``clear`` asks for nothing behind what is drawn; not all servers can. ``used`` are
+        the answers so far where several drawings answer the question; they go with this one if it
+        is of no use.
 
         Raises:
             UnusableError: the model refuses, or its answer is no picture.
@@ -107,7 +103,7 @@ class Painter:
         else:
             options |= _SEEDREAM if self.form == "seedream" else {}
             request = self._generation([data_uri(file) for file in files], text)
-        meant, told = _meaning(text, options, files), ""
+        meant, message = _meaning(text, options, files), ""
         used = used or Used(self.server.session.store)
         with used.dropped_on(UnusableError):
             for memo in ("yes", "renew"):  # an address may have expired, or one answer be of no use
@@ -115,8 +111,8 @@ class Painter:
                 try:
                     return self._picture(question, data, used, memo)
                 except _Unusable as error:
-                    told = str(error)
-            raise self.server.unusable(question, told)
+                    message = str(error)
+            raise self.server.unusable(question, message)
 
     def _generation(self, pictures: list[str], text: str) -> Callable[..., Any]:
         named = ("size", "response_format")
@@ -200,20 +196,20 @@ class Painter:
         if not isinstance(coded, str | None) or not isinstance(address, str | None):
             raise _Unusable("the answer holds no picture, but values of other types.")
         if not coded and not address:
-            told = self.server.quoted(str(first.get("error") or "neither b64_json nor url"))
-            raise _Unusable(f"the answer holds no picture: {told}.")
+            message = self.server.quote(str(first.get("error") or "neither b64_json nor url"))
+            raise _Unusable(f"the answer holds no picture: {message}.")
         try:
             whole = base64.b64decode(coded, validate=True) if coded else None
         except (binascii.Error, TypeError, ValueError):
             raise _Unusable("the picture is no base64.") from None
         try:
             if whole is None:
-                whole = self._fetched(question, str(address), used, memo)
-            return decoded(whole)
+                whole = self._fetch(question, str(address), used, memo)
+            return decode(whole)
         except NotAPicture as error:
             raise _Unusable(f"{error}.") from None
 
-    def _fetched(self, question: str, address: str, used: Used, memo: str) -> bytes:
+    def _fetch(self, question: str, address: str, used: Used, memo: str) -> bytes:
         """Return what is at the address of a picture; the key is not sent there.
 
         Kept is the picture of the drawing that ``used`` noted last: a server may give each the same
@@ -221,7 +217,7 @@ class Painter:
         """
         server = self.server
         try:
-            linked(address, "the picture's address", UnusableError)
+            check_link(address, "the picture's address", UnusableError)
         except UnusableError as error:  # not asked again at once: it would be paid for again
             raise server.unusable(question, str(error)) from None
         host = configuration.host(address)

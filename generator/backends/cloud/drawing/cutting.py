@@ -10,12 +10,7 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import ndimage, signal
 
 from ....geometry import mask_box
-from ....scene import (
-    TABLE,
-    Detection,
-    Instance,
-    Reference,
-)
+from ....scene import TABLE, Detection, Instance, Reference
 from ..server.reading import Wrong
 from .pictures import RGBA, apart, thing_in
 
@@ -73,21 +68,21 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
     shift = -box[:2] * scale + scale / 2 - 0.5
     warp = np.array([[scale, 0, shift[0]], [0, scale, shift[1]]])
 
-    def moved(mask: np.ndarray) -> Mask:
+    def move(mask: np.ndarray) -> Mask:
         there = cv2.warpAffine(mask.astype(np.uint8) * 255, warp, (SIDE, SIDE))
         return there > 127
 
     image = np.ascontiguousarray(reference.image)
     colors = cv2.warpAffine(image, warp, (SIDE, SIDE), flags=cv2.INTER_CUBIC)
-    seen = moved(np.asarray(detection.mask))
+    seen = move(np.asarray(detection.mask))
     hiders = np.zeros(image.shape[:2], bool)
     for other in others:
         if other.label != TABLE:  # it hides nothing that stands on it
             hiders |= np.asarray(other.mask)
-    outside = ~moved(np.ones(image.shape[:2], bool))
+    outside = ~move(np.ones(image.shape[:2], bool))
     name = _ground(colors[seen])
     picture = np.where(seen[..., None], colors, np.array(_GROUNDS[name], np.uint8))
-    unknown = (moved(hiders) | outside) & ~seen
+    unknown = (move(hiders) | outside) & ~seen
     return Cutout(detection, box, picture.astype(np.uint8), seen, unknown, name)
 
 
@@ -109,9 +104,9 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
     Raises:
         Wrong: it is not drawn alone, or is not the thing that was cut out.
     """
-    square = _squared(redrawn)
+    square = _square(redrawn)
     mask = thing_in(square)
-    scale, shift = _registered(mask, cutout)
+    scale, shift = _register(mask, cutout)
     box = mask_box(mask)
     margin = max(2.0, _MARGIN * float((box[2:] - box[:2]).max()))
     side = square.shape[0]
@@ -125,8 +120,8 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
         return cutout.box[:2] + (side / 2 + (point - side / 2) * scale + shift * side) * pixel
 
     found = cutout.detection
-    deep = cutout.unknown & ~_grown(cutout.seen, _EDGE / pixel * SIDE / side)
-    hidden = (_placed(mask, scale, shift, SIDE) & deep).sum()
+    deep = cutout.unknown & ~_grow(cutout.seen, _EDGE / pixel * SIDE / side)
+    hidden = (_place(mask, scale, shift, SIDE) & deep).sum()
     return Instance(
         found.label,
         found.label,
@@ -139,12 +134,12 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
     )
 
 
-def _grown(mask: Mask, by: float) -> Mask:
+def _grow(mask: Mask, by: float) -> Mask:
     width = 2 * max(1, round(by)) + 1
     return cv2.dilate(mask.astype(np.uint8), np.ones((width, width), np.uint8)) > 0
 
 
-def _squared(picture: RGBA) -> RGBA:
+def _square(picture: RGBA) -> RGBA:
     """Return a picture made square by stretching its own edges outward."""
     height, width = picture.shape[:2]
     side = max(height, width)
@@ -153,12 +148,12 @@ def _squared(picture: RGBA) -> RGBA:
     return cv2.copyMakeBorder(picture, *around, cv2.BORDER_REPLICATE)
 
 
-def _registered(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]]:
+def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]]:
     """Return the size and the shift (shares of the side) that put a redrawing in place."""
     scale, _ = _best(mask, cutout, _SCALES, _COARSE)
     scale, shift = _best(mask, cutout, _FINE * scale, 2 * _COARSE)
     seen, worth = _worth(cutout, _COARSE)
-    own = _placed(mask, scale, shift, _COARSE)
+    own = _place(mask, scale, shift, _COARSE)
     covered = float((own & seen).sum() / max(seen.sum(), 1))
     beyond = float((own & (worth < 0)).sum() / max(seen.sum(), 1))
     if covered < _COVERED or beyond > _BEYOND:
@@ -176,7 +171,7 @@ def _best(
     seen, worth = _worth(cutout, side)
     best = (-np.inf, 1.0, np.zeros(2))
     for scale in scales.tolist():
-        own = _placed(mask, scale, np.zeros(2), side).astype(float)
+        own = _place(mask, scale, np.zeros(2), side).astype(float)
         gain = signal.fftconvolve(worth, own[::-1, ::-1], mode="full") / max(seen.sum(), 1)
         row, column = np.unravel_index(int(np.argmax(gain)), gain.shape)
         value = float(gain[row, column]) - _MOVED * abs(float(np.log(scale)))
@@ -195,7 +190,7 @@ def _small(mask: Mask, side: int) -> Mask:
     return cv2.resize(mask.astype(np.float32), (side, side), interpolation=cv2.INTER_AREA) > 0.5
 
 
-def _placed(
+def _place(
     mask: Mask, scale: float, shift: Float[np.ndarray, "2"], side: int
 ) -> Bool[np.ndarray, "c c"]:
     """Return a mask at another resolution, resized about its middle and moved."""

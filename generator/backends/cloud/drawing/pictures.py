@@ -31,7 +31,7 @@ class NotAPicture(ValueError):
     """Bytes that cannot be used as a picture; the message says why."""
 
 
-def decoded(data: bytes) -> RGBA:
+def decode(data: bytes) -> RGBA:
     """Return an encoded picture (PNG, JPEG or WebP) as RGBA.
 
     Raises:
@@ -72,23 +72,23 @@ def on_white(picture: RGBA) -> UInt8[np.ndarray, "h w 3"]:
     return np.round(picture[..., :3] * alpha + 255 * (1 - alpha)).astype(np.uint8)
 
 
-def shrunk(picture: UInt8[np.ndarray, "h w c"], most: int) -> UInt8[np.ndarray, "a b c"]:
-    """Return a picture with no side longer than ``most`` pixels."""
+def shrink(picture: UInt8[np.ndarray, "h w c"], maximum: int) -> UInt8[np.ndarray, "a b c"]:
+    """Return a picture with no side longer than ``maximum`` pixels."""
     height, width = picture.shape[:2]
-    factor = most / max(width, height)
+    factor = maximum / max(width, height)
     if factor >= 1:
         return picture
     size = max(1, round(width * factor)), max(1, round(height * factor))
     return cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
 
 
-def padded(
-    picture: UInt8[np.ndarray, "h w 3"], least: float, most: float
+def pad(
+    picture: UInt8[np.ndarray, "h w 3"], minimum: float, maximum: float
 ) -> UInt8[np.ndarray, "a b 3"]:
     """Return a picture with white at its sides, so that width over height is within limits."""
     height, width = picture.shape[:2]
-    across = max(width, int(np.ceil(height * least)))
-    down = max(height, int(np.ceil(width / most)))
+    across = max(width, int(np.ceil(height * minimum)))
+    down = max(height, int(np.ceil(width / maximum)))
     x, y = (across - width) // 2, (down - height) // 2
     canvas = np.full((down, across, 3), 255, np.uint8)
     canvas[y : y + height, x : x + width] = picture

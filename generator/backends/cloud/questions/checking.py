@@ -21,8 +21,8 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
         BackendError: the chat model gives no usable answer.
     """
 
-    def told(answer: TopViewAnswer) -> tuple[str, ...]:
-        seen = things.matched(answer.things, without=(0,))
+    def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
+        seen = things.match(answer.things, without=(0,))
         numbers = things.numbers
         places = [(a.id, np.array(box)) for a in seen.values() for box in a.boxes]
         _check_places(places)
@@ -37,15 +37,11 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
         return tuple(found)
 
     text = prompt("check_top_view", listing=things.names())
-    return chat.ask("top_view", text, (things.picture(), drawn), TopViewAnswer, told)
+    return chat.ask("top_view", text, (things.picture(), drawn), TopViewAnswer, sentences)
 
 
 def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
-    """Refuse boxes that are none, and one place given to two things.
-
-    Raises:
-        Wrong: which they are.
-    """
+    """Refuse boxes that are none, and one place given to two things (Wrong: which they are)."""
     for number, (x0, y0, x1, y1) in places:
         if not (x0 < x1 and y0 < y1):
             raise Wrong(

@@ -7,15 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ....geometry import wrap
-from ....scene import (
-    TABLE,
-    Instance,
-    LayoutBox,
-    Reference,
-    SizePrior,
-    Stacking,
-    View,
-)
+from ....scene import TABLE, Instance, LayoutBox, Reference, SizePrior, Stacking, View
 from ..prompts import prompt
 from ..server.answers import (
     KindsAnswer,
@@ -80,13 +72,13 @@ def estimate_sizes(
 ) -> Mapping[str, SizePrior]:
     """Return each instance's size prior; sizes that a text fixed replace the model's."""
     shown = Labelled.of(reference.image, instances)
-    fixed = {i.name: size for i in instances if (size := _fixed(reference, i)) is not None}
+    fixed = {i.name: size for i in instances if (size := _fixed_size(reference, i)) is not None}
     numbers = shown.numbers
-    told = [f"Number {numbers[n]} measures {_by(size)} cm." for n, size in fixed.items()]
-    known = "\nThis is known: " + " ".join(told) if told else ""
+    sentences = [f"Number {numbers[n]} measures {_by(size)} cm." for n, size in fixed.items()]
+    known = "\nThis is known: " + " ".join(sentences) if sentences else ""
 
     def sizes(answer: SizesAnswer) -> dict[str, SizePrior]:
-        by_name = shown.matched(answer.sizes)
+        by_name = shown.match(answer.sizes)
         return {
             name: SizePrior(
                 name,
@@ -102,7 +94,7 @@ def estimate_sizes(
     return chat.ask("estimate_sizes", text, pictures, SizesAnswer, sizes)
 
 
-def _fixed(reference: Reference, instance: Instance) -> np.ndarray | None:
+def _fixed_size(reference: Reference, instance: Instance) -> np.ndarray | None:
     """Return the size that a text fixed, metres."""
     if reference.plan is None:
         return None
@@ -120,7 +112,7 @@ def stacking_order(
     shown = Labelled.of(reference.image, instances)
 
     def stacking(answer: RestsAnswer) -> dict[str, Stacking]:
-        by_name = shown.matched(answer.things, without=(0,))
+        by_name = shown.match(answer.things, without=(0,))
         supports = {}
         for name, rest in by_name.items():
             _check_rest(rest, shown)
@@ -172,10 +164,10 @@ def guess_rotations(
         return {}
 
     def yaws(answer: TurnsAnswer) -> dict[str, float]:
-        by_name = shown.matched(answer.turns, without=(0,))
+        by_name = shown.match(answer.turns, without=(0,))
         return {name: wrap(float(np.deg2rad(a.yaw))) for name, a in by_name.items()}
 
-    text = prompt("guess_rotations", listing=_sized(shown, sizes), **_camera(view))
+    text = prompt("guess_rotations", listing=_size_listing(shown, sizes), **_camera(view))
     pictures = (np.asarray(reference.image), shown.picture())
     return chat.ask("guess_rotations", text, pictures, TurnsAnswer, yaws)
 
@@ -194,7 +186,7 @@ def guess_layout(
     length, width = 100 * sizes[TABLE].extent[:2]
 
     def layout(answer: PlacesAnswer) -> dict[str, LayoutBox]:
-        by_name = shown.matched(answer.places, without=(0,))
+        by_name = shown.match(answer.places, without=(0,))
         beyond = [a.id for a in by_name.values() if abs(a.x) > length / 2 or abs(a.y) > width / 2]
         if beyond:
             numbers = ", ".join(map(str, beyond))
@@ -208,7 +200,7 @@ def guess_layout(
 
     text = prompt(
         "guess_layout",
-        listing=_sized(shown, sizes),
+        listing=_size_listing(shown, sizes),
         length=f"{length:.0f}", width=f"{width:.0f}",
         half_length=f"{length / 2:.0f}", half_width=f"{width / 2:.0f}",
         **_camera(view),
@@ -217,7 +209,7 @@ def guess_layout(
     return chat.ask("guess_layout", text, pictures, PlacesAnswer, layout)
 
 
-def _sized(shown: Labelled, sizes: Mapping[str, SizePrior]) -> str:
+def _size_listing(shown: Labelled, sizes: Mapping[str, SizePrior]) -> str:
     return shown.listing(lambda i: f"{_by(sizes[i.name].extent)} cm")
 
 

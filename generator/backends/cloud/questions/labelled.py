@@ -82,9 +82,9 @@ class Labelled:
         """Return a line for each thing: number, label, ``facts`` if any, box on the grid."""
         lines = []
         for number, instance in self.by_number.items():
-            told = f"; {facts(instance)}" if facts else ""
+            note = f"; {facts(instance)}" if facts else ""
             box = " ".join(str(v) for v in self.on_grid(instance.box))
-            lines.append(f"{number}: {instance.label}{told}; box {box}")
+            lines.append(f"{number}: {instance.label}{note}; box {box}")
         return "\n".join(lines)
 
     def names(self) -> str:
@@ -102,7 +102,7 @@ class Labelled:
         shares = np.asarray(box) / [width, height, width, height]
         return tuple(int(v) for v in np.clip(np.round(shares * GRID), 0, GRID))
 
-    def matched(self, answers: Sequence[N], without: Sequence[int] = ()) -> dict[str, N]:
+    def match(self, answers: Sequence[N], without: Sequence[int] = ()) -> dict[str, N]:
         """Return the answers by instance name, one for each number but ``without``.
 
         Raises:

@@ -6,13 +6,7 @@ import re
 
 from ....catalogue import category
 from ....errors import InputError
-from ....scene import (
-    TABLE,
-    PlannedObject,
-    PlannedTable,
-    Relation,
-    ScenePlan,
-)
+from ....scene import TABLE, PlannedObject, PlannedTable, Relation, ScenePlan
 from ..server.answers import PlanAnswer, RelationAnswer, ThingAnswer
 from ..server.reading import Wrong
 
@@ -41,7 +35,7 @@ def checked_text(text: object) -> str:
     return text.strip()
 
 
-def planned(prompt: str, answer: PlanAnswer) -> ScenePlan:
+def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
     """Return the plan of an answer.
 
     Raises:
@@ -80,7 +74,7 @@ def _noun(word: str) -> str:
 
 
 def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
-    told = {
+    fields = {
         "color": thing.color,
         "material": thing.material,
         "size": thing.size_word,
@@ -91,7 +85,7 @@ def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
         names[thing.id],
         _noun(thing.noun),
         category_key(thing.noun),
-        {k: v for k, v in told.items() if v},
+        {k: v for k, v in fields.items() if v},
         tuple(_relation(thing, relation, names) for relation in thing.relations),
         (size[0] / 100, size[1] / 100, size[2] / 100) if size else None,
     )
@@ -130,7 +124,7 @@ def in_words(plan: ScenePlan) -> tuple[str, str]:
         f"a {table.outline} {color}{table.material} table, {length} cm long, {width} cm deep and "
         f"{height} cm high, with {table.legs} legs"
     )
-    called = _called(plan)
+    called = _descriptions(plan)
     lines = []
     for number, thing in enumerate(plan.objects, start=1):
         size = f", {_by(thing.size)} cm" if thing.size else ""
@@ -152,7 +146,7 @@ _PLACES = {
 }
 
 
-def _called(plan: ScenePlan) -> dict[str, str]:
+def _descriptions(plan: ScenePlan) -> dict[str, str]:
     """Return how each thing is called: with its looks, and its number where nouns repeat."""
     nouns = [thing.noun for thing in plan.objects]
     called = {TABLE: "the table"}

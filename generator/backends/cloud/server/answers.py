@@ -13,33 +13,33 @@ MOST_ANSWERED = 1000
 """Things that an answer may tell of: it names no more than it was shown."""
 
 
-def _shown(word: str) -> str:
+def _check_printable(word: str) -> str:
     if not word.isprintable():
         raise ValueError("holds characters that cannot be printed")
     return word
 
 
-Word = Annotated[str, Field(min_length=1, max_length=60), AfterValidator(_shown)]
+Word = Annotated[str, Field(min_length=1, max_length=60), AfterValidator(_check_printable)]
 Centimetres = Annotated[float, Field(gt=0.05, le=600)]
 Degrees = Annotated[float, Field(ge=-360, le=360)]
 GridBox = Annotated[list[Annotated[float, Field(ge=0, le=1000)]], Field(min_length=4, max_length=4)]
 Axis = Literal["+x", "-x", "+y", "-y", "+z", "-z"]
 
 
-class Answer(BaseModel):
+class ModelAnswer(BaseModel):
     """What a model answers: frozen, finite numbers only; keys that nobody asked for are passed."""
 
     model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
 
 
-class RelationAnswer(Answer):
+class RelationAnswer(ModelAnswer):
     """``target`` is a thing's number, 0 the table."""
 
     kind: RelationKind
     target: Id
 
 
-class ThingAnswer(Answer):
+class ThingAnswer(ModelAnswer):
     """One planned thing."""
 
     id: Annotated[int, Field(ge=1, le=200)]
@@ -52,7 +52,7 @@ class ThingAnswer(Answer):
     relations: Annotated[list[RelationAnswer], Field(max_length=6)]
 
 
-class TableAnswer(Answer):
+class TableAnswer(ModelAnswer):
     """The planned table."""
 
     outline: OutlineKind
@@ -64,7 +64,7 @@ class TableAnswer(Answer):
     height_cm: Annotated[float, Field(ge=20, le=130)]
 
 
-class PlanAnswer(Answer):
+class PlanAnswer(ModelAnswer):
     """``plan_scene``."""
 
     table: TableAnswer
@@ -72,20 +72,20 @@ class PlanAnswer(Answer):
     things: Annotated[list[ThingAnswer], Field(min_length=1, max_length=60)]
 
 
-class KindAnswer(Answer):
+class KindAnswer(ModelAnswer):
     """One kind of things."""
 
     noun: Word
     count: Annotated[int, Field(ge=1, le=60)]
 
 
-class KindsAnswer(Answer):
+class KindsAnswer(ModelAnswer):
     """``list_objects``."""
 
     kinds: Annotated[list[KindAnswer], Field(min_length=1, max_length=60)]
 
 
-class ViewAnswer(Answer):
+class ViewAnswer(ModelAnswer):
     """``estimate_view``, degrees."""
 
     elevation: Annotated[float, Field(ge=5, le=90)]
@@ -93,7 +93,7 @@ class ViewAnswer(Answer):
     vertical_fov: Annotated[float, Field(ge=10, le=100)]
 
 
-class SizeAnswer(Answer):
+class SizeAnswer(ModelAnswer):
     """One thing's size, centimetres."""
 
     id: Id
@@ -106,20 +106,20 @@ class SizeAnswer(Answer):
     height_is: Word
 
 
-class SizesAnswer(Answer):
+class SizesAnswer(ModelAnswer):
     """``estimate_sizes``."""
 
     sizes: Annotated[list[SizeAnswer], Field(max_length=MOST_ANSWERED)]
 
 
-class OrientationAnswer(Answer):
+class OrientationAnswer(ModelAnswer):
     """``review_orientation``: axes of the model."""
 
     up: Axis
     along: Axis
 
 
-class RestAnswer(Answer):
+class RestAnswer(ModelAnswer):
     """What carries one thing."""
 
     id: Id
@@ -128,13 +128,13 @@ class RestAnswer(Answer):
     leans_at: Id | None
 
 
-class RestsAnswer(Answer):
+class RestsAnswer(ModelAnswer):
     """``stacking_order``."""
 
     things: Annotated[list[RestAnswer], Field(max_length=MOST_ANSWERED)]
 
 
-class MarkAnswer(Answer):
+class MarkAnswer(ModelAnswer):
     """One criterion's mark."""
 
     criterion: Word
@@ -142,32 +142,32 @@ class MarkAnswer(Answer):
     mark: Annotated[float, Field(ge=1, le=7)]
 
 
-class MarksAnswer(Answer):
+class MarksAnswer(ModelAnswer):
     """``rate``."""
 
     marks: Annotated[list[MarkAnswer], Field(max_length=MOST_ANSWERED)]
 
 
-class OrderAnswer(Answer):
+class OrderAnswer(ModelAnswer):
     """``rank``: letters, the best first."""
 
     order: Annotated[list[Word], Field(max_length=MOST_ANSWERED)]
 
 
-class TurnAnswer(Answer):
+class TurnAnswer(ModelAnswer):
     """One thing's yaw, degrees."""
 
     id: Id
     yaw: Degrees
 
 
-class TurnsAnswer(Answer):
+class TurnsAnswer(ModelAnswer):
     """``guess_rotations``."""
 
     turns: Annotated[list[TurnAnswer], Field(max_length=MOST_ANSWERED)]
 
 
-class PlaceAnswer(Answer):
+class PlaceAnswer(ModelAnswer):
     """One thing's place and size, centimetres."""
 
     id: Id
@@ -178,13 +178,13 @@ class PlaceAnswer(Answer):
     height: Centimetres
 
 
-class PlacesAnswer(Answer):
+class PlacesAnswer(ModelAnswer):
     """``guess_layout``."""
 
     places: Annotated[list[PlaceAnswer], Field(max_length=MOST_ANSWERED)]
 
 
-class SightAnswer(Answer):
+class SightAnswer(ModelAnswer):
     """Where a thing is seen in a drawn top view: boxes (x0, y0, x1, y1) on the grid."""
 
     id: Id
@@ -192,7 +192,7 @@ class SightAnswer(Answer):
     covered: bool
 
 
-class TopViewAnswer(Answer):
+class TopViewAnswer(ModelAnswer):
     """``check_top_view``."""
 
     from_above: bool
@@ -204,7 +204,7 @@ _LIMITS = {"minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum", "minLen
            "minItems", "maxItems", "title", "description", "default"}  # fmt: skip
 
 
-def strict_schema(answer: type[Answer]) -> dict[str, Any]:
+def strict_schema(answer: type[ModelAnswer]) -> dict[str, Any]:
     """Return the JSON schema of an answer, as strict servers take it.
 
     Every key is required and none may be added. Limits on numbers and lengths are left out, as not

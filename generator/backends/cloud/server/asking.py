@@ -28,7 +28,7 @@ from ....calls.used import Used
 from ....errors import InputError, UnusableError
 from ....io.png import encode_png
 from ..prompts import prompt
-from .answers import Answer, strict_schema
+from .answers import ModelAnswer, strict_schema
 from .calling import Rejected, Server
 from .reading import Wrong, is_refusal, read_object
 
@@ -45,7 +45,7 @@ _BOUNDS = ("max_completion_tokens", "max_tokens", "")
 
 _FORMS = ("json_schema", "json_object", "words")
 
-A = TypeVar("A", bound=Answer)
+A = TypeVar("A", bound=ModelAnswer)
 T = TypeVar("T")
 Picture = UInt8[np.ndarray, "h w 3"]
 
@@ -91,13 +91,9 @@ class Chat:
     ) -> T:
         """Return what ``accept`` makes of the answer to a question about pictures.
 
-        Args:
-            question: its name, for errors and the account.
-            text: the question itself; the schema is added here.
-            pictures: shown after the text, in this order.
-            answer: what the answer must be.
-            accept: turns it into the project's values; what it raises as ``Wrong`` or
-                ``InputError`` goes back to the model.
+        Errors and the account name ``question``; to ``text`` the schema of ``answer`` is added, and
+        pictures are shown after it, in their order. What ``accept`` raises as ``Wrong`` or
+        ``InputError`` goes back to the model.
 
         Raises:
             UnusableError: the model refuses, or no answer after ``REASKS`` more tries can be used.
@@ -105,9 +101,9 @@ class Chat:
         """
         used = Used(self.server.session.store)
         with used.dropped_on(UnusableError):
-            return self._asked(question, text, pictures, answer, accept, used)
+            return self._ask(question, text, pictures, answer, accept, used)
 
-    def _asked(
+    def _ask(
         self,
         question: str,
         text: str,
@@ -119,11 +115,11 @@ class Chat:
         schema = strict_schema(answer)
         tail = prompt("answer", schema=json.dumps(schema))
         content: list[dict[str, Any]] = [{"type": "text", "text": f"{text}\n\n{tail}"}]
-        content += [_shown(picture) for picture in pictures]
+        content += [_picture_part(picture) for picture in pictures]
         messages: list[dict[str, Any]] = [{"role": "user", "content": content}]
         problem = ""
         for _ in range(1 + REASKS):
-            said = self._said(question, messages, schema, used)
+            said = self._reply(question, messages, schema, used)
             try:
                 return accept(answer.model_validate(read_object(said)))
             except ValidationError as error:
@@ -132,7 +128,7 @@ class Chat:
                 problem = str(error)
             if is_refusal(said):
                 raise self.server.unusable(
-                    question, f"the model refuses: {self.server.quoted(said)}."
+                    question, f"the model refuses: {self.server.quote(said)}."
                 )
             messages += [
                 {"role": "assistant", "content": said or "(nothing)"},
@@ -144,13 +140,13 @@ class Chat:
             "Try another model or seed.",
         )
 
-    def _said(
+    def _reply(
         self, question: str, messages: list[dict[str, Any]], schema: dict[str, Any], used: Used
     ) -> str:
         form, seed = self.manners.form, self.manners.seed
         while True:
             try:
-                data = self._sent(question, messages, schema, form, seed, used)
+                data = self._send(question, messages, schema, form, seed, used)
             except Rejected as error:
                 said = str(error).replace(self.server.model, "")  # whose name may hold "seed"
                 gentler = self.manners.gentler(form, seed, said)
@@ -161,7 +157,7 @@ class Chat:
             self.manners.learn(form, seed)
             return self._content(question, data)
 
-    def _sent(
+    def _send(
         self,
         question: str,
         messages: list[dict[str, Any]],
@@ -219,11 +215,11 @@ class Chat:
         except (KeyError, IndexError, TypeError, AttributeError):
             raise self.server.unusable(
                 question,
-                f"the answer is no chat completion: {self.server.quoted(json.dumps(data), 120)}.",
+                f"the answer is no chat completion: {self.server.quote(json.dumps(data), 120)}.",
             ) from None
         if refusal or end == "content_filter":
-            told = self.server.quoted(str(refusal or content or "no reason given"))
-            raise self.server.unusable(question, f"the model refuses: {told}.")
+            quoted = self.server.quote(str(refusal or content or "no reason given"))
+            raise self.server.unusable(question, f"the model refuses: {quoted}.")
         if end == "length":
             raise self.server.unusable(
                 question,
@@ -243,7 +239,7 @@ def data_uri(png: bytes) -> str:
     return "data:image/png;base64," + base64.b64encode(png).decode()
 
 
-def _shown(picture: Picture) -> dict[str, Any]:
+def _picture_part(picture: Picture) -> dict[str, Any]:
     return {
         "type": "image_url",
         "image_url": {"url": data_uri(encode_png(picture)), "detail": "high"},

@@ -8,7 +8,7 @@ from typing import Any
 
 import openai
 
-from ....calls.http.redaction import excerpt, redacted
+from ....calls.http.redaction import excerpt, redact
 from ....calls.session import Session
 from ....calls.used import Used
 from ....errors import BackendError, TabletopError, UnusableError
@@ -50,26 +50,24 @@ class Server:
     ) -> dict[str, Any]:
         """Return the JSON that a request is answered with.
 
-        Args:
-            question: what the call is for; errors and the account name it.
-            request: makes the call, given the client and headers to send; it returns the raw
-                response.
-            used: takes note of the answer.
-            meant: what is asked, however the server likes to be asked: two calls of the same
-                meaning have the same answer.
-            memo: "renew" where an answer that was kept is of no use.
+        Errors and the account name ``question``. ``request`` makes the call, given the client and
+        headers to send, and returns the raw response; ``used`` takes note of it. ``meant`` is what
+        is asked, however the server likes to be asked: two calls of the same meaning have the same
+        answer, unless ``memo`` is "renew", as where an answer that was kept is of no use.
 
         Raises:
             Rejected: status 400, 413 or 422.
             UnusableError: the answer is no JSON object.
             BackendError: no key, or the call failed.
         """
-        told = self._sent(question, request, used, meant, memo)
-        if isinstance(told, TabletopError):  # raised here, where nothing that it leads to has a key
-            raise told.with_traceback(None)
-        return self._json(question, told)
+        message = self._send(question, request, used, meant, memo)
+        if isinstance(
+            message, TabletopError
+        ):  # raised here, where nothing that it leads to has a key
+            raise message.with_traceback(None)
+        return self._json(question, message)
 
-    def _sent(
+    def _send(
         self,
         question: str,
         request: Callable[[openai.OpenAI, dict[str, str]], Any],
@@ -104,31 +102,29 @@ class Server:
         except TabletopError as error:
             return error
         except openai.APIStatusError as error:
-            return self._refused(question, error)
+            return self._refusal(question, error)
         except openai.APIConnectionError as error:
-            return self._unanswered(question, error)
+            return self._connection_error(question, error)
         except openai.OpenAIError as error:
             return self.failure(question, str(error))
 
     def unusable(self, question: str, what: str) -> UnusableError:
         """Return the error that says who answered which question in a way that is of no use."""
-        return UnusableError(self._told(question, "failed", what))
+        return UnusableError(self._message(question, "failed", what))
 
     def failure(self, question: str, what: str) -> BackendError:
         """Return the error that says who could not answer which question, and why."""
-        return BackendError(self._told(question, "failed", what))
+        return BackendError(self._message(question, "failed", what))
 
-    def quoted(self, text: str, most: int = _SHOWN) -> str:
-        """Return what a server said, in quotes: one line of ``most`` characters, no key in it."""
+    def quote(self, text: str, maximum: int = _SHOWN) -> str:
+        """Quote what a server said on one line of ``maximum`` characters, without keys."""
         keys = configuration.keys(self.base_url, self.purpose)
-        text = " ".join(excerpt(text, 10 * most, keys).split())
-        return repr(text if len(text) <= most else text[: most - 3] + "...")
+        text = " ".join(excerpt(text, 10 * maximum, keys).split())
+        return repr(text if len(text) <= maximum else text[: maximum - 3] + "...")
 
-    def _redacted(self, text: str) -> str:
-        return redacted(text, configuration.keys(self.base_url, self.purpose))
-
-    def _told(self, question: str, how: str, what: str) -> str:
-        return self._redacted(f"cloud ({self.model} at {self.name}): {question} {how}: {what}")
+    def _message(self, question: str, how: str, what: str) -> str:
+        text = f"cloud ({self.model} at {self.name}): {question} {how}: {what}"
+        return redact(text, configuration.keys(self.base_url, self.purpose))
 
     def _json(self, question: str, text: str) -> dict[str, Any]:
         try:
@@ -137,20 +133,20 @@ class Server:
             kind = "HTML" if text.lstrip()[:1] == "<" else "no JSON"
             raise self.unusable(
                 question,
-                f"the answer is {kind} ({self.quoted(text, 80)}). Is {self.base_url} the address "
+                f"the answer is {kind} ({self.quote(text, 80)}). Is {self.base_url} the address "
                 "of the API (it often ends in /v1)?",
             ) from None
         if not isinstance(found, dict):
-            raise self.unusable(question, f"the answer is no JSON object: {self.quoted(text, 80)}.")
+            raise self.unusable(question, f"the answer is no JSON object: {self.quote(text, 80)}.")
         if found.get("error"):
-            raise self.failure(question, f"the server says {self.quoted(_said(found))}.")
+            raise self.failure(question, f"the server says {self.quote(_error_message(found))}.")
         return found
 
-    def _refused(self, question: str, error: openai.APIStatusError) -> BackendError:
-        said = self.quoted(_said(error.body) or error.message)
-        told = f"status {error.status_code}, {said}."
+    def _refusal(self, question: str, error: openai.APIStatusError) -> BackendError:
+        said = self.quote(_error_message(error.body) or error.message)
+        message = f"status {error.status_code}, {said}."
         if error.status_code in (400, 413, 422):
-            return Rejected(self._told(question, "was rejected", told))
+            return Rejected(self._message(question, "was rejected", message))
         todo = ""
         if error.status_code in (401, 403):
             variables = configuration.key_variables(self.base_url, self.purpose)
@@ -158,9 +154,9 @@ class Server:
         elif error.status_code == 404:
             variable = f"TABLETOPGEN_CLOUD_{self.purpose.upper()}_MODEL"
             todo = f" Does {self.base_url} have the model {self.model!r}? Set {variable}."
-        return self.failure(question, told + todo)
+        return self.failure(question, message + todo)
 
-    def _unanswered(self, question: str, error: openai.APIConnectionError) -> TabletopError:
+    def _connection_error(self, question: str, error: openai.APIConnectionError) -> TabletopError:
         causes: list[BaseException] = []
         cause = error.__cause__
         while cause is not None:
@@ -168,13 +164,14 @@ class Server:
                 return cause
             causes.append(cause)
             cause = cause.__cause__
-        told = f"{type(causes[0]).__name__}: {causes[0]}" if causes else str(error)
+        message = f"{type(causes[0]).__name__}: {causes[0]}" if causes else str(error)
         return self.failure(
-            question, f"no answer from {self.base_url} ({self.quoted(told)}). Is the server there?"
+            question,
+            f"no answer from {self.base_url} ({self.quote(message)}). Is the server there?",
         )
 
 
-def _said(body: object) -> str:
+def _error_message(body: object) -> str:
     """Return the message in an error's body, wherever servers put it."""
     while isinstance(body, dict):
         body = body.get("error") or body.get("message") or body.get("detail") or ""

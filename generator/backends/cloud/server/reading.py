@@ -44,7 +44,7 @@ def read_object(text: str) -> dict[str, Any]:
     """
     text = _without_thoughts(text).strip().lstrip("\ufeff")
     for piece in _pieces(text):
-        for attempt in (piece, _mended(piece)):
+        for attempt in (piece, _repair(piece)):
             found = _object(attempt)
             if found is not None:
                 return found
@@ -116,7 +116,7 @@ def _literal(text: str) -> Any:
         return None
 
 
-def _mended(text: str) -> str:
+def _repair(text: str) -> str:
     text = text.translate(_CURLY)
     text = _outside_strings(text, _COMMENT, "")
     text += _closing(text)

@@ -26,7 +26,7 @@ _GROUND = 0.008  # metres: of what is clearly taller, nothing lower than this is
 
 
 @dataclass(frozen=True, eq=False)
-class Solid:
+class ObservedSolid:
     """What the camera saw of one thing, in the table's frame (metres, z = 0 the tabletop).
 
     ``center`` and ``yaw`` are those of its upright box, ``extent`` the box's (length, width) with
@@ -63,7 +63,7 @@ class Solid:
         middle = self._within(0.3)
         turned = self._own()
         rims = [
-            self.points[self._ring() & (turned[:, k] * side > 0), 2]
+            self.points[~self._within(0.65) & (turned[:, k] * side > 0), 2]
             for k in (0, 1)
             for side in (-1, 1)
         ]
@@ -80,9 +80,6 @@ class Solid:
     def _within(self, share: float) -> Bool[np.ndarray, "n"]:
         return np.asarray((np.abs(self._own()) < share).all(1))
 
-    def _ring(self) -> Bool[np.ndarray, "n"]:
-        return ~self._within(0.65)
-
 
 def table_points(depth: Float[np.ndarray, "h w"], camera: Camera) -> Float[np.ndarray, "h w 3"]:
     """Return each pixel's point in the frame of ``camera``; NaN where depth is 0."""
@@ -96,7 +93,7 @@ def table_points(depth: Float[np.ndarray, "h w"], camera: Camera) -> Float[np.nd
 
 def measure_solid(
     mask: Bool[np.ndarray, "h w"], depth: Float[np.ndarray, "h w"], plane: TablePlane
-) -> Solid | None:
+) -> ObservedSolid | None:
     """Return the box of the points that ``mask`` shows; None if depth knows too few of them.
 
     Points at jumps of depth, where a sensor mixes near and far, groups of points apart from the
@@ -108,14 +105,14 @@ def measure_solid(
     points = table_points(np.where(clean & (calm > 0), calm, depth), plane.camera)
     chosen = points[clean] if clean.sum() >= _FEW else points[mask & (depth > 0)]
     chosen = chosen[:: max(1, len(chosen) // _MOST)]
-    chosen = _raised(_together(chosen, plane.camera))
+    chosen = _above_tabletop(_together(chosen, plane.camera))
     if len(chosen) < _FEW:
         return None
     bottom, top = (float(v) for v in np.percentile(chosen[:, 2], [_TAIL, 100 - _TAIL]))
     center, yaw, extent = _box(chosen[:, :2])
     if plane.camera.position[2] < top:
-        center, yaw, extent = _deepened(center, yaw, extent, plane.camera)
-    return Solid(center, yaw, extent, bottom, top, chosen)
+        center, yaw, extent = _deepen(center, yaw, extent, plane.camera)
+    return ObservedSolid(center, yaw, extent, bottom, top, chosen)
 
 
 def steady(depth: Float[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
@@ -132,7 +129,7 @@ def _together(points: Float[np.ndarray, "n 3"], camera: Camera) -> Float[np.ndar
     return points[max(groups, key=len)]
 
 
-def _raised(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
+def _above_tabletop(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
     """Return the points of a thing without those of the tabletop, unless it is as flat itself."""
     high = points[points[:, 2] > _GROUND]
     tall = len(high) > _FEW and float(np.percentile(points[:, 2], 90)) > 3 * _GROUND
@@ -164,7 +161,7 @@ def _box(
     return center, yaw, (length, width)
 
 
-def _deepened(
+def _deepen(
     center: Float[np.ndarray, "2"], yaw: float, extent: tuple[float, float], camera: Camera
 ) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
     """Return the box of something whose top is out of sight: grown away from the camera."""
@@ -181,7 +178,7 @@ def _deepened(
 
 def stack_solids(
     instances: tuple[Instance, ...],
-    solids: Mapping[str, Solid],
+    solids: Mapping[str, ObservedSolid],
     container: Callable[[str], bool] = lambda label: False,
 ) -> Mapping[str, Stacking]:
     """Return what each instance stands on: what is under its footprint and as high as its foot.
@@ -210,7 +207,7 @@ def stack_solids(
     return result
 
 
-def holds(below: Solid, thing: Solid) -> float:
+def holds(below: ObservedSolid, thing: ObservedSolid) -> float:
     """Return which share of ``thing`` is over ``below``, 0 if it does not reach its upper side."""
     rise = max(below.top - below.bottom, 0.01)
     if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:

@@ -80,21 +80,19 @@ def find_depth_plane(
 ) -> TablePlane:
     """Return the tabletop of an RGB-D picture: metric camera, and the visible part's outline.
 
-    Args:
-        depth: metres along the optical axis, 0 where unknown.
-        intrinsics: of the picture.
-        table: pixels that show the table, if they are known; they only decide between planes.
+    ``depth`` is in metres along the optical axis, 0 where unknown. ``table`` are pixels that show
+    the table, if they are known; they only decide between planes.
 
     Raises:
         SceneError: no level plane that could be a tabletop.
     """
     frozen = np.ascontiguousarray(depth, np.float32)
     hint = None if table is None else np.packbits(table).tobytes()
-    return _solved(frozen.tobytes(), *frozen.shape, intrinsics, hint)
+    return _solve(frozen.tobytes(), *frozen.shape, intrinsics, hint)
 
 
 @lru_cache(maxsize=4)
-def _solved(
+def _solve(
     data: bytes, height: int, width: int, intrinsics: Intrinsics, hint: bytes | None
 ) -> TablePlane:
     """Several stages ask for the plane of one picture; the last few answers are kept."""
@@ -106,12 +104,12 @@ def _solved(
         table = bits.reshape(height, width) > 0
     level = _choose(points, table)
     for _ in range(2):  # the region settles which points count, and they how coarse the map is
-        level = _refined(level, points[top_region(points, level)[0]])
+        level = _refine(level, points[top_region(points, level)[0]])
     region, carried = top_region(points, level)
     camera = level_camera(level, intrinsics, width, height)
     hidden = np.isnan(points[..., 2]) | (level.above(points) > 2 * level.spread(points[..., 2]))
     places = (points[carried] @ camera.rotation + camera.position)[:, :2]
-    return plane_of_region(region, camera, _opened(hidden, 3), places)
+    return plane_of_region(region, camera, _open(hidden, 3), places)
 
 
 def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) -> Camera:
@@ -157,15 +155,15 @@ def top_region(
     sizes = np.bincount(numbers[on & linked], minlength=count)
     sizes[0] = 0
     region = on & (numbers == sizes.argmax())
-    return _opened(region, 3), _opened(linked & ~on & (numbers == sizes.argmax()) & (above > 0), 5)
+    return _open(region, 3), _open(linked & ~on & (numbers == sizes.argmax()) & (above > 0), 5)
 
 
-def _opened(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
+def _open(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
     kernel = np.ones((side, side), np.uint8)
     return cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, kernel) > 0
 
 
-def _refined(level: Level, points: Float[np.ndarray, "n 3"]) -> Level:
+def _refine(level: Level, points: Float[np.ndarray, "n 3"]) -> Level:
     """Return the plane of least squares through its inliers, three times over."""
     for _ in range(3):
         near = np.abs(level.above(points)) < level.spread(points[:, 2])
@@ -203,11 +201,7 @@ class _Candidate:
 
 
 def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] | None) -> Level:
-    """Return the plane that looks most like a tabletop.
-
-    Raises:
-        SceneError: none does.
-    """
+    """Return the plane that looks most like a tabletop (SceneError: none does)."""
     height, width = points.shape[:2]
     stride = max(1, int(np.sqrt(height * width / _SAMPLES)))
     grid = points[::stride, ::stride]
@@ -252,18 +246,18 @@ def _candidates(
     for _ in range(_PLANES):
         if left.sum() < 3 or left.mean() < _SHARE:
             break
-        level = _drawn(cloud[left], pixels[left], side, rng)
+        level = _draw(cloud[left], pixels[left], side, rng)
         if level is None:
             break
-        level = _refined(level, cloud[left])
+        level = _refine(level, cloud[left])
         inliers = np.abs(level.above(cloud)) < 1.5 * noise(cloud[:, 2])
         left &= ~inliers
         if _faces_up(np.array(level.normal)[None])[0] and inliers.any():
-            found.append(_judged(level, _one_piece(inliers, pixels), cloud, pixels, side))
+            found.append(_judge(level, _one_piece(inliers, pixels), cloud, pixels, side))
     return found
 
 
-def _drawn(
+def _draw(
     cloud: Float[np.ndarray, "n 3"],
     pixels: Int[np.ndarray, "n 2"],
     side: int,
@@ -328,7 +322,7 @@ def _one_piece(
     return inliers & (numbers == sizes.argmax())
 
 
-def _judged(
+def _judge(
     level: Level,
     inliers: Bool[np.ndarray, "n"],
     cloud: Float[np.ndarray, "n 3"],

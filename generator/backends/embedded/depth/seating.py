@@ -13,7 +13,7 @@ from ....render.contact import Body
 from ....render.raster import place, render
 from ....scene import Model
 from ..plane.plane import TablePlane
-from .measure import Solid, table_points
+from .measure import ObservedSolid, table_points
 
 _ACROSS = 60.0  # pixels across a thing in the small renders
 _TIMES = 5  # how often it is moved at most
@@ -21,11 +21,11 @@ _NEAR = 5e-4  # metres: moved by less, it is there
 _FEW = 20  # pixels: less of it tells nothing
 
 
-def seated(
+def seat(
     model: Model,
     yaw: float,
     floor: float,
-    solid: Solid,
+    solid: ObservedSolid,
     others: Bool[np.ndarray, "h w"],
     plane: TablePlane,
 ) -> Body:
@@ -59,7 +59,7 @@ def seated(
     return body
 
 
-def _span(solid: Solid, plane: TablePlane) -> float:
+def _span(solid: ObservedSolid, plane: TablePlane) -> float:
     """Return about how many pixels a thing is across."""
     away = float(plane.camera.to_camera(solid.points).mean(0)[2])
     return float(np.hypot(solid.extent[0], solid.top - solid.bottom)) / away * plane.camera.focal

@@ -17,13 +17,7 @@ from ....geometry import mask_box
 from ....language.naming import shape_word
 from ....scene import Detection
 from ..plane.plane import TablePlane, outline_distance
-from .measure import (
-    Solid,
-    holds,
-    measure_solid,
-    steady,
-    table_points,
-)
+from .measure import ObservedSolid, holds, measure_solid, steady, table_points
 from .plane import TALLEST, noise
 
 Mask = Bool[np.ndarray, "h w"]
@@ -73,21 +67,14 @@ def heights_above(
     return height, near & (height > lowest) & (height < TALLEST), near & (np.abs(height) <= lowest)
 
 
-def things_above(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> tuple[Mask, ...]:
-    """Return the masks of what stands on the table, as depth alone parts it, largest first.
+def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
+    """Return pieces parted at saddles well below both sides, a little grown, largest first.
 
-    Regions above the plane are parted at jumps of depth and at saddles well below both sides.
     Things that touch at their full height, or stand on one another, come out as one.
     """
-    height, standing, _ = heights_above(depth, plane)
-    return _regions(_standing_pieces(depth, standing), height)
-
-
-def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
-    """Return pieces parted at saddles, a little grown, largest first."""
     kernel = np.ones((3, 3), np.uint8)
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
-    masks = [part for piece in pieces for part in _parted(piece, known, least)]
+    masks = [part for piece in pieces for part in _part(piece, known, least)]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
     return tuple(cv2.dilate(m.astype(np.uint8), kernel) > 0 for m in masks)
 
@@ -99,31 +86,31 @@ def _standing_pieces(depth: Float[np.ndarray, "h w"], standing: Mask) -> list[Ma
     return _pieces(opened, int(_LEAST * depth.size))
 
 
-def _pieces(mask: Mask, least: int) -> list[Mask]:
-    """Return the connected parts of ``mask`` with at least ``least`` pixels."""
+def _pieces(mask: Mask, minimum: int) -> list[Mask]:
+    """Return the connected parts of ``mask`` with at least ``minimum`` pixels."""
     count, numbers, stats, _ = cv2.connectedComponentsWithStats(
         mask.astype(np.uint8), connectivity=4
     )
-    return [numbers == k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= least]
+    return [numbers == k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= minimum]
 
 
-def _parted(region: Mask, height: Float[np.ndarray, "h w"], least: int) -> list[Mask]:
+def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[Mask]:
     """Return a region cut where raising the waterline leaves islands; each pixel to the nearest."""
     tall = float(np.percentile(height[region], 98))
     for share in _WATERLINES:
-        islands = _pieces(region & (height > share * tall), least)
+        islands = _pieces(region & (height > share * tall), minimum)
         if len(islands) > 1:
             away = [cv2.distanceTransform((~i).astype(np.uint8), cv2.DIST_L2, 3) for i in islands]
             nearest = np.argmin(away, axis=0)
             shores = (region & (nearest == k) for k in range(len(islands)))
-            return [part for shore in shores for part in _parted(shore, height, least)]
+            return [part for shore in shores for part in _part(shore, height, minimum)]
     return [region]
 
 
 # ------------------------------------------------------------------------------ what was seen
 
 
-def confirmed(
+def confirm(
     found: Sequence[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
     """Return the things an eye found, as depth confirms them.
@@ -134,15 +121,15 @@ def confirmed(
     are ragged.
     """
     height, standing, lying = heights_above(depth, plane)
-    things = [t for d in found if (t := _judged(d, height, standing, lying)) is not None]
+    things = [t for d in found if (t := _judge(d, height, standing, lying)) is not None]
     pieces = _standing_pieces(depth, standing)
     regions = _regions(pieces, height)
-    things += _missed(things, [*pieces, *regions], height)
-    things = _rejoined(things, depth, plane)
-    return _grown(things, regions, depth, plane)
+    things += _find_missed(things, [*pieces, *regions], height)
+    things = _rejoin(things, depth, plane)
+    return _grow(things, regions, depth, plane)
 
 
-def _judged(
+def _judge(
     thing: Detection, height: Float[np.ndarray, "h w"], standing: Mask, lying: Mask
 ) -> Detection | None:
     """Return a thing without the tabletop around it; None if it is nothing but tabletop."""
@@ -173,7 +160,7 @@ def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
     return replace(thing, mask=mask, box=mask_box(mask), full=whole)
 
 
-def _rejoined(
+def _rejoin(
     things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
     """Give upper parts that stand on nothing to the lower part that they touch, in depth too.
@@ -204,7 +191,7 @@ def _rejoined(
     return [left[k] for k in sorted(left)]
 
 
-def _carries(below: Solid, upper: Solid) -> bool:
+def _carries(below: ObservedSolid, upper: ObservedSolid) -> bool:
     """Tell whether a thing may stand on another: a front under it carries nothing."""
     return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
 
@@ -247,7 +234,7 @@ def _union(one: Detection, other: Detection) -> Detection:
     return Detection(larger.label, mask_box(mask), mask, score, full)
 
 
-def _grown(
+def _grow(
     things: list[Detection],
     regions: Sequence[Mask],
     depth: Float[np.ndarray, "h w"],
@@ -271,7 +258,7 @@ def _grown(
     return grown
 
 
-def _missed(
+def _find_missed(
     things: Sequence[Detection], regions: Sequence[Mask], height: Float[np.ndarray, "h w"]
 ) -> list[Detection]:
     """Return what stands on the table and is none of ``things``, named after its shape.

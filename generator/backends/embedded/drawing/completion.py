@@ -8,18 +8,8 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import ndimage
 
 from ....geometry import mask_box
-from ....meshes.pixels import (
-    hull_of,
-    in_one_piece,
-    largest_piece,
-    nearest_inside,
-)
-from ....scene import (
-    TABLE,
-    Detection,
-    Instance,
-    Reference,
-)
+from ....meshes.pixels import hull_of, in_one_piece, largest_piece, nearest_inside
+from ....scene import TABLE, Detection, Instance, Reference
 
 _LONG = 288  # least long side of a crop, pixels
 _MOST = 640
@@ -134,24 +124,24 @@ def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
 
 
 def mirror_colors(
-    image: UInt8[np.ndarray, "h w 3"], seen: Mask, whole: Mask
+    image: UInt8[np.ndarray, "h w 3"], seen: Mask, full: Mask
 ) -> tuple[UInt8[np.ndarray, "h w 3"], Mask]:
     """Colour hidden places like their mirror images about the upright axis of a whole outline.
 
     Returns the picture and what of it is known now: no more than ``seen`` if the outline has no
     such axis, or if places seen on both sides of it differ.
     """
-    x0, _, x1, _ = mask_box(whole).astype(int)
-    ys, xs = np.nonzero(whole)
+    x0, _, x1, _ = mask_box(full).astype(int)
+    ys, xs = np.nonzero(full)
     middle, slack = x0 + x1 - 1, max(1, (x1 - x0) // 12)
     overlaps = {}
     for twice in range(middle - slack, middle + slack + 1):
         other = twice - xs
-        on = (other >= 0) & (other < whole.shape[1])
-        overlaps[twice] = float(whole[ys[on], other[on]].sum() / len(xs))
+        on = (other >= 0) & (other < full.shape[1])
+        overlaps[twice] = float(full[ys[on], other[on]].sum() / len(xs))
     twice = max(overlaps, key=lambda t: (overlaps[t], -abs(t - middle)))
     core = cv2.erode(seen.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-    other = np.clip(twice - xs, 0, whole.shape[1] - 1)
+    other = np.clip(twice - xs, 0, full.shape[1] - 1)
     both = core[ys, xs] & core[ys, other] & (np.abs(other - xs) > slack)
     if overlaps[twice] < _SYMMETRIC or both.sum() < 0.1 * len(xs):
         return image, seen
@@ -166,26 +156,26 @@ def mirror_colors(
 
 
 def carry_colors(
-    image: UInt8[np.ndarray, "h w 3"], mask: Mask, whole: Mask
+    image: UInt8[np.ndarray, "h w 3"], mask: Mask, full: Mask
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Return the image with the object's colours carried into ``whole`` beyond ``mask``.
+    """Return the image with the object's colours carried into ``full`` beyond ``mask``.
 
     Rows are continued from the nearest visible pixel, then blended by Telea's inpainting.
     """
-    x0, y0, x1, y1 = mask_box(whole).astype(int)
+    x0, y0, x1, y1 = mask_box(full).astype(int)
     cut = slice(max(y0 - 4, 0), y1 + 4), slice(max(x0 - 4, 0), x1 + 4)
     core = cv2.erode(mask[cut].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
     core = core if core.any() else mask[cut]
     carried = image[cut][nearest_inside(core, (3.0, 1.0))]
-    missing = (whole & ~mask)[cut]
+    missing = (full & ~mask)[cut]
     soft = cv2.GaussianBlur(carried, (0, 0), 2.0)
     patch = np.where(mask[cut][..., None], image[cut], soft)
     brush = np.ones((5, 5), np.uint8)
     seam = cv2.dilate(missing.astype(np.uint8), brush) > 0
     seam &= cv2.erode(missing.astype(np.uint8), brush) == 0
-    patch = np.where(seam[..., None] & whole[cut][..., None], carried, patch)
+    patch = np.where(seam[..., None] & full[cut][..., None], carried, patch)
     patch = cv2.inpaint(
-        np.ascontiguousarray(patch), (seam & whole[cut]).astype(np.uint8), 3, cv2.INPAINT_TELEA
+        np.ascontiguousarray(patch), (seam & full[cut]).astype(np.uint8), 3, cv2.INPAINT_TELEA
     )
     drawn = image.copy()
     drawn[cut] = patch

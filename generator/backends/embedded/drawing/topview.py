@@ -9,26 +9,12 @@ import numpy as np
 from jaxtyping import Float, UInt8
 from scipy.optimize import least_squares
 
-from ....geometry import (
-    Camera,
-    hull_points,
-    rotation_z,
-    view_rotation,
-    yaw_quaternion,
-)
+from ....geometry import Camera, hull_points, rotation_z, view_rotation, yaw_quaternion
 from ....render.contact import Body
 from ....render.picture import TOP_DOWN
 from ....render.raster import Item, place, render
-from ....scene import (
-    TABLE,
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    TopView,
-    View,
-)
-from ..depth.seating import seated
+from ....scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
+from ..depth.seating import seat
 from ..layout.survey import floor_of, stacking_of, survey
 from ..plane.measure import measured_extent, whole_box
 from ..plane.plane import TablePlane
@@ -78,7 +64,7 @@ def top_view(
                 fitted[thing.name] = fit_model(thing, model, yaw, plane, floor)
             else:
                 others = covered & ~np.asarray(thing.mask)
-                fitted[thing.name] = seated(model, yaw, floor, solid, others, plane)
+                fitted[thing.name] = seat(model, yaw, floor, solid, others, plane)
             footprints[thing.name] = fitted[thing.name].footprint
         else:
             extent, middle = measured_extent(np.asarray(thing.mask), plane)

@@ -31,14 +31,10 @@ def closeup(
     tabletop: float,
     slip: Float[np.ndarray, "4"] | None = None,
 ) -> Closeup:
-    """Return the look at the thing under ``mask`` (an empty one: at the whole picture).
+    """Return the look at the thing visible under ``mask`` (an empty one: at the whole picture).
 
-    Args:
-        image: the picture.
-        mask: where the thing is visible.
-        tabletop: pixels that the tabletop covers.
-        slip: moves the sides of the thing's box (left, top, right, bottom) outwards, in shares of
-            its longer side; what training varies.
+    ``tabletop`` are the pixels that the tabletop covers. ``slip`` moves the sides of the thing's
+    box (left, top, right, bottom) outwards, in shares of its longer side; what training varies.
     """
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     if not len(rows):
@@ -46,10 +42,10 @@ def closeup(
     low = np.array([columns[0], rows[0]], float)
     high = np.array([columns[-1] + 1, rows[-1] + 1], float)
     wide, tall = high - low
-    told = hints((float(wide), float(tall)), tabletop, mask.size)
+    clues = hints((float(wide), float(tall)), tabletop, mask.size)
     if slip is not None:
         longer = float(max(wide, tall))
         low, high = low - slip[:2] * longer, high + slip[2:] * longer
     frame = Frame.around(low, high, CLOSEUP, CLOSE_ROOM, _LEAST)
-    visible = frame.carried(mask.astype(np.float32), 1.0, 1, CELL)
-    return Closeup(frame.cut(image), visible, told)
+    visible = frame.carry(mask.astype(np.float32), 1.0, 1, CELL)
+    return Closeup(frame.cut(image), visible, clues)

@@ -21,14 +21,14 @@ _SAME = 0.6  # overlap (IoU) at which two masks of a look are one thing
 
 
 @dataclass(frozen=True, eq=False)
-class Finds:
+class Detections:
     """Things in cells of one look, surest first: how sure, mask probabilities (n, 2, h, w)."""
 
     score: Tensor
     masks: Tensor
 
-    def __getitem__(self, kept: list[int]) -> Finds:
-        return Finds(self.score[kept], self.masks[kept])
+    def __getitem__(self, kept: list[int]) -> Detections:
+        return Detections(self.score[kept], self.masks[kept])
 
 
 def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
@@ -37,28 +37,30 @@ def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
     return batch.contiguous(memory_format=torch.channels_last)
 
 
-def ask(eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, most: int = _MOST) -> Finds:
-    """Ask the ``most`` cells of look ``owner`` surest to lie within things; one find a thing."""
+def ask(
+    eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, maximum: int = _MOST
+) -> Detections:
+    """Ask the ``maximum`` cells of look ``owner`` surest to lie within things; one find a thing."""
     heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
     peaks[..., -(-seen[1] // STRIDE) :] = 0
-    score, place = peaks[0, 0].flatten().topk(min(most, peaks.numel()))
+    score, place = peaks[0, 0].flatten().topk(min(maximum, peaks.numel()))
     place = place[score > FAINT]
     cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
-    finds = answers(eye, maps, torch.full((len(cells),), owner), cells)
-    overlap, _ = overlaps(finds.masks[:, 0] > 0.5)
-    return finds[apart(finds.score, overlap > _SAME)[:_KEPT]]
+    detections = answers(eye, maps, torch.full((len(cells),), owner), cells)
+    overlap, _ = overlaps(detections.masks[:, 0] > 0.5)
+    return detections[apart(detections.score, overlap > _SAME)[:_KEPT]]
 
 
-def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Finds:
+def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Detections:
     """Return what cells answer; sure is who lies within a thing and drew all of it."""
     box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
     masks = eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
     heat = maps.heat[owner, 0, cells[:, 1], cells[:, 0]].sigmoid()
     quality = eye.quality(maps, owner, cells, masks[:, 0]).sigmoid()
     shows = (masks[:, 0] > 0.5).sum((1, 2)) > 1
-    return Finds(heat.sqrt() * quality * shows, masks)
+    return Detections(heat.sqrt() * quality * shows, masks)
 
 
 def overlaps(masks: Tensor) -> tuple[Tensor, Tensor]:

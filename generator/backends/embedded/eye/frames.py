@@ -27,18 +27,14 @@ class Frame:
         high: Float[np.ndarray, "2"],
         side: int,
         room: float,
-        least: float = 0.0,
+        minimum: float = 0.0,
     ) -> Frame:
         """Return the frame around a box, ``room`` times as wide as its longer side.
 
-        Args:
-            low: the box's upper left corner (x, y), picture pixels.
-            high: its lower right corner.
-            side: pixels of the look.
-            room: width of the frame over the box's longer side.
-            least: picture pixels that the frame is wide at least.
+        ``low`` and ``high`` are the box's upper left and lower right corner (x, y), picture pixels,
+        ``side`` the pixels of the look; the frame is ``minimum`` picture pixels wide at least.
         """
-        wide = max(room * float((high - low).max()), least)
+        wide = max(room * float((high - low).max()), minimum)
         x, y = (low + high) / 2 - wide / 2
         return cls((float(x), float(y)), side / wide, side)
 
@@ -55,7 +51,7 @@ class Frame:
             for corner, length in zip(self.corner, image.shape[1::-1], strict=True)
         )
         near = Frame((self.corner[0] - x0, self.corner[1] - y0), self.scale, self.side)
-        return near._drawn(image[y0:y1, x0:x1])
+        return near._draw(image[y0:y1, x0:x1])
 
     def _reach(self, corner: float, length: int) -> tuple[int, int]:
         """Return the first and the last but one of a picture's columns that the frame can show."""
@@ -63,7 +59,7 @@ class Frame:
         first = int(np.clip(corner - pad, 0, length - 2))
         return first, int(np.clip(corner + self.side / self.scale + pad, first + 2, length))
 
-    def _drawn(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
+    def _draw(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
         shrunk = (1.0, 1.0)
         if self.scale < 0.7:  # averaging first keeps fine detail from flickering
             width, height = image.shape[1::-1]
@@ -74,27 +70,24 @@ class Frame:
         warp = self._warp(shrunk)
         return cv2.warpAffine(image, warp, size, flags=cv2.INTER_LINEAR, borderMode=border)
 
-    def carried(
+    def carry(
         self, mask: Float[np.ndarray, "h w"], factor: float, stride: int, cell: int
     ) -> Float[np.ndarray, "c c"]:
-        """Carry a map into the cells of this look.
+        """Carry a map into the cells of this look, each of ``cell`` of its pixels.
 
-        Args:
-            mask: of a picture scaled by ``factor``, in cells of ``stride`` pixels of it.
-            factor: that picture's scale over this one's.
-            stride: of the map given.
-            cell: pixels of this look that a cell of the map returned covers.
+        ``mask`` is of a picture scaled by ``factor`` over this one's scale, in cells of ``stride``
+        pixels of it.
         """
         zoom = self.scale / factor * stride / cell
         shift = -np.array(self.corner) * self.scale / cell + 0.5 * zoom - 0.5
         warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
         count = self.side // cell
         if zoom < 0.7:
-            return self._averaged(mask, warp, zoom, count)
+            return self._average(mask, warp, zoom, count)
         return cv2.warpAffine(mask, warp, (count, count), flags=cv2.INTER_LINEAR)
 
     @staticmethod
-    def _averaged(
+    def _average(
         mask: Float[np.ndarray, "h w"], warp: Float[np.ndarray, "2 3"], zoom: float, count: int
     ) -> Float[np.ndarray, "c c"]:
         """Return the warped map, drawn finer and averaged, so that thin things stay."""

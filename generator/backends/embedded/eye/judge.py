@@ -32,7 +32,7 @@ _APART = 0.35  # probability that two finds are two things, from which both stay
 
 
 @dataclass(frozen=True, eq=False)
-class Find:
+class EyeDetection:
     """A find before it is judged: certainties of both looks, masks, names as in ``Thing``."""
 
     first: float
@@ -83,7 +83,7 @@ class Panel(nn.Module):
         return torch.stack([member(x)[:, 0] for member in self.members])
 
 
-class Judge(nn.Module):
+class DetectionJudge(nn.Module):
     """See the module."""
 
     def __init__(self) -> None:
@@ -92,42 +92,42 @@ class Judge(nn.Module):
         self.both = Panel(BOTH)
 
     @torch.inference_mode()
-    def choose(self, clues: Clues, least: float) -> list[tuple[int, float]]:
+    def choose(self, clues: Clues, minimum: float) -> list[tuple[int, float]]:
         """Return the finds that are things with at least this probability, and it; surest first.
 
         A find goes if it is more likely than not the same as, or part of, a surer one.
         """
         alone, both = (
-            panel(torch.from_numpy(told)).mean(0).sigmoid().numpy()
-            for panel, told in ((self.alone, clues.alone), (self.both, clues.both))
+            panel(torch.from_numpy(inputs)).mean(0).sigmoid().numpy()
+            for panel, inputs in ((self.alone, clues.alone), (self.both, clues.both))
         )
         apart = np.ones((len(alone), len(alone)), bool)
         for (i, j), chance in zip(clues.pairs, both, strict=True):
             apart[i, j] = apart[j, i] = chance > _APART
         kept: list[int] = []
         for k in np.argsort(-alone, kind="stable"):
-            if alone[k] >= least and apart[k, kept].all():
+            if alone[k] >= minimum and apart[k, kept].all():
                 kept.append(int(k))
         return [(k, float(alone[k])) for k in kept]
 
 
-def clues_of(finds: Sequence[Find], region: Float[np.ndarray, "r h w"]) -> Clues:
+def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h w"]) -> Clues:
     """Return what is known of the finds of one picture; ``region`` as in ``Sight``."""
-    if not finds:
+    if not detections:
         nothing = np.zeros((0, ALONE), np.float32), np.zeros((0, BOTH), np.float32)
         return Clues(nothing[0], np.zeros((0, 2), int), nothing[1])
     step = -(-max(region.shape[1:]) // _COARSE)
-    shares = _Shares.of(finds, step)
-    scores, names = np.array([f.score for f in finds]), np.stack([f.names for f in finds])
+    shares = _Shares.of(detections, step)
+    scores, names = np.array([f.score for f in detections]), np.stack([f.names for f in detections])
     below = region[:, ::step, ::step].reshape(len(region), -1)
     alone = np.column_stack(
         [
             _logit(scores),
-            _logit(np.array([f.first for f in finds])),
+            _logit(np.array([f.first for f in detections])),
             names[:, :-1].max(1),
             names[:, -1],
             -(names * np.log(names + 1e-9)).sum(1) / 3,
-            _shape(finds, shares, step),
+            _shape(detections, shares, step),
             (below @ shares.visible.T / shares.area).T,
             _company(shares, scores, names),
         ]
@@ -154,11 +154,11 @@ class _Shares:
     overlap: Float[np.ndarray, "n n"]
 
     @classmethod
-    def of(cls, finds: Sequence[Find], step: int) -> _Shares:
+    def of(cls, detections: Sequence[EyeDetection], step: int) -> _Shares:
         """Compare finds at every ``step``-th pixel."""
         visible, whole = (
             np.stack([mask[::step, ::step].ravel() for mask in masks]).astype(np.float32)
-            for masks in ([f.visible for f in finds], [f.whole for f in finds])
+            for masks in ([f.visible for f in detections], [f.whole for f in detections])
         )
         area, shared = np.maximum(visible.sum(1), 1), visible @ visible.T
         within, behind = shared / area[:, None], whole @ visible.T / area[None]
@@ -174,15 +174,17 @@ class _Shares:
         return np.column_stack([np.where(swap, j, i), np.where(swap, i, j)])
 
 
-def _shape(finds: Sequence[Find], shares: _Shares, step: int) -> Float[np.ndarray, "n 5"]:
+def _shape(
+    detections: Sequence[EyeDetection], shares: _Shares, step: int
+) -> Float[np.ndarray, "n 5"]:
     """Return size, slenderness, fullness of the box, being cut by the frame, and hidden share."""
-    wide, tall = _sides([f.visible for f in finds])
+    wide, tall = _sides([f.visible for f in detections])
     return np.column_stack(
         [
             np.log(shares.area / shares.visible.shape[1]) / 3,
             np.log(wide / tall),
             shares.area * step**2 / (wide * tall),
-            [_cut(f.visible) for f in finds],
+            [_cut(f.visible) for f in detections],
             np.log(shares.reach / shares.area),
         ]
     )

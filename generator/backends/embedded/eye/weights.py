@@ -12,7 +12,7 @@ from torch import nn
 
 from ....errors import BackendError
 from ....io.reading import parse_json, printable
-from .judge import Judge
+from .judge import DetectionJudge
 from .network import Eye
 
 PATH = Path(__file__).with_name("eye.safetensors")
@@ -64,7 +64,7 @@ def load_weights(path: Path = PATH) -> Weights:
 
 
 @cache
-def load_judge(path: Path = JUDGE_PATH) -> Judge:
+def load_judge(path: Path = JUDGE_PATH) -> DetectionJudge:
     """Read the judge's weights; the last read stay loaded.
 
     Raises:
@@ -72,7 +72,7 @@ def load_judge(path: Path = JUDGE_PATH) -> Judge:
     """
     restore = _RESTORE.format("judging")
     state, _ = _read(path, restore)
-    judge = Judge()
+    judge = DetectionJudge()
     try:
         _fill(judge, state)
     except (KeyError, RuntimeError) as error:

@@ -15,13 +15,7 @@ from jaxtyping import Bool, Float
 
 from ....errors import InputError
 from ....geometry import rotated_extent, rotation_z, wrap
-from ....scene import (
-    TABLE,
-    Instance,
-    LayoutBox,
-    SizePrior,
-    View,
-)
+from ....scene import TABLE, Instance, LayoutBox, SizePrior, View
 
 _STEP = np.deg2rad(15.0)  # angles are told in such steps
 _LONG = 1.2  # ratio of a mask's axes from which it has a direction

@@ -64,27 +64,27 @@ def stack(
         best = max(rated, key=lambda n: rated[n][0], default=None)
         if best is not None and rated[best][0] > 0:
             found[name] = best, rated[best][1]
-    return _ordered(list(seen), found)
+    return _order(list(seen), found)
 
 
 def carries(
     visible: Bool[np.ndarray, "h w"],
-    whole: Bool[np.ndarray, "h w"],
+    full: Bool[np.ndarray, "h w"],
     below_visible: Bool[np.ndarray, "h w"],
     below: Bool[np.ndarray, "h w"],
     holds: bool,
 ) -> tuple[float, bool]:
     """Tell how surely one thing carries another (0: it does not), and whether inside of it."""
-    rows = np.flatnonzero(whole.any(1))
+    rows = np.flatnonzero(full.any(1))
     edges = np.flatnonzero(below.any(1))
     if not len(rows) or not len(edges):
         return 0.0, False
-    foot = whole.copy()
+    foot = full.copy()
     foot[: int(rows[-1] - _FOOT * (rows[-1] - rows[0]))] = False
     within = float((foot & below).sum() / max(foot.sum(), 1))
     if within < _ON or not _above(foot, below, _CLEAR * (edges[-1] - edges[0] + 1)):
         return 0.0, False
-    both = whole & below
+    both = full & below
     shows = float((visible & both).sum() / max(both.sum(), 1))
     hidden = float((below_visible & both).sum() / max(both.sum(), 1))
     if hidden < _PART < shows:
@@ -105,7 +105,7 @@ def _above(foot: Bool[np.ndarray, "h w"], below: Bool[np.ndarray, "h w"], margin
     return bool(np.mean(ends + margin < edges) > 0.5)
 
 
-def _ordered(names: list[str], found: Mapping[str, tuple[str, bool]]) -> Mapping[str, Stacking]:
+def _order(names: list[str], found: Mapping[str, tuple[str, bool]]) -> Mapping[str, Stacking]:
     """Number the layers from the table up; a circle of supports stands on the table."""
     result = {TABLE: Stacking(1)}
     for name in names:

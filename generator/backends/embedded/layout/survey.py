@@ -10,15 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....scene import (
-    TABLE,
-    Instance,
-    Reference,
-    SizePrior,
-    Stacking,
-    View,
-)
-from ..depth.measure import Solid, measure_solid, stack_solids
+from ....scene import TABLE, Instance, Reference, SizePrior, Stacking, View
+from ..depth.measure import ObservedSolid, measure_solid, stack_solids
 from ..depth.plane import find_depth_plane
 from ..depth.things import height_above_floor
 from ..plane.plane import TablePlane
@@ -39,7 +32,7 @@ class Survey:
     """
 
     plane: TablePlane
-    solids: Mapping[str, Solid]
+    solids: Mapping[str, ObservedSolid]
     height: float | None = None
 
 
@@ -73,7 +66,7 @@ def survey(
 
 def stacking_of(
     instances: tuple[Instance, ...],
-    solids: Mapping[str, Solid],
+    solids: Mapping[str, ObservedSolid],
     container: Callable[[str], bool],
 ) -> Mapping[str, Stacking]:
     """Return what each instance stands on: by depth if it shows solids, else by the masks."""
@@ -84,7 +77,7 @@ def stacking_of(
 
 def solid_size(
     instance: Instance,
-    solids: Mapping[str, Solid],
+    solids: Mapping[str, ObservedSolid],
     stacking: Mapping[str, Stacking],
     usual: SizePrior | None,
 ) -> SizePrior:
@@ -113,7 +106,9 @@ def solid_size(
     return SizePrior(instance.name, seen, usual.placement, usual.axes, measured=not hidden)
 
 
-def floor_of(name: str, solids: Mapping[str, Solid], stacking: Mapping[str, Stacking]) -> float:
+def floor_of(
+    name: str, solids: Mapping[str, ObservedSolid], stacking: Mapping[str, Stacking]
+) -> float:
     """Return how high above the tabletop the surface lies that a thing stands on, metres."""
     below = stacking[name].on
     if below not in solids:

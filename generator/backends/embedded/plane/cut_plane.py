@@ -17,23 +17,10 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from ....errors import SceneError
-from ....geometry import (
-    Camera,
-    convex_outline,
-    main_parts,
-    rotation_z,
-    view_rotation,
-    wrap,
-)
+from ....geometry import Camera, convex_outline, main_parts, rotation_z, view_rotation, wrap
 from ....meshes.pixels import distance_to, hull_corners
 from ....scene import View
-from .plane import (
-    TABLE_LENGTH,
-    OutlineShape,
-    TablePlane,
-    outline_distance,
-    outline_points,
-)
+from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance, outline_points
 
 CUT_SHARE = 0.15
 """A top whose outline lies on the frame for more than this share of its length is cut."""
@@ -70,7 +57,7 @@ class _Rim:
 def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
     """Return which share of the outline (convex hull) of ``mask`` lies on the picture's frame."""
     hull = hull_corners(_region(mask))
-    points = _sampled(hull, _POINTS)
+    points = _sample(hull, _POINTS)
     return float(_at_frame(points, mask.shape).mean())
 
 
@@ -88,15 +75,11 @@ def plane_from_view(
 ) -> TablePlane:
     """Return the tabletop of a picture whose camera is known, whole or cut.
 
-    Args:
-        mask: the visible tabletop (the surface, without legs and apron; things on it may be part
-            of the mask or holes in it).
-        view: the camera's elevation, field of view and roll; its azimuth is found anew from the
-            edges.
-        hidden: pixels that may hide more of the top, such as the things on it; an edge of ``mask``
-            beside them is not an edge of the table.
-        length: metres of the top's longer side; default: ``VISIBLE_LENGTH`` if the frame cuts the
-            top, else the usual ``TABLE_LENGTH``.
+    ``mask`` is the visible tabletop (the surface, without legs and apron; things on it may be part
+    of the mask or holes in it). Of ``view`` the azimuth is found anew from the edges. ``hidden``
+    are pixels that may hide more of the top, such as the things on it; an edge of the mask beside
+    them is not an edge of the table. ``length``, metres of the top's longer side, is
+    ``VISIBLE_LENGTH`` by default if the frame cuts the top, else the usual ``TABLE_LENGTH``.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
@@ -158,7 +141,7 @@ def _region(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
     return region
 
 
-def _sampled(polygon: Float[np.ndarray, "k 2"], count: int) -> Float[np.ndarray, "n 2"]:
+def _sample(polygon: Float[np.ndarray, "k 2"], count: int) -> Float[np.ndarray, "n 2"]:
     """Return ``count`` points evenly along a closed polygon."""
     closed = np.concatenate([polygon, polygon[:1]])
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
@@ -183,7 +166,7 @@ def _rim(
     in_reach = seen.reshape(mask.shape)  # NaN, above the horizon, is out of reach
     far = cv2.dilate((~in_reach).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
     region = _region(region & in_reach & ~far)
-    points = _sampled(hull_corners(region), _POINTS)
+    points = _sample(hull_corners(region), _POINTS)
     behind = far if hidden is None else far | (hidden & ~region)
     beside = distance_to(behind, points) < _BESIDE * max(mask.shape) / 640
     true = ~(_at_frame(points, mask.shape) | beside)
@@ -197,7 +180,7 @@ def _rim(
 
 def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
     """Return the rim with the outline of ``carried`` added as places that the top holds."""
-    outline = _sampled(convex_outline(carried), _POINTS // 4)
+    outline = _sample(convex_outline(carried), _POINTS // 4)
     middle = carried.mean(0)
     away = np.linalg.norm(outline - middle, axis=1, keepdims=True)
     outline = middle + (outline - middle) * np.maximum(1 - _OVERHANG / np.maximum(away, 1e-9), 0)
@@ -243,7 +226,7 @@ def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
             least_squares(_residuals, start, args=(rim, shape, flipped), x_scale=step, max_nfev=60)
         )
     best = min(found, key=lambda f: f.cost)
-    center, turn, size, radius = _unpacked(best.x)
+    center, turn, size, radius = _unpack(best.x)
     off = _off(best.x, rim, shape, flipped)
     held = np.where(rim.true, off, np.maximum(off, 0))
     error = float(np.sqrt(np.average(2 * (np.sqrt(1 + held**2) - 1), weights=rim.weights)))
@@ -270,14 +253,14 @@ def _turns(rim: _Rim) -> list[float]:
     return [float(tried[first]), float(tried[second])]
 
 
-def _unpacked(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], float]:
+def _unpack(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], float]:
     size = (float(np.exp(p[3])), float(np.exp(p[4])))
     return p[:2], float(p[2]), size, _ROUND * min(size) / (1 + float(np.exp(-p[5])))
 
 
 def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
     """Return how far each point lies outside the outline, in pixels."""
-    center, turn, size, radius = _unpacked(p)
+    center, turn, size, radius = _unpack(p)
     places = (rim.places - center) @ rotation_z(turn)[:2, :2]
     return outline_distance(places, shape, flipped, size, radius) / rim.pixel
 

@@ -16,7 +16,7 @@ from jaxtyping import Bool, Float, UInt8
 from ....errors import SceneError
 from ....geometry import main_parts
 from ....meshes.pixels import distance_to, hull_corners, mask_iou
-from ..eye.sight import Sight
+from ..eye.sight import EyeReading
 
 WORKING_SIZE = 640
 """Longest side, in pixels, of the copy of the picture that is analysed."""
@@ -55,7 +55,7 @@ def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "
     return np.asarray(lab), factor
 
 
-def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outline, float]:
+def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> tuple[Outline, float]:
     """Return the top's outline, and working pixels per picture pixel.
 
     Raises:
@@ -81,7 +81,7 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outli
     return Outline(hull, points[kept] if kept.sum() > 20 else points, hidden, top), factor
 
 
-def top_of(sight: Sight) -> Bool[np.ndarray, "h w"]:
+def top_of(sight: EyeReading) -> Bool[np.ndarray, "h w"]:
     """Return the pixels of the whole tabletop, things on it included.
 
     Raises:
@@ -136,11 +136,11 @@ def snap(
     offsets = np.arange(-_REACH, _REACH + 0.25, 0.5)
     along = points[:, None] + offsets[None, :, None] * normals[:, None]
     near = np.exp(-((offsets / _NEAR) ** 2))
-    best = (_sampled(strength, along) * near).argmax(1)
+    best = (_sample(strength, along) * near).argmax(1)
     return along[np.arange(len(points)), best]
 
 
-def _sampled(field: Float[np.ndarray, "h w"], points: Float[np.ndarray, "n m 2"]) -> np.ndarray:
+def _sample(field: Float[np.ndarray, "h w"], points: Float[np.ndarray, "n m 2"]) -> np.ndarray:
     """Return a picture's values at pixel positions (centres at halves), bilinear, edges repeat."""
     x, y = (np.ascontiguousarray(points[..., k] - 0.5, np.float32) for k in range(2))
     field = np.ascontiguousarray(field, np.float32)

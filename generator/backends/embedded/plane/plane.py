@@ -332,16 +332,12 @@ def fit_plane(
     length: float | None = None,
     view: View | None = None,
 ) -> TablePlane:
-    """Find the camera and the tabletop that explain an outline.
+    """Find the camera and the tabletop that explain the outline of a whole top, in working pixels.
 
-    Args:
-        outline: of the whole top, in working pixels.
-        factor: working pixels per picture pixel.
-        size: width and height of the picture, pixels.
-        expected: elevation and field of view that the picture suggests.
-        plan: what a text said of the table; fixes its shape and proportions if given.
-        length: the table's length in metres; default: the plan's, else ``TABLE_LENGTH``.
-        view: the view to keep to; default: the one that explains the outline best.
+    ``factor`` is working pixels per picture pixel, ``size`` the picture's width and height, pixels;
+    ``expected`` the elevation and field of view that the picture suggests. What a text said of the
+    table, ``plan``, fixes its shape and proportions; its ``length``, metres, is the plan's, else
+    ``TABLE_LENGTH``. ``view`` is kept to if given.
     """
     frame = round(size[0] * factor), round(size[1] * factor)
     kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]

@@ -24,20 +24,17 @@ def find_tabletop(
 ) -> TablePlane:
     """Find the tabletop in a picture and the camera that sees it.
 
-    Args:
-        image: the picture.
-        plan: what a text said of the table; fixes its shape and proportions if given.
-        length: the table's length in metres; default: the plan's, else what is usual.
-        view: the view to keep to; default: the one that explains the tabletop best.
+    What a text said of the table, ``plan``, fixes its shape and proportions; its ``length``,
+    metres, is the plan's, else what is usual. ``view`` is kept to if given.
 
     Raises:
         BackendError: the eye's weights are missing or damaged.
         SceneError: the picture shows no tabletop.
     """
-    found = _found(image.tobytes(), image.shape[:2], plan, length, None)
+    found = _find(image.tobytes(), image.shape[:2], plan, length, None)
     if view is None or np.allclose(_numbers(found.view), _numbers(view), atol=1e-4):
         return found
-    return _found(image.tobytes(), image.shape[:2], plan, length, view)
+    return _find(image.tobytes(), image.shape[:2], plan, length, view)
 
 
 def _numbers(view: View) -> tuple[float, float, float]:
@@ -45,7 +42,7 @@ def _numbers(view: View) -> tuple[float, float, float]:
 
 
 @lru_cache(maxsize=8)
-def _found(
+def _find(
     pixels: bytes,
     size: tuple[int, int],
     plan: PlannedTable | None,

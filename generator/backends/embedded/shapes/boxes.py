@@ -11,12 +11,7 @@ from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart
 from .framing import frame_to_mask, proportion_gap, simplex
-from .solids import (
-    Posed,
-    Solid,
-    box,
-    heightfield,
-)
+from .solids import ConvexSolid, PosedSolid, box, heightfield
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -34,7 +29,7 @@ def _box_at(
 
 def fit_box(
     mask: Mask, projection: Projection, expected: Float[np.ndarray, "3"] | None = None
-) -> Posed:
+) -> PosedSolid:
     """Return the upright box, any yaw, whose silhouette agrees best with ``mask``.
 
     ``expected`` are proportions (length, width, height) that break ties.
@@ -70,13 +65,13 @@ def fit_box(
     _, scale, shift = _box_at(best, projection, mask)
     width, height, yaw = float(np.exp(best[1])), float(np.exp(best[2])), float(best[0])
     if width < 1:
-        return Posed("box", box(scale, scale * width, scale * height), yaw + np.pi / 2, shift)
-    return Posed("box", box(scale * width, scale, scale * height), yaw, shift)
+        return PosedSolid("box", box(scale, scale * width, scale * height), yaw + np.pi / 2, shift)
+    return PosedSolid("box", box(scale * width, scale, scale * height), yaw, shift)
 
 
 def fit_carved(
-    mask: Mask, projection: Projection, bounding: Posed, cells: int = 26
-) -> Posed | None:
+    mask: Mask, projection: Projection, bounding: PosedSolid, cells: int = 26
+) -> PosedSolid | None:
     """Return what the silhouette leaves of a box when carved as columns from above.
 
     Mirrored halves of the box are made alike where the silhouette allows.
@@ -93,24 +88,26 @@ def fit_carved(
     if (heights > 0).sum() < 9:
         return None
 
-    def posed(grid: np.ndarray) -> Posed:
-        return Posed("carved", heightfield(grid, width, depth), bounding.yaw, bounding.position)
+    def pose(grid: np.ndarray) -> PosedSolid:
+        return PosedSolid(
+            "carved", heightfield(grid, width, depth), bounding.yaw, bounding.position
+        )
 
     def score(grid: np.ndarray) -> float:
-        candidate = posed(grid)
+        candidate = pose(grid)
         return mask_iou(projection.silhouette(candidate.world, candidate.solid.faces), mask)
 
     reached = score(heights)
     for mirrored in (np.minimum(heights, heights[:, ::-1]), np.minimum(heights, heights[::-1])):
         if (mirrored > 0).sum() >= 9 and score(mirrored) > reached - 0.012:
             heights = np.minimum(heights, mirrored)
-    return recentered(posed(heights))
+    return recenter(pose(heights))
 
 
-def recentered(posed: Posed) -> Posed:
+def recenter(posed: PosedSolid) -> PosedSolid:
     """Move a solid's own origin to the middle of its base."""
     low, high = posed.solid.vertices.min(0), posed.solid.vertices.max(0)
     shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     parts = tuple(ConvexPart(p.vertices - shift, p.kind, p.axis) for p in posed.solid.parts)
-    solid = Solid(posed.solid.vertices - shift, posed.solid.faces, parts)
-    return Posed(posed.kind, solid, posed.yaw, posed.position + rotation_z(posed.yaw) @ shift)
+    solid = ConvexSolid(posed.solid.vertices - shift, posed.solid.faces, parts)
+    return PosedSolid(posed.kind, solid, posed.yaw, posed.position + rotation_z(posed.yaw) @ shift)

@@ -11,12 +11,13 @@ from scipy import spatial
 
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
+from ....scene.triangles import scaled_normals
 from .boxes import fit_box, fit_carved
 from .extrusions import base_line, fit_prism, fit_upright
 from .framing import proportion_gap
 from .rounds import fit_revolution
 from .slices import fit_slices
-from .solids import Posed
+from .solids import PosedSolid
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -36,7 +37,7 @@ _ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the 
 
 
 @dataclass(frozen=True)
-class Price:
+class FamilyCost:
     """What a family costs against silhouette overlap; less if its outline is a regular one."""
 
     irregular: float
@@ -44,18 +45,18 @@ class Price:
 
 
 _PRICES = {
-    "box": Price(0.0, 0.0),
-    "revolution": Price(-0.02, -0.02),
-    "prism": Price(0.14, 0.05),
-    "upright": Price(0.08, 0.05),
-    "slices": Price(0.03, 0.03),
-    "carved": Price(0.045, 0.045),
+    "box": FamilyCost(0.0, 0.0),
+    "revolution": FamilyCost(-0.02, -0.02),
+    "prism": FamilyCost(0.14, 0.05),
+    "upright": FamilyCost(0.08, 0.05),
+    "slices": FamilyCost(0.03, 0.03),
+    "carved": FamilyCost(0.045, 0.045),
 }
 
 
 def candidates(
     mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]
-) -> tuple[Posed, ...]:
+) -> tuple[PosedSolid, ...]:
     """Return the posed solids that fit the silhouette, one or two per family.
 
     ``expected`` are the size prior's proportions (length, width, height); they decide what the
@@ -90,12 +91,14 @@ def stroke_share(mask: Mask) -> float:
     return width / max(np.ptp(np.nonzero(mask), axis=1).max(), 1)
 
 
-def best_solid(mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]) -> Posed:
+def best_solid(mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]) -> PosedSolid:
     """Return the generic solid that explains the silhouette best."""
     return max(candidates(mask, small, expected), key=lambda p: score(p, mask, small, expected))
 
 
-def score(posed: Posed, mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]) -> float:
+def score(
+    posed: PosedSolid, mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]
+) -> float:
     """Return how well a solid explains the picture: silhouette overlap less what it costs.
 
     A family that can take on any outline is cheap only where the outline is regular, a box must
@@ -111,7 +114,7 @@ def score(posed: Posed, mask: Mask, small: Projection, expected: Float[np.ndarra
     return overlap - cost - accident(posed, small) - _PRIOR * proportion_gap(extent, expected)
 
 
-def accident(posed: Posed, small: Projection) -> float:
+def accident(posed: PosedSolid, small: Projection) -> float:
     """Return the price of a low solid that happens to point at the camera, or of a tall, thin one.
 
     What stands looks drawn out in that direction if it is taken to lie, so the price of a lying
@@ -133,11 +136,10 @@ def accident(posed: Posed, small: Projection) -> float:
     return float(price)
 
 
-def _drawn_out(posed: Posed) -> tuple[float, Float[np.ndarray, "2"]]:
+def _drawn_out(posed: PosedSolid) -> tuple[float, Float[np.ndarray, "2"]]:
     """Return how much longer than wide a lying solid's top is, and its long direction."""
     triangles = posed.world[posed.solid.faces]
-    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    weight = np.maximum(normal[:, 2], 0.0)
+    weight = np.maximum(scaled_normals(triangles)[:, 2], 0.0)
     points = triangles[:, :, :2].mean(1)
     middle = weight @ points / weight.sum()
     # The second moment of a triangle about its own middle is a twelfth of its corners'.
@@ -148,20 +150,20 @@ def _drawn_out(posed: Posed) -> tuple[float, Float[np.ndarray, "2"]]:
     return float(np.sqrt(values[1] / max(values[0], 1e-12))), ways[:, 1]
 
 
-def _rectangular(posed: Posed) -> bool:
+def _rectangular(posed: PosedSolid) -> bool:
     """Tell whether a lying outline nearly fills the rectangle around it."""
     sides = np.ptp(posed.solid.vertices, axis=0)
     return _area(posed, 2) > 0.9 * sides[0] * sides[1]
 
 
-def _area(posed: Posed, sweep: int) -> float:
+def _area(posed: PosedSolid, sweep: int) -> float:
     """Return the area of an extruded outline: the solid's volume over its depth."""
     points = posed.solid.vertices
     a, b, c = (points[posed.solid.faces[:, k]] for k in range(3))
     return float((np.cross(a, b) * c).sum() / 6 / np.ptp(points[:, sweep]))
 
 
-def is_regular(posed: Posed) -> bool:
+def is_regular(posed: PosedSolid) -> bool:
     """Tell whether an extruded outline looks made to lie or stand like that.
 
     Rectangles and ellipses do, and outlines with an arm or much longer than wide.

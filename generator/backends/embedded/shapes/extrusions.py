@@ -9,12 +9,7 @@ import shapely.affinity
 from jaxtyping import Bool, Float
 
 from ....meshes.projection import Projection
-from .solids import (
-    Posed,
-    largest_polygon,
-    prism,
-    upright,
-)
+from .solids import PosedSolid, largest_polygon, prism, upright
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -43,13 +38,13 @@ def plane_outline(
     grid = np.stack(np.meshgrid(*(np.arange(c) for c in counts), indexing="xy"), -1) + 0.5
     points = origin + (grid * step + start) @ axes
     free = np.logical_and.reduce([projection.inside(mask, points + s) for s in sweep])
-    outline = _traced(free)
+    outline = _trace(free)
     return None if outline is None else shapely.affinity.affine_transform(
         outline, [step, 0, 0, step, *(start + 0.5 * step)]
     )  # fmt: skip
 
 
-def _traced(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
+def _trace(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
     """Return the largest region of a grid as a simple polygon (cell units), large holes kept."""
     smooth = cv2.GaussianBlur(free.astype(np.float32), (0, 0), 0.7) > 0.42
     rings, tree = cv2.findContours(smooth.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
@@ -79,7 +74,7 @@ def _longest_side(outline: shapely.Polygon) -> float:
     return float(np.arctan2(long[1], long[0]))
 
 
-def fit_prism(mask: Mask, projection: Projection, thickness: float) -> Posed | None:
+def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSolid | None:
     """Return the flat slab lying on the table that fills ``mask``.
 
     ``thickness`` is relative to the longest side.
@@ -99,7 +94,7 @@ def fit_prism(mask: Mask, projection: Projection, thickness: float) -> Posed | N
     turned = shapely.affinity.rotate(
         shapely.affinity.translate(outline, *(-center)), -yaw, origin=(0, 0), use_radians=True
     )
-    return Posed("prism", prism(turned, height), yaw, np.array([*center, 0.0]))
+    return PosedSolid("prism", prism(turned, height), yaw, np.array([*center, 0.0]))
 
 
 def base_line(mask: Mask, projection: Projection) -> float | None:
@@ -123,7 +118,7 @@ def base_line(mask: Mask, projection: Projection) -> float | None:
     return float(np.arctan2(b[1] - a[1], b[0] - a[0]))
 
 
-def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) -> Posed | None:
+def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) -> PosedSolid | None:
     """Return the standing profile in the vertical plane of ``yaw`` that fills ``mask``.
 
     ``depth`` of the extrusion is relative to the longest side of the profile. The bottom is cut
@@ -144,7 +139,7 @@ def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) ->
     x0, z0, x1, _ = standing.bounds
     middle = (x0 + x1) / 2
     standing = shapely.affinity.translate(standing, -middle, -z0)
-    return Posed("upright", upright(standing, thick), yaw, middle * axes[0] + [0, 0, z0])
+    return PosedSolid("upright", upright(standing, thick), yaw, middle * axes[0] + [0, 0, z0])
 
 
 def _stand(outline: shapely.Polygon) -> shapely.Polygon:

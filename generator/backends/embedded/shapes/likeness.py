@@ -17,12 +17,7 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import optimize
 
 from ....catalogue import Category, build
-from ....geometry import (
-    hull_points,
-    parts_to_unit_box,
-    rotation_z,
-    to_unit_box,
-)
+from ....geometry import hull_points, parts_to_unit_box, rotation_z, to_unit_box
 from ....meshes import baking
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
@@ -50,18 +45,18 @@ class Profile:
     taper: float = 0.0
     belly: float = 0.0
 
-    def bent(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+    def bend(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
         """Return points of the unit box with x and y scaled by height."""
         z = 2 * points[:, 2:]
         factor = np.exp(self.taper * z + self.belly * (0.5 - z * z))
         return np.concatenate([points[:, :2] * factor, points[:, 2:]], 1)
 
-    def applied(self, model: Model) -> Model:
+    def apply(self, model: Model) -> Model:
         """Return a canonical model with its width changed along its height."""
         mesh = model.mesh
-        bent = Mesh(self.bent(mesh.vertices), mesh.faces, mesh.uv, mesh.texture, mesh.opacity)
+        bent = Mesh(self.bend(mesh.vertices), mesh.faces, mesh.uv, mesh.texture, mesh.opacity)
         unit, center, extent = to_unit_box(bent)
-        hulls = tuple(ConvexPart(self.bent(p.vertices)) for p in model.parts)
+        hulls = tuple(ConvexPart(self.bend(p.vertices)) for p in model.parts)
         parts = parts_to_unit_box(hulls, center, extent)
         return dataclasses.replace(model, mesh=unit, parts=parts, size=model.size * extent)
 
@@ -129,7 +124,7 @@ class _Search:
             return 2.0
         return 1 - self.pose(parameters).iou + 0.03 * float(stretch.sum())
 
-    def refined(self, yaw: float, rigid: bool) -> Likeness:
+    def refine(self, yaw: float, rigid: bool) -> Likeness:
         """Return the best likeness near ``yaw``; a ``rigid`` one keeps its proportions."""
         start = np.array([yaw, 0.0, 0.0])
         if rigid:
@@ -163,15 +158,15 @@ def fit_likeness(
     for variant in range(VARIANTS):
         search = _Search(build(category.key, seed + variant), mask, small, round_)
         drafts += [
-            (_judged(p, image, mask, small).score, search, p.yaw) for p in search.standing_out()
+            (_judge(p, image, mask, small).score, search, p.yaw) for p in search.standing_out()
         ]
     drafts.sort(key=lambda d: -d[0])
-    refined = [search.refined(yaw, occluded) for _, search, yaw in drafts[:_FINALISTS]]
-    best = max((_judged(c, image, mask, small) for c in refined), key=lambda c: c.score)
+    refined = [search.refine(yaw, occluded) for _, search, yaw in drafts[:_FINALISTS]]
+    best = max((_judge(c, image, mask, small) for c in refined), key=lambda c: c.score)
     return best if occluded else _with_profile(best, mask, small, round_)
 
 
-def _judged(
+def _judge(
     candidate: Likeness, image: UInt8[np.ndarray, "h w 3"], mask: np.ndarray, small: Projection
 ) -> Likeness:
     """Return the candidate with its share of explained colours."""
@@ -185,21 +180,21 @@ def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: 
         return found
     plain = dataclasses.replace(found.model, size=found.extent)
 
-    def bent(profile: np.ndarray) -> Likeness:
-        model = Profile(*profile).applied(plain) if np.abs(profile).max() > 1e-6 else plain
+    def bend(profile: np.ndarray) -> Likeness:
+        model = Profile(*profile).apply(plain) if np.abs(profile).max() > 1e-6 else plain
         return _Search(model, mask, small, round_).pose(np.array([found.yaw, 0.0, 0.0]))
 
     def loss(profile: np.ndarray) -> float:
         if np.abs(profile).max() > _BENT:
             return 2.0
-        return 1 - bent(profile).iou + 0.02 * float(np.abs(profile).sum())
+        return 1 - bend(profile).iou + 0.02 * float(np.abs(profile).sum())
 
     start = np.zeros(2)
     tried = optimize.minimize(
         loss, start, method="Nelder-Mead",
         options={"maxfev": 24, "initial_simplex": simplex(start, (0.1, 0.1))},
     )  # fmt: skip
-    better = bent(tried.x)
+    better = bend(tried.x)
     if better.iou < found.iou + _WORTH:
         return found
     return dataclasses.replace(better, explained=found.explained)

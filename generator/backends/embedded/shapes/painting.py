@@ -10,10 +10,11 @@ from ....geometry import rotation_z
 from ....meshes import baking
 from ....meshes.projection import Projection
 from ....meshes.unshading import estimate_shading
-from ....meshes.unwrap import Atlas, face_normals, unwrap
+from ....meshes.unwrap import Atlas, unwrap
 from ....render.scanlines import rasterise
 from ....render.shading import sample_texture
 from ....scene import Mesh
+from ....scene.triangles import face_normals
 
 PROJECT = 0.72
 """Silhouette overlap from which pixels are projected; below, only colours are carried over."""
@@ -45,7 +46,7 @@ def explained_colors(
     normal = face_normals(world, mesh.faces)[face]
     colors = image.reshape(-1, 3)[hit].astype(float)
     every = np.ones(len(hit), bool)
-    plain = estimate_shading(colors, normal, every).removed(colors, normal)
+    plain = estimate_shading(colors, normal, every).remove(colors, normal)
     painted, _ = baking.recolor(base, every, plain)
     rest = ((plain - painted) ** 2).sum()
     total = ((plain - plain.mean(0)) ** 2).sum() + 3 * _NOISE**2 * len(hit)
@@ -59,7 +60,7 @@ def base_colors(mesh: Mesh, atlas: Atlas) -> Float[np.ndarray, "t 3"]:
     return sample_texture(mesh.texture, uv) * 255.0
 
 
-def painted(
+def paint(
     mesh: Mesh,
     extent: Float[np.ndarray, "3"],
     yaw: float,
@@ -79,14 +80,14 @@ def painted(
     world = mesh.vertices * extent @ turn.T + position
     atlas = unwrap(mesh.vertices * extent, mesh.faces, size)
     surface = baking.surface_of(atlas, world)
-    sight = baking.Sight.of(world, mesh.faces, projection)
+    sight = baking.CropView.of(world, mesh.faces, projection)
     image, mask = baking.opaque_colors(crop)
     pixels = projection.project(surface.point)
     inside = baking.sample(mask[..., None].astype(np.uint8), pixels)[:, 0] > 0.5
     seen = sight.sees(surface) & inside
     shot = baking.sample(image, pixels)
     shading = estimate_shading(shot, surface.normal, seen)
-    colors = shading.removed(shot, surface.normal)
+    colors = shading.remove(shot, surface.normal)
     base = base_colors(mesh, atlas)
     texels, _ = baking.recolor(base, seen, colors)
     if project and mesh.opacity >= 1:
@@ -94,12 +95,12 @@ def painted(
         planes = [np.array([*turn[:, k], turn[:, k] @ position]) for k in (0, 1)]
         _mirror(texels, surface, base, seen, planes, sight.size)
     texture = baking.lay_out(atlas, texels)
-    return baking.textured(atlas, mesh.vertices, texture, mesh.opacity)
+    return baking.apply_texture(atlas, mesh.vertices, texture, mesh.opacity)
 
 
 def _mirror(
     texels: Float[np.ndarray, "t 3"],
-    surface: baking.Surface,
+    surface: baking.SurfacePoints,
     base: Float[np.ndarray, "t 3"],
     seen: Bool[np.ndarray, "t"],
     planes: list[Float[np.ndarray, "4"]],
@@ -119,7 +120,7 @@ def _mirror(
         hidden = np.flatnonzero(~seen)
         moved = surface.at(hidden)
         for plane in turn:
-            moved = moved.mirrored(plane)
+            moved = moved.mirror(plane)
         place = np.hstack([moved.point, 0.1 * size * moved.normal])
         near, twin = tree.query(place, k=1, distance_upper_bound=reach)
         met = np.flatnonzero(np.isfinite(near))

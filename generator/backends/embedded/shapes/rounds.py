@@ -8,18 +8,8 @@ from jaxtyping import Bool
 
 from ....meshes.projection import Projection
 from .extrusions import plane_outline
-from .slices import (
-    best_stack,
-    largest_slices,
-    longest_run,
-    reach_of,
-)
-from .solids import (
-    Posed,
-    Solid,
-    joined,
-    upright,
-)
+from .slices import best_stack, largest_slices, longest_run, reach_of
+from .solids import ConvexSolid, PosedSolid, join, upright
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -27,7 +17,7 @@ _LIMB = 0.015  # least share of the silhouette that a handle or a spout takes
 _LIMBS = 3
 
 
-def fit_revolution(mask: Mask, projection: Projection) -> Posed | None:
+def fit_revolution(mask: Mask, projection: Projection) -> PosedSolid | None:
     """Return the solid of revolution about a vertical axis, or None if nothing round fits."""
     width, tall = reach_of(mask, projection)
     heights = np.linspace(-tall, tall, 90)
@@ -40,10 +30,10 @@ def fit_revolution(mask: Mask, projection: Projection) -> Posed | None:
     best = best_stack(found, mask, projection, free=False)
     if best is None:
         return None
-    return _with_handle(best.posed("revolution", projection), mask, projection)
+    return _with_handle(best.pose("revolution", projection), mask, projection)
 
 
-def _with_handle(body: Posed, mask: Mask, projection: Projection) -> Posed:
+def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedSolid:
     """Add what sticks out of a round body as flat pieces in the plane facing the camera.
 
     A handle and a spout are such pieces; the largest few are taken.
@@ -61,10 +51,10 @@ def _with_handle(body: Posed, mask: Mask, projection: Projection) -> Posed:
         limb = _limb((labels == k) & mask, mask, body, projection)
         if limb is not None:
             solids.append(limb)
-    return Posed("revolution", joined(solids), body.yaw, body.position)
+    return PosedSolid("revolution", join(solids), body.yaw, body.position)
 
 
-def _limb(piece: Mask, mask: Mask, body: Posed, projection: Projection) -> Solid | None:
+def _limb(piece: Mask, mask: Mask, body: PosedSolid, projection: Projection) -> ConvexSolid | None:
     """Return a piece of the silhouette beside the body as a flat solid that reaches into it."""
     grown = cv2.dilate(piece.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
     axes = np.array([projection.right, [0, 0, 1.0]])

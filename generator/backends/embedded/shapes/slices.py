@@ -14,7 +14,7 @@ from jaxtyping import Bool, Float
 
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection, fill_hull
-from .solids import Posed, simplify_profile, stack_of_ellipses
+from .solids import PosedSolid, simplify_profile, stack_of_ellipses
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -25,7 +25,7 @@ _CUT = 0.006  # overlap that cutting an end may cost
 
 
 @dataclass(frozen=True, eq=False)
-class Stack:
+class EllipseStack:
     """Ellipses at rising ``z``, their middles at ``x`` along ``right``, half as wide as ``r``.
 
     Lengths are in the object frame, whose origin lies on the stack's plane; ``depth`` is the
@@ -37,10 +37,10 @@ class Stack:
     r: Float[np.ndarray, "k"]
     depth: float = 1.0
 
-    def cut(self, start: int, stop: int) -> Stack:
+    def cut(self, start: int, stop: int) -> EllipseStack:
         """Return a run of the slices."""
         run = slice(start, stop)
-        return Stack(self.z[run], self.x[run], self.r[run], self.depth)
+        return EllipseStack(self.z[run], self.x[run], self.r[run], self.depth)
 
     def rings(self, projection: Projection) -> Float[np.ndarray, "k 32 3"]:
         """Return points around each slice, in the object frame."""
@@ -55,16 +55,16 @@ class Stack:
             fill_hull(canvas, np.concatenate([lower, upper]))
         return canvas > 0
 
-    def posed(self, kind: str, projection: Projection, most: int = 20) -> Posed:
-        """Return the stack as a solid of at most ``most`` slices."""
+    def pose(self, kind: str, projection: Projection, maximum: int = 20) -> PosedSolid:
+        """Return the stack as a solid of at most ``maximum`` slices."""
         profile = np.column_stack([self.r, self.x])
-        keep = simplify_profile(self.z, profile, most, 0.012)
+        keep = simplify_profile(self.z, profile, maximum, 0.012)
         foot = self.x[0] * projection.right + self.z[0] * np.array([0, 0, 1.0])
         yaw = float(np.arctan2(projection.right[1], projection.right[0]))
         solid = stack_of_ellipses(
             self.z[keep] - self.z[0], self.r[keep], self.x[keep] - self.x[0], self.depth
         )
-        return Posed(kind, solid, yaw, foot)
+        return PosedSolid(kind, solid, yaw, foot)
 
 
 def _rings(
@@ -92,7 +92,7 @@ def reach_of(mask: Mask, projection: Projection) -> tuple[float, float]:
 
 def largest_slices(
     mask: Mask, projection: Projection, z: np.ndarray, x: np.ndarray, depth: float, count: int
-) -> Stack:
+) -> EllipseStack:
     """Return at each height the widest ellipse inside the mask with its middle among ``x``."""
     width, _ = reach_of(mask, projection)
     radii = np.linspace(0, 0.62 * width, count + 1)[1:]
@@ -104,10 +104,12 @@ def largest_slices(
     tied = run == run.max(1, keepdims=True)
     middle = (tied * x).sum(1) / tied.sum(1)
     widest = run[np.arange(len(z)), best]
-    return Stack(z, middle, np.where(widest > 0, radii[np.maximum(widest - 1, 0)], 0.0), depth)
+    return EllipseStack(
+        z, middle, np.where(widest > 0, radii[np.maximum(widest - 1, 0)], 0.0), depth
+    )
 
 
-def with_stems(stack: Stack, mask: Mask, projection: Projection) -> Stack:
+def with_stems(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStack:
     """Return the stack with slices where the mask is too thin for those that were tried.
 
     Such a slice is as wide as the mask's widest stretch at its height.
@@ -126,9 +128,9 @@ def with_stems(stack: Stack, mask: Mask, projection: Projection) -> Stack:
     return replace(stack, x=x, r=r)
 
 
-def longest_run(stack: Stack, least: float) -> Stack | None:
-    """Return the longest run of slices wider than ``least``, or None if it is short."""
-    flags = np.concatenate([[0], (stack.r > least).astype(int), [0]])
+def longest_run(stack: EllipseStack, minimum: float) -> EllipseStack | None:
+    """Return the longest run of slices wider than ``minimum``, or None if it is short."""
+    flags = np.concatenate([[0], (stack.r > minimum).astype(int), [0]])
     edges = np.flatnonzero(np.diff(flags))
     runs = [(b - a, a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
     if not runs or max(runs)[0] < 4:
@@ -137,7 +139,7 @@ def longest_run(stack: Stack, least: float) -> Stack | None:
     return stack.cut(start, stop)
 
 
-def trimmed(stack: Stack, mask: Mask, projection: Projection) -> Stack:
+def trim(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStack:
     """Cut a stack's ends as far as the silhouette does not notice.
 
     What a flat top or bottom hides is ambiguous, so the base is put as high and the top as low as
@@ -145,7 +147,7 @@ def trimmed(stack: Stack, mask: Mask, projection: Projection) -> Stack:
     """
     whole = mask_iou(stack.silhouette(projection), mask)
 
-    def longest(cuts: list[tuple[int, int]]) -> Stack:
+    def longest(cuts: list[tuple[int, int]]) -> EllipseStack:
         low, high = 0, len(cuts) - 1
         while low < high:
             middle = (low + high + 1) // 2
@@ -159,7 +161,7 @@ def trimmed(stack: Stack, mask: Mask, projection: Projection) -> Stack:
     return longest([(0, k) for k in range(count, 2, -1)])
 
 
-def refined(stack: Stack, mask: Mask, projection: Projection, free: bool) -> Stack:
+def refine(stack: EllipseStack, mask: Mask, projection: Projection, free: bool) -> EllipseStack:
     """Move each slice's sides to where the mask's own sides are, as long as that helps.
 
     ``free`` slices move sideways as well.
@@ -176,7 +178,7 @@ def refined(stack: Stack, mask: Mask, projection: Projection, free: bool) -> Sta
             stack.x[:, None] * projection.right + stack.z[:, None] * np.array([0, 0, 1.0])
         )[:, 1]
         moves = []
-        for side in (_left, _right):
+        for side in (_left_edges, _right):
             gap = np.interp(rows, rows[both], (side(mask) - side(drawn))[both].astype(float))
             moves.append(np.interp(middle - 0.5, rows, gap) * unit * 0.8)
         left, right = (_smooth(m) for m in moves)
@@ -189,7 +191,7 @@ def refined(stack: Stack, mask: Mask, projection: Projection, free: bool) -> Sta
     return best
 
 
-def _left(mask: Mask) -> np.ndarray:
+def _left_edges(mask: Mask) -> np.ndarray:
     return mask.argmax(1)
 
 
@@ -201,17 +203,19 @@ def _smooth(values: np.ndarray) -> np.ndarray:
     return np.convolve(np.pad(values, 1, mode="edge"), [0.25, 0.5, 0.25], "valid")
 
 
-def best_stack(stacks: list[Stack], mask: Mask, projection: Projection, free: bool) -> Stack | None:
+def best_stack(
+    stacks: list[EllipseStack], mask: Mask, projection: Projection, free: bool
+) -> EllipseStack | None:
     """Trim and refine the most promising of some stacks; None if there is none."""
     if not stacks:
         return None
     overlaps = [mask_iou(s.silhouette(projection), mask) for s in stacks]
-    best = trimmed(stacks[int(np.argmax(overlaps))], mask, projection)
+    best = trim(stacks[int(np.argmax(overlaps))], mask, projection)
     smooth = replace(best, r=_smooth(best.r), x=_smooth(best.x))
-    return refined(smooth, mask, projection, free)
+    return refine(smooth, mask, projection, free)
 
 
-def fit_slices(mask: Mask, projection: Projection) -> Posed | None:
+def fit_slices(mask: Mask, projection: Projection) -> PosedSolid | None:
     """Return the inflated silhouette of a standing thing, or None if nothing fits."""
     width, tall = reach_of(mask, projection)
     z = np.linspace(-tall, tall, 64)
@@ -223,4 +227,4 @@ def fit_slices(mask: Mask, projection: Projection) -> Posed | None:
         if stack is not None:
             found.append(replace(stack, x=_smooth(_smooth(stack.x))))
     best = best_stack(found, mask, projection, free=True)
-    return None if best is None else best.posed("slices", projection, 26)
+    return None if best is None else best.pose("slices", projection, 26)

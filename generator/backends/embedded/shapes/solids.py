@@ -1,7 +1,7 @@
 """Generic solids: closed triangle meshes with their convex pieces, standing on z = 0.
 
-A solid lives in its own frame (z up, its long side along x) in any unit of length; ``Posed`` puts
-it into the object frame of ``projection``.
+A solid lives in its own frame (z up, its long side along x) in any unit of length; ``PosedSolid``
+puts it into the object frame of ``projection``.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Polygon = shapely.Polygon
 
 
 @dataclass(frozen=True, eq=False)
-class Solid:
+class ConvexSolid:
     """A closed mesh (welded vertices, faces counter-clockwise from outside) and convex pieces."""
 
     vertices: Float[np.ndarray, "n 3"]
@@ -33,11 +33,11 @@ class Solid:
 
 
 @dataclass(frozen=True, eq=False)
-class Posed:
+class PosedSolid:
     """A solid turned by ``yaw`` and moved to ``position``; ``kind`` names how it was made."""
 
     kind: str
-    solid: Solid
+    solid: ConvexSolid
     yaw: float
     position: Float[np.ndarray, "3"]
 
@@ -47,18 +47,11 @@ class Posed:
         return self.solid.vertices @ rotation_z(self.yaw).T + self.position
 
 
-def box(width: float, depth: float, height: float) -> Solid:
+def box(width: float, depth: float, height: float) -> ConvexSolid:
     """Return a box of the given x, y, z extent."""
     mesh = trimesh.creation.box(extents=(width, depth, height))
     vertices = np.asarray(mesh.vertices) + np.array([0, 0, height / 2])
-    return Solid(vertices, np.asarray(mesh.faces), (ConvexPart(vertices, "box"),))
-
-
-def revolution(
-    heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], segments: int = 40
-) -> Solid:
-    """Return the solid of revolution about z of a profile, heights rising from 0, radii > 0."""
-    return stack_of_ellipses(heights, radii, np.zeros_like(radii), 1.0, segments)
+    return ConvexSolid(vertices, np.asarray(mesh.faces), (ConvexPart(vertices, "box"),))
 
 
 def stack_of_ellipses(
@@ -67,7 +60,7 @@ def stack_of_ellipses(
     shifts: Float[np.ndarray, "k"],
     depth: float,
     segments: int = 40,
-) -> Solid:
+) -> ConvexSolid:
     """Return the solid through level ellipses at ``heights`` rising from 0.
 
     Each has the half width ``radii`` > 0 along x, ``depth`` times that along y, and its middle at
@@ -88,7 +81,7 @@ def stack_of_ellipses(
     top = (k - 1) * segments
     faces.append(np.column_stack([after, here, np.full(segments, k * segments)]))
     faces.append(np.column_stack([top + here, top + after, np.full(segments, k * segments + 1)]))
-    return Solid(vertices, np.concatenate(faces), _frusta(heights, radii, shifts, depth))
+    return ConvexSolid(vertices, np.concatenate(faces), _frusta(heights, radii, shifts, depth))
 
 
 def _frusta(
@@ -96,10 +89,10 @@ def _frusta(
     radii: Float[np.ndarray, "k"],
     shifts: Float[np.ndarray, "k"],
     depth: float,
-    most: int = 8,
+    maximum: int = 8,
 ) -> tuple[ConvexPart, ...]:
-    """Cut a stack into at most ``most`` pieces; straight round ones are cylinders."""
-    keep = simplify_profile(heights, np.column_stack([radii, shifts]), most + 1)
+    """Cut a stack into at most ``maximum`` pieces; straight round ones are cylinders."""
+    keep = simplify_profile(heights, np.column_stack([radii, shifts]), maximum + 1)
     angle = np.arange(16) * 2 * np.pi / 16
     ring = np.column_stack([np.cos(angle), depth * np.sin(angle), np.zeros(16)])
     parts = []
@@ -114,17 +107,17 @@ def _frusta(
 def simplify_profile(
     heights: Float[np.ndarray, "k"],
     profile: Float[np.ndarray, "k c"],
-    most: int,
+    maximum: int,
     slack: float = 0.01,
 ) -> list[int]:
-    """Return the indices of at most ``most`` levels that keep a profile's shape.
+    """Return the indices of at most ``maximum`` levels that keep a profile's shape.
 
     ``profile`` gives several lengths per level. Levels are added where a polyline is farthest from
     one of them, until the largest error is below ``slack`` of the largest length.
     """
     keep = [0, len(heights) - 1]
     columns = profile.T
-    while len(keep) < most:
+    while len(keep) < maximum:
         error = np.max(
             [np.abs(np.interp(heights, heights[keep], c[keep]) - c) for c in columns], axis=0
         )
@@ -135,17 +128,17 @@ def simplify_profile(
     return keep
 
 
-def joined(solids: list[Solid]) -> Solid:
+def join(solids: list[ConvexSolid]) -> ConvexSolid:
     """Return solids of one frame as one; each stays closed."""
     counts = np.cumsum([0, *(len(s.vertices) for s in solids)])
-    return Solid(
+    return ConvexSolid(
         np.concatenate([s.vertices for s in solids]),
         np.concatenate([s.faces + n for s, n in zip(solids, counts, strict=False)]),
         tuple(part for s in solids for part in s.parts),
     )
 
 
-def prism(outline: Polygon, height: float) -> Solid:
+def prism(outline: Polygon, height: float) -> ConvexSolid:
     """Return a polygon in the xy plane extruded from z = 0 to ``height``."""
     mesh = trimesh.creation.extrude_polygon(outline, height, engine="earcut")
     mesh.merge_vertices()
@@ -155,10 +148,10 @@ def prism(outline: Polygon, height: float) -> Solid:
         points = np.concatenate([np.insert(flat, 2, z, axis=1) for z in (0, height)])
         rectangular = piece.area > 0.995 * piece.envelope.area
         parts.append(ConvexPart(points, "box" if rectangular else "hull"))
-    return Solid(np.asarray(mesh.vertices), np.asarray(mesh.faces), tuple(parts))
+    return ConvexSolid(np.asarray(mesh.vertices), np.asarray(mesh.faces), tuple(parts))
 
 
-def upright(outline: Polygon, depth: float) -> Solid:
+def upright(outline: Polygon, depth: float) -> ConvexSolid:
     """Return a polygon in the xz plane (z up) extruded along y from -depth/2 to depth/2."""
     lying = prism(outline, depth)
 
@@ -166,17 +159,17 @@ def upright(outline: Polygon, depth: float) -> Solid:
         return np.column_stack([points[:, 0], depth / 2 - points[:, 2], points[:, 1]])
 
     parts = tuple(ConvexPart(stand(p.vertices), p.kind) for p in lying.parts)
-    return Solid(stand(lying.vertices), lying.faces, parts)
+    return ConvexSolid(stand(lying.vertices), lying.faces, parts)
 
 
-def convex_pieces(outline: Polygon, most: int = 8, slack: float = 0.03) -> list[Polygon]:
-    """Cut a polygon into at most ``most`` nearly convex pieces.
+def convex_pieces(outline: Polygon, maximum: int = 8, slack: float = 0.03) -> list[Polygon]:
+    """Cut a polygon into at most ``maximum`` nearly convex pieces.
 
     The piece that lacks most of its convex hull is cut through its deepest dent until every piece
     fills its hull but for ``slack`` of the whole area.
     """
     pieces = [outline]
-    while len(pieces) < most:
+    while len(pieces) < maximum:
         lack = [p.convex_hull.area - p.area for p in pieces]
         worst = int(np.argmax(lack))
         if lack[worst] < slack * outline.area:
@@ -185,7 +178,7 @@ def convex_pieces(outline: Polygon, most: int = 8, slack: float = 0.03) -> list[
         if len(halves) < 2:
             break
         pieces[worst : worst + 1] = halves
-    return pieces[:most] if len(pieces) > most else pieces
+    return pieces[:maximum] if len(pieces) > maximum else pieces
 
 
 def largest_polygon(shape: shapely.Geometry) -> Polygon:
@@ -221,7 +214,7 @@ def _cut_at_dent(piece: Polygon) -> list[Polygon]:
     return best[1]
 
 
-def heightfield(heights: Float[np.ndarray, "a b"], width: float, depth: float) -> Solid:
+def heightfield(heights: Float[np.ndarray, "a b"], width: float, depth: float) -> ConvexSolid:
     """Return the solid under a grid of vertex heights over a width (x) by depth (y) rectangle.
 
     Cells whose four corners are all zero are empty; only the largest connected piece is kept.
@@ -249,7 +242,7 @@ def heightfield(heights: Float[np.ndarray, "a b"], width: float, depth: float) -
     triangles = np.concatenate(faces)
     kept, triangles = np.unique(triangles, return_inverse=True)
     parts = _strips(vertices, quads, width)
-    return Solid(vertices[kept], triangles.reshape(-1, 3), parts)
+    return ConvexSolid(vertices[kept], triangles.reshape(-1, 3), parts)
 
 
 def _strips(

@@ -14,12 +14,7 @@ from scipy.optimize import minimize
 
 from ....meshes.projection import Projection, fill_hull
 from ..shapes.framing import simplex
-from .form import (
-    LegStyle,
-    TableForm,
-    at_height,
-    corners_of,
-)
+from .form import LegStyle, TableForm, at_height, corners_of
 
 _TALL = (0.2, 1.4)  # metres: what a table's height may be
 _SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried
@@ -87,15 +82,15 @@ def fit_table(
     """
     scale, shift = place_top(outline, seen)
     usual = TableForm(outline, corners_of(outline), height)
-    best, rival = _Legs(usual, scale, shift, seen).fitted(height)
+    best, rival = _Legs(usual, scale, shift, seen).fit(height)
     if max(best[1], rival[1]) < _SHOWN:
         overlap = fine.overlap(_Legs(usual, scale, shift, fine).silhouette(usual))
         return Fitted(usual, scale, shift, overlap, False)
-    first, other = (_settled(form, scale, shift, fine, height) for form, _ in (best, rival))
+    first, other = (_settle(form, scale, shift, fine, height) for form, _ in (best, rival))
     return other if other.overlap > first.overlap + _CLEAR else first
 
 
-def _settled(
+def _settle(
     form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette, usual: float
 ) -> Fitted:
     """Return the form and its place, both improved together.
@@ -112,42 +107,42 @@ def _settled(
 
     def start(inset: tuple[float, float]) -> np.ndarray:
         raw = replace(form, inset=inset)
-        tried = _Legs(raw, scale, shift, seen).grounded(raw, usual)
+        tried = _Legs(raw, scale, shift, seen).ground(raw, usual)
         measures = np.array([*tried.inset, tried.lean, tried.high, tried.low]) / width
         return np.array([0.0, 0.0, 0.0, *measures, tried.height])
 
-    def made(p: np.ndarray) -> tuple[TableForm, float, Float[np.ndarray, "3"]]:
+    def make(p: np.ndarray) -> tuple[TableForm, float, Float[np.ndarray, "3"]]:
         inset = (float(np.clip(p[3], 0, 0.6)) * width, float(np.clip(p[4], 0, 0.6)) * width)
-        high, low = (v * width for v in _slimmed(form, p[6], p[7], width))
+        high, low = (v * width for v in _leg_widths(form, p[6], p[7], width))
         tall = float(np.clip(p[8], *_TALL))
         tried = replace(
             form, inset=inset, lean=_leaning(p[5]) * width, high=high, low=low, height=tall
         )
         return tried, float(scale * np.exp(p[0])), shift + moved(p[1:3])
 
-    def liked(p: np.ndarray) -> float:
-        tried, size, place = made(p)
+    def badness(p: np.ndarray) -> float:
+        tried, size, place = make(p)
         drawn = _Legs(tried, size, place, seen).silhouette(tried)
         rows = np.flatnonzero(drawn.any(1))
         low = abs(float(rows[-1]) - seen.bottom) if len(rows) and not seen.cut_below else 0.0
         return seen.overlap(drawn) - _EVEN * abs(p[3] - p[4]) - _REACHING * low / tall_rows
 
-    def searched(begin: np.ndarray) -> np.ndarray:
+    def search(begin: np.ndarray) -> np.ndarray:
         options = {"initial_simplex": simplex(begin, tuple(steps)), "maxfev": _TRIES, "xatol": 1e-4}
         return np.asarray(
-            minimize(lambda p: -liked(p), begin, method="Nelder-Mead", options=options).x
+            minimize(lambda p: -badness(p), begin, method="Nelder-Mead", options=options).x
         )
 
     deep = [d * width for d in _DEPTHS]
     places = [form.inset, *((form.inset[0], d) for d in deep), *((d, d) for d in deep)]
-    starts = sorted((start(place) for place in places), key=liked)
-    found = max((searched(begin) for begin in starts[-_STARTS:]), key=liked)
-    tried, size, place = made(found)
+    starts = sorted((start(place) for place in places), key=badness)
+    found = max((search(begin) for begin in starts[-_STARTS:]), key=badness)
+    tried, size, place = make(found)
     overlap = seen.overlap(_Legs(tried, size, place, seen).silhouette(tried))
     return Fitted(tried, size, place, overlap, True)
 
 
-def _slimmed(form: TableForm, high: float, low: float, width: float) -> tuple[float, float]:
+def _leg_widths(form: TableForm, high: float, low: float, width: float) -> tuple[float, float]:
     """Return how thick legs are above and below, in widths of the top, as legs may be."""
     least = 0.012 / width
     most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.3)
@@ -187,7 +182,7 @@ def place_top(
         shift = shift + moved(wanted - [(at[:, 0].min() + at[:, 0].max()) / 2, at[:, 1].min()])
 
     def cost(p: np.ndarray) -> float:
-        top = _drawn([flat * scale * np.exp(p[0]) + shift + moved(p[1:])], view)
+        top = _draw([flat * scale * np.exp(p[0]) + shift + moved(p[1:])], view)
         below = np.maximum.accumulate(top, axis=0)
         wrong = (top & ~mask) | (mask & ~below)
         return float((wrong & seen.shown).sum() / mask.sum())
@@ -200,7 +195,7 @@ def place_top(
     return float(scale * np.exp(found.x[0])), shift + moved(found.x[1:])
 
 
-def _drawn(pieces: Iterable[Float[np.ndarray, "n 3"]], view: Projection) -> Mask:
+def _draw(pieces: Iterable[Float[np.ndarray, "n 3"]], view: Projection) -> Mask:
     canvas = np.zeros((view.height, view.width), np.uint8)
     solids = list(pieces)
     ends = np.cumsum([len(piece) for piece in solids])[:-1]
@@ -216,7 +211,7 @@ class _Legs:
         self, form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette
     ) -> None:
         self.form, self.scale, self.shift, self.seen = form, scale, shift, seen
-        self.top = _drawn([self._placed(at_height(form.outline, 0.0))], seen.projection)
+        self.top = _draw([self._place(at_height(form.outline, 0.0))], seen.projection)
 
     @cached_property
     def _counted(self) -> Mask:
@@ -228,27 +223,27 @@ class _Legs:
     def _wanted(self) -> Mask:
         return self.seen.mask & self._counted
 
-    def _placed(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+    def _place(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
         return points * self.scale + self.shift
 
-    def drawn(self, form: TableForm) -> Mask:
+    def draw(self, form: TableForm) -> Mask:
         """Return the silhouette of a form's slab and legs."""
         slab = np.concatenate([at_height(form.outline, z) for z in (-form.thickness, 0.0)])
         down = np.array([0.0, 0.0, form.height])
         pieces = [piece.reshape(-1, 3) - down for piece in form.pieces()]
-        return _drawn([self._placed(p) for p in [slab, *pieces]], self.seen.projection)
+        return _draw([self._place(p) for p in [slab, *pieces]], self.seen.projection)
 
     def silhouette(self, form: TableForm) -> Mask:
         """Return the silhouette of a form with the top."""
-        return self.drawn(form) | self.top
+        return self.draw(form) | self.top
 
     def overlap(self, form: TableForm) -> float:
         """Return the intersection over union of what lies below the top."""
-        drawn = self.drawn(form) & self._counted
+        drawn = self.draw(form) & self._counted
         union = np.count_nonzero(drawn | self._wanted)
         return np.count_nonzero(drawn & self._wanted) / union if union else 0.0
 
-    def grounded(self, form: TableForm, usual: float) -> TableForm:
+    def ground(self, form: TableForm, usual: float) -> TableForm:
         """Return a form as high as brings its feet down to the silhouette's lowest row.
 
         Where the frame cuts the legs, it is at least as high as usual.
@@ -257,20 +252,20 @@ class _Legs:
         feet = form.feet()
         for _ in range(12):
             middle = (low + high) / 2
-            rows = self.seen.projection.project(self._placed(at_height(feet, -middle)))[:, 1]
+            rows = self.seen.projection.project(self._place(at_height(feet, -middle)))[:, 1]
             low, high = (middle, high) if rows.max() < self.seen.bottom + 1 else (low, middle)
         found = max(low, usual) if self.seen.cut_below else low
         return replace(form, height=found)
 
-    def fitted(self, usual: float) -> tuple[tuple[TableForm, float], tuple[TableForm, float]]:
+    def fit(self, usual: float) -> tuple[tuple[TableForm, float], tuple[TableForm, float]]:
         """Return the best form with posts and the best other, and their overlaps below the top."""
         kinds = ("posts", "sled", "trestle", "pedestal")
         firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
         rival = max(firsts[1:], key=lambda f: f[1])
-        best, rival = (self._refined(self._boarded(*f)[0], usual) for f in (firsts[0], rival))
-        return self._refined(self._boarded(*best)[0], usual), rival
+        best, rival = (self._refine(self._add_boards(*f)[0], usual) for f in (firsts[0], rival))
+        return self._refine(self._add_boards(*best)[0], usual), rival
 
-    def _boarded(self, form: TableForm, overlap: float) -> tuple[TableForm, float]:
+    def _add_boards(self, form: TableForm, overlap: float) -> tuple[TableForm, float]:
         """Return the form with another slab, or boards under it, if that explains clearly more."""
         aprons = (0.0, *_APRONS) if form.legs == "posts" else (0.0,)
         finer = self._best(replace(form, thickness=t, apron=a) for t, a in product(_SLABS, aprons))
@@ -289,27 +284,27 @@ class _Legs:
         for x, y, lean, side, taper in product(insets, insets, leans, sides, tapers):
             high, low = side * width, side * min(taper, 0.8 / side) * width
             inset = (x * width, y * width)
-            yield self.grounded(
+            yield self.ground(
                 replace(self.form, legs=kind, inset=inset, lean=lean * width, high=high, low=low),
                 usual,
             )
 
-    def _refined(self, form: TableForm, usual: float) -> tuple[TableForm, float]:
+    def _refine(self, form: TableForm, usual: float) -> tuple[TableForm, float]:
         """Return the form with its legs' measures improved, and its overlap below the top."""
         width = float(min(form.size[:2]))
 
-        def made(p: np.ndarray) -> TableForm:
+        def make(p: np.ndarray) -> TableForm:
             x, y = (float(np.clip(v, 0.0, 0.6)) * width for v in p[:2])
-            high, low = (v * width for v in _slimmed(form, p[3], p[4], width))
+            high, low = (v * width for v in _leg_widths(form, p[3], p[4], width))
             raw = replace(form, inset=(x, y), lean=_leaning(p[2]) * width, high=high, low=low)
-            return self.grounded(raw, usual)
+            return self.ground(raw, usual)
 
         start = np.array([*form.inset, form.lean, form.high, form.low]) / width
-        found = self._searched(lambda p: -self.overlap(made(p)), start)
-        return made(found), self.overlap(made(found))
+        found = self._search(lambda p: -self.overlap(make(p)), start)
+        return make(found), self.overlap(make(found))
 
     @staticmethod
-    def _searched(cost: Callable[[np.ndarray], float], start: np.ndarray) -> np.ndarray:
+    def _search(cost: Callable[[np.ndarray], float], start: np.ndarray) -> np.ndarray:
         steps = (0.04, 0.04, 0.03, 0.015, -0.015)
         options = {"initial_simplex": simplex(start, steps), "maxfev": 160, "xatol": 1e-3}
         return np.asarray(minimize(cost, start, method="Nelder-Mead", options=options).x)

@@ -124,11 +124,11 @@ class TableForm:
         base, column = _CIRCLE * self.low, _CIRCLE * self.high
         return [_piece(base, 0.0, 0.9 * base, thick), _piece(column, thick, column, top)]
 
-    def built(self) -> Model:
+    def build(self) -> Model:
         """Return the canonical model, plain grey, with a convex part a piece."""
         top = prism(self.outline, self.height - self.thickness, self.height)
         grey = textures.plain((200, 200, 200))
-        solids, parts = [(top, grey)], [hull_part(_thinned(self.outline, top.bounds[:, 2]))]
+        solids, parts = [(top, grey)], [hull_part(_thin(self.outline, top.bounds[:, 2]))]
         for ring in self.pieces():
             solids.append((loft(ring, _unit(ring[0, :, :2])), grey))
             parts.append(hull_part(ring.reshape(-1, 3)))
@@ -199,7 +199,7 @@ def _unit(ring: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "k 2"]:
     return ring - ring.mean(0)
 
 
-def _thinned(
+def _thin(
     outline: Float[np.ndarray, "k 2"], heights: Float[np.ndarray, "2"]
 ) -> Float[np.ndarray, "n 3"]:
     """Return at most 16 corners of an outline, at both heights; its box is kept."""

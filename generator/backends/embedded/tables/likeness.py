@@ -18,13 +18,7 @@ from ....meshes import baking
 from ....meshes.projection import Projection
 from ....meshes.unshading import estimate_shading
 from ....meshes.unwrap import unwrap
-from ....scene import (
-    Instance,
-    Mesh,
-    Model,
-    SizePrior,
-    View,
-)
+from ....scene import Instance, Mesh, Model, SizePrior, View
 from .fit import Fitted, Silhouette, fit_table
 
 _COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels
@@ -44,14 +38,14 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
     picture does not show any.
     """
     projection = Projection.of_instance(instance, view)
-    seen = [_silhouette(instance, projection.resized(side)) for side in (_COARSE, _FINE)]
+    seen = [_silhouette(instance, projection.resize(side)) for side in (_COARSE, _FINE)]
     extent = np.clip(size.extent, 0.2, 4.0)
     tops = _usual_tops(*extent[:2]) if size.outline is None else [np.asarray(size.outline)]
     tops = [top * (extent[:2] / np.ptp(top, axis=0)) for top in tops]
     fits = (fit_table(top, float(extent[2]), *seen) for top in tops)
     best = max(fits, key=lambda fit: fit.overlap)
-    model = best.form.built()
-    return dataclasses.replace(model, mesh=_painted(best, model, instance, projection, texture))
+    model = best.form.build()
+    return dataclasses.replace(model, mesh=_paint(best, model, instance, projection, texture))
 
 
 def _silhouette(instance: Instance, small: Projection) -> Silhouette:
@@ -89,7 +83,7 @@ def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "k 2"]]:
 # ------------------------------------------------------------------------------------- colours
 
 
-def _painted(
+def _paint(
     fit: Fitted, model: Model, instance: Instance, projection: Projection, size: int
 ) -> Mesh:
     """Return the table's mesh in the picture's colours, top and legs each for themselves."""
@@ -98,13 +92,13 @@ def _painted(
     image, mask = baking.opaque_colors(instance.crop)
     atlas = unwrap(mesh.vertices * model.size, mesh.faces, size)
     surface = baking.surface_of(atlas, world)
-    sight = baking.Sight.of(world, mesh.faces, projection)
+    sight = baking.CropView.of(world, mesh.faces, projection)
     pixels = projection.project(surface.point)
     bare = _bare(instance, mask)
     own = baking.sample(np.dstack([mask, bare]).astype(np.uint8), pixels) > 0.5
     visible = sight.sees(surface) & own[:, 0]
     colors = baking.sample(image, pixels)
-    colors = estimate_shading(colors, surface.normal, visible).removed(colors, surface.normal)
+    colors = estimate_shading(colors, surface.normal, visible).remove(colors, surface.normal)
     slab = 0.5 - fit.form.thickness / fit.form.height - 1e-4
     on_top = (mesh.vertices[mesh.faces, 2] > slab).all(1)[atlas.face]
     clear = visible & own[:, 1]
@@ -120,7 +114,7 @@ def _painted(
     for part in (rim, ~on_top):
         if (clear & part).sum() > 40:
             texels[part] = np.median(colors[clear & part], 0)
-    return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels))
+    return baking.apply_texture(atlas, mesh.vertices, baking.lay_out(atlas, texels))
 
 
 def _within(
@@ -135,15 +129,15 @@ def _within(
 
 def _bare(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
     """Return the crop's pixels that show the table itself, away from what stands on it."""
-    return mask & ~_covered(instance, mask, _BESIDE)
+    return mask & ~_cover(instance, mask, _BESIDE)
 
 
 def _near_things(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> UInt8[np.ndarray, "h w"]:
     """Return the crop's pixels near enough to what stands on the table to lie in its shadow."""
-    return _covered(instance, mask, _SHADE).astype(np.uint8)
+    return _cover(instance, mask, _SHADE).astype(np.uint8)
 
 
-def _covered(
+def _cover(
     instance: Instance, mask: Bool[np.ndarray, "h w"], reach: float
 ) -> Bool[np.ndarray, "h w"]:
     """Return the crop's pixels within ``reach`` (of its longer side) of what hides the table."""

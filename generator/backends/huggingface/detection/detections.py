@@ -13,7 +13,7 @@ from .tiles import Tile
 
 
 @dataclass(frozen=True, eq=False)
-class Find:
+class BoxDetection:
     """A box (x0, y0, x1, y1) in the picture's pixels, called by a word that was asked for.
 
     ``score`` is in [0, 1]; ``mask`` is there once it was made.
@@ -30,7 +30,7 @@ class Finder(Protocol):
 
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
-    ) -> list[Find]:
+    ) -> list[BoxDetection]:
         """Return what each part of the picture shows of ``words``.
 
         What a part's own border cuts is left out.
@@ -42,7 +42,10 @@ class Masker(Protocol):
     """A model that masks the thing in a box."""
 
     def mask(
-        self, image: UInt8[np.ndarray, "h w 3"], finds: Sequence[Find], tiles: Sequence[Tile]
-    ) -> list[Find]:
+        self,
+        image: UInt8[np.ndarray, "h w 3"],
+        detections: Sequence[BoxDetection],
+        tiles: Sequence[Tile],
+    ) -> list[BoxDetection]:
         """Return the finds with masks, in their order; without those whose mask is empty."""
         ...

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import cv2
 import numpy as np
 from jaxtyping import Bool
 
-from .detections import Find
+from ....meshes.pixels import hull_of
+from .detections import BoxDetection
 
 _FOOT = 1 / 6  # of a mask's height: what it stands on
 _BELOW = 1 / 60  # of the picture's longer side: how far below a foot is looked
 
 
-def on_table(things: Sequence[Find], table: Bool[np.ndarray, "h w"]) -> list[Find]:
+def on_table(things: Sequence[BoxDetection], table: Bool[np.ndarray, "h w"]) -> list[BoxDetection]:
     """Return the finds without those beside or below the table, in their order.
 
     Most of a thing's lowest part is over the table's outline, or has things that stand there right
     below it: it stands on them, or behind them.
     """
-    ground, others = _hull(table), np.zeros_like(table)
+    ground, others = hull_of(table), np.zeros_like(table)
     standing: set[int] = set()
     while True:
         more = [
@@ -50,11 +50,3 @@ def _foot(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
     rows = np.flatnonzero(mask.any(1))
     low = rows[-1] - _FOOT * (rows[-1] - rows[0])
     return mask & (np.arange(len(mask))[:, None] >= low)
-
-
-def _hull(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    """Return the convex hull of a mask, which also covers what stands on the table."""
-    points = np.argwhere(mask)[:, ::-1].astype(np.int32)
-    made = np.zeros(mask.shape, np.uint8)
-    cv2.fillConvexPoly(made, cv2.convexHull(points), 1)
-    return made > 0

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from jaxtyping import UInt8
 
-from .detections import Find
-from .phrases import Question, best_words, questions
-from .pixels import IMAGENET, bounded, seen
+from .detections import BoxDetection
+from .phrases import PhraseQuestion, best_words, questions
+from .pixels import IMAGENET, bound_size, to_batch
 from .tiles import Tile
 
 _LONGEST = 1333 / 800  # of the shorter side: how long the longer side is at most
@@ -21,12 +21,8 @@ _LONGEST = 1333 / 800  # of the shorter side: how long the longer side is at mos
 class GroundingDino:
     """Grounding DINO's network and tokenizer, asked tile by tile.
 
-    Attributes:
-        network: a ``GroundingDinoForObjectDetection``.
-        tokenizer: its tokenizer.
-        threshold: least score of a find.
-        side: shorter side that a tile is resized to, pixels.
-        words: most words in one text.
+    ``threshold`` is the least score of a find, ``side`` the shorter side that a tile is resized to,
+    pixels, ``words`` the most words in one text.
     """
 
     network: Any
@@ -37,20 +33,22 @@ class GroundingDino:
 
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
-    ) -> list[Find]:
+    ) -> list[BoxDetection]:
         """Return what each tile shows of ``words``; see ``finds.Finder``."""
         asked = questions(words, self.tokenizer, self.words, self.network.config.max_text_len)
         return [f for tile in tiles for question in asked for f in self._ask(image, tile, question)]
 
-    def _ask(self, image: UInt8[np.ndarray, "h w 3"], tile: Tile, question: Question) -> list[Find]:
+    def _ask(
+        self, image: UInt8[np.ndarray, "h w 3"], tile: Tile, question: PhraseQuestion
+    ) -> list[BoxDetection]:
         import torch
 
-        size = bounded(*tile.size, self.side, round(self.side * _LONGEST))
+        size = bound_size(*tile.size, self.side, round(self.side * _LONGEST))
         device = self.network.device
         ids = torch.tensor([question.ids], device=device)
         with torch.inference_mode():
             answer = self.network(
-                pixel_values=seen(tile.cut(image), *size, IMAGENET).to(device),
+                pixel_values=to_batch(tile.cut(image), *size, IMAGENET).to(device),
                 input_ids=ids,
                 token_type_ids=torch.zeros_like(ids),
                 attention_mask=torch.ones_like(ids),
@@ -63,5 +61,6 @@ class GroundingDino:
         boxes = tile.to_picture(shares)
         kept = tile.told_by(boxes, scores, self.threshold)
         return [
-            Find(question.words[best[k]], float(scores[k]), boxes[k]) for k in np.flatnonzero(kept)
+            BoxDetection(question.words[best[k]], float(scores[k]), boxes[k])
+            for k in np.flatnonzero(kept)
         ]

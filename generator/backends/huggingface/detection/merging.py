@@ -6,10 +6,11 @@ import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from ....geometry import fill_holes, main_parts, mask_box
-from .detections import Find
+from ....meshes.pixels import mask_iou
+from .detections import BoxDetection
 
 SAME = 0.6
 """Boxes of one word that overlap (intersection over union) by more are one thing."""
@@ -25,95 +26,101 @@ _WITHIN = 0.85  # share of a mask that lies within another: it is a part of that
 _LEFT = 0.3  # share of a mask that has to be left once smaller things have theirs
 
 
-def distinct(finds: Sequence[Find]) -> list[Find]:
+def distinct(detections: Sequence[BoxDetection]) -> list[BoxDetection]:
     """Return the finds without those whose box a surer one has already, the surest first."""
-    kept: list[Find] = []
-    for find in sorted(finds, key=lambda f: -f.score):
-        overlaps = overlap(find.box, kept)
-        limits = np.array([SAME if k.label == find.label else ALIKE for k in kept])
+    kept: list[BoxDetection] = []
+    for detection in sorted(detections, key=lambda f: -f.score):
+        overlaps = overlap(detection.box, kept)
+        limits = np.array([SAME if k.label == detection.label else ALIKE for k in kept])
         if not (overlaps > limits).any():
-            kept.append(find)
+            kept.append(detection)
     return kept
 
 
-def named(finds: Sequence[Find], generic: str, better: Sequence[Find]) -> list[Find]:
+def name_generic(
+    detections: Sequence[BoxDetection], generic: str, better: Sequence[BoxDetection]
+) -> list[BoxDetection]:
     """Return the finds, those called ``generic`` by the surest better word for their box."""
     made = []
-    for find in finds:
-        if find.label == generic:
-            at = overlap(find.box, better) > _NAMED
+    for detection in detections:
+        if detection.label == generic:
+            at = overlap(detection.box, better) > _NAMED
             fitting = [b for b, fits in zip(better, at, strict=True) if fits]
-            word = max(fitting, key=lambda b: b.score, default=find).label
-            find = dataclasses.replace(find, label=word)
-        made.append(find)
+            word = max(fitting, key=lambda b: b.score, default=detection).label
+            detection = dataclasses.replace(detection, label=word)
+        made.append(detection)
     return made
 
 
-def overlap(box: Float[np.ndarray, "4"], finds: Sequence[Find]) -> Float[np.ndarray, "n"]:
+def overlap(
+    box: Float[np.ndarray, "4"], detections: Sequence[BoxDetection]
+) -> Float[np.ndarray, "n"]:
     """Return the intersection over union of a box and each find's."""
-    others = np.array([f.box for f in finds]).reshape(-1, 4)
+    others = np.array([f.box for f in detections]).reshape(-1, 4)
     sides = np.minimum(box[2:], others[:, 2:]) - np.maximum(box[:2], others[:, :2])
     shared = np.clip(sides, 0, None).prod(1)
     areas = (others[:, 2:] - others[:, :2]).prod(1) + (box[2:] - box[:2]).prod()
     return shared / np.maximum(areas - shared, 1e-9)
 
 
-def union_share(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
-    """Return the intersection over union of two masks."""
-    return float((a & b).sum() / max(int((a | b).sum()), 1))
-
-
-def cleaned(find: Find) -> Find:
+def clean(detection: BoxDetection) -> BoxDetection:
     """Return a find whose mask has no specks and no small holes, its box tight about it."""
-    mask = fill_holes(main_parts(find.mask), HOLE)
-    return dataclasses.replace(find, mask=mask, box=mask_box(mask))
+    mask = fill_holes(main_parts(detection.mask), HOLE)
+    return dataclasses.replace(detection, mask=mask, box=mask_box(mask))
 
 
-def separate(finds: Sequence[Find], least: float) -> list[Find]:
+def separate(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDetection]:
     """Return each thing once, the surest first; no pixel belongs to two of them.
 
     Gone are masks that a surer one has already, masks of several things of one word together, and
     parts of a thing that has the same word. A pixel of several masks is the smallest one's, which
-    stands in front or inside. Of a mask less than ``least`` pixels, or than ``_LEFT`` of it, is
+    stands in front or inside. Of a mask less than ``minimum`` pixels, or than ``_LEFT`` of it, is
     nothing.
     """
-    kept: list[Find] = []
-    for find in sorted(finds, key=lambda f: -f.score):
-        if all(union_share(find.mask, k.mask) <= ALIKE for k in kept):
-            kept.append(find)
+    kept: list[BoxDetection] = []
+    for detection in sorted(detections, key=lambda f: -f.score):
+        if all(mask_iou(detection.mask, k.mask) <= ALIKE for k in kept):
+            kept.append(detection)
     kept = [f for f in kept if not _is_group(f, kept)]
     kept = [f for f in kept if not _is_part(f, kept)]
-    return _owned(kept, least)
+    return _assign_pixels(kept, minimum)
 
 
-def _owned(finds: Sequence[Find], least: float) -> list[Find]:
-    if not finds:
+def _assign_pixels(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDetection]:
+    if not detections:
         return []
-    areas = [int(f.mask.sum()) for f in finds]
-    taken = np.zeros_like(finds[0].mask)
-    made: dict[int, Find] = {}
-    for k in sorted(range(len(finds)), key=lambda k: areas[k]):
-        mask = finds[k].mask & ~taken
-        if mask.sum() >= max(least, _LEFT * areas[k], 1):
-            made[k] = dataclasses.replace(finds[k], mask=mask, box=mask_box(mask))
+    areas = [int(f.mask.sum()) for f in detections]
+    taken = np.zeros_like(detections[0].mask)
+    made: dict[int, BoxDetection] = {}
+    for k in sorted(range(len(detections)), key=lambda k: areas[k]):
+        mask = detections[k].mask & ~taken
+        if mask.sum() >= max(minimum, _LEFT * areas[k], 1):
+            made[k] = dataclasses.replace(detections[k], mask=mask, box=mask_box(mask))
             taken |= mask
     return [made[k] for k in sorted(made)]
 
 
-def _is_group(find: Find, finds: Sequence[Find]) -> bool:
+def _is_group(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bool:
     """Tell whether a mask is that of two or more smaller ones of the same word."""
-    inside = [f for f in finds if f is not find and f.label == find.label and _holds(find, f)]
+    inside = [
+        f
+        for f in detections
+        if f is not detection and f.label == detection.label and _holds(detection, f)
+    ]
     if len(inside) < 2:
         return False
     together = np.any([f.mask for f in inside], axis=0)
-    return bool((together & find.mask).sum() > _WITHIN * find.mask.sum())
+    return bool((together & detection.mask).sum() > _WITHIN * detection.mask.sum())
 
 
-def _is_part(find: Find, finds: Sequence[Find]) -> bool:
-    return any(f is not find and f.label == find.label and _holds(f, find) for f in finds)
+def _is_part(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bool:
+    return any(
+        f is not detection and f.label == detection.label and _holds(f, detection)
+        for f in detections
+    )
 
 
-def _holds(whole: Find, part: Find) -> bool:
+def _holds(outer: BoxDetection, part: BoxDetection) -> bool:
     """Tell whether a mask lies in a larger one."""
     area = part.mask.sum()
-    return bool(area < whole.mask.sum() and (whole.mask & part.mask).sum() > _WITHIN * area)
+    return bool(area < outer.mask.sum() and (outer.mask & part.mask).sum() > _WITHIN * area)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Question:
+class PhraseQuestion:
     """One text that asks about some words; ``tokens`` has the positions of each word's tokens."""
 
     words: tuple[str, ...]
@@ -31,13 +31,13 @@ class Question:
 
 def questions(
     words: Sequence[str], tokenizer: Any, most_words: int, most_tokens: int
-) -> tuple[Question, ...]:
+) -> tuple[PhraseQuestion, ...]:
     """Return texts that together ask about all words, each with at most so many words and tokens.
 
     The words keep their order. One word that is longer than a text may be is asked about by as
     much of it as fits; one without any letters is not asked about.
     """
-    made: list[Question] = []
+    made: list[PhraseQuestion] = []
     group: list[str] = []
     for word in (w for w in words if any(_question((w,), tokenizer).tokens)):
         longer = _question((*group, word), tokenizer)
@@ -51,7 +51,7 @@ def questions(
 
 
 def best_words(
-    logits: Float[Tensor, "q t"], question: Question
+    logits: Float[Tensor, "q t"], question: PhraseQuestion
 ) -> tuple[Float[np.ndarray, "q"], np.ndarray]:
     """Return each box's score, and the index of the word it fits best.
 
@@ -70,7 +70,7 @@ def plain(word: str) -> str:
     return " ".join(re.sub(r"[.?]+", " ", word.lower()).split())
 
 
-def _question(words: tuple[str, ...], tokenizer: Any) -> Question:
+def _question(words: tuple[str, ...], tokenizer: Any) -> PhraseQuestion:
     text, spans = "", []
     for word in words:
         spans.append((len(text), len(text) + len(plain(word))))
@@ -81,13 +81,13 @@ def _question(words: tuple[str, ...], tokenizer: Any) -> Question:
         tuple(k for k, (a, b) in enumerate(coded["offset_mapping"]) if low <= a < b <= high)
         for low, high in spans
     ]
-    return Question(words, text, tuple(places), tuple(coded["input_ids"]))
+    return PhraseQuestion(words, text, tuple(places), tuple(coded["input_ids"]))
 
 
-def _cut(question: Question, most: int) -> Question:
-    """Shorten a text to ``most`` tokens, its last token kept: it ends the text."""
-    if len(question.ids) <= most:
+def _cut(question: PhraseQuestion, maximum: int) -> PhraseQuestion:
+    """Shorten a text to ``maximum`` tokens, its last token kept: it ends the text."""
+    if len(question.ids) <= maximum:
         return question
-    ids = (*question.ids[: most - 1], question.ids[-1])
-    tokens = tuple(tuple(k for k in t if k < most - 1) for t in question.tokens)
-    return Question(question.words, question.text, tokens, ids)
+    ids = (*question.ids[: maximum - 1], question.ids[-1])
+    tokens = tuple(tuple(k for k in t if k < maximum - 1) for t in question.tokens)
+    return PhraseQuestion(question.words, question.text, tokens, ids)

@@ -23,13 +23,13 @@ HALVES = ((0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
 Norm = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
-def normalised(images: Float[Tensor, "b 3 h w"], norm: Norm) -> Float[Tensor, "b 3 h w"]:
+def normalise(images: Float[Tensor, "b 3 h w"], norm: Norm) -> Float[Tensor, "b 3 h w"]:
     """Return images in [0, 1] with a model's mean and deviation; differentiable."""
     mean, deviation = (images.new_tensor(v).view(1, 3, 1, 1) for v in norm)
     return (images - mean) / deviation
 
 
-def seen(
+def to_batch(
     image: UInt8[np.ndarray, "h w 3"], width: int, height: int, norm: Norm
 ) -> Float[Tensor, "1 3 b a"]:
     """Return a picture stretched to ``width`` x ``height`` and normalised, as a batch of one."""
@@ -37,10 +37,10 @@ def seen(
 
     small = Image.fromarray(image).resize((width, height), Image.Resampling.BILINEAR)
     pixels = torch.from_numpy(np.asarray(small, np.float32) / 255).permute(2, 0, 1)[None]
-    return normalised(pixels, norm)
+    return normalise(pixels, norm)
 
 
-def bounded(width: int, height: int, shorter: int, longer: int) -> tuple[int, int]:
+def bound_size(width: int, height: int, shorter: int, longer: int) -> tuple[int, int]:
     """Return a size of the same proportions with the shorter side given, the longer bounded.
 
     Rounded as Grounding DINO's processor does.

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from .detections import Find
-from .pixels import IMAGENET, seen
+from .detections import BoxDetection
+from .pixels import IMAGENET, to_batch
 from .tiles import Tile, closest
 
 if TYPE_CHECKING:
@@ -28,17 +28,20 @@ class Sam2:
     network: Any
 
     def mask(
-        self, image: UInt8[np.ndarray, "h w 3"], finds: Sequence[Find], tiles: Sequence[Tile]
-    ) -> list[Find]:
-        """Return the finds with masks; see ``finds.Masker``."""
-        chosen = [closest(tiles, find.box, _MARGIN) for find in finds]
-        made: dict[int, Find] = {}
+        self,
+        image: UInt8[np.ndarray, "h w 3"],
+        detections: Sequence[BoxDetection],
+        tiles: Sequence[Tile],
+    ) -> list[BoxDetection]:
+        """Return the finds with masks; see ``detections.Masker``."""
+        chosen = [closest(tiles, detection.box, _MARGIN) for detection in detections]
+        made: dict[int, BoxDetection] = {}
         for tile in dict.fromkeys(chosen):
             held = [k for k, t in enumerate(chosen) if t == tile]
-            masks = self._masks(image, tile, np.stack([finds[k].box for k in held]))
+            masks = self._masks(image, tile, np.stack([detections[k].box for k in held]))
             for k, mask in zip(held, masks, strict=True):
-                made[k] = dataclasses.replace(finds[k], mask=tile.whole(mask))
-        return [made[k] for k in range(len(finds)) if made[k].mask.any()]
+                made[k] = dataclasses.replace(detections[k], mask=tile.whole(mask))
+        return [made[k] for k in range(len(detections)) if made[k].mask.any()]
 
     def _masks(
         self, image: UInt8[np.ndarray, "h w 3"], tile: Tile, boxes: Float[np.ndarray, "n 4"]
@@ -51,17 +54,17 @@ class Sam2:
         at = torch.as_tensor(tile.to_part(boxes) * side, dtype=torch.float32, device=device)
         found: list[np.ndarray] = []
         with torch.inference_mode():
-            pixels = seen(tile.cut(image), side, side, IMAGENET).to(device)
+            pixels = to_batch(tile.cut(image), side, side, IMAGENET).to(device)
             encoded = self.network.get_image_embeddings(pixels)
             for part in at.split(_BATCH):
                 answer = self.network(
                     image_embeddings=encoded, input_boxes=part[None], multimask_output=False
                 )
-                found += enlarged(answer.pred_masks[0, :, 0], tile.size, 0.0)
+                found += enlarge(answer.pred_masks[0, :, 0], tile.size, 0.0)
         return found
 
 
-def enlarged(
+def enlarge(
     logits: Float[Tensor, "n a b"], size: tuple[int, int], threshold: float
 ) -> list[Bool[np.ndarray, "h w"]]:
     """Return where maps, stretched to (width, height), are above a threshold."""

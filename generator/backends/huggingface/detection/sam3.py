@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from jaxtyping import UInt8
 
-from .detections import Find
+from .detections import BoxDetection
 from .phrases import plain
-from .pixels import HALVES, seen
-from .sam2 import enlarged
+from .pixels import HALVES, to_batch
+from .sam2 import enlarge
 from .tiles import Tile
 
 _TOKENS = 32  # of a phrase, the longest that SAM 3 was trained with
@@ -22,10 +22,7 @@ _TOKENS = 32  # of a phrase, the longest that SAM 3 was trained with
 class Sam3:
     """SAM 3's network and tokenizer, asked about one word of one tile at a time.
 
-    Attributes:
-        network: a ``Sam3Model``.
-        tokenizer: its tokenizer.
-        threshold: least score of a find.
+    ``threshold`` is the least score of a find.
     """
 
     network: Any
@@ -34,27 +31,30 @@ class Sam3:
 
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
-    ) -> list[Find]:
+    ) -> list[BoxDetection]:
         """Return what each tile shows of ``words``, with masks; see ``finds.Finder``."""
         import torch
 
-        found: list[Find] = []
+        found: list[BoxDetection] = []
         with torch.inference_mode():
             for tile in tiles:
                 side = int(self.network.config.vision_config.backbone_config.image_size)
-                pixels = seen(tile.cut(image), side, side, HALVES).to(self.network.device)
+                pixels = to_batch(tile.cut(image), side, side, HALVES).to(self.network.device)
                 encoded = self.network.get_vision_features(pixels)
                 for word in words:
                     found += self._ask(encoded, tile, word)
         return found
 
     def mask(
-        self, image: UInt8[np.ndarray, "h w 3"], finds: Sequence[Find], tiles: Sequence[Tile]
-    ) -> list[Find]:
+        self,
+        image: UInt8[np.ndarray, "h w 3"],
+        detections: Sequence[BoxDetection],
+        tiles: Sequence[Tile],
+    ) -> list[BoxDetection]:
         """Return the finds that have a mask: it came with the box."""
-        return [find for find in finds if find.mask.any()]
+        return [detection for detection in detections if detection.mask.any()]
 
-    def _ask(self, encoded: Any, tile: Tile, word: str) -> list[Find]:
+    def _ask(self, encoded: Any, tile: Tile, word: str) -> list[BoxDetection]:
         import torch
 
         coded = self.tokenizer(plain(word))["input_ids"]
@@ -67,8 +67,8 @@ class Sam3:
         scores = (answer.pred_logits[0].float().sigmoid() * there).cpu().numpy().astype(float)
         boxes = tile.to_picture(answer.pred_boxes[0].double().cpu().numpy())
         rows = np.flatnonzero(tile.told_by(boxes, scores, self.threshold))
-        masks = enlarged(answer.pred_masks[0][rows].sigmoid(), tile.size, 0.5)
+        masks = enlarge(answer.pred_masks[0][rows].sigmoid(), tile.size, 0.5)
         return [
-            Find(word, float(scores[k]), boxes[k], tile.whole(mask))
+            BoxDetection(word, float(scores[k]), boxes[k], tile.whole(mask))
             for k, mask in zip(rows, masks, strict=True)
         ]

@@ -12,7 +12,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from ....errors import BackendError, StorageError, TabletopError, escaped
+from ....errors import BackendError, StorageError, TabletopError, escape
 from ....io.reading import parse_object
 from ...installing import module
 from .pins import Pin
@@ -53,7 +53,7 @@ def download(model: Pin, folder: Path) -> None:
                 f"{what} {folder} cannot be written: {error}. What was fetched is kept; make room, "
                 "or choose another --folder."
             ) from error
-        said = escaped(" ".join(str(error).split())[:300])
+        said = escape(" ".join(str(error).split())[:300])
         raise BackendError(
             f"{what} {model.repository} could not be fetched ({type(error).__name__}: {said}). "
             "What was fetched is kept; run it again."
@@ -70,25 +70,22 @@ def download_apart(model: Pin, folder: Path) -> None:
         StorageError: as ``download``.
     """
     command = [sys.executable, "-c", _CHILD, json.dumps(vars(model)), str(folder)]
-    watched(command, folder / f"models--{model.repository.replace('/', '--')}", model.name)
+    watch(command, folder / f"models--{model.repository.replace('/', '--')}", model.name)
 
 
-def watched(
+def watch(
     command: Sequence[str],
     folder: Path,
     name: str,
     *,
     seconds: float = _STILL_SECONDS,
-    least: int = _STILL_BYTES,
+    minimum: int = _STILL_BYTES,
 ) -> None:
     """Run a download until it ends, or until its folder has not grown for too long.
 
-    Args:
-        command: what runs; its last word on its output is {"kind", "message"} of what went wrong.
-        folder: where files grow; it may be missing at first.
-        name: of the model.
-        seconds: how long the folder may stand still.
-        least: by how many bytes it has to grow meanwhile.
+    The last word of ``command`` on its output is {"kind", "message"} of what went wrong. ``folder``
+    may be missing at first; it has to grow by ``minimum`` bytes within ``seconds``. ``name`` is the
+    model's.
 
     Raises:
         BackendError: it stood still, or what the command said.
@@ -102,16 +99,16 @@ def watched(
         try:
             moved, size = time.monotonic(), _size(folder)
             while not _ended(process):
-                if (now := _size(folder)) >= size + least:
+                if (now := _size(folder)) >= size + minimum:
                     moved, size = time.monotonic(), now
                 if time.monotonic() - moved > seconds:
                     raise BackendError(
-                        f"huggingface, pull of {name}: less than {least} bytes came in "
+                        f"huggingface, pull of {name}: less than {minimum} bytes came in "
                         f"{seconds:g} s. What was fetched is kept; look after the network (or "
                         "HF_ENDPOINT, if it is set), and run it again."
                     )
             if process.returncode:
-                raise _told(process, name)
+                raise _error_of(process, name)
         finally:
             process.kill()
 
@@ -136,7 +133,7 @@ def _ended(process: subprocess.Popen[bytes]) -> bool:
     return process.returncode is not None
 
 
-def _told(process: subprocess.Popen[bytes], name: str) -> TabletopError:
+def _error_of(process: subprocess.Popen[bytes], name: str) -> TabletopError:
     """Return the error that the process ended with."""
     what = f"huggingface, pull of {name}:"
     assert process.stdout is not None

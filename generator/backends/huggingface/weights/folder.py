@@ -35,13 +35,10 @@ def missing(pin: Pin, folder: Path) -> tuple[str, ...]:
     return tuple(name for name in pin.files if not (home / name).is_file())
 
 
-def found(pin: Pin, folder: Path, what: str) -> Path:
-    """Return the folder of a model all of whose files are there.
+def find_model(pin: Pin, folder: Path, what: str) -> Path:
+    """Return the folder of a model all of whose files are there, within ``models_folder``'s.
 
-    Args:
-        pin: the model.
-        folder: see ``models_folder``.
-        what: backend and question, for the message of an error.
+    ``what`` names backend and question, for the message of an error.
 
     Raises:
         BackendError: files are missing, or the weights are there as a pickle only.

@@ -10,7 +10,7 @@ from typing import Any, Generic, TypeVar
 
 from ....errors import BackendError
 from ...installing import module
-from .folder import found, snapshot
+from .folder import find_model, snapshot
 from .pins import WEIGHTS, Pin
 
 T = TypeVar("T")
@@ -42,11 +42,7 @@ def device_for(chosen: str) -> str:
 def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any:
     """Read a model in float32, ready to answer; its weights take no gradients.
 
-    Args:
-        pin: the model.
-        folder: see ``folder.models_folder``.
-        what: backend and question, for the message of an error.
-        device: where it is to work.
+    ``what`` names backend and question, for the message of an error.
 
     Raises:
         BackendError: transformers is not installed or too old; the model is not there, damaged,
@@ -61,7 +57,7 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
             f"{what} the installed transformers {transformers.__version__} has no {pin.kind}. "
             f"{_HOW} --upgrade"
         )
-    home = found(pin, folder, what)
+    home = find_model(pin, folder, what)
     try:
         with _quiet(transformers):
             network, report = kind.from_pretrained(
@@ -91,7 +87,7 @@ def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
         BackendError: it is not there, or damaged.
     """
     transformers = module("transformers", "huggingface", _HOW)
-    file = found(pin, folder, what) / "tokenizer.json"
+    file = find_model(pin, folder, what) / "tokenizer.json"
     try:
         return transformers.PreTrainedTokenizerFast(tokenizer_file=str(file))
     except Exception as error:  # tokenizers raises Exception itself

@@ -56,11 +56,7 @@ def pins() -> Mapping[str, Pin]:
 
 
 def pin(name: str, *kinds: str) -> Pin:
-    """Return one model.
-
-    Args:
-        name: its name in the table.
-        kinds: the classes it may be of; none for any.
+    """Return a model by its name in the table, of one of the ``kinds`` of classes; none for any.
 
     Raises:
         BackendError: there is no such model, or it is of another kind.

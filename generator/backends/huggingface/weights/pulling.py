@@ -21,11 +21,6 @@ def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_a
     An interrupted download goes on where it stopped; one that stands still is ended.
     ``HF_ENDPOINT`` names a mirror, ``HF_TOKEN`` is sent if it is set, as huggingface_hub does.
 
-    Args:
-        pin: the model.
-        folder: see ``models_folder``.
-        fetch: does the download.
-
     Raises:
         BackendError: huggingface_hub is not installed, the server refuses, cannot be reached
             or stands still, or what it sent is not the pinned model.

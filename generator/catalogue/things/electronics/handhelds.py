@@ -7,7 +7,7 @@ from ...build.collision import box_part, hull_of
 from ...build.shape import Shape, shape
 from ...build.solids import block, cylinder
 from ...surfaces import prints, textures
-from ...surfaces.colors import tinted
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
 
@@ -16,29 +16,29 @@ def _slab(look: Look, x: float, y: float, h: float, rim: float, screen: textures
     color = look.color(
         *("black", "silver", "white", "navy", "gold", "mint", "red", "pink", "lavender", "teal")
     )
-    case = textures.brushed(look.rng, color, 32)
+    case = textures.brushed_metal(look.rng, color, 32)
     radius = look.between(0.06, 0.13) * x
     kind = look.pick(["up", "up", "up", "cover", "down"])
     body = block(x, y, h, radius, 0.001)
     if kind == "down":
         bump = block(0.3 * x, 0.32 * x, 0.0018, 0.08 * x, 0.0004)
-        bump = bump.moved(-0.26 * x, y / 2 - 0.24 * x, h)
+        bump = bump.move(-0.26 * x, y / 2 - 0.24 * x, h)
         lens = cylinder(0.055 * x, 0.001, 18)
-        lenses = [lens.moved(-0.26 * x, y / 2 - (0.17 + 0.14 * k) * x, h + 0.0018) for k in (0, 1)]
-        logo = cylinder(0.06 * x, 0.0003, 20).moved(y=0.05 * y, z=h)
+        lenses = [lens.move(-0.26 * x, y / 2 - (0.17 + 0.14 * k) * x, h + 0.0018) for k in (0, 1)]
+        logo = cylinder(0.06 * x, 0.0003, 20).move(y=0.05 * y, z=h)
         shine = textures.plain((24, 26, 36))
         return shape(
-            [(body, case), (bump, textures.plain(tinted(color, 0.8))),
-             *((one, shine) for one in lenses), (logo, textures.plain(tinted(color, 1.4)))],
+            [(body, case), (bump, textures.plain(tint_color(color, 0.8))),
+             *((one, shine) for one in lenses), (logo, textures.plain(tint_color(color, 1.4)))],
             [box_part(x, y, h), hull_of(bump)],
         )  # fmt: skip
-    glass = block(x * 0.97, y * 0.985, 0.0005, radius * 0.9).moved(z=h)
-    view = block(x - 2 * rim, y - 2.4 * rim, 0.0003, radius * 0.7).moved(z=h + 0.0005)
+    glass = block(x * 0.97, y * 0.985, 0.0005, radius * 0.9).move(z=h)
+    view = block(x - 2 * rim, y - 2.4 * rim, 0.0003, radius * 0.7).move(z=h + 0.0005)
     pieces = [(body, case), (glass, textures.plain((18, 18, 21))), (view, screen)]
     if kind == "cover":
         shell = block(x + 0.004, y + 0.004, 0.9 * h, radius + 0.002, 0.001)
-        soft = look.fixed("red", "teal", "yellow", "pink", "black", "sky", "orange")
-        pieces.append((shell, textures.speckled(look.rng, soft, 3, 32)))
+        soft = look.own_color("red", "teal", "yellow", "pink", "black", "sky", "orange")
+        pieces.append((shell, textures.speckles(look.rng, soft, 3, 32)))
     return shape(pieces, [box_part(x, y, h + 0.0008)])
 
 

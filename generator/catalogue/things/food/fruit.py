@@ -5,23 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import cylinder_part, footed, hull_of
+from ...build.collision import cylinder_part, flat_foot, hull_of
 from ...build.forms import blade, speck
 from ...build.outlines import arc, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    tube,
-)
+from ...build.solids import Solid, ellipsoid, join, lathe, prism, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
-from .food import grounded, skin
+from .food import press_flat, skin
 
 LEAF: RGB = (78, 130, 58)
 STEM: RGB = (112, 128, 64)
@@ -54,10 +47,10 @@ def pineapple(look: Look) -> Shape:
             foot = np.array([0, 0, 0.94 * h]) + 0.2 * r * way / np.linalg.norm(way)
             rise = np.array([0, 0, long * (0.55 + 0.22 * ring)])
             crown.append(blade([foot, foot + 0.35 * way + 0.6 * rise, foot + way + rise], 0.022))
-    green = textures.leaf(look.rng, look.fixed("sage", "green", "olive"))
+    green = textures.leaf(look.rng, look.own_color("sage", "green", "olive"))
     low = hull_of(body)
     return shape(
-        [(body, _diamonds(look, color)), (joined(crown), green)],
+        [(body, _diamonds(look, color)), (join(crown), green)],
         [low, cylinder_part(0.45 * r, 0.9 * long, (0, 0, 0.94 * h))],
     )
 
@@ -67,7 +60,7 @@ def watermelon_slice(look: Look) -> Shape:
     r, thick = look.between(0.085, 0.12), look.between(0.018, 0.03)
     half = look.pick([np.pi / 2, np.pi / 2, 0.62, 0.75])
     color = look.color("red", "coral", "red", "crimson", "amber")
-    side = textures.speckled(look.rng, color, 10, 96)
+    side = textures.speckles(look.rng, color, 10, 96)
     flesh = speck(side, look.rng, (40, 28, 24), int(look.rng.integers(16, 30)))
 
     def band(inner: float, outer: float) -> Solid:
@@ -77,11 +70,11 @@ def watermelon_slice(look: Look) -> Shape:
             return prism(out, 0, thick)
         return prism(np.concatenate([out, back]), 0, thick)
 
-    rind = look.fixed("green", "lime", "green")
-    dark = textures.stripes([rind, tinted(rind, 0.6)], 12, upright=True)
+    rind = look.own_color("green", "lime", "green")
+    dark = textures.stripes([rind, tint_color(rind, 0.6)], 12, upright=True)
     solids = [band(0, 0.86), band(0.86, 0.92), band(0.92, 1.0)]
     tiles = [flesh, textures.plain((228, 234, 196)), dark]
-    turned = [s.turned(2, -np.pi / 2) for s in solids]
+    turned = [s.turn(2, -np.pi / 2) for s in solids]
     return shape(zip(turned, tiles, strict=True), [hull_of(*turned)])
 
 
@@ -97,17 +90,15 @@ def grapes(look: Look) -> Shape:
                 jitter = look.rng.uniform(-0.14, 0.14, 3) * d
                 x, y = (i - 2.5 + 0.4 * level) * 0.84 * d, (k - (count - 1) / 2) * 0.92 * d
                 z = (0.47 + 0.7 * level) * d
-                balls.append(
-                    ellipsoid(1.06 * d, d, d, 11, 7).moved(*(np.array([x, y, z]) + jitter))
-                )
+                balls.append(ellipsoid(1.06 * d, d, d, 11, 7).move(*(np.array([x, y, z]) + jitter)))
     end = 2.6 * d
     stalk = tube(smooth([(-d, 0, d), (end, 0, 1.3 * d), (end + 1.4 * d, 0.4 * d, 1.5 * d)], 3),
                  0.0024, 6)  # fmt: skip
-    fruit = joined(balls)
-    bloom = skin(look, color, tinted(color, 1.35), 0.8)
+    fruit = join(balls)
+    bloom = skin(look, color, tint_color(color, 1.35), 0.8)
     return shape(
         [(fruit, bloom), (stalk, textures.plain((108, 96, 56)))],
-        [footed(fruit.vertices)],
+        [flat_foot(fruit.vertices)],
     )
 
 
@@ -117,8 +108,8 @@ def strawberry(look: Look) -> Shape:
     color = look.color("red", "crimson", "red", "coral")
     profile = [(0, 0), (0.2 * r, 0.03 * h), (0.62 * r, 0.3 * h), (0.95 * r, 0.66 * h),
                (r, 0.82 * h), (0.7 * r, 0.97 * h), (0, 0.94 * h)]  # fmt: skip
-    body = grounded(lathe(profile, 22).turned(1, np.pi / 2).moved(x=-h / 2), 0.9 * r)
-    seeds = speck(textures.speckled(look.rng, color, 5, 64), look.rng, (236, 206, 110), 70, 1)
+    body = press_flat(lathe(profile, 22).turn(1, np.pi / 2).move(x=-h / 2), 0.9 * r)
+    seeds = speck(textures.speckles(look.rng, color, 5, 64), look.rng, (236, 206, 110), 70, 1)
     end, leaves = 0.44 * h, []
     for k in range(7):
         angle = 2 * np.pi * k / 7
@@ -126,8 +117,8 @@ def strawberry(look: Look) -> Shape:
         foot = np.array([end, 0, 0.9 * r])
         leaves.append(blade([foot, foot + 0.6 * way + [0.002, 0, 0], foot + way], 0.009))
     stalk = tube([(end - 0.002, 0, 0.9 * r), (end + 0.01, 0, 1.1 * r)], 0.0014, 6)
-    star = joined([*leaves, stalk])
-    return shape([(body, seeds), (star, textures.plain(LEAF))], [footed(body.vertices, 0.18)])
+    star = join([*leaves, stalk])
+    return shape([(body, seeds), (star, textures.plain(LEAF))], [flat_foot(body.vertices, 0.18)])
 
 
 CATEGORIES = (

@@ -5,39 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    frame_parts,
-    hull_of,
-    hull_part,
-    ring_parts,
-)
-from ...build.forms import (
-    above,
-    lobed,
-    packet,
-    pillow,
-    speck,
-    turned_to,
-    wrap,
-)
+from ...build.collision import box_part, cylinder_part, frame_parts, hull_of, hull_part, ring_parts
+from ...build.forms import above, lobe, packet, pillow, speck, turned_to, wrap
 from ...build.outlines import ellipse, rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    loft,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, loft, torus, tube
 from ...surfaces import prints, textures
-from ...surfaces.colors import readable_on, tinted
+from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
 from ..kitchen.bottles import PRINTS
 
@@ -45,17 +19,20 @@ from ..kitchen.bottles import PRINTS
 def meat_can(look: Look) -> Shape:
     """A rectangular can of luncheon meat with a pull ring."""
     x, y, h = look.between(0.09, 0.105), look.between(0.055, 0.062), look.between(0.075, 0.088)
-    color, ground = look.color("navy", "blue", "red", "green"), look.fixed("yellow", "cream", "sky")
+    color, ground = (
+        look.color("navy", "blue", "red", "green"),
+        look.own_color("yellow", "cream", "sky"),
+    )
     word = look.pick(["MEAT", "HAM", "PORK", "BEEF", "TUNA"])
     outline, share = rectangle(x, y, 0.018, 5), x / (x + y) / 2
     label = turned_to(wrap(look, word, ground, color, share=share), share / 2 + 0.03)
-    tin = textures.brushed(look.rng, (190, 190, 186))
+    tin = textures.brushed_metal(look.rng, (190, 190, 186))
     body = packet(outline, [(0.003, 1, 1), (h - 0.004, 1, 1)])
-    ends = [block(x + 0.003, y + 0.003, 0.004, 0.0185, 0.001).moved(z=z) for z in (0, h - 0.005)]
-    ring = torus(0.009, 0.0014, 18, 6).scaled(1, 0.8, 1).moved(0.18 * x, 0, h + 0.0005)
-    key = box(0.016, 0.006, 0.001).moved(x=0.33 * x, z=h - 0.001)
+    ends = [block(x + 0.003, y + 0.003, 0.004, 0.0185, 0.001).move(z=z) for z in (0, h - 0.005)]
+    ring = torus(0.009, 0.0014, 18, 6).scale(1, 0.8, 1).move(0.18 * x, 0, h + 0.0005)
+    key = box(0.016, 0.006, 0.001).move(x=0.33 * x, z=h - 0.001)
     return shape(
-        [(body, label), (joined([*ends, ring, key]), tin)],
+        [(body, label), (join([*ends, ring, key]), tin)],
         [hull_of(*ends)],
     )
 
@@ -66,7 +43,7 @@ def coffee_bag(look: Look) -> Shape:
     color = look.color("brown", "black", "tan", "red", "green", "cream", "teal")
     word = look.pick(["COFFEE", "ROAST", "ARABICA", "BEANS", "ESPRESSO"])
     image = prints.canvas(320, 160, color)
-    other = look.fixed("cream", "mustard", "white", "copper", "orange")
+    other = look.own_color("cream", "mustard", "white", "copper", "orange")
     kind = int(look.rng.integers(2))
     for u in (0.0, 0.5):
         start, wide = int(u * 320) + 5, int(160 * x / (x + y)) - 8
@@ -84,8 +61,8 @@ def coffee_bag(look: Look) -> Shape:
         [(0, 0.94, 0.94), (0.004, 1, 1), (0.55 * h, 1.0, 1.0), (0.86 * h, 1.0, 0.5),
          (0.93 * h, 1.0, 0.12), (h, 1.0, 0.1)],
     )  # fmt: skip
-    clip = box(1.02 * x, 0.016, 0.014).moved(z=0.92 * h)
-    tie = textures.plain(look.fixed("gold", "black", "tan", "silver"))
+    clip = box(1.02 * x, 0.016, 0.014).move(z=0.92 * h)
+    tie = textures.plain(look.own_color("gold", "black", "tan", "silver"))
     return shape(
         [(body, image), (clip, tie)],
         [hull_part(body.vertices[body.vertices[:, 2] < 0.6 * h]),
@@ -97,10 +74,10 @@ def chips_bag(look: Look) -> Shape:
     """A puffed bag of crisps lying on its back."""
     x, y, z = look.between(0.15, 0.19), look.between(0.19, 0.25), look.between(0.045, 0.06)
     color = look.color("red", "yellow", "green", "blue", "orange", "purple")
-    other = look.fixed("yellow", "white", "red", "orange")
+    other = look.own_color("yellow", "white", "red", "orange")
     front = prints.canvas(128, 160, color)
     prints.disc(front, 0.5, 0.4, 0.3, other)
-    prints.disc(front, 0.5, 0.4, 0.26, tinted(color, 0.8))
+    prints.disc(front, 0.5, 0.4, 0.26, tint_color(color, 0.8))
     word = look.pick(["CHIPS", "CRISPS", "NACHO", "SALTY", "CORN"])
     prints.write(front[:, 16:-16], word, 0.5, 0.4, 0.15, (255, 250, 235), bold=True)
     for _ in range(4):
@@ -116,8 +93,8 @@ def chips_bag(look: Look) -> Shape:
     wave = 1 - 0.05 * (1 - np.abs(v) ** 2)
     bag = pillow(u * wave * x / 2, v * y / 2, lift)
     return shape(
-        [(bag.moved(z=0.42 * z), front)],
-        [box_part(0.62 * x, 0.66 * y, 0.84 * z), hull_of(bag.moved(z=0.42 * z).bent(above))],
+        [(bag.move(z=0.42 * z), front)],
+        [box_part(0.62 * x, 0.66 * y, 0.84 * z), hull_of(bag.move(z=0.42 * z).bend(above))],
     )
 
 
@@ -125,35 +102,35 @@ def tea_tin(look: Look) -> Shape:
     """A tin of tea: round or square, its lid on."""
     w, h = look.between(0.07, 0.085), look.between(0.1, 0.14)
     color = look.color("green", "red", "teal", "navy", "gold", "black", "maroon")
-    other = look.fixed("gold", "cream", "mustard", "sage")
+    other = look.own_color("gold", "cream", "mustard", "sage")
     word = look.pick(["TEA", "CHAI", "GREEN", "EARL", "OOLONG"])
     label = wrap(look, word, other, color, fronts=2, share=0.22)
-    lid_tile = textures.speckled(look.rng, tinted(color, look.pick([0.75, 1.3])), 4)
+    lid_tile = textures.speckles(look.rng, tint_color(color, look.pick([0.75, 1.3])), 4)
     if look.chance(0.5):
         body, lid = cylinder(w / 2, 0.8 * h, 32), cylinder(w / 2 + 0.001, 0.2 * h, 32, bevel=0.002)
         part = cylinder_part(w / 2, h)
-        knob = torus(0.4 * w, 0.0015, 28, 6).moved(z=h)
+        knob = torus(0.4 * w, 0.0015, 28, 6).move(z=h)
     else:
         body = packet(rectangle(w, w, 0.006, 2), [(0, 1, 1), (0.8 * h, 1, 1)])
         label = turned_to(label, 0.135)
         lid, part = block(w + 0.002, w + 0.002, 0.2 * h, 0.007, 0.003), box_part(w, w, h)
-        knob = block(0.6 * w, 0.6 * w, 0.004, 0.005, 0.001).moved(z=h - 0.001)
-    return shape([(body, label), (lid.moved(z=0.8 * h), lid_tile), (knob, lid_tile)], [part])
+        knob = block(0.6 * w, 0.6 * w, 0.004, 0.005, 0.001).move(z=h - 0.001)
+    return shape([(body, label), (lid.move(z=0.8 * h), lid_tile), (knob, lid_tile)], [part])
 
 
 def wipes_canister(look: Look) -> Shape:
     """A canister of cleaning wipes, one pulled through its lid."""
     r, h = look.between(0.037, 0.044), look.between(0.16, 0.2)
     color = look.color("yellow", "green", "sky", "lavender", "orange", "teal", "white")
-    accent = look.fixed("navy", "green", "blue", "teal", "purple")
+    accent = look.own_color("navy", "green", "blue", "teal", "purple")
     label = wrap(look, look.pick(["WIPES", "CLEAN", "FRESH", "WIPE"]), accent, color)
-    white = textures.speckled(look.rng, look.fixed("white", "white", "blue", "green"), 3, 32)
+    white = textures.speckles(look.rng, look.own_color("white", "white", "blue", "green"), 3, 32)
     lid = lathe([(0, 0), (r + 0.001, 0), (r + 0.001, 0.014), (0.86 * r, 0.022), (0, 0.022)], 28)
-    flap = block(1.1 * r, 0.9 * r, 0.006, 0.008, 0.001).moved(z=h + 0.02)
-    pieces = [(cylinder(r, h, 28), label), (lid.moved(z=h), white), (flap, white)]
+    flap = block(1.1 * r, 0.9 * r, 0.006, 0.008, 0.001).move(z=h + 0.02)
+    pieces = [(cylinder(r, h, 28), label), (lid.move(z=h), white), (flap, white)]
     if look.chance(0.6):
         sheet = lathe([(0, 0), (0.22 * r, 0), (0.3 * r, 0.012), (0.62 * r, 0.034), (0, 0.02)], 20)
-        pieces.append((lobed(sheet, 5, 0.5).moved(z=h + 0.024), textures.plain((246, 247, 248))))
+        pieces.append((lobe(sheet, 5, 0.5).move(z=h + 0.024), textures.plain((246, 247, 248))))
     return shape(pieces, [cylinder_part(r, h + 0.024)])
 
 
@@ -163,14 +140,14 @@ def tissue_box(look: Look) -> Shape:
     x = look.between(0.11, 0.12) if cube else look.between(0.21, 0.24)
     y, h = look.between(0.108, 0.12), look.between(0.115, 0.13) if cube else look.between(0.06, 0.1)
     color = look.color("sky", "pink", "sage", "white", "lavender", "teal", "beige")
-    other = look.fixed("white", "navy", "coral", "mustard", "green")
+    other = look.own_color("white", "navy", "coral", "mustard", "green")
     pattern = [
         textures.stripes([color, color, other], 7, upright=True, side=128),
         prints.landscape(look.rng, 192, 96),
-        speck(textures.speckled(look.rng, color, 4, 96), look.rng, other, 60, 5),
-        textures.gradient(color, tinted(color, 1.5), look.rng),
+        speck(textures.speckles(look.rng, color, 4, 96), look.rng, other, 60, 5),
+        textures.gradient(color, tint_color(color, 1.5), look.rng),
     ][int(look.rng.integers(4))]
-    slot = cylinder(0.028, 0.0008, 24).scaled(0.3 * x / 0.028, 0.8, 1).moved(z=h)
+    slot = cylinder(0.028, 0.0008, 24).scale(0.3 * x / 0.028, 0.8, 1).move(z=h)
     t = np.linspace(0, 1, 6)
     fan = [ellipse(0.02 + 0.06 * k, 0.012 + 0.03 * k**2, 24) for k in t]
     ruffle = [f * (1 + 0.22 * k * np.cos(5 * np.arange(24) * 2 * np.pi / 24))[:, None]
@@ -191,9 +168,9 @@ def paper_cup(look: Look) -> Shape:
     r, h = look.between(0.039, 0.045), look.between(0.095, 0.13)
     base = 0.7 * r
     color = look.color("white", "brown", "tan", "red", "green", "black", "cream")
-    sleeve = look.fixed("tan", "brown", "teal", "charcoal", "tan")
+    sleeve = look.own_color("tan", "brown", "teal", "charcoal", "tan")
     print_ = wrap(look, look.pick(["COFFEE", "CAFE", "HOT", "LATTE"]), color, sleeve, share=0.24)
-    paper = textures.speckled(look.rng, color, 3, 32)
+    paper = textures.speckles(look.rng, color, 3, 32)
 
     def at(z: float) -> float:
         return base + (r - base) * z / h
@@ -203,22 +180,22 @@ def paper_cup(look: Look) -> Shape:
     low, high = 0.28 * h, 0.72 * h
     band = lathe([(at(low) - 0.0005, low), (at(low) + 0.0012, low), (at(high) + 0.0012, high),
                   (at(high) - 0.0005, high)], 30, loop=True, v=[0, 0, 1, 1])  # fmt: skip
-    rim = torus(r, 0.0016, 30, 6).moved(z=h)
+    rim = torus(r, 0.0016, 30, 6).move(z=h)
     if look.chance(0.3):
-        drink = cylinder(at(0.85 * h) - 0.5 * wall, 0.001, 24).moved(z=0.84 * h)
+        drink = cylinder(at(0.85 * h) - 0.5 * wall, 0.001, 24).move(z=0.84 * h)
         floor = cylinder_part(base, 0.006)
         parts = ring_parts([(base, 0), (r, h)], [(r - wall, h), (base - wall, 0)], 10)
         surface = textures.gradient((74, 44, 26), (120, 80, 50), look.rng)
-        return shape([(joined([body, rim]), paper), (band, print_), (drink, surface)],
+        return shape([(join([body, rim]), paper), (band, print_), (drink, surface)],
                      [floor, *parts])  # fmt: skip
     lid = lathe(
         [(0, 0), (r + 0.002, 0), (r + 0.002, 0.006), (0.88 * r, 0.008), (0.84 * r, 0.016),
          (0.78 * r, 0.016), (0.76 * r, 0.012), (0, 0.012)],
         30,
-    ).moved(z=h - 0.002)  # fmt: skip
-    plastic = textures.plain(look.fixed("white", "black", "white", "brown"))
+    ).move(z=h - 0.002)  # fmt: skip
+    plastic = textures.plain(look.own_color("white", "black", "white", "brown"))
     return shape(
-        [(joined([body, rim]), paper), (band, print_), (lid, plastic)],
+        [(join([body, rim]), paper), (band, print_), (lid, plastic)],
         [hull_of(body), cylinder_part(0.86 * r, 0.016, (0, 0, h - 0.002))],
     )
 
@@ -228,24 +205,26 @@ def spray_bottle(look: Look) -> Shape:
     r, h = look.between(0.036, 0.043), look.between(0.15, 0.18)
     color = look.color("sky", "clear", "green", "white", "orange", "lavender", "yellow")
     label = wrap(look, look.pick(["CLEAN", "GLASS", "SHINE", "MIST", "PLANTS"]),
-                 look.fixed(*PRINTS), (246, 246, 242))  # fmt: skip
-    skin = textures.speckled(look.rng, color, 3, 32)
+                 look.own_color(*PRINTS), (246, 246, 242))  # fmt: skip
+    skin = textures.speckles(look.rng, color, 3, 32)
     body = lathe(
         [(0, 0), (0.95 * r, 0), (r, 0.006), (r, 0.62 * h), (0.8 * r, 0.74 * h),
          (0.42 * r, 0.86 * h), (0.36 * r, h), (0, h)],
         28, v=[0, 0, 0.03, 0.62, 0.74, 0.86, 0.97, 1],
-    ).scaled(1, 0.72, 1)  # fmt: skip
-    tile = textures.stacked((skin, 0.14), (label, 0.42), (skin, 0.44), side=192)
-    head = textures.speckled(look.rng, look.fixed("white", "red", "blue", "black", "green"), 3, 32)
-    collar = cylinder(0.44 * r, 0.018, 18, bevel=0.001).moved(z=h - 0.008)
-    top = box(0.07, 0.022, 0.022).bent(
+    ).scale(1, 0.72, 1)  # fmt: skip
+    tile = textures.stack((skin, 0.14), (label, 0.42), (skin, 0.44), side=192)
+    head = textures.speckles(
+        look.rng, look.own_color("white", "red", "blue", "black", "green"), 3, 32
+    )
+    collar = cylinder(0.44 * r, 0.018, 18, bevel=0.001).move(z=h - 0.008)
+    top = box(0.07, 0.022, 0.022).bend(
         lambda p: np.column_stack([p[:, 0], p[:, 1], p[:, 2] - 0.1 * (p[:, 0] + 0.02)])
     )
-    nose = cylinder(0.008, 0.014, 14).turned(1, -np.pi / 2).moved(x=-0.04, z=h + 0.026)
+    nose = cylinder(0.008, 0.014, 14).turn(1, -np.pi / 2).move(x=-0.04, z=h + 0.026)
     trigger = tube(smooth([(-0.022, 0, h + 0.014), (-0.032, 0, h - 0.006), (-0.046, 0, h - 0.034)]),
                    0.0045, 8)  # fmt: skip
     return shape(
-        [(body, tile), (joined([collar, top.moved(x=-0.006, z=h + 0.012), trigger]), head),
+        [(body, tile), (join([collar, top.move(x=-0.006, z=h + 0.012), trigger]), head),
          (nose, textures.plain((60, 62, 68)))],
         [hull_part(body.vertices[body.vertices[:, 2] < 0.76 * h]),
          hull_part(body.vertices[body.vertices[:, 2] > 0.7 * h]),
@@ -261,7 +240,7 @@ def egg_carton(look: Look) -> Shape:
     if "places" in look.attributes:
         columns = -(-int(look.attributes["places"]) // rows)
     color = look.color("gray", "beige", "sage", "lavender", "sky")
-    pulp = textures.spotted(look.rng, color, tinted(color, 0.8), 0.1)
+    pulp = textures.spots(look.rng, color, tint_color(color, 0.8), 0.1)
     x, y, h = columns * pitch + 0.01, rows * pitch + 0.01, 0.042
     tray = [block(x, y, 0.018, 0.008, 0.003)]
     eggs: dict[str, list[Solid]] = {"cream": [], "tan": []}
@@ -269,14 +248,14 @@ def egg_carton(look: Look) -> Shape:
     for i in range(columns + 1):
         for j in range(rows + 1):
             at = (pitch * (i - columns / 2) * 0.97, pitch * (j - rows / 2) * 0.97)
-            tray.append(cylinder(0.014, h, 8, top=0.005).moved(*at))
+            tray.append(cylinder(0.014, h, 8, top=0.005).move(*at))
             if i < columns and j < rows and (look.chance(0.85) or i + j == 0) and not empty:
                 egg = ellipsoid(0.043, 0.043, 0.056, 14, 8)
                 place = (pitch * (i + 0.5 - columns / 2), pitch * (j + 0.5 - rows / 2), 0.034)
-                eggs[kind[int(look.rng.integers(2))]].append(egg.moved(*place))
-    lid = box(x, 0.004, 0.07).moved(z=0.012).turned(0, -0.2).moved(y=y / 2)
-    pieces = [(joined(tray), pulp), (lid, pulp)]
-    pieces += [(joined(some), textures.speckled(look.rng, look.fixed(name), 4))
+                eggs[kind[int(look.rng.integers(2))]].append(egg.move(*place))
+    lid = box(x, 0.004, 0.07).move(z=0.012).turn(0, -0.2).move(y=y / 2)
+    pieces = [(join(tray), pulp), (lid, pulp)]
+    pieces += [(join(some), textures.speckles(look.rng, look.own_color(name), 4))
                for name, some in eggs.items() if some]  # fmt: skip
     if not empty:
         return shape(pieces, [*frame_parts(x, y, h, 0.008, 0.01), hull_of(lid)])

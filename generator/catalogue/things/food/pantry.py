@@ -1,31 +1,16 @@
-"""Bottles, cans, jars, cartons, shakers: what food and drink come in."""
+"""Containers of food and drink: bottles, cans, jars, cartons, shakers."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    frame_parts,
-    hull_of,
-    hull_part,
-    ring_parts,
-)
+from ...build.collision import box_part, cylinder_part, frame_parts, hull_of, hull_part, ring_parts
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    lathe,
-    loft,
-    open_box,
-    torus,
-)
+from ...build.solids import block, box, cylinder, lathe, loft, open_box, torus
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 
 PRINTS = ("red", "navy", "teal", "green", "mustard", "crimson", "orange", "purple", "blue")
@@ -38,7 +23,10 @@ def can(look: Look) -> Shape:
     color = look.color(*PRINTS)
     word = look.pick(["SOUP", "BEANS", "TOMATO", "CORN"] if soup else ["COLA", "FIZZ", "LIME"])
     print_ = prints.label(
-        look.rng, word, color, (244, 240, 228) if soup else tinted(color, look.pick([0.75, 1.5]))
+        look.rng,
+        word,
+        color,
+        (244, 240, 228) if soup else tint_color(color, look.pick([0.75, 1.5])),
     )
     steel = textures.plain((196, 198, 202))
     rim = 0.0022 if soup else 0.005
@@ -47,8 +35,8 @@ def can(look: Look) -> Shape:
          (r - rim - 0.002, h - 0.002), (0, h - 0.002)],
         v=[0, 0.02, 0.04, 0.96, 0.98, 0.99, 1],
     )  # fmt: skip
-    tile = textures.stacked((steel, 4), (print_, 92), (steel, 4), side=160)
-    pull = torus(0.007, 0.0016, 16, 6).scaled(1, 1.4, 0.8).moved(y=-0.006, z=h - 0.0015)
+    tile = textures.stack((steel, 4), (print_, 92), (steel, 4), side=160)
+    pull = torus(0.007, 0.0016, 16, 6).scale(1, 1.4, 0.8).move(y=-0.006, z=h - 0.0015)
     return shape([(body, tile), (pull, textures.plain((168, 170, 176)))], [cylinder_part(r, h)])
 
 
@@ -59,7 +47,7 @@ def milk_carton(look: Look) -> Shape:
     word = look.pick(["MILK", "OATS", "JUICE", "CREAM"])
     front = prints.canvas(96, 160, (248, 248, 246))
     prints.fill(front, 0, 0.7, 1, 0.3, color)
-    prints.disc(front, 0.5, 0.68, 0.16, tinted(color, 1.4))
+    prints.disc(front, 0.5, 0.68, 0.16, tint_color(color, 1.4))
     prints.write(front, word, 0.5, 0.2, 0.14, color, bold=True)
     prints.lines(front, look.rng, (0.2, 0.36, 0.6, 0.08), 2, (140, 140, 150))
     square, ridge = rectangle(x, x), rectangle(x, 0.003)
@@ -71,11 +59,14 @@ def milk_carton(look: Look) -> Shape:
         ),
         square,
     )  # fmt: skip
-    pieces = [(box(x, x, h), front), (gable, textures.speckled(look.rng, tinted(color, 1.1), 3))]
+    pieces = [
+        (box(x, x, h), front),
+        (gable, textures.speckles(look.rng, tint_color(color, 1.1), 3)),
+    ]
     if look.chance(0.6):
-        cap = cylinder(0.011, 0.012, 18, bevel=0.001).moved(z=-0.002)
-        cap = cap.turned(0, np.deg2rad(39)).moved(y=-0.26 * x, z=h + 0.19 * x)
-        pieces.append((cap, textures.plain(look.fixed("white", "red", "blue"))))
+        cap = cylinder(0.011, 0.012, 18, bevel=0.001).move(z=-0.002)
+        cap = cap.turn(0, np.deg2rad(39)).move(y=-0.26 * x, z=h + 0.19 * x)
+        pieces.append((cap, textures.plain(look.own_color("white", "red", "blue"))))
     return shape(pieces, [box_part(x, x, h), hull_of(gable)])
 
 
@@ -91,17 +82,17 @@ def _shaker(look: Look, letter: str, fill_color: RGB) -> Shape:
     prints.write(middle, letter, 0.5, 0.5, 0.5, ink, bold=True)
     if style == 0:  # glass: the filling shows
         clear = textures.plain((214, 226, 230))
-        skin = textures.stacked((textures.plain(fill_color), 6), (clear, 4))
+        skin = textures.stack((textures.plain(fill_color), 6), (clear, 4))
     cap = lathe(
         [(0, 0.7 * h), (0.9 * r, 0.7 * h), (0.9 * r, 0.86 * h), (0.6 * r, 0.97 * h), (0, h)], 24
     )
-    steel = textures.brushed(look.rng, look.fixed("silver", "silver", "gold"))
+    steel = textures.brushed_metal(look.rng, look.own_color("silver", "silver", "gold"))
     pieces = [(body, skin), (cap, steel)]
     hole = cylinder(0.0013, 0.002, 8)
     dark = textures.plain((40, 40, 42))
     for k in range(5 if letter == "S" else 3):
         at = 0.007 * np.array([np.cos(2.1 * k), np.sin(2.1 * k)]) * (k > 0)
-        pieces.append((hole.moved(at[0], at[1], 0.98 * h - 0.0012), dark))
+        pieces.append((hole.move(at[0], at[1], 0.98 * h - 0.0012), dark))
     return shape(pieces, [hull_of(body), hull_part(cap.vertices)])
 
 
@@ -125,7 +116,7 @@ def pepper_shaker(look: Look) -> Shape:
     knob = lathe([(0, 0.94 * h), (0.006, 0.95 * h), (0.007, 0.975 * h), (0, h)], 14)
     tile = look.surface(look.color("brown", "wooden", "black", "maroon"), "wood")
     return shape(
-        [(body, tile), (head, tile), (knob, textures.brushed(look.rng, (196, 198, 202)))],
+        [(body, tile), (head, tile), (knob, textures.brushed_metal(look.rng, (196, 198, 202)))],
         [cylinder_part(r, 0.05 * h), cylinder_part(0.76 * r, 0.72 * h, (0, 0, 0.04 * h)),
          hull_of(head), hull_of(knob)],
     )  # fmt: skip
@@ -145,7 +136,7 @@ def sugar_bowl(look: Look) -> Shape:
          (0.005, h + 0.022), (0.009, h + 0.028), (0.006, h + 0.034), (0, h + 0.035)], 28,
     )  # fmt: skip
     ears = [
-        torus(0.011, 0.0032, 16, 8).turned(0, np.pi / 2).moved(x=side * r * 0.98, z=0.62 * h)
+        torus(0.011, 0.0032, 16, 8).turn(0, np.pi / 2).move(x=side * r * 0.98, z=0.62 * h)
         for side in (-1, 1)
     ]
     return shape(
@@ -158,8 +149,8 @@ def sugar_bowl(look: Look) -> Shape:
 def basket(look: Look) -> Shape:
     """A woven basket, open at the top; things go into it."""
     color = look.color("tan", "brown", "beige", "wooden", "white")
-    weave = textures.woven(look.rng, color)
-    dark = textures.speckled(look.rng, tinted(color, 0.75), 6, 32)
+    weave = textures.basketwork(look.rng, color)
+    dark = textures.speckles(look.rng, tint_color(color, 0.75), 6, 32)
     if look.chance(0.5):
         r, h, wall = look.between(0.1, 0.12), look.between(0.08, 0.1), 0.007
         low = 0.82 * r
@@ -167,7 +158,7 @@ def basket(look: Look) -> Shape:
             [(0, 0), (low, 0), (r, h), (r - wall, h), (low - wall, 0.008), (0, 0.008)],
             v=[0, 0, 0.48, 0.52, 1, 1],
         )
-        rim = torus(r - wall / 2, 0.0065, 32, 8).moved(z=h)
+        rim = torus(r - wall / 2, 0.0065, 32, 8).move(z=h)
         return shape(
             [(body, weave), (rim, dark)],
             [*ring_parts([(low, 0), (r, h)], [(r - wall, h), (low - wall, 0.008)]),
@@ -175,10 +166,10 @@ def basket(look: Look) -> Shape:
         )  # fmt: skip
     x, y, h, wall = look.between(0.22, 0.27), look.between(0.15, 0.18), 0.09, 0.008
     rails = [
-        block(x + 0.006, 0.012, 0.012, 0.003).moved(y=side * (y - 0.008) / 2, z=h - 0.006)
+        block(x + 0.006, 0.012, 0.012, 0.003).move(y=side * (y - 0.008) / 2, z=h - 0.006)
         for side in (-1, 1)
     ] + [
-        block(0.012, y + 0.006, 0.012, 0.003).moved(x=side * (x - 0.008) / 2, z=h - 0.006)
+        block(0.012, y + 0.006, 0.012, 0.003).move(x=side * (x - 0.008) / 2, z=h - 0.006)
         for side in (-1, 1)
     ]
     return shape(

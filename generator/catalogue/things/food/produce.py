@@ -5,28 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    cylinder_part,
-    footed,
-    hull_of,
-    hull_part,
-)
-from ...build.forms import blade, lobed, streaked
+from ...build.collision import cylinder_part, flat_foot, hull_of, hull_part
+from ...build.forms import blade, lobe, streaks
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    tube,
-)
+from ...build.solids import cylinder, ellipsoid, join, lathe, prism, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 from ..tools.tools import lying
-from .food import grounded, skin
+from .food import press_flat, skin
 
 LEAF: RGB = (78, 130, 58)
 STEM: RGB = (112, 128, 64)
@@ -39,29 +27,29 @@ def avocado(look: Look) -> Shape:
     radius = d / 2 * np.sin(t) ** 0.85 * (1 - 0.3 * np.cos(t / 1.0) * (t < 2.2) * 0.9)
     radius[[0, -1]] = 0
     profile = np.column_stack([radius, -x / 2 * np.cos(t)])
-    body = lathe(profile, 24).turned(1, -np.pi / 2)
+    body = lathe(profile, 24).turn(1, -np.pi / 2)
     peel = look.color("green", "olive", "charcoal", "maroon", "olive")
-    rough = textures.spotted(look.rng, tinted(peel, 0.55), tinted(peel, 0.4), 0.2)
+    rough = textures.spots(look.rng, tint_color(peel, 0.55), tint_color(peel, 0.4), 0.2)
     wide = float(np.ptp(body.vertices[:, 1])) / 2
     if look.chance(0.4):
-        whole = grounded(body, 0.88 * wide)
-        return shape([(whole, rough)], [footed(whole.vertices)])
-    lower = body.bent(lambda p: np.column_stack([p[:, :2], np.minimum(p[:, 2], 0)]))
-    lower = grounded(lower, 0.88 * wide)
+        whole = press_flat(body, 0.88 * wide)
+        return shape([(whole, rough)], [flat_foot(whole.vertices)])
+    lower = body.bend(lambda p: np.column_stack([p[:, :2], np.minimum(p[:, 2], 0)]))
+    lower = press_flat(lower, 0.88 * wide)
     top = float(lower.vertices[:, 2].max())
     rim = np.concatenate([np.column_stack([-profile[:, 1], -profile[:, 0]])[::-1],
                           np.column_stack([-profile[:, 1], profile[:, 0]])[1:-1]])  # fmt: skip
     (ax, ay), (bx, by) = rim[1] - rim[0], rim[2] - rim[1]
     rim = rim if ax * by > ay * bx else rim[::-1]
-    pale = textures.speckled(look.rng, (214, 214, 128), 8)
+    pale = textures.speckles(look.rng, (214, 214, 128), 8)
     edge = prism(0.985 * rim, top - 0.001, top + 0.0008)
     flesh = prism(0.87 * rim, top, top + 0.0014)
     middle = 0.16 * x
-    stone = ellipsoid(0.036, 0.036, 0.03, 18, 10).moved(middle, 0, top)
+    stone = ellipsoid(0.036, 0.036, 0.03, 18, 10).move(middle, 0, top)
     brown = skin(look, (126, 78, 42), (92, 54, 30))
     return shape(
         [(lower, rough), (edge, textures.plain((150, 176, 84))), (flesh, pale), (stone, brown)],
-        [footed(lower.vertices), hull_part(stone.vertices[stone.vertices[:, 2] >= top])],
+        [flat_foot(lower.vertices), hull_part(stone.vertices[stone.vertices[:, 2] >= top])],
     )
 
 
@@ -76,7 +64,7 @@ def onion(look: Look) -> Shape:
          (0, 1.26 * h)],
         24,
     )  # fmt: skip
-    paper = streaked(look.rng, color, tinted(color, look.pick([0.66, 1.4])), 24)
+    paper = streaks(look.rng, color, tint_color(color, look.pick([0.66, 1.4])), 24)
     return shape([(body, paper)], [hull_of(body)])
 
 
@@ -90,8 +78,10 @@ def garlic(look: Look) -> Shape:
          (0.35 * r, 1.02 * h), (0.17 * r, 1.3 * h), (0.14 * r, 1.75 * h), (0, 1.77 * h)],
         40,
     )  # fmt: skip
-    bulb = lobed(bulb, int(look.rng.integers(7, 10)), 0.2)
-    paper = streaked(look.rng, color, tinted(look.fixed("lavender", "beige", "pink"), 1.2), 12)
+    bulb = lobe(bulb, int(look.rng.integers(7, 10)), 0.2)
+    paper = streaks(
+        look.rng, color, tint_color(look.own_color("lavender", "beige", "pink"), 1.2), 12
+    )
     return shape([(bulb, paper)], [hull_of(bulb)])
 
 
@@ -108,7 +98,7 @@ def corn(look: Look) -> Shape:
                (0.7 * r, 0.88 * length), (0.2 * r, length), (0, length)], 22),
         -0.4 * length, r,
     )  # fmt: skip
-    green = textures.leaf(look.rng, look.fixed("lime", "green", "sage"))
+    green = textures.leaf(look.rng, look.own_color("lime", "green", "sage"))
     start = -0.42 * length
     husk = [
         blade([(start, 0.3 * s * r, 0.9 * r), (start + 0.28 * length, 1.35 * s * r, 0.8 * r),
@@ -116,10 +106,10 @@ def corn(look: Look) -> Shape:
         for s in (-1, 1)
     ]  # fmt: skip
     stalk = lying(cylinder(0.5 * r, 0.03, 12, top=0.6 * r), start - 0.024, 0.95 * r)
-    keel = ellipsoid(0.55 * length, 1.9 * r, 0.7 * r, 16, 8).moved(-0.18 * length, 0, 0.35 * r)
+    keel = ellipsoid(0.55 * length, 1.9 * r, 0.7 * r, 16, 8).move(-0.18 * length, 0, 0.35 * r)
     return shape(
-        [(cob, kernels), (joined([*husk, keel]), green), (stalk, textures.plain((176, 190, 110)))],
-        [footed(cob.vertices), hull_part(husk[0].vertices.clip(min=(-1, -1, 0))),
+        [(cob, kernels), (join([*husk, keel]), green), (stalk, textures.plain((176, 190, 110)))],
+        [flat_foot(cob.vertices), hull_part(husk[0].vertices.clip(min=(-1, -1, 0))),
          hull_part(husk[1].vertices.clip(min=(-1, -1, 0)))],
     )  # fmt: skip
 
@@ -133,11 +123,11 @@ def bell_pepper(look: Look) -> Shape:
          (r, 0.82 * h), (0.86 * r, 0.96 * h), (0.5 * r, h), (0.2 * r, 0.93 * h), (0, 0.92 * h)],
         36,
     )  # fmt: skip
-    body = lobed(body, int(look.rng.integers(3, 5)), 0.22)
-    cap = lobed(cylinder(0.3 * r, 0.006, 20, bevel=0.001), 5, 0.4).moved(z=0.925 * h)
+    body = lobe(body, int(look.rng.integers(3, 5)), 0.22)
+    cap = lobe(cylinder(0.3 * r, 0.006, 20, bevel=0.001), 5, 0.4).move(z=0.925 * h)
     stalk = tube(smooth([(0, 0, 0.92 * h), (0.002, 0, 1.06 * h), (0.009, 0, 1.2 * h)], 3),
                  np.linspace(0.0055, 0.0042, 7), 8)  # fmt: skip
-    shine = skin(look, color, tinted(color, look.pick([0.8, 1.25])), 0.6)
+    shine = skin(look, color, tint_color(color, look.pick([0.8, 1.25])), 0.6)
     green = textures.plain(LEAF)
     return shape([(body, shine), (cap, green), (stalk, green)], [hull_of(body), hull_of(stalk)])
 
@@ -146,19 +136,19 @@ def broccoli(look: Look) -> Shape:
     """A head of broccoli standing on its cut stalk."""
     r, h = look.between(0.045, 0.058), look.between(0.075, 0.09)
     color = look.color("green", "green", "olive", "sage", "cream")
-    pale = textures.speckled(look.rng, (168, 190, 110), 6)
+    pale = textures.speckles(look.rng, (168, 190, 110), 6)
     trunk = lathe([(0, 0), (0.36 * r, 0), (0.34 * r, 0.35 * h), (0.66 * r, 0.62 * h),
                    (0, 0.7 * h)], 16)  # fmt: skip
-    tops = [ellipsoid(1.1 * r, 1.1 * r, 0.95 * r, 14, 8).moved(z=h)]
+    tops = [ellipsoid(1.1 * r, 1.1 * r, 0.95 * r, 14, 8).move(z=h)]
     for ring, (count, away, z, d) in enumerate([(8, 0.72, 0.72, 0.66), (6, 0.46, 1.0, 0.66)]):
         for k in range(count):
             angle = 2 * np.pi * (k + 0.5 * ring) / count
             size = d * r * look.between(0.88, 1.1)
             at = away * r * np.array([np.cos(angle), np.sin(angle)])
-            tops.append(ellipsoid(size, size, 0.88 * size, 12, 8).moved(at[0], at[1], z * h))
-    bud = textures.spotted(look.rng, tinted(color, 0.85), tinted(color, 0.62), 0.3)
+            tops.append(ellipsoid(size, size, 0.88 * size, 12, 8).move(at[0], at[1], z * h))
+    bud = textures.spots(look.rng, tint_color(color, 0.85), tint_color(color, 0.62), 0.3)
     return shape(
-        [(trunk, pale), (joined(tops), bud)],
+        [(trunk, pale), (join(tops), bud)],
         [cylinder_part(0.35 * r, 0.6 * h), hull_of(*tops)],
     )
 
@@ -173,9 +163,9 @@ def potato(look: Look) -> Shape:
         wave = 1 + 0.05 * np.sin(p @ np.array([70, 40, 30]) + phase[0])
         return p * (wave + 0.04 * np.sin(p @ np.array([-60, 90, 50]) + phase[1]))[:, None]
 
-    body = grounded(ellipsoid(x, y, z, 26, 16).bent(bumps), 0.44 * z)
-    peel = textures.spotted(look.rng, color, tinted(color, 0.55), 0.04)
-    return shape([(body, peel)], [footed(body.vertices)])
+    body = press_flat(ellipsoid(x, y, z, 26, 16).bend(bumps), 0.44 * z)
+    peel = textures.spots(look.rng, color, tint_color(color, 0.55), 0.04)
+    return shape([(body, peel)], [flat_foot(body.vertices)])
 
 
 def mushroom(look: Look) -> Shape:
@@ -186,9 +176,9 @@ def mushroom(look: Look) -> Shape:
     stalk = lathe([(0, 0), (s, 0), (0.9 * s, 0.3 * h), (s, 0.66 * h), (0, 0.66 * h)], 18)
     cap = lathe([(0, 0.52 * h), (0.6 * r, 0.5 * h), (0.93 * r, 0.47 * h), (r, 0.55 * h),
                  (0.9 * r, 0.76 * h), (0.55 * r, 0.95 * h), (0, h)], 26)  # fmt: skip
-    top = skin(look, color, tinted(color, 0.75), 0.7)
+    top = skin(look, color, tint_color(color, 0.75), 0.7)
     return shape(
-        [(stalk, textures.speckled(look.rng, (238, 230, 212), 6)), (cap, top)],
+        [(stalk, textures.speckles(look.rng, (238, 230, 212), 6)), (cap, top)],
         [cylinder_part(s, 0.55 * h), hull_of(cap)],
     )
 

@@ -6,20 +6,12 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of
-from ...build.forms import lobed, speck
+from ...build.forms import lobe, speck
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 from .food import skin
 
@@ -30,24 +22,24 @@ def pancakes(look: Look) -> Shape:
     """A stack of pancakes with syrup and butter."""
     r, count = look.between(0.055, 0.07), int(look.rng.integers(3, 6))
     cakes, z = [], 0.0
-    edge, brown = (238, 204, 140), look.fixed("copper", "brown", "amber")
+    edge, brown = (238, 204, 140), look.own_color("copper", "brown", "amber")
     for _ in range(count):
         k = look.between(0.94, 1.04)
         dx, dy = look.rng.uniform(-0.003, 0.003, 2)
-        cakes.append(cylinder(k * r, 0.0125, 30, bevel=0.0035).moved(dx, dy, z))
+        cakes.append(cylinder(k * r, 0.0125, 30, bevel=0.0035).move(dx, dy, z))
         z += 0.012
-    tile = textures.gradient(edge, tinted(edge, 0.9), look.rng)
-    faces = [cylinder(0.86 * r, 0.0009, 28).moved(z=0.012 * (k + 1)) for k in range(count)]
-    syrup = lobed(cylinder(0.62 * r, 0.003, 36, bevel=0.001), 5, 0.6).moved(z=z)
+    tile = textures.gradient(edge, tint_color(edge, 0.9), look.rng)
+    faces = [cylinder(0.86 * r, 0.0009, 28).move(z=0.012 * (k + 1)) for k in range(count)]
+    syrup = lobe(cylinder(0.62 * r, 0.003, 36, bevel=0.001), 5, 0.6).move(z=z)
     drips = [
-        ellipsoid(0.013, 0.008, long, 10, 6).moved(0, -r, z - long / 2).turned(2, 2.1 * k + 0.3)
+        ellipsoid(0.013, 0.008, long, 10, 6).move(0, -r, z - long / 2).turn(2, 2.1 * k + 0.3)
         for k, long in enumerate(look.rng.uniform(0.016, 0.036, 3))
     ]
-    amber = textures.plain(look.fixed("brown", "maroon", "copper", "crimson"))
-    butter = block(0.019, 0.019, 0.009, 0.003, 0.001).turned(2, 0.5).moved(z=z + 0.002)
+    amber = textures.plain(look.own_color("brown", "maroon", "copper", "crimson"))
+    butter = block(0.019, 0.019, 0.009, 0.003, 0.001).turn(2, 0.5).move(z=z + 0.002)
     return shape(
-        [(joined(cakes), tile), (joined(faces), skin(look, brown, tinted(brown, 1.2))),
-         (joined([syrup, *drips]), amber), (butter, textures.plain((250, 228, 132)))],
+        [(join(cakes), tile), (join(faces), skin(look, brown, tint_color(brown, 1.2))),
+         (join([syrup, *drips]), amber), (butter, textures.plain((250, 228, 132)))],
         [cylinder_part(0.96 * r, z), hull_of(butter)],
     )  # fmt: skip
 
@@ -58,19 +50,19 @@ def cookie(look: Look) -> Shape:
     kind = int(look.rng.integers(3))
     dough = look.color("tan", "amber", "wooden", "brown", "beige")
     if kind == 1:
-        dark = textures.spotted(look.rng, tinted(look.fixed("brown", "charcoal"), 0.7),
+        dark = textures.spots(look.rng, tint_color(look.own_color("brown", "charcoal"), 0.7),
                                 (30, 22, 18), 0.1)  # fmt: skip
         disc = cylinder(r, h, 30, bevel=0.001)
-        cream = cylinder(0.95 * r, 0.006, 28).moved(z=h)
-        teeth = [box(0.003, 0.005, 0.0012).moved(0.9 * r, 0, 2 * h + 0.0055)
-                 .turned(2, 2 * np.pi * k / 20) for k in range(20)]  # fmt: skip
+        cream = cylinder(0.95 * r, 0.006, 28).move(z=h)
+        teeth = [box(0.003, 0.005, 0.0012).move(0.9 * r, 0, 2 * h + 0.0055)
+                 .turn(2, 2 * np.pi * k / 20) for k in range(20)]  # fmt: skip
         return shape(
-            [(joined([disc, disc.moved(z=h + 0.006), *teeth]), dark),
+            [(join([disc, disc.move(z=h + 0.006), *teeth]), dark),
              (cream, textures.plain((246, 242, 230)))],
             [cylinder_part(r, 2 * h + 0.006)],
         )  # fmt: skip
-    crumb = speck(textures.spotted(look.rng, dough, tinted(dough, 0.8), 0.2), look.rng,
-                  tinted(dough, 0.7), 30, 2)  # fmt: skip
+    crumb = speck(textures.spots(look.rng, dough, tint_color(dough, 0.8), 0.2), look.rng,
+                  tint_color(dough, 0.7), 30, 2)  # fmt: skip
     body = lathe([(0, 0), (0.9 * r, 0), (r, 0.35 * h), (0.92 * r, 0.8 * h), (0.6 * r, h), (0, h)],
                  28)  # fmt: skip
     pieces = [(body, crumb)]
@@ -80,17 +72,17 @@ def cookie(look: Look) -> Shape:
             away, a = r * 0.82 * np.sqrt((k + 0.5) / 12), 2.4 * k
             size = look.between(0.006, 0.009)
             chips.append(
-                ellipsoid(size, size, 0.006, 8, 5).moved(
+                ellipsoid(size, size, 0.006, 8, 5).move(
                     away * np.cos(a), away * np.sin(a), 0.95 * h if away < 0.6 * r else 0.84 * h
                 )
             )
-        pieces.append((joined(chips), textures.plain((70, 40, 26))))
+        pieces.append((join(chips), textures.plain((70, 40, 26))))
     else:
-        icing = look.fixed("pink", "white", "sky", "mint", "lavender")
+        icing = look.own_color("pink", "white", "sky", "mint", "lavender")
         tile = speck(textures.plain(icing).repeat(8, 0).repeat(8, 1), look.rng,
-                     look.fixed("red", "yellow", "blue"), 22, 3)  # fmt: skip
-        pieces.append((lobed(cylinder(0.8 * r, 0.003, 36, bevel=0.001), 9, 0.1)
-                       .moved(z=h - 0.001), tile))  # fmt: skip
+                     look.own_color("red", "yellow", "blue"), 22, 3)  # fmt: skip
+        pieces.append((lobe(cylinder(0.8 * r, 0.003, 36, bevel=0.001), 9, 0.1)
+                       .move(z=h - 0.001), tile))  # fmt: skip
     return shape(pieces, [cylinder_part(0.95 * r, h)])
 
 
@@ -102,7 +94,7 @@ def chocolate_bar(look: Look) -> Shape:
     slab = box(x, y, 0.005)
     lumps = [
         prism(rectangle(x / 8 - 0.001, y / 4 - 0.001), 0, 0.0045, 0.0015)
-        .moved((i - 3.5) * x / 8, (j - 1.5) * y / 4, 0.005)
+        .move((i - 3.5) * x / 8, (j - 1.5) * y / 4, 0.005)
         for i in range(8) for j in range(4)
     ]  # fmt: skip
     share = look.between(0.45, 0.62)
@@ -111,13 +103,13 @@ def chocolate_bar(look: Look) -> Shape:
     prints.fill(paper, 0, 0.88, 1, 0.04, (236, 210, 140))
     prints.write(paper, look.pick(["CHOCO", "COCOA", "MILK", "DARK"]), 0.5, 0.5, 0.26,
                  (250, 244, 224), bold=True)  # fmt: skip
-    sleeve = box(share * x, y + 0.002, 0.011).moved(x=-(1 - share) * x / 2 - 0.001)
-    foil = box(0.01, y + 0.001, 0.0104).moved(x=(share - 0.5) * x + 0.002)
-    crimp = box(0.004, y + 0.002, 0.002).moved(x=-x / 2 - 0.002, z=0.004)
-    tile = textures.gradient(tinted(brown, 0.9), brown, look.rng)
+    sleeve = box(share * x, y + 0.002, 0.011).move(x=-(1 - share) * x / 2 - 0.001)
+    foil = box(0.01, y + 0.001, 0.0104).move(x=(share - 0.5) * x + 0.002)
+    crimp = box(0.004, y + 0.002, 0.002).move(x=-x / 2 - 0.002, z=0.004)
+    tile = textures.gradient(tint_color(brown, 0.9), brown, look.rng)
     return shape(
-        [(joined([slab, *lumps]), tile), (sleeve, paper),
-         (joined([foil, crimp]), textures.brushed(look.rng, (206, 206, 210)))],
+        [(join([slab, *lumps]), tile), (sleeve, paper),
+         (join([foil, crimp]), textures.brushed_metal(look.rng, (206, 206, 210)))],
         [box_part(x, y, 0.0095), hull_of(sleeve)],
     )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""What stands on a table to look at, or to see by."""
+"""Decoration and lights of a table."""
 
 from __future__ import annotations
 
@@ -10,19 +10,9 @@ from ...build.category import Category
 from ...build.collision import box_part, hull_of, hull_part
 from ...build.outlines import rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    loft,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, loft, torus, tube
 from ...surfaces import textures
-from ...surfaces.glazes import glazed
+from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
 
@@ -56,7 +46,7 @@ def vase(look: Look) -> Shape:
         [(0, 0), *outer, *inner, (0, inner[-1, 1])],
         v=[0, *np.linspace(0.01, 0.93, 14), *np.linspace(0.95, 0.99, len(inner)), 1],
     )
-    glaze = textures.fitted(glazed(look, color), 128, 128)
+    glaze = textures.fit(glaze_tile(look, color), 128, 128)
     pieces = [(body, glaze)]
     levels = [0, 4, 9, 13]
     parts = [
@@ -76,7 +66,9 @@ def _between(body: Solid, low: float, high: float) -> np.ndarray:
 def _flowers(look: Look, mouth: float, h: float) -> list[tuple[Solid, textures.Tile]]:
     """Return stems with blossoms and leaves that come out of a mouth at height ``h``."""
     green = textures.plain((74, 122, 62))
-    petal = textures.speckled(look.rng, look.fixed("red", "pink", "yellow", "violet", "white"), 8)
+    petal = textures.speckles(
+        look.rng, look.own_color("red", "pink", "yellow", "violet", "white"), 8
+    )
     heart = textures.plain((206, 150, 50))
     pieces = []
     for k in range(5):
@@ -85,11 +77,11 @@ def _flowers(look: Look, mouth: float, h: float) -> list[tuple[Solid, textures.T
         tip = way * (mouth + out) + [0, 0, h + look.between(0.07, 0.13)]
         pieces.append((_stem(way * 0.5 * mouth + [0, 0, h - 0.03], tip), green))
         petals = [
-            ellipsoid(0.026, 0.016, 0.007, 6, 4).moved(x=0.014, z=0.002).turned(2, np.pi / 3 * m)
+            ellipsoid(0.026, 0.016, 0.007, 6, 4).move(x=0.014, z=0.002).turn(2, np.pi / 3 * m)
             for m in range(6)
         ]
-        pieces.append((joined(petals).moved(*tip), petal))
-        pieces.append((ellipsoid(0.014, 0.014, 0.01, 8, 4).moved(*tip).moved(z=0.004), heart))
+        pieces.append((join(petals).move(*tip), petal))
+        pieces.append((ellipsoid(0.014, 0.014, 0.01, 8, 4).move(*tip).move(z=0.004), heart))
     return pieces
 
 
@@ -98,14 +90,14 @@ def sculpture(look: Look) -> Shape:
     color = look.color("white", "bronze", "black", "gray", "gold", "terracotta", "teal", "pink")
     stone = look.surface(color, look.pick(["marble", "bronze", "stone"]))
     base = block(0.085, 0.085, 0.026, 0.004, 0.002)
-    wood = textures.wood(look.rng, look.fixed("charcoal", "brown"), side=64)
+    wood = textures.wood(look.rng, look.own_color("charcoal", "brown"), side=64)
     kind = look.pick(["bust", "bust", "twist", "stones", "figure", "ring"])
     if kind == "bust":
-        chest = ellipsoid(0.11, 0.062, 0.085, 24, 12).moved(z=0.05)
-        neck = cylinder(0.018, 0.05, 20, top=0.016).moved(z=0.078)
-        head = ellipsoid(0.054, 0.066, 0.078, 24, 14).moved(y=-0.004, z=0.155)
-        nose = ellipsoid(0.012, 0.02, 0.024, 10, 8).moved(y=-0.036, z=0.15)
-        hair = ellipsoid(0.062, 0.066, 0.056, 20, 12).moved(y=0.008, z=0.173)
+        chest = ellipsoid(0.11, 0.062, 0.085, 24, 12).move(z=0.05)
+        neck = cylinder(0.018, 0.05, 20, top=0.016).move(z=0.078)
+        head = ellipsoid(0.054, 0.066, 0.078, 24, 14).move(y=-0.004, z=0.155)
+        nose = ellipsoid(0.012, 0.02, 0.024, 10, 8).move(y=-0.036, z=0.15)
+        hair = ellipsoid(0.062, 0.066, 0.056, 20, 12).move(y=0.008, z=0.173)
         figure = [chest, neck, head, nose, hair]
     elif kind == "twist":
         square = rectangle(0.05, 0.05)
@@ -116,24 +108,24 @@ def sculpture(look: Look) -> Shape:
             rings.append(np.column_stack([turned, np.full(4, 0.025 + 0.15 * t)]))
         figure = [loft(np.stack(rings), square, profile=np.array([(0.0, t) for t in range(13)]))]
     elif kind == "figure":  # slender, arms raised
-        robe = cylinder(0.03, 0.075, 18, top=0.014, bevel=0.002).moved(z=0.024)
-        trunk = ellipsoid(0.04, 0.026, 0.07, 18, 10).moved(z=0.118)
-        head = ellipsoid(0.024, 0.026, 0.03, 16, 10).moved(z=0.166)
+        robe = cylinder(0.03, 0.075, 18, top=0.014, bevel=0.002).move(z=0.024)
+        trunk = ellipsoid(0.04, 0.026, 0.07, 18, 10).move(z=0.118)
+        head = ellipsoid(0.024, 0.026, 0.03, 16, 10).move(z=0.166)
         arms = [tube(smooth([(s * 0.012, 0, 0.138), (s * 0.036, 0, 0.15), (s * 0.03, 0, 0.188)], 4),
                      0.0055, 8) for s in (-1, 1)]  # fmt: skip
         figure = [robe, trunk, head, *arms]
     elif kind == "ring":
         turn = look.between(-0.4, 0.4)
-        hoop = torus(0.05, 0.013, 28, 12).turned(0, np.pi / 2).turned(2, turn).moved(z=0.085)
-        figure = [hoop, ellipsoid(0.034, 0.034, 0.034, 18, 12).moved(z=0.162)]
+        hoop = torus(0.05, 0.013, 28, 12).turn(0, np.pi / 2).turn(2, turn).move(z=0.085)
+        figure = [hoop, ellipsoid(0.034, 0.034, 0.034, 18, 12).move(z=0.162)]
     else:
         sizes = [(0.08, 0.04), (0.064, 0.036), (0.05, 0.03), (0.034, 0.024)]
         figure, z = [], 0.024
         for wide, tall in sizes:
             figure.append(
                 ellipsoid(wide, 0.85 * wide, tall, 20, 10)
-                .turned(1, look.between(-0.12, 0.12))
-                .moved(look.between(-0.004, 0.004), 0, z + tall / 2)
+                .turn(1, look.between(-0.12, 0.12))
+                .move(look.between(-0.004, 0.004), 0, z + tall / 2)
             )
             z += tall * 0.9
     return shape(

@@ -1,43 +1,23 @@
-"""Clocks, pictures, globes, glasses: personal things."""
+"""Personal things: clocks, pictures, globes, glasses."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
-from ...build.outlines import (
-    arc,
-    ellipse,
-    lifted,
-    rectangle,
-    smooth,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
+from ...build.outlines import arc, ellipse, lift, rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    lathe,
-    loft,
-    prism,
-    tube,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, lathe, loft, prism, tube
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 
 
 def alarm_clock(look: Look) -> Shape:
     """A round twin-bell clock, or a digital one; its face to the viewer."""
     color = look.color("red", "teal", "black", "gold", "white", "pink", "mint", "navy", "orange")
-    skin = textures.speckled(look.rng, color, 3, 32)
+    skin = textures.speckles(look.rng, color, 3, 32)
     if look.chance(0.3):
         x, y, z = look.between(0.12, 0.15), 0.055, 0.065
         face = prints.canvas(128, 56, (18, 20, 22))
@@ -45,27 +25,27 @@ def alarm_clock(look: Look) -> Shape:
         digits = look.pick([(240, 70, 50), (80, 230, 130), (120, 200, 250)])
         prints.write(face, f"{hour}:{minute:02d}", 0.5, 0.5, 0.52, digits, bold=True)
         body = block(x, y, z, 0.01, 0.004)
-        view = box(0.9 * x, 0.002, 0.74 * z).moved(y=-y / 2, z=0.13 * z)
+        view = box(0.9 * x, 0.002, 0.74 * z).move(y=-y / 2, z=0.13 * z)
         return shape([(body, skin), (view, face)], [box_part(x, y, z)])
     r, depth, lift = look.between(0.042, 0.05), 0.042, 0.014
     middle = r + lift
-    case = cylinder(r, depth, 32, bevel=0.003).turned(0, np.pi / 2).moved(y=depth / 2, z=middle)
-    face = cylinder(0.88 * r, 0.001, 32).turned(0, np.pi / 2).moved(y=-depth / 2 + 0.0002, z=middle)
+    case = cylinder(r, depth, 32, bevel=0.003).turn(0, np.pi / 2).move(y=depth / 2, z=middle)
+    face = cylinder(0.88 * r, 0.001, 32).turn(0, np.pi / 2).move(y=-depth / 2 + 0.0002, z=middle)
     faces = [((250, 246, 234), (40, 40, 44)), ((30, 32, 38), (240, 238, 230)),
-             (tinted(color, 1.7), (50, 50, 56)), ((206, 226, 230), (30, 50, 80))]  # fmt: skip
+             (tint_color(color, 1.7), (50, 50, 56)), ((206, 226, 230), (30, 50, 80))]  # fmt: skip
     dial = prints.clock_face(look.rng, *look.pick(faces))
-    metal = textures.brushed(look.rng, look.fixed("gold", "silver"))
+    metal = textures.brushed_metal(look.rng, look.own_color("gold", "silver"))
     pieces = [(case, skin), (face, dial)]
     feet, parts = [], [hull_part(case.vertices)]
     for side in (-1, 1):
-        bell = ellipsoid(0.036, 0.03, 0.026, 16, 8).turned(1, side * 0.6)
-        pieces.append((bell.moved(side * 0.55 * r, 0, middle + 0.98 * r), metal))
+        bell = ellipsoid(0.036, 0.03, 0.026, 16, 8).turn(1, side * 0.6)
+        pieces.append((bell.move(side * 0.55 * r, 0, middle + 0.98 * r), metal))
         foot = tube([(side * 0.72 * r, 0, 0.0), (side * 0.5 * r, 0, lift + 0.3 * r)], 0.0045, 8)
-        feet.append(foot.moved(z=-foot.bounds[0, 2]))
+        feet.append(foot.move(z=-foot.bounds[0, 2]))
         parts.append(box_part(0.02, 0.026, 0.024, (side * 0.55 * r, 0, middle + 0.9 * r)))
     pieces += [(foot, metal) for foot in feet]
     ear = tube(arc((0, 0), 0.018, 0, np.pi, 8) @ np.array([[1, 0, 0], [0, 0, 1]]), 0.002, 6)
-    pieces.append((ear.moved(z=middle + r + 0.008), metal))
+    pieces.append((ear.move(z=middle + r + 0.008), metal))
     return shape(pieces, [box_part(1.6 * r, 0.034, lift + 0.1 * r), *parts])
 
 
@@ -79,23 +59,23 @@ def picture_frame(look: Look) -> Shape:
     frame = look.surface(color, "wood" if look.chance(0.5) else "plastic")
     lean = -np.deg2rad(14)
     bars = [
-        box(x, t, rim), box(x, t, rim).moved(z=z - rim),
-        box(rim, t, z - 2 * rim).moved(x=-(x - rim) / 2, z=rim),
-        box(rim, t, z - 2 * rim).moved(x=(x - rim) / 2, z=rim),
+        box(x, t, rim), box(x, t, rim).move(z=z - rim),
+        box(rim, t, z - 2 * rim).move(x=-(x - rim) / 2, z=rim),
+        box(rim, t, z - 2 * rim).move(x=(x - rim) / 2, z=rim),
     ]  # fmt: skip
-    back = box(x - rim, 0.6 * t, z - rim).moved(y=0.15 * t, z=rim / 2)
-    mat = box(x - 2 * rim, 0.001, z - 2 * rim).moved(y=-0.18 * t, z=rim)
+    back = box(x - rim, 0.6 * t, z - rim).move(y=0.15 * t, z=rim / 2)
+    mat = box(x - 2 * rim, 0.001, z - 2 * rim).move(y=-0.18 * t, z=rim)
     inner = rim + look.pick([0.001, 0.01, 0.018])
-    view = box(x - 2 * inner, 0.001, z - 2 * inner).moved(y=-0.22 * t, z=inner)
+    view = box(x - 2 * inner, 0.001, z - 2 * inner).move(y=-0.22 * t, z=inner)
     art = prints.artwork(look.rng, round(128 * x / max(x, z)), round(128 * z / max(x, z)))
-    plain, white = textures.plain(tinted(color, 0.6)), textures.plain((246, 244, 238))
+    plain, white = textures.plain(tint_color(color, 0.6)), textures.plain((246, 244, 238))
     pieces = [(s, frame) for s in bars] + [(back, plain), (mat, white), (view, art)]
-    tilted = [(solid.turned(0, lean), tile) for solid, tile in pieces]
+    tilted = [(solid.turn(0, lean), tile) for solid, tile in pieces]
     low = min(solid.bounds[0, 2] for solid, _ in tilted)
-    tilted = [(solid.moved(z=-low), tile) for solid, tile in tilted]
+    tilted = [(solid.move(z=-low), tile) for solid, tile in tilted]
     slope = np.tan(-lean)
     strut = loft(
-        np.stack([lifted(rectangle(0.03, 0.004) + np.array([0, y]), h)
+        np.stack([lift(rectangle(0.03, 0.004) + np.array([0, y]), h)
                   for y, h in [(0.5 * z, 0.0), (0.62 * z * slope + 0.4 * t, 0.62 * z)]]),
         rectangle(0.03, 0.004),
     )  # fmt: skip
@@ -117,8 +97,8 @@ def globe(look: Look) -> Shape:
     image[land > 0.5] = high
     image[:7] = image[-7:] = (240, 244, 246)
     image[::16] = (image[::16] * 0.9).astype(np.uint8)
-    ball = ellipsoid(2 * r, 2 * r, 2 * r, 28, 16).turned(1, 0.41).moved(z=r + 0.06)
-    metal = textures.brushed(look.rng, look.fixed("brass", "silver", "brown"))
+    ball = ellipsoid(2 * r, 2 * r, 2 * r, 28, 16).turn(1, 0.41).move(z=r + 0.06)
+    metal = textures.brushed_metal(look.rng, look.own_color("brass", "silver", "brown"))
     bow = tube(
         np.column_stack([np.sin(t := np.linspace(-0.3, 2.9, 20) + 0.41) * 1.12 * r, 0 * t,
                          -np.cos(t) * 1.12 * r + r + 0.06]), 0.0045, 8,
@@ -139,9 +119,9 @@ def eyeglasses(look: Look) -> Shape:
     """Spectacles lying with their arms folded out behind, lenses to the viewer."""
     color = look.color("black", "black", "brown", "red", "gold", "navy", "silver", "teal", "pink")
     wire = look.chance(0.3)
-    skin = textures.speckled(look.rng, color, 3, 16)
+    skin = textures.speckles(look.rng, color, 3, 16)
     if look.chance(0.25):
-        skin = textures.spotted(look.rng, (150, 96, 50), (60, 40, 30), 0.35)
+        skin = textures.spots(look.rng, (150, 96, 50), (60, 40, 30), 0.35)
     sun = look.chance(0.4)
     dark = look.pick([(60, 56, 60), (70, 50, 36), (50, 70, 60), (90, 110, 170)])
     tint = textures.plain(dark if sun else (206, 222, 228))
@@ -154,13 +134,13 @@ def eyeglasses(look: Look) -> Shape:
     pieces = []
     for side in (-1, 1):
         rim = tube(ring, thick, 6, loop=True)
-        lens = prism(0.99 * curve, -0.0008, 0.0008).turned(0, np.pi / 2)
+        lens = prism(0.99 * curve, -0.0008, 0.0008).turn(0, np.pi / 2)
         at = (side * 0.036, 0, tall + thick)
-        pieces += [(rim.moved(*at), skin), (lens.moved(*at), tint)]
+        pieces += [(rim.move(*at), skin), (lens.move(*at), tint)]
         hinge = side * (0.036 + half)
         arm = tube([(hinge, 0, 1.35 * tall), (side * 0.067, 0.1, 1.3 * tall),
                     (side * 0.064, 0.135, 0.002)], max(thick, 0.0016), 6)  # fmt: skip
-        pieces.append((arm.moved(z=0.0002), skin))
+        pieces.append((arm.move(z=0.0002), skin))
     bridge = tube(smooth([(-0.01, 0, 0.03), (0, 0, 0.034), (0.01, 0, 0.03)], 3), 0.002, 6)
     pieces.append((bridge, skin))
     return shape(

@@ -8,16 +8,10 @@ from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    cylinder,
-    ellipsoid,
-    lathe,
-    tube,
-)
+from ...build.solids import block, cylinder, ellipsoid, lathe, tube
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
-from ...surfaces.glazes import glazed
+from ...surfaces.colors import RGB, tint_color
+from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
 
@@ -34,8 +28,10 @@ def desk_lamp(look: Look) -> Shape:
 
 def _arm_lamp(look: Look, color: RGB) -> Shape:
     """Return a lamp of two arms, or one bow, on a heavy base."""
-    skin = textures.speckled(look.rng, color, 3, 32)
-    metal = look.pick([skin, textures.brushed(look.rng, look.fixed("brass", "silver", "copper"))])
+    skin = textures.speckles(look.rng, color, 3, 32)
+    metal = look.pick(
+        [skin, textures.brushed_metal(look.rng, look.own_color("brass", "silver", "copper"))]
+    )
     r = look.between(0.066, 0.084)
     square, bar, bow = look.chance(0.3), look.chance(0.35), look.chance(0.3)
     base = (
@@ -50,12 +46,12 @@ def _arm_lamp(look: Look, color: RGB) -> Shape:
         arms = [tube(smooth(path, 6), 0.006, 8)]
     else:
         arms = [tube([(0, 0.03, 0.012), elbow], 0.006, 10), tube([elbow, head], 0.006, 10)]
-    joint = ellipsoid(0.024, 0.024, 0.024, 14, 8).moved(*(head if bow else elbow))
+    joint = ellipsoid(0.024, 0.024, 0.024, 14, 8).move(*(head if bow else elbow))
     glow = textures.plain((255, 240, 196))
     if bar:
-        shade = block(0.07, 0.2, 0.014, 0.02, 0.003).moved(z=0.004)
-        light = block(0.056, 0.18, 0.003, 0.016).moved(z=0.0025)
-        tilt = (s.turned(0, 0.12).moved(*head).moved(z=-0.012) for s in (shade, light))
+        shade = block(0.07, 0.2, 0.014, 0.02, 0.003).move(z=0.004)
+        light = block(0.056, 0.18, 0.003, 0.016).move(z=0.0025)
+        tilt = (s.turn(0, 0.12).move(*head).move(z=-0.012) for s in (shade, light))
     else:
         wide, tall, wall = look.between(0.056, 0.076), look.between(0.07, 0.095), 0.003
         round_ = look.chance(0.4)
@@ -68,8 +64,8 @@ def _arm_lamp(look: Look, color: RGB) -> Shape:
             [(0, tall), *side, (wide, -0.01), (wide - wall, -0.01),
              *[(x - wall, z - 0.004) for x, z in side[::-1]], (0, tall - 0.007)], 28,
         )  # fmt: skip
-        bulb = ellipsoid(0.042, 0.042, 0.05, 14, 8).moved(z=0.018)
-        tilt = (s.turned(0, -0.5).moved(*head).moved(z=-0.04) for s in (shade, bulb))
+        bulb = ellipsoid(0.042, 0.042, 0.05, 14, 8).move(z=0.018)
+        tilt = (s.turn(0, -0.5).move(*head).move(z=-0.04) for s in (shade, bulb))
     shade, light = tilt
     return shape(
         [
@@ -94,25 +90,25 @@ def _shade_lamp(look: Look, color: RGB) -> Shape:
     side = look.pick(feet)
     foot = lathe([(0, 0), *side, (0, 0.22)], 28, v=[0, *np.linspace(0.02, 0.98, 6), 1])
     hue = look.pick([color, (250, 246, 236), (236, 222, 190)])
-    cloth = textures.gradient((255, 246, 214), tinted(hue, 1.5), look.rng, 2)
+    cloth = textures.gradient((255, 246, 214), tint_color(hue, 1.5), look.rng, 2)
     kind = int(look.rng.integers(4))
     if kind == 1:
-        band = textures.plain(tinted(color, 0.8))
-        cloth = textures.stacked((band, 1), (cloth, 8), (band, 1))
+        band = textures.plain(tint_color(color, 0.8))
+        cloth = textures.stack((band, 1), (cloth, 8), (band, 1))
     elif kind == 2:
         cloth = textures.stripes([(250, 240, 214), (228, 214, 184)], 20, upright=True, side=128)
     elif kind == 3:
-        cloth = textures.fabric(look.rng, tinted(hue, 1.2))
+        cloth = textures.fabric(look.rng, tint_color(hue, 1.2))
     top, wide = look.between(0.045, 0.078), look.between(0.08, 0.095)
     shade = lathe(
         [(wide, 0.17), (top, 0.31), (top - 0.003, 0.31), (wide - 0.003, 0.17)], 32, loop=True
     )
     glow = textures.plain((255, 240, 196))
-    cap = cylinder(top - 0.001, 0.002, 28).moved(z=0.296)
-    bulb = ellipsoid(0.05, 0.05, 0.06, 14, 8).moved(z=0.235)
+    cap = cylinder(top - 0.001, 0.002, 28).move(z=0.296)
+    bulb = ellipsoid(0.05, 0.05, 0.06, 14, 8).move(z=0.235)
     wide_foot = min(r for r, z in side if z <= 0.012)
     return shape(
-        [(foot, glazed(look, color)), (shade, cloth), (cap, glow), (bulb, glow)],
+        [(foot, glaze_tile(look, color)), (shade, cloth), (cap, glow), (bulb, glow)],
         [
             cylinder_part(wide_foot, 0.012),
             cylinder_part(0.018, 0.16, (0, 0, 0.012)),
@@ -124,11 +120,11 @@ def _shade_lamp(look: Look, color: RGB) -> Shape:
 def night_light(look: Look) -> Shape:
     """A small glowing lamp: a mushroom, or a globe on a ring."""
     glow = look.color("yellow", "amber", "cream", "pink", "sky", "mint", "lavender", "red")
-    warm = textures.gradient(tinted(glow, 1.55), tinted(glow, 1.2), look.rng, 2)
-    base_color = look.fixed("white", "wooden", "gray", "black", "brown")
+    warm = textures.gradient(tint_color(glow, 1.55), tint_color(glow, 1.2), look.rng, 2)
+    base_color = look.own_color("white", "wooden", "gray", "black", "brown")
     foot = look.surface(base_color, look.pick(["plastic", "wood"]))
     if look.chance(0.4):
-        warm = textures.spotted(look.rng, tinted(glow, 1.3), (252, 248, 238), 0.12)
+        warm = textures.spots(look.rng, tint_color(glow, 1.3), (252, 248, 238), 0.12)
     r = look.between(0.046, 0.058)
     if look.chance(0.5):
         stem = lathe([(0, 0), (0.62 * r, 0), (0.45 * r, 1.1 * r), (0, 1.1 * r)], 24)
@@ -137,7 +133,7 @@ def night_light(look: Look) -> Shape:
         dome[-1, 0] = 0
         cap = lathe([(0, r), *dome], 28)
         return shape([(stem, foot), (cap, warm)], [hull_of(stem), hull_of(cap)])
-    ball = ellipsoid(2 * r, 2 * r, 2 * r, 28, 16).moved(z=r + 0.012)
+    ball = ellipsoid(2 * r, 2 * r, 2 * r, 28, 16).move(z=r + 0.012)
     base = cylinder(0.68 * r, 0.026, 28, bevel=0.003)
     return shape([(ball, warm), (base, foot)], [cylinder_part(0.68 * r, 0.026), hull_of(ball)])
 
@@ -148,19 +144,19 @@ def candle(look: Look) -> Shape:
     wax = look.color(
         *("cream", "white", "red", "sage", "lavender", "coral", "navy", "mustard", "pink", "black")
     )
-    tile = textures.gradient(wax, tinted(wax, 1.35), look.rng, 3)
+    tile = textures.gradient(wax, tint_color(wax, 1.35), look.rng, 3)
     if look.chance(0.35):
-        tile = glazed(look, wax)
-    wick = cylinder(0.0014, 0.016, 6).moved(z=h - 0.004)
-    flame = lathe([(0, 0), (0.0045, 0.008), (0.0035, 0.014), (0, 0.026)], 12).moved(z=h + 0.008)
+        tile = glaze_tile(look, wax)
+    wick = cylinder(0.0014, 0.016, 6).move(z=h - 0.004)
+    flame = lathe([(0, 0), (0.0045, 0.008), (0.0035, 0.014), (0, 0.026)], 12).move(z=h + 0.008)
     fire = textures.gradient((255, 150, 40), (255, 236, 140), look.rng, 0)
     lit = [(wick, textures.plain((40, 36, 34))), (flame, fire)]
     tip = cylinder_part(0.003, 0.03, (0, 0, h))
     if look.chance(0.55):
         dish = lathe([(0, 0), (0.9 * r, 0), (1.5 * r, 0.01), (1.45 * r, 0.012), (0.9 * r, 0.004),
                       (0, 0.004)], 28)  # fmt: skip
-        body = cylinder(r, h - 0.003, 28, bevel=0.002).moved(z=0.003)
-        metal = textures.brushed(look.rng, look.fixed("gold", "silver", "black"))
+        body = cylinder(r, h - 0.003, 28, bevel=0.002).move(z=0.003)
+        metal = textures.brushed_metal(look.rng, look.own_color("gold", "silver", "black"))
         return shape(
             [(body, tile), (dish, metal), *lit],
             [hull_of(dish), cylinder_part(r, h - 0.003, (0, 0, 0.003)), tip],
@@ -169,9 +165,9 @@ def candle(look: Look) -> Shape:
                    (r - 0.002, h - 0.004), (0, h - 0.004)], 28,
                   v=[0, 0, 0.9, 0.93, 0.98, 1])  # fmt: skip
     word = look.pick(["CALM", "FIG", "CEDAR", "ROSE", "AMBER", "SEA"])
-    ink = look.fixed("charcoal", "gold", "teal", "brown", "navy")
-    print_ = prints.label(look.rng, word, ink, look.pick([tinted(wax, 1.3), (246, 244, 238)]))
-    skin = textures.stacked((print_, 90), (tile, 10), side=128)
+    ink = look.own_color("charcoal", "gold", "teal", "brown", "navy")
+    print_ = prints.label(look.rng, word, ink, look.pick([tint_color(wax, 1.3), (246, 244, 238)]))
+    skin = textures.stack((print_, 90), (tile, 10), side=128)
     return shape([(glass, skin), *lit], [cylinder_part(r, h), tip])
 
 

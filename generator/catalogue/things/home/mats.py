@@ -10,7 +10,7 @@ from ...build.outlines import ellipse, rectangle
 from ...build.shape import Shape, shape
 from ...build.solids import prism
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, readable_on, tinted
+from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
 
@@ -23,9 +23,9 @@ def placemat(look: Look) -> Shape:
     x, y = look.between(0.4, 0.46), look.between(0.29, 0.335)
     high = look.between(0.002, 0.004)
     color = look.color("tan", "beige", "navy", "gray", "sage", "red", "teal", "mustard", "white")
-    other = look.fixed("white", "cream", "terracotta", "navy", "charcoal", "olive")
+    other = look.own_color("white", "cream", "terracotta", "navy", "charcoal", "olive")
     if np.abs(np.array(other) - color).max() < 60:
-        other = tinted(color, 0.55 if sum(color) > 330 else 1.5)
+        other = tint_color(color, 0.55 if sum(color) > 330 else 1.5)
     outline = look.pick([rectangle(x, y, 0.006), rectangle(x, y, 0.03), ellipse(x, y, 40)])
     if kind == "braided":
         outline = look.pick([ellipse(0.37, 0.37, 40), ellipse(x, y, 40)])
@@ -39,7 +39,7 @@ def _weave(look: Look, kind: str, color: RGB, other: RGB) -> Tile:
     side = 192
     v, u = (np.mgrid[0:side, 0:side] + 0.5) / side
     if kind == "woven":
-        return textures.woven(look.rng, color, int(look.rng.integers(16, 30)))
+        return textures.basketwork(look.rng, color, int(look.rng.integers(16, 30)))
     if kind == "braided":
         away, around = np.hypot(u - 0.5, v - 0.5), np.arctan2(v - 0.5, u - 0.5)
         turns = int(look.rng.integers(9, 16))
@@ -64,7 +64,7 @@ def _weave(look: Look, kind: str, color: RGB, other: RGB) -> Tile:
         tile = textures.stripes(tones, int(look.rng.integers(1, 5)), upright=look.chance(0.5),
                                 side=side)  # fmt: skip
         return np.clip(tile + look.rng.uniform(-6, 6, (side, side, 1)), 0, 255).astype(np.uint8)
-    image = textures.fitted(textures.fabric(look.rng, color), side, side).copy()
+    image = textures.fit(textures.fabric(look.rng, color), side, side).copy()
     if kind == "bordered":
         edge = np.maximum(np.abs(u - 0.5), np.abs(v - 0.5))
         for low, high in ((0.4, 0.43), (0.45, 0.46)):
@@ -75,7 +75,7 @@ def _weave(look: Look, kind: str, color: RGB, other: RGB) -> Tile:
             c, s = np.cos(turn), np.sin(turn)
             lobe = ((0, 0), (0.045, 0.022), (0.09, 0), (0.045, -0.022))
             leaf = [(x + a * c - b * s, y + a * s + b * c) for a, b in lobe]
-            prints.polygon(image, leaf, tinted(other, look.between(0.85, 1.15)))
+            prints.polygon(image, leaf, tint_color(other, look.between(0.85, 1.15)))
     return image
 
 
@@ -84,11 +84,11 @@ def cutting_mat(look: Look) -> Shape:
     x, y = look.pick([(0.3, 0.22), (0.45, 0.3), (0.45, 0.3), (0.36, 0.26)])
     x, y = x * look.between(0.97, 1.03), y * look.between(0.97, 1.03)
     color = look.color("green", "green", "green", "teal", "blue", "charcoal", "pink", "purple")
-    line = readable_on(color) if look.chance(0.3) else tinted(color, look.pick([1.55, 1.75]))
+    line = readable_on(color) if look.chance(0.3) else tint_color(color, look.pick([1.55, 1.75]))
     if look.chance(0.2):
         line = look.pick([(240, 210, 90), (244, 244, 236)])
     mat = prism(rectangle(x, y, 0.008), 0, 0.003, 0.0005)
-    return shape([(mat, _ruled(look, x, y, color, line))], [box_part(x, y, 0.003)])
+    return shape([(mat, _rule(look, x, y, color, line))], [box_part(x, y, 0.003)])
 
 
 def _between(a: RGB, b: RGB) -> RGB:
@@ -97,7 +97,7 @@ def _between(a: RGB, b: RGB) -> RGB:
     return red, green, blue
 
 
-def _ruled(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
+def _rule(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
     """Return a grid of centimetres, every fifth line strong, in a border with figures."""
     wide, tall = 400, round(400 * y / x)
     image = prints.canvas(wide, tall, color)
@@ -129,7 +129,7 @@ def _ruled(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
     for _ in range(int(look.rng.integers(0, 9))):
         u, v, turn = look.between(0.1, 0.9), look.between(0.1, 0.9), look.between(0, 3)
         end = (u + 0.16 * np.cos(turn), v + 0.2 * np.sin(turn))
-        prints.stroke(image, [(u, v), end], 0.002, tinted(color, 0.78))
+        prints.stroke(image, [(u, v), end], 0.002, tint_color(color, 0.78))
     return image
 
 

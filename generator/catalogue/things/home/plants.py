@@ -9,18 +9,10 @@ from ...build.category import Category
 from ...build.collision import hull_of, hull_part
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    loft,
-    tube,
-)
+from ...build.solids import Solid, cylinder, ellipsoid, join, lathe, loft, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tinted
-from ...surfaces.glazes import glazed
+from ...surfaces.colors import RGB, tint_color
+from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
 KINDS = ("leafy", "leafy", "broad", "succulent", "cactus", "blades", "bonsai", "flowering")
@@ -42,7 +34,7 @@ def _leaf(length: float, width: float, angle: float, lift: float) -> Solid:
             for x, w, z in zip(along, half, rise, strict=True)
         ]
     )
-    return loft(rings, section, profile=np.column_stack([along, rise])).turned(2, angle)
+    return loft(rings, section, profile=np.column_stack([along, rise])).turn(2, angle)
 
 
 def _pot(look: Look, r: float, h: float) -> Pieces:
@@ -64,18 +56,18 @@ def _pot(look: Look, r: float, h: float) -> Pieces:
     v = [0, 0.02, 0.35, 0.55, 0.95, 0.96, 0.98, 1]
     pot = lathe(profile, 8 if kind == "faceted" else 28, v=v)
     soil = cylinder((top - 0.006) * (0.92 if kind == "faceted" else 1), 0.004, 24)
-    tile = textures.woven(look.rng, color) if look.chance(0.12) else glazed(look, color)
+    tile = textures.basketwork(look.rng, color) if look.chance(0.12) else glaze_tile(look, color)
     earth = look.pick([(74, 54, 40), (58, 44, 36), (150, 144, 134)])
-    return [(pot, tile), (soil.moved(z=0.88 * h), textures.speckled(look.rng, earth, 14))]
+    return [(pot, tile), (soil.move(z=0.88 * h), textures.speckles(look.rng, earth, 14))]
 
 
 def potted_plant(look: Look) -> Shape:
     """A pot with a plant: leafy, broad-leaved, bladed, flowering, a succulent, cactus or bonsai."""
     r, h = look.between(0.042, 0.062), look.between(0.065, 0.095)
     pieces = _pot(look, r, h)
-    green = look.fixed("green", "green", "green", "olive", "sage", spread=16)
+    green = look.own_color("green", "green", "green", "olive", "sage", spread=16)
     if look.chance(0.12):
-        green = look.fixed("maroon", "crimson", "lime")
+        green = look.own_color("maroon", "crimson", "lime")
     kind = look.pick(KINDS)
     grow = {"cactus": _cactus, "blades": _blades, "bonsai": _bonsai}.get(kind)
     plant, hulls = grow(look, green, h, r) if grow else _leaves(look, green, h, r, kind)
@@ -96,11 +88,11 @@ def _leaves(
         wide = {"succulent": 0.55, "broad": 0.8}.get(kind, look.between(0.35, 0.5)) * long
         base = h * 0.9 + (0.012 * share if rosette else look.between(0.0, 0.06))
         steep = 0.75 + 0.9 * share if rosette else 0.5 + look.between(-0.3, 0.75)
-        solids.append(_leaf(long, wide, 2.4 * k, steep).moved(z=base))
-    crown = joined(solids)
+        solids.append(_leaf(long, wide, 2.4 * k, steep).move(z=base))
+    crown = join(solids)
     pieces: Pieces = [(crown, tile)]
     if not rosette:
-        trunk = cylinder(0.0045, 0.075, 8).moved(z=0.86 * h)
+        trunk = cylinder(0.0045, 0.075, 8).move(z=0.86 * h)
         pieces.append((trunk, textures.plain((96, 84, 52))))
     if kind == "flowering":
         pieces += _blossoms(look, green, h)
@@ -110,58 +102,58 @@ def _leaves(
 
 def _blossoms(look: Look, green: RGB, h: float) -> Pieces:
     """Return six blossoms on stems above a pot of height ``h``."""
-    hue = look.fixed("red", "pink", "yellow", "violet", "white")
-    petal, heart = textures.speckled(look.rng, hue, 8), textures.plain((226, 180, 60))
+    hue = look.own_color("red", "pink", "yellow", "violet", "white")
+    petal, heart = textures.speckles(look.rng, hue, 8), textures.plain((226, 180, 60))
     pieces: Pieces = []
     for k in range(6):
         angle, out = 2.1 * k, look.between(0.012, 0.05)
         at = (out * np.cos(angle), out * np.sin(angle), h + look.between(0.075, 0.11))
-        one = ellipsoid(0.02, 0.013, 0.006, 6, 4).moved(x=0.01)
-        bloom = joined([one.turned(2, np.pi / 3 * m) for m in range(6)])
+        one = ellipsoid(0.02, 0.013, 0.006, 6, 4).move(x=0.01)
+        bloom = join([one.turn(2, np.pi / 3 * m) for m in range(6)])
         stem = tube(np.array([(0.3 * at[0], 0.3 * at[1], 0.88 * h), at]), 0.0015, 5)
         middle = ellipsoid(0.01, 0.01, 0.008, 8, 4)
-        pieces += [(bloom.moved(*at), petal), (stem, textures.plain(green)),
-                   (middle.moved(*at), heart)]  # fmt: skip
+        pieces += [(bloom.move(*at), petal), (stem, textures.plain(green)),
+                   (middle.move(*at), heart)]  # fmt: skip
     return pieces
 
 
 def _cactus(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
     """Return a column, a ball, or paddles, with ribs, spines and a bloom."""
-    ribs = textures.stripes([green, tinted(green, 0.7)], 9, upright=True, side=128).copy()
+    ribs = textures.stripes([green, tint_color(green, 0.7)], 9, upright=True, side=128).copy()
     for row in range(4, 128, 12):
         ribs[row : row + 2, 3::14] = (240, 236, 210)
     kind = look.pick(["column", "ball", "paddles"])
-    bloom = textures.plain(look.fixed("pink", "yellow", "red", "white"))
+    bloom = textures.plain(look.own_color("pink", "yellow", "red", "white"))
     tall = look.between(0.12, 0.16)
     if kind == "ball":
         wide = 1.5 * r
-        ball = ellipsoid(wide, wide, 0.85 * wide, 24, 12).moved(z=0.86 * h + 0.4 * wide)
-        top = ellipsoid(0.024, 0.024, 0.018, 12, 6).moved(z=0.86 * h + 0.83 * wide)
+        ball = ellipsoid(wide, wide, 0.85 * wide, 24, 12).move(z=0.86 * h + 0.4 * wide)
+        top = ellipsoid(0.024, 0.024, 0.018, 12, 6).move(z=0.86 * h + 0.83 * wide)
         return [(ball, ribs), (top, bloom)], [hull_of(ball)]
     if kind == "column":
-        trunk = ellipsoid(0.05, 0.05, tall, 20, 12).moved(z=0.8 * h + tall / 2)
+        trunk = ellipsoid(0.05, 0.05, tall, 20, 12).move(z=0.8 * h + tall / 2)
         z = 0.8 * h + 0.45 * tall
         arms = []
         for s in look.pick([(1,), (-1, 1)]):
             path = [(s * 0.01, 0, z), (s * 0.042, 0, z + 0.005), (s * 0.045, 0, z + 0.05)]
             arms.append(tube(smooth(path, 4), 0.011, 10))
-        top = ellipsoid(0.02, 0.02, 0.016, 12, 6).moved(z=0.8 * h + tall - 0.002)
+        top = ellipsoid(0.02, 0.02, 0.016, 12, 6).move(z=0.8 * h + tall - 0.002)
         pieces: Pieces = [(trunk, ribs), (top, bloom), *((arm, ribs) for arm in arms)]
         return pieces, [hull_of(trunk), *[hull_of(arm) for arm in arms]]
     pads = [
-        ellipsoid(0.055, 0.016, 0.08, 18, 10).moved(z=0.84 * h + 0.036),
-        ellipsoid(0.044, 0.014, 0.06, 18, 10).turned(1, 0.5).moved(0.026, 0, 0.84 * h + 0.092),
-        ellipsoid(0.04, 0.014, 0.054, 18, 10).turned(1, -0.6).moved(-0.028, 0, 0.84 * h + 0.084),
+        ellipsoid(0.055, 0.016, 0.08, 18, 10).move(z=0.84 * h + 0.036),
+        ellipsoid(0.044, 0.014, 0.06, 18, 10).turn(1, 0.5).move(0.026, 0, 0.84 * h + 0.092),
+        ellipsoid(0.04, 0.014, 0.054, 18, 10).turn(1, -0.6).move(-0.028, 0, 0.84 * h + 0.084),
     ]
-    spines = textures.spotted(look.rng, green, (236, 232, 200), 0.03)
+    spines = textures.spots(look.rng, green, (236, 232, 200), 0.03)
     return [(pad, spines) for pad in pads], [hull_of(pad) for pad in pads]
 
 
 def _blades(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
     """Return upright blades with pale edges, or fine grass."""
     fine = look.chance(0.35)
-    edge = tinted(green, 1.4) if fine else look.pick([(222, 206, 110), tinted(green, 1.5)])
-    image = textures.stripes([edge, green, tinted(green, 0.75), green, edge], 1, upright=True)
+    edge = tint_color(green, 1.4) if fine else look.pick([(222, 206, 110), tint_color(green, 1.5)])
+    image = textures.stripes([edge, green, tint_color(green, 0.75), green, edge], 1, upright=True)
     section = np.array([(-1.0, 0.0), (0.0, -0.18), (1.0, 0.0), (0.0, 0.1)])
     blades: list[Solid] = []
     for k in range(34 if fine else 10):
@@ -177,8 +169,8 @@ def _blades(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[Co
             ]
         )
         blade = loft(rings, section, profile=np.column_stack([out, tall * t]))
-        blades.append(blade.turned(2, 2.4 * k + look.between(-0.3, 0.3)))
-    tuft = joined(blades)
+        blades.append(blade.turn(2, 2.4 * k + look.between(-0.3, 0.3)))
+    tuft = join(blades)
     return [(tuft, image)], [hull_of(tuft)]
 
 
@@ -190,8 +182,8 @@ def _bonsai(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[Co
          (lean, 0, z + 0.1)], 4,
     )  # fmt: skip
     trunk = tube(path, np.linspace(0.009, 0.004, len(path)), 10)
-    bark = textures.scratched(look.rng, (110, 80, 56), (70, 50, 36), 70)
-    needles = textures.spotted(look.rng, green, tinted(green, 1.35), 0.3)
+    bark = textures.scratches(look.rng, (110, 80, 56), (70, 50, 36), 70)
+    needles = textures.spots(look.rng, green, tint_color(green, 1.35), 0.3)
 
     def knobbly(p: np.ndarray) -> np.ndarray:
         return p * (1 + 0.09 * np.sin(160 * p[:, :1]) * np.cos(190 * p[:, 1:2]))
@@ -199,11 +191,11 @@ def _bonsai(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[Co
     clouds = []
     for k in range(5):
         wide = look.between(0.045, 0.075)
-        puff = ellipsoid(wide, 0.9 * wide, 0.5 * wide, 12, 7).bent(knobbly)
+        puff = ellipsoid(wide, 0.9 * wide, 0.5 * wide, 12, 7).bend(knobbly)
         out = 0.0 if k == 0 else look.between(0.02, 0.04)
         at = (lean + out * np.cos(2.4 * k), out * np.sin(2.4 * k), z + 0.1 - 0.009 * k)
-        clouds.append(puff.moved(*at))
-    crown = joined(clouds)
+        clouds.append(puff.move(*at))
+    crown = join(clouds)
     return [(trunk, bark), (crown, needles)], [hull_of(trunk), hull_of(crown)]
 
 

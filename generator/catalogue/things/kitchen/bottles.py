@@ -6,38 +6,28 @@ import numpy as np
 
 from ....scene import ConvexPart
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    box,
-    cylinder,
-    lathe,
-)
+from ...build.solids import Solid, box, cylinder, lathe
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 
 PRINTS = ("red", "navy", "teal", "green", "mustard", "crimson", "orange", "purple", "blue")
 
 
-def _ribbed(color: RGB) -> textures.Tile:
+def _ribs(color: RGB) -> textures.Tile:
     """A screw cap's side."""
-    return textures.stripes([color, tinted(color, 0.75)], 16, upright=True, side=64)
+    return textures.stripes([color, tint_color(color, 0.75)], 16, upright=True, side=64)
 
 
-def _labelled(
+def _label(
     look: Look, base: RGB, word: str, low: float, high: float, ground: RGB = (244, 242, 234)
 ) -> textures.Tile:
     """A bottle's skin: plain, a label between the heights v ``low`` and ``high``, plain."""
-    print_ = prints.label(look.rng, word, look.fixed(*PRINTS), ground)
-    skin = textures.speckled(look.rng, base, 3, 32)
-    return textures.stacked((skin, low), (print_, high - low), (skin, 1 - high), side=192)
+    print_ = prints.label(look.rng, word, look.own_color(*PRINTS), ground)
+    skin = textures.speckles(look.rng, base, 3, 32)
+    return textures.stack((skin, low), (print_, high - low), (skin, 1 - high), side=192)
 
 
 def _vessel(
@@ -111,14 +101,14 @@ def bottle(look: Look) -> Shape:
         tile = look.surface(color, look.pick(["metal", "plastic"]))
         if look.chance(0.6):
             sign = prints.canvas(128, 128, color)
-            prints.write(sign[:, 40:88], word, 0.5, 0.45, 0.14, tinted(color, 0.4), bold=True)
-            prints.fill(sign, 0, 0.86, 1, 0.14, tinted(color, 0.6))
+            prints.write(sign[:, 40:88], word, 0.5, 0.45, 0.14, tint_color(color, 0.4), bold=True)
+            prints.fill(sign, 0, 0.86, 1, 0.14, tint_color(color, 0.6))
             tile = sign
     else:
         ground = look.pick([(244, 242, 234), (250, 226, 120), (34, 40, 52), (206, 226, 236)])
-        tile = _labelled(look, color, word, low, high, ground)
-    cap = cylinder(neck + 0.0017, 0.016, 20, bevel=0.001).moved(z=h - 0.004)
-    lid = _ribbed(look.fixed("white", "red", "blue", "green", "black", "gold", "silver"))
+        tile = _label(look, color, word, low, high, ground)
+    cap = cylinder(neck + 0.0017, 0.016, 20, bevel=0.001).move(z=h - 0.004)
+    lid = _ribs(look.own_color("white", "red", "blue", "green", "black", "gold", "silver"))
     return shape(
         [(body, tile), (cap, lid)],
         [*_vessel_parts(body, 0.86 * r if waist else r, shoulder * h, neck, h, rise * h),
@@ -141,13 +131,13 @@ def wine_bottle(look: Look) -> Shape:
     word = look.pick(["ROSSO", "1998", "VALLEY", "BRUT", "OLIVE", "RESERVA", "BLANC"])
     body = _vessel(r, h, neck, shoulder * h, rise * h)
     top = look.between(0.8, 0.88)
-    foil = cylinder(neck + 0.0013, (1.01 - top) * h, 20, bevel=0.001).moved(z=top * h)
+    foil = cylinder(neck + 0.0013, (1.01 - top) * h, 20, bevel=0.001).move(z=top * h)
     paper = look.pick([(244, 242, 234), (236, 224, 196), (40, 38, 40), (122, 30, 40)])
-    skin = _labelled(look, tinted(color, 0.55), word, look.between(0.1, 0.18),
+    skin = _label(look, tint_color(color, 0.55), word, look.between(0.1, 0.18),
                      min(shoulder - 0.03, look.between(0.36, 0.5)), paper)  # fmt: skip
-    seal = look.fixed("crimson", "gold", "black", "green", "silver", "white")
+    seal = look.own_color("crimson", "gold", "black", "green", "silver", "white")
     return shape(
-        [(body, skin), (foil, textures.speckled(look.rng, seal, 3, 32))],
+        [(body, skin), (foil, textures.speckles(look.rng, seal, 3, 32))],
         [*_vessel_parts(body, r, shoulder * h, neck, h, rise * h),
          cylinder_part(neck + 0.0013, (1.01 - top) * h, (0, 0, top * h))],
     )  # fmt: skip
@@ -161,27 +151,27 @@ def sauce_bottle(look: Look) -> Shape:
     word = "MUSTARD" if color[1] > 150 else "KETCHUP" if color[0] > 150 else "SAUCE"
     if min(color) > 150:
         word = "MAYO"
-    ground = look.pick([tinted(color, 0.8), (246, 244, 236), (250, 220, 90), (40, 90, 60)])
-    cap = textures.plain(look.fixed("white", "white", "green", "red", "black", "gold"))
+    ground = look.pick([tint_color(color, 0.8), (246, 244, 236), (250, 220, 90), (40, 90, 60)])
+    cap = textures.plain(look.own_color("white", "white", "green", "red", "black", "gold"))
     if kind == "turned":
         base = cylinder(0.86 * r, 0.03, 24, bevel=0.002)
         flipped = lathe(
             [(0, 0), (0.8 * r, 0), (0.9 * r, 0.2 * h), (r, 0.5 * h), (0.96 * r, 0.92 * h),
              (0.8 * r, h), (0, h)], v=[0, 0.01, 0.2, 0.5, 0.9, 0.98, 1],
         )  # fmt: skip
-        body = flipped.moved(z=0.028)
+        body = flipped.move(z=0.028)
         return shape(
-            [(body, _labelled(look, color, word, 0.3, 0.75, ground)), (base, cap)],
+            [(body, _label(look, color, word, 0.3, 0.75, ground)), (base, cap)],
             [cylinder_part(0.86 * r, 0.03), hull_of(body)],
         )
     neck, shoulder, rise = (0.016, 0.72, 0.94) if kind == "squeeze" else (0.011, 0.5, 0.82)
     body = _vessel(r, h, neck, shoulder * h, rise * h)
     tip = 0.0032 if kind == "squeeze" else neck + 0.0015
     nozzle = cylinder(neck - 0.001 if kind == "squeeze" else tip, 0.034, 18, top=tip)
-    nozzle = nozzle.moved(z=h + 0.006 if kind == "squeeze" else h - 0.006)
-    collar = cylinder(neck + 0.0015, 0.009, 20, bevel=0.001).moved(z=h - 0.002)
+    nozzle = nozzle.move(z=h + 0.006 if kind == "squeeze" else h - 0.006)
+    collar = cylinder(neck + 0.0015, 0.009, 20, bevel=0.001).move(z=h - 0.002)
     return shape(
-        [(body, _labelled(look, color, word, look.between(0.16, 0.28), shoulder - 0.1, ground)),
+        [(body, _label(look, color, word, look.between(0.16, 0.28), shoulder - 0.1, ground)),
          (nozzle, cap), (collar, cap)],
         [*_vessel_parts(body, r, shoulder * h, neck, h, rise * h), hull_of(nozzle, collar)],
     )  # fmt: skip
@@ -196,15 +186,15 @@ def paint_bottle(look: Look) -> Shape:
     kind = look.pick(["pump", "pump", "nozzle", "cap"])
     word = look.pick(["PAINT", "ACRYL", "TEMPERA", "GOUACHE"])
     body = _vessel(r, h, 0.014, look.between(0.72, 0.84) * h, 0.95 * h)
-    ground = look.pick([(244, 242, 234), (250, 250, 250), (38, 38, 42), tinted(color, 1.6)])
-    skin = _labelled(look, color, word, look.between(0.14, 0.26), look.between(0.54, 0.68), ground)
+    ground = look.pick([(244, 242, 234), (250, 250, 250), (38, 38, 42), tint_color(color, 1.6)])
+    skin = _label(look, color, word, look.between(0.14, 0.26), look.between(0.54, 0.68), ground)
     top = textures.plain(look.pick([(238, 238, 236), (238, 238, 236), (40, 40, 44), color]))
     pieces = [(body, skin)]
     parts = _vessel_parts(body, r, 0.72 * h, 0.014, h, 0.95 * h)
     if kind == "pump":
-        collar = cylinder(0.0165, 0.014, 20, bevel=0.001).moved(z=h - 0.002)
-        stem = cylinder(0.005, 0.026, 12).moved(z=h + 0.01)
-        head = box(0.016, 0.045, 0.012).moved(y=-0.012, z=h + 0.034)
+        collar = cylinder(0.0165, 0.014, 20, bevel=0.001).move(z=h - 0.002)
+        stem = cylinder(0.005, 0.026, 12).move(z=h + 0.01)
+        head = box(0.016, 0.045, 0.012).move(y=-0.012, z=h + 0.034)
         pieces += [(collar, top), (stem, top), (head, top)]
         parts += [cylinder_part(0.0165, 0.014, (0, 0, h - 0.002)),
                   cylinder_part(0.005, 0.026, (0, 0, h + 0.01)),
@@ -212,7 +202,7 @@ def paint_bottle(look: Look) -> Shape:
     else:
         wide = 0.0165 if kind == "nozzle" else 0.6 * r
         tall, tip = (0.042, 0.004) if kind == "nozzle" else (0.028, 0.55 * r)
-        cap = cylinder(wide, tall, 20, top=tip, bevel=0.001).moved(z=h - 0.002)
+        cap = cylinder(wide, tall, 20, top=tip, bevel=0.001).move(z=h - 0.002)
         pieces.append((cap, top))
         parts.append(hull_of(cap))
     return shape(pieces, parts)
@@ -228,12 +218,12 @@ def jar(look: Look) -> Shape:
     shoulder, sides = look.between(0.74, 0.88), look.pick([32, 32, 32, 8])
     neck = look.between(0.7, 0.86) * r
     body = _vessel(r, h, neck, shoulder * h, 0.94 * h, sides=sides)
-    lid = cylinder(neck + 0.002, look.between(0.012, 0.02), 28, bevel=0.002).moved(z=h - 0.003)
-    other = look.fixed("white", "red", "gold", "navy", "black", "silver", "green")
+    lid = cylinder(neck + 0.002, look.between(0.012, 0.02), 28, bevel=0.002).move(z=h - 0.003)
+    other = look.own_color("white", "red", "gold", "navy", "black", "silver", "green")
     cloth = textures.fabric(look.rng, other, (246, 244, 238), 16)
-    top = look.pick([cloth, textures.plain(other), textures.brushed(look.rng, other)])
-    ground = look.pick([(244, 242, 234), (250, 240, 200), (46, 52, 48), tinted(color, 1.7)])
-    skin = _labelled(look, color, word, look.between(0.18, 0.3), look.between(0.6, 0.72), ground)
+    top = look.pick([cloth, textures.plain(other), textures.brushed_metal(look.rng, other)])
+    ground = look.pick([(244, 242, 234), (250, 240, 200), (46, 52, 48), tint_color(color, 1.7)])
+    skin = _label(look, color, word, look.between(0.18, 0.3), look.between(0.6, 0.72), ground)
     flat = np.cos(np.pi / sides)
     return shape(
         [(body, skin), (lid, top)],

@@ -1,30 +1,16 @@
-"""What tea and coffee are made with."""
+"""Things for making tea and coffee."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.outlines import arc, rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    box,
-    cylinder,
-    ellipsoid,
-    lathe,
-    prism,
-    sweep,
-    tube,
-)
+from ...build.solids import Solid, box, cylinder, ellipsoid, lathe, prism, sweep, tube
 from ...surfaces import textures
-from ...surfaces.glazes import glazed
+from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
 
@@ -44,7 +30,7 @@ def teapot(look: Look) -> Shape:
         *("mustard", "sky", "brown", "red"),
     )
     kind, bail = look.pick(["round", "round", "pear", "drum"]), look.chance(0.22)
-    glaze, side = glazed(look, color), look.surface(color, "ceramic")
+    glaze, side = glaze_tile(look, color), look.surface(color, "ceramic")
     t = np.linspace(-1.0, 1.05, 12)
     lift = 0.5 + 0.5 * np.sin(t) / np.sin(1.05)
     swell = {
@@ -95,7 +81,7 @@ def kettle(look: Look) -> Shape:
         "silver", "silver", "black", "red", "white", "cream", "sage", "teal", "copper"
     )
     skin = look.surface(color, "metal" if look.chance(0.5) else "plastic")
-    dark = textures.speckled(look.rng, look.fixed("charcoal", "black", "brown"), 3, 32)
+    dark = textures.speckles(look.rng, look.own_color("charcoal", "black", "brown"), 3, 32)
     r, h = look.between(0.066, 0.078), look.between(0.18, 0.215)
     if kind == "dome":
         return _stove_kettle(look, 1.12 * r, 0.62 * h, skin, dark)
@@ -107,10 +93,10 @@ def kettle(look: Look) -> Shape:
     tile = skin
     if look.chance(0.35):  # a glass window, or a band
         band = textures.plain(look.pick([(150, 186, 200), (40, 40, 44), (200, 202, 206)]))
-        tile = textures.stacked((skin, 3), (band, look.pick([1, 4])), (skin, 4), side=96)
+        tile = textures.stack((skin, 3), (band, look.pick([1, 4])), (skin, 4), side=96)
     base = cylinder(1.02 * r, 0.02, 32, bevel=0.003)
     lid = lathe([(0, 0.95 * h), (0.9 * up * r, 0.95 * h), (0.75 * up * r, 0.98 * h), (0, h)], 28)
-    knob = cylinder(0.011, 0.014, 16, bevel=0.002).moved(z=0.99 * h)
+    knob = cylinder(0.011, 0.014, 16, bevel=0.002).move(z=0.99 * h)
     if kind == "jug":
         beak = np.array([(-1.1, 0.0), (-0.6, -0.4), (-0.6, 0.4)]) * r * (up + 0.24)
         spout = prism(beak, 0.72 * h, 0.93 * h)
@@ -138,7 +124,7 @@ def _stove_kettle(look: Look, r: float, h: float, skin: Tile, dark: Tile) -> Sha
     dome = np.column_stack([r * np.cos(1.25 * t**1.3), 0.012 + (h - 0.012) * t])
     body = lathe([(0, 0), (0.9 * r, 0), *dome, (0, h)], 32)
     lid = lathe([(0, h - 0.002), (0.36 * r, h - 0.002), (0.3 * r, h + 0.006), (0, h + 0.01)], 24)
-    knob = ellipsoid(0.02, 0.02, 0.018, 14, 8).moved(z=h + 0.016)
+    knob = ellipsoid(0.02, 0.02, 0.018, 14, 8).move(z=h + 0.016)
     spout = _spout((-0.8 * r, 0.42 * h), (-1.4 * r, 0.98 * h), 0.02, 0.011)
     curve = arc((0, 0), 1.0, 0.0, np.pi, 16)
     path = np.column_stack(
@@ -159,23 +145,23 @@ def french_press(look: Look) -> Shape:
     r, h = look.between(0.045, 0.052), look.between(0.15, 0.175)
     level = look.between(0.45, 0.75)
     coffee, clear = textures.plain((62, 38, 26)), textures.plain((206, 218, 220))
-    metal = textures.brushed(
+    metal = textures.brushed_metal(
         look.rng, look.color("silver", "black", "copper", "gold", "white", "red", "teal")
     )
-    dark = textures.speckled(look.rng, (44, 44, 48), 3, 32)
+    dark = textures.speckles(look.rng, (44, 44, 48), 3, 32)
     body = lathe([(0, 0.01), (r, 0.01), (r, h), (0, h)], v=[0, 0.01, 0.99, 1])
-    tile = textures.stacked((coffee, level), (clear, 1 - level), side=64)
+    tile = textures.stack((coffee, level), (clear, 1 - level), side=64)
     rings = [
         lathe([(0.98 * r, z), (1.03 * r, z), (1.03 * r, z + t), (0.98 * r, z + t)], loop=True)
         for z, t in ((0.004, 0.014), (0.5 * h, 0.006), (0.88 * h, 0.008))
     ]
     bars = [
-        box(0.007, 0.003, 0.9 * h).moved(y=-1.02 * r).turned(2, np.pi / 2 * k + np.pi / 4)
+        box(0.007, 0.003, 0.9 * h).move(y=-1.02 * r).turn(2, np.pi / 2 * k + np.pi / 4)
         for k in range(4)
     ]
     lid = lathe([(0, h), (1.05 * r, h), (1.02 * r, h + 0.01), (0.4 * r, h + 0.018), (0, h + 0.018)])
-    rod = cylinder(0.0025, 0.03, 10).moved(z=h + 0.014)
-    knob = ellipsoid(0.018, 0.018, 0.018, 16, 10).moved(z=h + 0.05)
+    rod = cylinder(0.0025, 0.03, 10).move(z=h + 0.014)
+    knob = ellipsoid(0.018, 0.018, 0.018, 16, 10).move(z=h + 0.05)
     grip = tube(
         smooth([(1.0 * r, 0, 0.9 * h), (1.65 * r, 0, 0.88 * h), (1.8 * r, 0, 0.6 * h),
                 (1.65 * r, 0, 0.2 * h), (1.0 * r, 0, 0.16 * h)], 4), 0.0075, 8,

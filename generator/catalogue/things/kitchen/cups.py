@@ -6,23 +6,13 @@ import numpy as np
 
 from ....scene import ConvexPart
 from ...build.category import Category
-from ...build.collision import (
-    bowl_parts,
-    box_part,
-    cylinder_part,
-    ring_parts,
-)
+from ...build.collision import bowl_parts, box_part, cylinder_part, ring_parts
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    cylinder,
-    lathe,
-    tube,
-)
+from ...build.solids import Solid, cylinder, lathe, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tinted
-from ...surfaces.glazes import glazed
+from ...surfaces.colors import RGB, tint_color
+from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
 DRINKS: tuple[RGB, ...] = ((58, 34, 22), (150, 100, 64), (196, 160, 120), (166, 88, 32))
@@ -63,8 +53,8 @@ def _drink(look: Look, radius: float, height: float) -> list[tuple[Solid, textur
     full, color = look.chance(0.3), look.pick(DRINKS)
     if not full:
         return []
-    foam = textures.spotted(look.rng, color, tinted(color, 1.3), look.between(0.01, 0.2), 48)
-    return [(cylinder(radius, 0.0016, 28).moved(z=height), foam)]
+    foam = textures.spots(look.rng, color, tint_color(color, 1.3), look.between(0.01, 0.2), 48)
+    return [(cylinder(radius, 0.0016, 28).move(z=height), foam)]
 
 
 def mug(look: Look) -> Shape:
@@ -75,7 +65,10 @@ def mug(look: Look) -> Shape:
         *("white", "white", "red", "blue", "teal", "mustard", "sage", "black", "terracotta"),
         *("pink", "navy", "gray", "cream", "green", "orange", "lavender"),
     )
-    glaze, inside = glazed(look, color, words=True), look.surface(tinted(color, 1.4), "ceramic")
+    glaze, inside = (
+        glaze_tile(look, color, words=True),
+        look.surface(tint_color(color, 1.4), "ceramic"),
+    )
     if kind == "enamel":
         inside = textures.plain((242, 240, 234))
     t = np.linspace(0, 1, 7)
@@ -97,9 +90,9 @@ def mug(look: Look) -> Shape:
     reach, thick = look.between(0.024, 0.03), look.between(0.0042, 0.006)
     touch, top_touch = np.interp([low, high], side[:, 1], side[:, 0]) - 0.002
     ear = handle((touch, top_touch), low, high, reach, thick, look.pick(EARS))
-    rim = textures.plain(tinted(color, 0.35)) if kind == "enamel" else inside
-    tile = textures.stacked((glaze, 96), (rim, 2), (inside, 3), side=192)
-    ear_color = look.pick([color, color, tinted(color, 0.5)])
+    rim = textures.plain(tint_color(color, 0.35)) if kind == "enamel" else inside
+    tile = textures.stack((glaze, 96), (rim, 2), (inside, 3), side=192)
+    ear_color = look.pick([color, color, tint_color(color, 0.5)])
     wedges = ring_parts(
         [(foot, 0.0), tuple(side[0]), tuple(side[3]), (top, h)],
         [(top - wall, h), (float(side[0, 0]) - wall, 0.007)],
@@ -127,8 +120,8 @@ def teacup(look: Look) -> Shape:
     v = [0, 0, 0.03, *np.linspace(0.06, 0.95, 7), *np.linspace(0.97, 1, 7), 1]
     body = lathe([(0, 0), (foot, 0), (foot, 0.004), *outer, *inner, (0, 0.01)], v=v)
     inside = look.surface(look.pick([color, (244, 242, 236)]), "ceramic")
-    trim = textures.plain(look.fixed("gold", "silver", "navy")) if look.chance(0.35) else inside
-    tile = textures.stacked((glazed(look, color), 94), (trim, 2), (inside, 4), side=192)
+    trim = textures.plain(look.own_color("gold", "silver", "navy")) if look.chance(0.35) else inside
+    tile = textures.stack((glaze_tile(look, color), 94), (trim, 2), (inside, 4), side=192)
     kind = look.pick(EARS)
     ends = np.interp([0.36 * h, 0.86 * h], outer[:, 1], outer[:, 0]) - 0.0016
     ear = handle((ends[0], ends[1]), 0.36 * h, 0.86 * h, look.between(0.017, 0.022), 0.0032, kind)

@@ -11,31 +11,23 @@ from ...build.category import Category
 from ...build.collision import hull_of, hull_part
 from ...build.outlines import ellipse
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    cylinder,
-    joined,
-    loft,
-    prism,
-    refined,
-)
+from ...build.solids import Solid, block, cylinder, join, loft, prism, refine
 from ...surfaces import textures
-from ...surfaces.colors import tinted
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
 
 
-def _bent(solid: Solid, length: float, dip: float) -> Solid:
+def _bend(solid: Solid, length: float, dip: float) -> Solid:
     """Return flat cutlery with its neck raised, lying on its two ends."""
-    return solid.bent(
+    return solid.bend(
         lambda p: np.column_stack(
             [p[:, :2], p[:, 2] + dip * np.clip(np.cos(np.pi * p[:, 0] / length), 0, 1)]
         )
     )
 
 
-def _sliced(solid: Solid, edges: list[float]) -> list[ConvexPart]:
+def _slice(solid: Solid, edges: list[float]) -> list[ConvexPart]:
     x = solid.vertices[:, 0]
     return [
         hull_part(solid.vertices[(x >= a - 1e-6) & (x <= b + 1e-6)])
@@ -43,7 +35,7 @@ def _sliced(solid: Solid, edges: list[float]) -> list[ConvexPart]:
     ]
 
 
-def _mirrored(half: list[tuple[float, float]]) -> np.ndarray:
+def _mirror(half: list[tuple[float, float]]) -> np.ndarray:
     """Return a closed outline from its lower half, listed from left to right."""
     lower = np.array(half, float)
     upper = lower[::-1] * [1, -1]
@@ -56,22 +48,24 @@ def _metal(look: Look) -> Tile:
     tile = look.surface(color, "metal")
     if look.material:
         return tile
-    worn = textures.scratched(look.rng, color, tinted(color, 1.25), int(look.rng.integers(4, 26)))
+    worn = textures.scratches(
+        look.rng, color, tint_color(color, 1.25), int(look.rng.integers(4, 26))
+    )
     return look.pick([tile, worn])
 
 
 def _grip_paint(look: Look) -> tuple[str, Tile]:
     """Return how a handle is made, "metal" or "sleeve", and the sleeve's tile."""
-    color = look.fixed("black", "white", "brown", "red", "teal", "sky", "cream")
+    color = look.own_color("black", "white", "brown", "red", "teal", "sky", "cream")
     sleeve = look.pick([textures.wood(look.rng, (150, 98, 60)), textures.plain(color),
-                        textures.speckled(look.rng, color, 5, 32)])  # fmt: skip
+                        textures.speckles(look.rng, color, 5, 32)])  # fmt: skip
     return ("sleeve" if look.chance(0.3) and not look.material else "metal"), sleeve
 
 
 def _sleeve(long: float, start: float, wide: float) -> Solid:
     """Return the flattened sleeve of a handle from x ``start`` to the right end."""
     x = 0.5 * long - start
-    return block(x, 2 * wide, 0.0052, wide, 0.0012).moved(x=start + x / 2)
+    return block(x, 2 * wide, 0.0052, wide, 0.0012).move(x=start + x / 2)
 
 
 def fork(look: Look) -> Shape:
@@ -84,18 +78,18 @@ def fork(look: Look) -> Shape:
         (0.02, -0.0028), (0.5 * long - 0.012, -end), (0.5 * long - 0.003, -0.8 * end),
         (0.5 * long, -0.4 * end),
     ]  # fmt: skip
-    body = prism(_mirrored([(x, y) for x, y in grip if y < 0 or x < -0.045]), 0, 0.0024)
+    body = prism(_mirror([(x, y) for x, y in grip if y < 0 or x < -0.045]), 0, 0.0024)
     count = look.pick([3, 4, 4])
     pitch = 0.0174 * wide / (count - 1)
     half = 0.0019 * (1.3 if count == 3 else 1.0)
     tine = prism(np.array([(-0.5 * long, -0.0009), (-0.03, -half), (-0.03, half),
                            (-0.5 * long, 0.0009)]), 0, 0.0022)  # fmt: skip
-    tines = [tine.moved(y=(k - (count - 1) / 2) * pitch) for k in range(count)]
-    fine = _bent(refined(joined([body, *tines])), long, 0.008)
+    tines = [tine.move(y=(k - (count - 1) / 2) * pitch) for k in range(count)]
+    fine = _bend(refine(join([body, *tines])), long, 0.008)
     pieces = [(fine, steel)]
     if kind == "sleeve":
-        pieces.append((_bent(refined(_sleeve(long, 0.018, max(end, 0.006))), long, 0.008), sleeve))
-    return shape(pieces, _sliced(fine, [-0.5 * long, -0.04, 0.0, 0.5 * long]))
+        pieces.append((_bend(refine(_sleeve(long, 0.018, max(end, 0.006))), long, 0.008), sleeve))
+    return shape(pieces, _slice(fine, [-0.5 * long, -0.04, 0.0, 0.5 * long]))
 
 
 def spoon(look: Look) -> Shape:
@@ -115,24 +109,24 @@ def spoon(look: Look) -> Shape:
     )  # fmt: skip
     neck = middle + 0.93 * reach
     grip = prism(
-        _mirrored([(neck, -0.0055), (neck + 0.012, -0.0036), (0.0, -0.0026),
+        _mirror([(neck, -0.0055), (neck + 0.012, -0.0036), (0.0, -0.0026),
                    (0.5 * long - 0.02, -end), (0.5 * long - 0.004, -0.8 * end),
                    (0.5 * long, -0.35 * end)]), 0, 0.0022,
     )  # fmt: skip
 
-    def lifted(solid: Solid) -> Solid:
-        def raised(p: np.ndarray) -> np.ndarray:
+    def lift_neck(solid: Solid) -> Solid:
+        def raise_neck(p: np.ndarray) -> np.ndarray:
             t = np.clip((p[:, 0] - neck) / (0.5 * long - neck), 0, 1)
             rise = 0.0055 * np.cos(np.pi / 2 * t) ** 0.8 + 0.004 * np.sin(np.pi * t)
             return np.column_stack([p[:, :2], p[:, 2] + rise])
 
-        return refined(refined(solid)).bent(raised)
+        return refine(refine(solid)).bend(raise_neck)
 
-    lift, hollow = lifted(grip), textures.plain(tuple(0.62 * c for c in steel.mean((0, 1))))
-    pieces = [(head, textures.stacked((steel, 57), (hollow, 43))),
+    lift, hollow = lift_neck(grip), textures.plain(tuple(0.62 * c for c in steel.mean((0, 1))))
+    pieces = [(head, textures.stack((steel, 57), (hollow, 43))),
               (lift, steel)]  # fmt: skip
     if kind == "sleeve":
-        pieces.append((lifted(_sleeve(long, 0.03, max(end, 0.006))), sleeve))
+        pieces.append((lift_neck(_sleeve(long, 0.03, max(end, 0.006))), sleeve))
     x = lift.vertices[:, 0]
     return shape(
         pieces,
@@ -150,9 +144,11 @@ def knife(look: Look) -> Shape:
         "bread": (look.between(0.28, 0.31), 0.028, 0.04),
         "steak": (look.between(0.2, 0.23), 0.02, 0.005),
     }[kind]
-    steel = textures.brushed(look.rng, look.pick([(196, 199, 204), (176, 179, 184), (90, 92, 98)]))
+    steel = textures.brushed_metal(
+        look.rng, look.pick([(196, 199, 204), (176, 179, 184), (90, 92, 98)])
+    )
     if look.chance(0.3):
-        steel = textures.spotted(look.rng, (186, 189, 194), (120, 116, 110), 0.03)
+        steel = textures.spots(look.rng, (186, 189, 194), (120, 116, 110), 0.03)
     tip = -0.5 * long
     edge = {
         "table": [(0.0, 0.3), (0.06, -0.35), (0.2, -0.5)],
@@ -171,13 +167,13 @@ def knife(look: Look) -> Shape:
         "black", "wooden", "red", "charcoal", "brown", "white", "teal", "yellow")  # fmt: skip
     thick = 0.0075 if kind == "table" else 0.016
     grip = block(0.5 * long - cut, 0.8 * min(wide, 0.028), thick, 0.006, 0.002)
-    grip = grip.moved(x=cut + (0.5 * long - cut) / 2)
+    grip = grip.move(x=cut + (0.5 * long - cut) / 2)
     tile = look.surface(color, "metal" if metal else look.pick(["plastic", "wood"]))
     pieces = [(blade, steel), (grip, tile)]
     if not metal and kind != "table":
         rivet = cylinder(0.0028, thick + 0.0004, 10)
         way = 0.5 * long - cut
-        pieces += [(rivet.moved(x=cut + u * way), textures.plain((196, 190, 170)))
+        pieces += [(rivet.move(x=cut + u * way), textures.plain((196, 190, 170)))
                    for u in (0.22, 0.5, 0.78)]  # fmt: skip
     return shape(pieces, [hull_of(blade), hull_of(grip)])
 

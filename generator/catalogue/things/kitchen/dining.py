@@ -1,28 +1,16 @@
-"""What one eats and drinks from."""
+"""Tableware for food and drink."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    bowl_parts,
-    box_part,
-    cylinder_part,
-    frame_parts,
-    hull_of,
-    ring_parts,
-)
+from ...build.collision import bowl_parts, box_part, cylinder_part, frame_parts, hull_of, ring_parts
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    box,
-    lathe,
-    open_box,
-    tube,
-)
+from ...build.solids import box, lathe, open_box, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tinted
-from ...surfaces.glazes import SIDE, glazed
+from ...surfaces.colors import RGB, tint_color
+from ...surfaces.glazes import SIDE, glaze_tile
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
 
@@ -46,10 +34,10 @@ def bowl(look: Look) -> Shape:
     inner = np.column_stack([outer[:, 0] - wall, 0.007 + (h - 0.007) * z])[::-1]
     v = [0, *np.linspace(0.02, 0.48, 8), *np.linspace(0.52, 0.99, 8), 1]
     body = lathe([(0, 0), *outer, *inner, (0, 0.007)], v=v)
-    inside = look.surface(look.pick([tinted(color, 1.5), color, (244, 242, 236)]), "ceramic")
-    within = inside if look.chance(0.7) else glazed(look, color)[::-1]
-    rim = textures.plain(tinted(color, 0.5)) if look.chance(0.3) else inside
-    tile = textures.stacked((glazed(look, color), 48), (rim, 4), (within, 48), side=192)
+    inside = look.surface(look.pick([tint_color(color, 1.5), color, (244, 242, 236)]), "ceramic")
+    within = inside if look.chance(0.7) else glaze_tile(look, color)[::-1]
+    rim = textures.plain(tint_color(color, 0.5)) if look.chance(0.3) else inside
+    tile = textures.stack((glaze_tile(look, color), 48), (rim, 4), (within, 48), side=192)
     wedges = bowl_parts(outer, inner[::-1])
     return shape([(body, tile)], [*wedges, cylinder_part(foot, 0.007)])
 
@@ -86,31 +74,31 @@ def plate(look: Look) -> Shape:
 def _plate_glaze(look: Look, color: RGB) -> Tile:
     """Return a plate's glaze: its underside below v 0.3, its rim, and its well above 0.66."""
     glaze = look.surface(color, "ceramic")
-    rim = look.fixed("navy", "gold", "teal", "white", "terracotta", "crimson", "black")
+    rim = look.own_color("navy", "gold", "teal", "white", "terracotta", "crimson", "black")
     kind = int(look.rng.integers(7))
     if look.material or kind == 0:
         return glaze
     if kind <= 2:
         wide = look.between(2, 14)
-        return textures.stacked((glaze, 31), (textures.plain(rim), wide), (glaze, 69 - wide))
+        return textures.stack((glaze, 31), (textures.plain(rim), wide), (glaze, 69 - wide))
     if kind == 3:
         line = textures.plain(rim)
-        return textures.stacked(
+        return textures.stack(
             (glaze, 31), (line, 3), (glaze, 4), (line, 1.5), (glaze, 24), (line, 1.5), (glaze, 35)
         )
     if kind == 4:
-        pale = look.surface(look.pick([(244, 242, 236), tinted(color, 1.4)]), "ceramic")
-        return textures.stacked((glaze, 31), (glazed(look, color), 30), (pale, 39), side=192)
+        pale = look.surface(look.pick([(244, 242, 236), tint_color(color, 1.4)]), "ceramic")
+        return textures.stack((glaze, 31), (glaze_tile(look, color), 30), (pale, 39), side=192)
     if kind == 5:
-        rings = textures.stripes([color, tinted(color, 0.86)], 16, side=SIDE)
-        return rings if look.chance(0.4) else textures.spotted(
-            look.rng, color, tinted(color, 0.55), 0.05)  # fmt: skip
-    return textures.gradient(tinted(color, 0.45), tinted(color, 1.3), look.rng, 9)
+        rings = textures.stripes([color, tint_color(color, 0.86)], 16, side=SIDE)
+        return rings if look.chance(0.4) else textures.spots(
+            look.rng, color, tint_color(color, 0.55), 0.05)  # fmt: skip
+    return textures.gradient(tint_color(color, 0.45), tint_color(color, 1.3), look.rng, 9)
 
 
 def saucer(look: Look) -> Shape:
     """A small plate for a cup."""
-    return plate(look).scaled(0.6)
+    return plate(look).scale(0.6)
 
 
 def glass(look: Look) -> Shape:
@@ -128,12 +116,12 @@ def glass(look: Look) -> Shape:
         9 if kind == "faceted" else 32,
         v=[0, *np.linspace(0.01, 0.95, 6), *np.linspace(0.96, 0.99, 6), 1],
     )
-    clear, hue = tinted(color, 1.2), look.pick([(214, 120, 30), (150, 40, 40), (230, 200, 90)])
+    clear, hue = tint_color(color, 1.2), look.pick([(214, 120, 30), (150, 40, 40), (230, 200, 90)])
     tile = textures.plain(clear)
     if look.chance(0.4):  # the drink shows through the wall and from above
         level = look.between(0.45, 0.85)
         wet = textures.plain(look.pick([hue, hue, (204, 220, 226)]))
-        tile = textures.stacked((wet, 0.94 * level), (tile, 1.02 - 0.94 * level), (wet, 0.04))
+        tile = textures.stack((wet, 0.94 * level), (tile, 1.02 - 0.94 * level), (wet, 0.04))
     top = float(outer[-1, 0]) * (np.cos(np.pi / 9) if kind == "faceted" else 1.0)
     foot = low * (np.cos(np.pi / 9) if kind == "faceted" else 1.0)
     middle = (float(outer[3, 0]) * top / float(outer[-1, 0]), float(outer[3, 1]))
@@ -171,12 +159,12 @@ def wine_glass(look: Look) -> Shape:
         [*stem, *outer, *inner, (0, cup + 0.004)], 28, v=[*np.linspace(0, 0.28, 6), *up, *down, 1]
     )
     color = look.color("clear", "clear", "clear", "sky", "pink", "amber", "green")
-    clear = textures.plain(tinted(color, 1.2))
+    clear = textures.plain(tint_color(color, 1.2))
     wine = textures.plain(look.pick([(110, 16, 34), (226, 200, 110), (230, 150, 140)]))
     level = look.between(0.12, 0.3) if look.chance(0.5) else 0.0
     tile = clear
     if level:
-        tile = textures.stacked((clear, 0.3), (wine, level), (clear, 0.66 - level), (wine, 0.04))
+        tile = textures.stack((clear, 0.3), (wine, level), (clear, 0.66 - level), (wine, 0.04))
     rim = float(outer[-1, 0])
     wedges = ring_parts(
         [(0.006, cup), tuple(outer[3]), tuple(outer[5]), (rim, h)],
@@ -193,16 +181,16 @@ def napkins(look: Look) -> Shape:
     """A stack of folded napkins."""
     side, h = look.between(0.15, 0.17), look.between(0.012, 0.03)
     color = look.color("white", "red", "cream", "sage", "navy", "pink", "teal", "mustard", "gray")
-    kind, other = int(look.rng.integers(4)), look.fixed("white", "red", "navy", "mustard")
+    kind, other = int(look.rng.integers(4)), look.own_color("white", "red", "navy", "mustard")
     cloth = textures.fabric(look.rng, color, other if kind == 1 else None)
     if kind >= 2:
-        cloth = glazed(look, color)
+        cloth = glaze_tile(look, color)
     layers = 4
     pieces = [
         (
             box(side, side, h / layers - 0.0006)
-            .turned(2, look.between(-0.03, 0.03))
-            .moved(z=k * h / layers),
+            .turn(2, look.between(-0.03, 0.03))
+            .move(z=k * h / layers),
             cloth,
         )
         for k in range(layers)
@@ -221,7 +209,7 @@ def tray(look: Look) -> Shape:
               (side * (x / 2 + 0.012), 0.05, h + 0.016), (side * x / 2, 0.06, h - 0.006)], 0.005, 8)
         for side in (-1, 1)
     ]  # fmt: skip
-    dark = textures.plain(tinted(color, 0.6))
+    dark = textures.plain(tint_color(color, 0.6))
     return shape(
         [*((solid, tile) for solid in open_box(x, y, h, wall, 0.008)), *((g, dark) for g in grip)],
         [*frame_parts(x, y, h, wall, 0.008), *map(hull_of, grip)],

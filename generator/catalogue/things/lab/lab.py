@@ -1,42 +1,26 @@
-"""What stands on a laboratory bench."""
+"""Things of a laboratory bench."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-    ring_parts,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part, ring_parts
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    sweep,
-    torus,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, sweep, torus
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 
 LIQUIDS = ("blue", "teal", "amber", "pink", "green", "violet", "coral")
 
 
 def _glass(color: RGB) -> textures.Tile:
-    return textures.plain(tinted(color, 1.35))
+    return textures.plain(tint_color(color, 1.35))
 
 
-def _graduated(ground: RGB, ink: RGB = (70, 90, 100)) -> textures.Tile:
+def _graduation(ground: RGB, ink: RGB = (70, 90, 100)) -> textures.Tile:
     """Glass with a measuring scale on the front."""
     image = prints.canvas(128, 128, ground)
     for k in range(9):
@@ -64,10 +48,10 @@ def beaker(look: Look) -> Shape:
         ],
         v=[0, 0, 0.03, 0.9, 0.94, 0.95, 0.96, 0.99, 1],
     )
-    fluid = cylinder(r - 1.2 * wall, level, 24).moved(z=0.005)
+    fluid = cylinder(r - 1.2 * wall, level, 24).move(z=0.005)
     wedges = ring_parts([(r, 0), (r, h)], [(r - wall, h), (r - wall, 0.006)])
     return shape(
-        [(body, _graduated((206, 222, 226))), (fluid, textures.plain(liquid))],
+        [(body, _graduation((206, 222, 226))), (fluid, textures.plain(liquid))],
         [*wedges, cylinder_part(r - wall, 0.005 + level)],
         opacity=0.62,
     )
@@ -94,11 +78,11 @@ def flask(look: Look) -> Shape:
         ],
         v=[0, 0, 0.03, 0.42, 0.7, 0.93, 0.95, 0.98, 1],
     )
-    tile = textures.stacked((textures.plain(liquid), 42), (_graduated((208, 224, 228)), 58))
-    cork = cylinder(neck * 0.9, 0.022, 16, top=neck * 1.1).moved(z=h - 0.004)
-    stopper = look.fixed("tan", "black", "terracotta")
+    tile = textures.stack((textures.plain(liquid), 42), (_graduation((208, 224, 228)), 58))
+    cork = cylinder(neck * 0.9, 0.022, 16, top=neck * 1.1).move(z=h - 0.004)
+    stopper = look.own_color("tan", "black", "terracotta")
     return shape(
-        [(body, tile), (cork, textures.speckled(look.rng, stopper, 8))],
+        [(body, tile), (cork, textures.speckles(look.rng, stopper, 8))],
         [hull_of(body), cylinder_part(neck * 1.05, 0.016, (0, 0, h))],
     )
 
@@ -111,17 +95,17 @@ def test_tube_rack(look: Look) -> Shape:
     wood = look.surface(look.color("white", "beige", "blue", "wooden"), "plastic")
     pieces = [
         (block(length, depth, 0.01, 0.004), wood),
-        (block(length, depth, 0.007, 0.004).moved(z=0.05), wood),
-        (box(0.008, depth, 0.05).moved(x=-(length - 0.01) / 2), wood),
-        (box(0.008, depth, 0.05).moved(x=(length - 0.01) / 2), wood),
+        (block(length, depth, 0.007, 0.004).move(z=0.05), wood),
+        (box(0.008, depth, 0.05).move(x=-(length - 0.01) / 2), wood),
+        (box(0.008, depth, 0.05).move(x=(length - 0.01) / 2), wood),
     ]
     for k in range(count):
-        liquid = look.fixed(*LIQUIDS)
+        liquid = look.own_color(*LIQUIDS)
         x = pitch * (k - (count - 1) / 2)
-        glass = textures.stacked((textures.plain(liquid), 5), (_glass((190, 205, 212)), 4))
-        cap = textures.plain(look.fixed("red", "blue", "charcoal", "green"))
-        pieces.append((cylinder(0.0095, 0.092, 12).moved(x=x, z=0.008), glass))
-        pieces.append((cylinder(0.0115, 0.018, 12, bevel=0.002).moved(x=x, z=0.095), cap))
+        glass = textures.stack((textures.plain(liquid), 5), (_glass((190, 205, 212)), 4))
+        cap = textures.plain(look.own_color("red", "blue", "charcoal", "green"))
+        pieces.append((cylinder(0.0095, 0.092, 12).move(x=x, z=0.008), glass))
+        pieces.append((cylinder(0.0115, 0.018, 12, bevel=0.002).move(x=x, z=0.095), cap))
     top = box_part(pitch * count - 0.006, 0.022, 0.056, (0, 0, 0.057))
     return shape(pieces, [box_part(length, depth, 0.057), top])
 
@@ -130,12 +114,12 @@ def petri_dish(look: Look) -> Shape:
     """A shallow round dish with a lid and cultures inside."""
     r, h = look.between(0.044, 0.05), 0.017
     agar = look.color("cream", "amber", "pink", "mint")
-    image = prints.canvas(128, 128, tinted(agar, 1.1))
+    image = prints.canvas(128, 128, tint_color(agar, 1.1))
     for _ in range(14):
         x, y = look.rng.uniform(0.2, 0.8, 2)
-        prints.disc(image, float(x), float(y), look.between(0.01, 0.045), tinted(agar, 0.6))
+        prints.disc(image, float(x), float(y), look.between(0.01, 0.045), tint_color(agar, 0.6))
     dish = cylinder(r, h, 32, bevel=0.0015)
-    rim = torus(r, 0.0018, 32, 6).moved(z=h - 0.002)
+    rim = torus(r, 0.0018, 32, 6).move(z=h - 0.002)
     return shape([(dish, image), (rim, _glass((180, 196, 202)))], [cylinder_part(r + 0.0015, h)])
 
 
@@ -143,19 +127,19 @@ def microscope(look: Look) -> Shape:
     """A microscope: foot, stage, curved arm, slanted eyepiece towards the viewer."""
     body = look.color("white", "gray", "navy", "cream", "black", "teal", "red")
     tall, pair = look.between(0.9, 1.12), look.pick([0.0, 0.0, 0.017])
-    shell, dark = textures.speckled(look.rng, body, 4), textures.plain((44, 46, 50))
-    metal = textures.brushed(look.rng, (176, 180, 186))
+    shell, dark = textures.speckles(look.rng, body, 4), textures.plain((44, 46, 50))
+    metal = textures.brushed_metal(look.rng, (176, 180, 186))
     foot = block(0.13, 0.17, 0.028, 0.03, 0.006)
     arm = sweep(
         [(0, 0.06, 0.02), (0, 0.066, 0.12), (0, 0.05, 0.2), (0, 0.0, 0.245)],
         rectangle(0.045, 0.035, 0.01, 2),
     )
-    head = block(0.06, 0.07, 0.05, 0.012, 0.004).moved(y=-0.01, z=0.225)
-    tube = cylinder(0.016, 0.1, 16, bevel=0.003).turned(0, np.deg2rad(40)).moved(y=-0.02, z=0.26)
-    eye = joined([tube.moved(x=-pair), tube.moved(x=pair)]) if pair else tube
-    lens = cylinder(0.011, 0.075, 16, top=0.018).moved(y=-0.012, z=0.15)
-    stage = block(0.12, 0.1, 0.012, 0.008).moved(y=-0.015, z=0.11)
-    knob = cylinder(0.022, 0.1, 18, bevel=0.004).turned(1, np.pi / 2).moved(-0.05, 0.055, 0.085)
+    head = block(0.06, 0.07, 0.05, 0.012, 0.004).move(y=-0.01, z=0.225)
+    tube = cylinder(0.016, 0.1, 16, bevel=0.003).turn(0, np.deg2rad(40)).move(y=-0.02, z=0.26)
+    eye = join([tube.move(x=-pair), tube.move(x=pair)]) if pair else tube
+    lens = cylinder(0.011, 0.075, 16, top=0.018).move(y=-0.012, z=0.15)
+    stage = block(0.12, 0.1, 0.012, 0.008).move(y=-0.015, z=0.11)
+    knob = cylinder(0.022, 0.1, 18, bevel=0.004).turn(1, np.pi / 2).move(-0.05, 0.055, 0.085)
     return shape(
         [
             (foot, shell),
@@ -175,7 +159,7 @@ def microscope(look: Look) -> Shape:
             hull_of(eye),
             hull_of(knob),
         ],
-    ).scaled(tall)
+    ).scale(tall)
 
 
 def reagent_bottle(look: Look) -> Shape:
@@ -196,12 +180,12 @@ def reagent_bottle(look: Look) -> Shape:
         ],
         v=[0, 0, 0.03, 0.6, 0.7, 0.85, 0.95, 1],
     )
-    print_ = prints.label(look.rng, name, look.fixed("navy", "red", "black"), (244, 244, 240))
-    tile = textures.stacked((textures.plain(glass), 14), (print_, 36), (textures.plain(glass), 50))
-    cap = cylinder(0.55 * r, 0.16 * h, 20, bevel=0.002).moved(z=0.84 * h)
+    print_ = prints.label(look.rng, name, look.own_color("navy", "red", "black"), (244, 244, 240))
+    tile = textures.stack((textures.plain(glass), 14), (print_, 36), (textures.plain(glass), 50))
+    cap = cylinder(0.55 * r, 0.16 * h, 20, bevel=0.002).move(z=0.84 * h)
     lid = textures.stripes([(40, 90, 170), (30, 74, 150)], 12, upright=True)
     if look.chance(0.5):
-        lid = textures.plain(look.fixed("red", "black", "orange"))
+        lid = textures.plain(look.own_color("red", "black", "orange"))
     return shape(
         [(body, tile), (cap, lid)],
         [
@@ -215,7 +199,7 @@ def reagent_bottle(look: Look) -> Shape:
 def pipette_box(look: Look) -> Shape:
     """A box of pipette tips: coloured lid over a clear lower part."""
     x, y, h = look.between(0.115, 0.125), look.between(0.08, 0.09), look.between(0.06, 0.075)
-    lid = textures.speckled(look.rng, look.color("blue", "yellow", "green", "red", "violet"), 4)
+    lid = textures.speckles(look.rng, look.color("blue", "yellow", "green", "red", "violet"), 4)
     base = textures.grid((150, 160, 166), (214, 220, 224), 8, 12)
     rim = prism(rectangle(x, y, 0.008), 0.6 * h, h, 0.003)
     return shape(
@@ -242,8 +226,8 @@ def stirring_dish(look: Look) -> Shape:
         ]
     )
     pestle = cylinder(0.012, 0.11, 16, top=0.008, bevel=0.004)
-    pestle = pestle.turned(1, np.deg2rad(38)).moved(-0.004, 0, 0.02)
-    knob = ellipsoid(0.03, 0.03, 0.03, 16, 10).moved(x=-0.002, z=0.027)
+    pestle = pestle.turn(1, np.deg2rad(38)).move(-0.004, 0, 0.02)
+    knob = ellipsoid(0.03, 0.03, 0.03, 16, 10).move(x=-0.002, z=0.027)
     wedges = ring_parts(
         [(foot, 0), (0.92 * r, 0.5 * h), (r, h)],
         [(r - wall, h), (0.75 * r, 0.4 * h), (foot, 0.013)],

@@ -7,12 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    lathe,
-)
+from ...build.solids import Solid, block, box, lathe
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
@@ -32,8 +27,8 @@ def puzzle_cube(look: Look) -> Shape:
     ]  # fmt: skip
     plate = box(0.97 * side, 0.0008, 0.97 * side)
     for x, y, turn in places:
-        pieces.append((plate.turned(2, turn).moved(x, y, 0.015 * side), _stickers(look, paints)))
-    top = box(0.97 * side, 0.97 * side, 0.0004).moved(z=side)
+        pieces.append((plate.turn(2, turn).move(x, y, 0.015 * side), _stickers(look, paints)))
+    top = box(0.97 * side, 0.97 * side, 0.0004).move(z=side)
     pieces.append((top, _stickers(look, paints)))
     return shape(pieces, [box_part(side, side, side)])
 
@@ -79,8 +74,8 @@ def playing_cards(look: Look) -> Shape:
     return shape(
         [
             (block(x, y, h, 0.003), edge),
-            (box(x - 0.003, y - 0.003, 0.0006).moved(z=h - 0.0002), face),
-            (box(x - 0.002, y - 0.002, 0.0008).moved(z=0.0001), textures.plain(back)),
+            (box(x - 0.003, y - 0.003, 0.0006).move(z=h - 0.0002), face),
+            (box(x - 0.002, y - 0.002, 0.0008).move(z=0.0001), textures.plain(back)),
         ],
         [box_part(x, y, h)],
     )

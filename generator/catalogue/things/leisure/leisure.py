@@ -5,31 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    resting_ball,
-    ring_parts,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, resting_ball, ring_parts
 from ...build.outlines import ellipse
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    tube,
-)
+from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, tube
 from ...surfaces import prints, textures
-from ...surfaces.colors import readable_on, tinted
+from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
-from ..food.food import grounded
+from ..food.food import press_flat
 from ..tools.tools import lying
 
 
@@ -40,7 +24,7 @@ def _seam(radius: float, wave: float) -> Solid:
     path = radius * np.column_stack(
         [np.cos(t) * np.cos(lift), np.sin(t) * np.cos(lift), np.sin(lift)]
     )
-    return tube(path, 0.035 * radius, 5, loop=True).turned(0, 0.7)
+    return tube(path, 0.035 * radius, 5, loop=True).turn(0, 0.7)
 
 
 def ball(look: Look) -> Shape:
@@ -50,29 +34,29 @@ def ball(look: Look) -> Shape:
     ink = (240, 240, 236)
     if kind == 0:
         d, color = look.between(0.064, 0.068), look.color("lime", "lime", "yellow")
-        cover = textures.scratched(look.rng, color, tinted(color, 1.3), 220)
+        cover = textures.scratches(look.rng, color, tint_color(color, 1.3), 220)
         seams = [_seam(0.495 * d, 0.75)]
     elif kind == 1:
         d, color = look.between(0.072, 0.076), look.color("white", "cream", "ivory")
-        cover, ink = textures.speckled(look.rng, color, 6), (190, 40, 44)
+        cover, ink = textures.speckles(look.rng, color, 6), (190, 40, 44)
         seams = [_seam(0.495 * d, 0.75)]
     elif kind == 2:
         d, color = look.between(0.09, 0.14), look.color("orange", "copper", "terracotta")
-        cover, ink = textures.spotted(look.rng, color, tinted(color, 0.7), 0.2), (40, 34, 32)
+        cover, ink = textures.spots(look.rng, color, tint_color(color, 0.7), 0.2), (40, 34, 32)
         circle = np.column_stack([0.496 * d * ellipse(2, 2, 40), np.zeros(40)])
         ring = tube(circle, 0.014 * d, 5, loop=True)
-        seams = [ring, ring.turned(0, np.pi / 2), ring.turned(1, np.pi / 2), _seam(0.496 * d, 0.6)]
+        seams = [ring, ring.turn(0, np.pi / 2), ring.turn(1, np.pi / 2), _seam(0.496 * d, 0.6)]
     elif kind == 3:
         d, color = look.between(0.08, 0.14), look.color("white", "white", "yellow", "sky")
         cover = _football(color)
     else:
         d, color = look.between(0.06, 0.12), look.color("red", "blue", "green", "purple", "pink")
-        other = look.fixed("white", "yellow", "cyan", "orange")
+        other = look.own_color("white", "yellow", "cyan", "orange")
         cover = textures.stripes([color, other], int(look.pick([2, 3, 5])), upright=True)
     core = ellipsoid(d, d, d, 26, 16)
-    pieces: list[tuple[Solid, Tile]] = [(grounded(core, 0.488 * d), cover)]
+    pieces: list[tuple[Solid, Tile]] = [(press_flat(core, 0.488 * d), cover)]
     if seams:
-        pieces.append((grounded(joined(seams), 0.488 * d), textures.plain(ink)))
+        pieces.append((press_flat(join(seams), 0.488 * d), textures.plain(ink)))
     return shape(pieces, [resting_ball(d, d, 0.985 * d)])
 
 
@@ -87,7 +71,7 @@ def _football(color: tuple[float, float, float]) -> Tile:
     ways = np.stack([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)], -1)
     near = np.sort(ways @ corners.T, axis=-1)
     image = np.broadcast_to(np.array(color), (96, 192, 3)).copy()
-    image[(near[..., -1] - near[..., -2]) < 0.025] = tinted(color, 0.6)
+    image[(near[..., -1] - near[..., -2]) < 0.025] = tint_color(color, 0.6)
     image[near[..., -1] > np.cos(0.36)] = (30, 32, 36)
     return image.round().astype(np.uint8)
 
@@ -107,12 +91,12 @@ def dumbbell(look: Look) -> Shape:
     weight = look.pick(["2", "3", "5", "8"])
     prints.write(face, weight, 0.5, 0.5, 0.5, readable_on(color), bold=True)
     disc = box(0.8 * r, 0.8 * r, 0.001)
-    plates = [disc.turned(1, s * np.pi / 2).turned(0, np.pi / 2 * s)
-              .moved(s * length / 2, 0, -low) for s in (-1, 1)]  # fmt: skip
+    plates = [disc.turn(1, s * np.pi / 2).turn(0, np.pi / 2 * s)
+              .move(s * length / 2, 0, -low) for s in (-1, 1)]  # fmt: skip
     steel = textures.grid((120, 122, 126), (186, 188, 192), 24, 24, 96)
-    rubber = textures.spotted(look.rng, color, tinted(color, 0.75), 0.15)
+    rubber = textures.spots(look.rng, color, tint_color(color, 0.75), 0.15)
     return shape(
-        [(joined(heads), rubber), (grip, steel), (joined(plates), face)],
+        [(join(heads), rubber), (grip, steel), (join(plates), face)],
         [*(hull_of(h) for h in heads), box_part(length - head, 0.024, 0.024, (0, 0, -low - 0.012))],
     )
 
@@ -136,15 +120,15 @@ def pet_bowl(look: Look) -> Shape:
             prints.disc(print_, u + du, v + dv, 0.045, ink)
     pieces = [(body, print_)]
     if look.chance(0.6):
-        brown = look.fixed("brown", "copper", "tan")
+        brown = look.own_color("brown", "copper", "tan")
         food = [
             ellipsoid(0.017, 0.013, 0.011, 8, 5)
-            .turned(2, look.between(0, 3))
-            .moved(a * np.cos(t), a * np.sin(t), 0.34 * h + look.between(0, 0.25) * h)
+            .turn(2, look.between(0, 3))
+            .move(a * np.cos(t), a * np.sin(t), 0.34 * h + look.between(0, 0.25) * h)
             for a, t in look.rng.uniform((0.0, 0), (0.52 * r, 6.3), (38, 2))
         ]
-        bed = cylinder(0.6 * r, 0.2 * h, 24).moved(z=0.18 * h)
-        pieces.append((joined([bed, *food]), textures.spotted(look.rng, brown, tinted(brown, 0.6))))
+        bed = cylinder(0.6 * r, 0.2 * h, 24).move(z=0.18 * h)
+        pieces.append((join([bed, *food]), textures.spots(look.rng, brown, tint_color(brown, 0.6))))
     ring = ring_parts(
         [(r, 0), (0.82 * r, h)], [(0.76 * r, h), (0.61 * r, 0.22 * h), (0.6 * r, 0)], 10
     )
@@ -156,17 +140,17 @@ def chess_board(look: Look) -> Shape:
     side, h = look.between(0.28, 0.38), look.between(0.012, 0.022)
     dark, light = (
         look.color("brown", "black", "maroon", "green"),
-        look.fixed("cream", "beige", "tan"),
+        look.own_color("cream", "beige", "tan"),
     )
-    image = prints.canvas(192, 192, tinted(dark, 0.7))
+    image = prints.canvas(192, 192, tint_color(dark, 0.7))
     for i in range(8):
         for j in range(8):
             ink = dark if (i + j) % 2 else light
             prints.fill(image, 0.06 + 0.11 * i, 0.06 + 0.11 * j, 0.11, 0.11, ink)
     board = block(side, side, h, 0.004, 0.002)
-    top = box(0.985 * side, 0.985 * side, 0.001).moved(z=h - 0.0004)
+    top = box(0.985 * side, 0.985 * side, 0.001).move(z=h - 0.0004)
     cell = 0.11 * side
-    pieces = [(board, textures.wood(look.rng, tinted(dark, 0.8))), (top, image)]
+    pieces = [(board, textures.wood(look.rng, tint_color(dark, 0.8))), (top, image)]
     parts = [box_part(side, side, h)]
     tall = 0.85 * cell
     if look.chance(0.75):
@@ -178,10 +162,10 @@ def chess_board(look: Look) -> Shape:
             [(0, 0), (0.34 * cell, 0), (0.15 * cell, 0.5 * tall), (0.15 * cell, 1.2 * tall),
              (0.24 * cell, 1.45 * tall), (0, 1.65 * tall)], 7,
         )  # fmt: skip
-        for s, ink in ((-1, tinted(light, 1.3)), (1, tinted(dark, 0.55))):
-            men = [m.moved((k - 3.5) * cell, s * row * cell, h) for k in range(8)
+        for s, ink in ((-1, tint_color(light, 1.3)), (1, tint_color(dark, 0.55))):
+            men = [m.move((k - 3.5) * cell, s * row * cell, h) for k in range(8)
                    for row, m in ((3.5, king), (2.5, pawn)) if look.chance(0.9)]  # fmt: skip
-            pieces.append((joined(men), textures.plain(ink)))
+            pieces.append((join(men), textures.plain(ink)))
             parts.append(box_part(7.3 * cell, 1.4 * cell, 0.95 * tall, (0, s * 3.0 * cell, h)))
     return shape(pieces, parts)
 
@@ -193,27 +177,27 @@ def cap(look: Look) -> Shape:
     cloth = textures.fabric(look.rng, color)
     a = np.linspace(0, np.pi / 2, 9)
     bow = np.column_stack([r * np.cos(a) ** 0.75, h * np.sin(a)])[:-1]
-    crown = lathe([(0, 0), *bow, (0, h)], 32).scaled(1, 1.12, 1)
+    crown = lathe([(0, 0), *bow, (0, h)], 32).scale(1, 1.12, 1)
     t = np.linspace(-1, 1, 15)
     front = np.column_stack([0.86 * r * t, -1.0 * r - 0.075 * (1 - t**4) ** 0.8 + 0.4 * r * t**2])
     inner = np.column_stack([0.86 * r * t, -0.95 * r * np.sqrt(1 - (0.82 * t) ** 2)])[::-1]
     visor = prism(np.concatenate([front, inner[1:-1]]), 0, 0.0035)
-    visor = visor.bent(lambda p: p + np.column_stack(
+    visor = visor.bend(lambda p: p + np.column_stack(
         [np.zeros((len(p), 2)), 0.014 * (1 - (p[:, 0] / (0.86 * r)) ** 2)]))  # fmt: skip
-    button = ellipsoid(0.013, 0.013, 0.008, 12, 6).moved(z=h)
+    button = ellipsoid(0.013, 0.013, 0.008, 12, 6).move(z=h)
     seams = [tube(np.column_stack([1.005 * r * np.cos(a) ** 0.75 * np.cos(w),
                                    1.125 * r * np.cos(a) ** 0.75 * np.sin(w),
                                    1.005 * h * np.sin(a)])[:-1], 0.001, 4)
              for w in np.pi * np.arange(6) / 3 + np.pi / 2]  # fmt: skip
-    badge = look.fixed("white", "yellow", "red", "navy")
+    badge = look.own_color("white", "yellow", "red", "navy")
     patch = prints.canvas(64, 48, badge)
     letter = look.pick(["A", "NY", "LA", "7", "K"])
     prints.write(patch, letter, 0.5, 0.5, 0.62, readable_on(badge), bold=True)
-    front_patch = box(0.05, 0.004, 0.036).turned(0, -0.3).moved(y=-1.115 * r, z=0.36 * h)
-    peak = look.fixed("navy", "red", "black", "tan") if look.chance(0.4) else color
+    front_patch = box(0.05, 0.004, 0.036).turn(0, -0.3).move(y=-1.115 * r, z=0.36 * h)
+    peak = look.own_color("navy", "red", "black", "tan") if look.chance(0.4) else color
     return shape(
         [(crown, cloth), (visor, textures.fabric(look.rng, peak)),
-         (joined([button, *seams]), textures.plain(tinted(color, 0.8))), (front_patch, patch)],
+         (join([button, *seams]), textures.plain(tint_color(color, 0.8))), (front_patch, patch)],
         [hull_of(crown), hull_of(visor)],
     )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Maps spread out: sheets with creases both ways, and what is printed on them."""
+"""Spread-out maps: sheets with creases both ways, and their print."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ...build.collision import hull_part
 from ...build.forms import spread
 from ...build.shape import Shape, shape
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.ink import Canvas
 from ...surfaces.look import Look
 
@@ -29,8 +29,8 @@ def unfolded_map(look: Look) -> Shape:
     land = look.color("cream", "beige", "sage", "mint", "white", "tan", "ivory")
     image = prints.canvas(WIDE, TALL, land)
     DRAWN[look.pick(sorted(DRAWN))](image, look, land)
-    _trimmed(image, look, land)
-    _creased(image, columns, rows)
+    _trim(image, look, land)
+    _crease(image, columns, rows)
     u = np.linspace(-x / 2, x / 2, columns + 1)
     v = np.linspace(-y / 2, y / 2, rows + 1)
     ridge = np.arange(columns + 1)[None] % 2 + 0.6 * (np.arange(rows + 1)[:, None] % 2)
@@ -44,10 +44,10 @@ def unfolded_map(look: Look) -> Shape:
     return shape([(sheet, image)], strips)
 
 
-def _trimmed(image: Canvas, look: Look, land: RGB) -> None:
+def _trim(image: Canvas, look: Look, land: RGB) -> None:
     """Add a margin, a title and a legend."""
-    ink = look.fixed("crimson", "navy", "green", "charcoal", "orange")
-    margin = tinted(land, 1.6)
+    ink = look.own_color("crimson", "navy", "green", "charcoal", "orange")
+    margin = tint_color(land, 1.6)
     for box in ((0, 0, 1, 0.025), (0, 0.975, 1, 0.025), (0, 0, 0.018, 1), (0.982, 0, 0.018, 1)):
         prints.fill(image, *box, margin)
     x, y = look.pick([(0.03, 0.04), (0.72, 0.04), (0.03, 0.7), (0.72, 0.7)])
@@ -61,7 +61,7 @@ def _trimmed(image: Canvas, look: Look, land: RGB) -> None:
         prints.fill(image, x + 0.08, y + 0.126 + 0.045 * k, 0.12, 0.01, (110, 110, 112))
 
 
-def _creased(image: Canvas, columns: int, rows: int) -> None:
+def _crease(image: Canvas, columns: int, rows: int) -> None:
     """Draw the creases: worn pale in the middle, in shadow beside it."""
     for k in range(1, columns):
         at = k * WIDE // columns
@@ -94,7 +94,7 @@ def _city(image: Canvas, look: Look, land: RGB) -> None:
         for way, side in (((c, s), (-s, c)), ((-s, c), (c, s))):
             at = 0.5 + k * np.array(side)
             ends = [(at[0] - way[0], at[1] - way[1]), (at[0] + way[0], at[1] + way[1])]
-            prints.stroke(image, ends, 0.006, tinted(land, 0.8))
+            prints.stroke(image, ends, 0.006, tint_color(land, 0.8))
     for color, wide in (((236, 160, 70), 0.028), ((246, 214, 100), 0.018), ((236, 160, 70), 0.02)):
         line = _wander(look, look.chance(0.5), 0.08)
         prints.stroke(image, line, wide + 0.01, (150, 120, 80))
@@ -107,7 +107,7 @@ def _relief(image: Canvas, look: Look, land: RGB) -> None:
     green = np.array(look.pick([(150, 186, 120), (190, 200, 140), (214, 178, 126)]), float)
     mix = np.clip(0.5 + height, 0, 1)[..., None]
     image[:] = np.clip(green * (1 - mix) + np.array(land) * mix, 0, 255)
-    image[(height * 9) % 1 < 0.16] = np.array(tinted((170, 120, 80), 0.9), np.uint8)
+    image[(height * 9) % 1 < 0.16] = np.array(tint_color((170, 120, 80), 0.9), np.uint8)
     image[height < -0.42] = (130, 178, 216)
     for ink in ((200, 60, 50), (90, 90, 96)):
         prints.stroke(image, _wander(look, True), 0.012, ink)
@@ -140,9 +140,9 @@ def _world(image: Canvas, look: Look, land: RGB) -> None:
     for k, color in enumerate(colors):
         image[(ground > 0.08) & (rank == k)] = np.array(color, np.uint8)
     for k in range(1, 12):
-        prints.fill(image, k / 12, 0, 0.004, 1, tinted(sea, 0.8))
+        prints.fill(image, k / 12, 0, 0.004, 1, tint_color(sea, 0.8))
         if k % 2:
-            prints.fill(image, 0, k / 12, 1, 0.005, tinted(sea, 0.8))
+            prints.fill(image, 0, k / 12, 1, 0.005, tint_color(sea, 0.8))
 
 
 def _old(image: Canvas, look: Look, land: RGB) -> None:
@@ -172,7 +172,7 @@ def _old(image: Canvas, look: Look, land: RGB) -> None:
 
 def _lines(image: Canvas, look: Look, land: RGB) -> None:
     """A network of underground lines with stations."""
-    image[:] = np.array(tinted(land, 1.5), np.uint8)
+    image[:] = np.array(tint_color(land, 1.5), np.uint8)
     prints.stroke(image, _wander(look, True), 0.05, (180, 212, 236))
     inks = ((206, 44, 50), (40, 98, 180), (50, 150, 80), (240, 180, 40), (130, 70, 150))
     for k, ink in enumerate(inks):

@@ -1,4 +1,4 @@
-"""Printed paper lying about: an open book, loose photographs."""
+"""Loose printed paper: an open book, loose photographs."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from ...build.category import Category
 from ...build.collision import box_part, hull_part
 from ...build.forms import side_view, spread
 from ...build.shape import Shape, shape
-from ...build.solids import box, joined, torus
+from ...build.solids import box, join, torus
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tinted
+from ...surfaces.colors import RGB, tint_color
 from ...surfaces.ink import Canvas
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
@@ -25,36 +25,36 @@ def open_book(look: Look) -> Shape:
     kind = look.pick(PAGES)
     w, y = look.between(0.125, 0.175), look.between(0.185, 0.245)
     thick, read = look.between(0.014, 0.034), look.between(0.25, 0.75)
-    paper = look.fixed("white", "cream", "ivory", "beige", spread=5)
+    paper = look.own_color("white", "cream", "ivory", "beige", spread=5)
     color = look.color("red", "navy", "teal", "mustard", "green", "charcoal", "brown", "purple")
     cover = box(2 * w + 0.012, y + 0.01, BOARD)
-    pieces = [(cover, textures.speckled(look.rng, color, 4, 32))]
+    pieces = [(cover, textures.speckles(look.rng, color, 4, 32))]
     parts = [box_part(2 * w + 0.012, y + 0.01, BOARD)]
     edge = prints.pages(look.rng, paper)
     for side, share in ((-1, read), (1, 1 - read)):
-        top = _arched(side * w, BOARD + 0.002 + share * thick)
+        top = _arch(side * w, BOARD + 0.002 + share * thick)
         outline = np.concatenate([[(0, BOARD), (side * w, BOARD)], top[::-1]])
         block = side_view(outline[::side], y)
         rows = [np.column_stack([top[:, 0], np.full(len(top), s * y / 2), top[:, 1]])
                 for s in (-1, 1)]  # fmt: skip
         page = spread(np.stack(rows)[:, ::side], 3e-4)
-        fore = box(6e-4, y, top[-1, 1] - BOARD).moved(x=side * w, z=BOARD)
+        fore = box(6e-4, y, top[-1, 1] - BOARD).move(x=side * w, z=BOARD)
         pieces += [(block, edge), (fore, edge), (page, _page(look, kind, paper, side))]
         parts.append(hull_part(np.concatenate(rows + [_floor(r) for r in rows])))
     if kind == "ruled":
-        wire = torus(0.0075, 0.0011, 14, 5).turned(0, np.pi / 2)
-        rings = [wire.moved(0, v * y, 0.0088) for v in np.linspace(-0.46, 0.46, 13)]
-        pieces.append((joined(rings), textures.plain((150, 152, 158))))
+        wire = torus(0.0075, 0.0011, 14, 5).turn(0, np.pi / 2)
+        rings = [wire.move(0, v * y, 0.0088) for v in np.linspace(-0.46, 0.46, 13)]
+        pieces.append((join(rings), textures.plain((150, 152, 158))))
     elif look.chance(0.45):
         way = np.array([(0.36 * y, 0.8), (-0.5 * y, 0.8), (-0.5 * y - 0.012, 0.3)])
-        height = float(np.interp(0.012, *_arched(w, BOARD + 0.002 + (1 - read) * thick).T))
+        height = float(np.interp(0.012, *_arch(w, BOARD + 0.002 + (1 - read) * thick).T))
         rows = [[(x, v, share * height + 6e-4) for x in (0.009, 0.015)] for v, share in way]
-        ribbon = look.fixed("red", "navy", "gold", "green")
+        ribbon = look.own_color("red", "navy", "gold", "green")
         pieces.append((spread(np.array(rows[::-1]), 3e-4), textures.plain(ribbon)))
     return shape(pieces, parts)
 
 
-def _arched(reach: float, edge: float) -> Float[np.ndarray, "k 2"]:
+def _arch(reach: float, edge: float) -> Float[np.ndarray, "k 2"]:
     """Return a page from the spine (x = 0) to x = ``reach``: up, over, and down to ``edge``."""
     t = np.array([0, 0.05, 0.12, 0.2, 0.3, 0.45, 0.65, 0.85, 1])
     rise = np.sin(np.pi / 2 * np.minimum(t / 0.3, 1))
@@ -75,7 +75,7 @@ def _page(look: Look, kind: str, paper: RGB, side: int) -> Tile:
     """Return the page left (-1) or right (1) of the spine, darker towards it."""
     image = prints.canvas(136, 192, paper)
     {"novel": _novel, "textbook": _textbook, "picture": _picture, "recipe": _recipe,
-     "ruled": _ruled, "music": _music}[kind](image, look, side)  # fmt: skip
+     "ruled": _rule, "music": _music}[kind](image, look, side)  # fmt: skip
     if kind != "ruled":
         prints.fill(image, 0.48, 0.95, 0.05, 0.012, (110, 110, 112))
     away = np.linspace(0, 1, 136)[::side]
@@ -93,11 +93,11 @@ def _novel(image: Canvas, look: Look, side: int) -> None:
 
 
 def _textbook(image: Canvas, look: Look, side: int) -> None:
-    accent = look.fixed("blue", "teal", "orange", "crimson", "green")
+    accent = look.own_color("blue", "teal", "orange", "crimson", "green")
     prints.fill(image, 0.1, 0.06, 0.6, 0.035, accent)
     for x in (0.1, 0.53):
         prints.lines(image, look.rng, (x, 0.14, 0.37, 0.36), 12, (96, 96, 100))
-    prints.fill(image, 0.1, 0.54, 0.8, 0.24, tinted(accent, 1.75))
+    prints.fill(image, 0.1, 0.54, 0.8, 0.24, tint_color(accent, 1.75))
     if side > 0:
         for k in range(5):
             tall = look.between(0.05, 0.2)
@@ -111,17 +111,21 @@ def _textbook(image: Canvas, look: Look, side: int) -> None:
 
 def _picture(image: Canvas, look: Look, side: int) -> None:
     if side < 0:
-        image[:] = textures.fitted(prints.artwork(look.rng, 136, 192), 192, 136)
+        image[:] = textures.fit(prints.artwork(look.rng, 136, 192), 192, 136)
         return
-    image[20:116, 12:124] = textures.fitted(prints.artwork(look.rng, 112, 96), 96, 112)
+    image[20:116, 12:124] = textures.fit(prints.artwork(look.rng, 112, 96), 96, 112)
     prints.lines(image, look.rng, (0.14, 0.66, 0.72, 0.22), 5, (70, 66, 66), 0.3)
 
 
 def _recipe(image: Canvas, look: Look, side: int) -> None:
-    accent = look.fixed("coral", "olive", "mustard", "teal", "crimson")
+    accent = look.own_color("coral", "olive", "mustard", "teal", "crimson")
     if side < 0:
-        prints.fill(image, 0, 0, 1, 0.55, tinted(accent, 1.3))
-        for radius, color in ((0.2, (246, 244, 238)), (0.15, accent), (0.1, tinted(accent, 0.7))):
+        prints.fill(image, 0, 0, 1, 0.55, tint_color(accent, 1.3))
+        for radius, color in (
+            (0.2, (246, 244, 238)),
+            (0.15, accent),
+            (0.1, tint_color(accent, 0.7)),
+        ):
             prints.disc(image, 0.5, 0.28, radius, color)
         for _ in range(9):
             u, v = look.between(0.4, 0.6), look.between(0.2, 0.36)
@@ -137,8 +141,8 @@ def _recipe(image: Canvas, look: Look, side: int) -> None:
     prints.lines(image, look.rng, (0.12, 0.52, 0.76, 0.38), 12, (96, 94, 92))
 
 
-def _ruled(image: Canvas, look: Look, side: int) -> None:
-    ink = look.fixed("navy", "black", "blue")
+def _rule(image: Canvas, look: Look, side: int) -> None:
+    ink = look.own_color("navy", "black", "blue")
     full = int(look.rng.integers(4, 15)) if side > 0 else 15
     for k in range(15):
         v = 0.12 + 0.055 * k
@@ -176,7 +180,7 @@ def photo_print(look: Look) -> Shape:
         lift = 4e-4 * k + curl * (1 - 0.2 * k) * u**2
         grid = np.stack([u * x / 2, v * y / 2, lift], -1)
         turn, at = 0.55 * (k - (count - 1) / 2) + look.between(-0.12, 0.12), 0.016 * k
-        leaf = spread(grid, 4e-4).turned(2, turn).moved(at, 0.5 * at)
+        leaf = spread(grid, 4e-4).turn(2, turn).move(at, 0.5 * at)
         pieces.append((leaf, _photo(look, x, y, frame, instant, tone)))
         parts.append(hull_part(leaf.vertices))
     return shape(pieces, parts)
@@ -190,7 +194,7 @@ def _photo(look: Look, x: float, y: float, frame: RGB, instant: bool, tone: str)
     tall = height - (round(0.24 * height) if instant else 2 * margin)
     wide = width - 2 * margin
     maker = prints.landscape if look.chance(0.6) else prints.artwork
-    picture = textures.fitted(maker(look.rng, wide, tall), tall, wide).astype(float)
+    picture = textures.fit(maker(look.rng, wide, tall), tall, wide).astype(float)
     if tone != "color":
         grey = picture.mean(-1, keepdims=True)
         picture = grey * (np.array((1.06, 0.94, 0.76)) if tone == "sepia" else np.ones(3))

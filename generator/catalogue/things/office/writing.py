@@ -1,34 +1,24 @@
-"""Pens, pencils and what they stand in."""
+"""Pens, pencils and their holders."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    box,
-    lathe,
-    loft,
-)
+from ...build.solids import Solid, box, lathe, loft
 from ...surfaces import prints, textures
-from ...surfaces.colors import tinted
-from ...surfaces.glazes import glazed
+from ...surfaces.colors import tint_color
+from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
 
 def _lying(profile: list[tuple[float, float]], sides: int) -> Solid:
     """Return a rod of revolution lying along x on z = 0, its widest facet down."""
-    rod = lathe(profile, sides).turned(1, np.pi / 2)
+    rod = lathe(profile, sides).turn(1, np.pi / 2)
     low, high = rod.bounds
-    return rod.moved(x=-(low[0] + high[0]) / 2, z=-low[2])
+    return rod.move(x=-(low[0] + high[0]) / 2, z=-low[2])
 
 
 def pen(look: Look) -> Shape:
@@ -53,18 +43,18 @@ def pen(look: Look) -> Shape:
     tile = textures.stripes(
         [
             metal,
-            look.pick([tinted(color, 0.6), (44, 44, 48)]),
+            look.pick([tint_color(color, 0.6), (44, 44, 48)]),
             color,
             color,
-            look.pick([color, tinted(color, 1.5)]),
+            look.pick([color, tint_color(color, 1.5)]),
             color,
             color,
             metal,
         ],
         side=64,
     )
-    clip = box(0.045, 0.0028, 0.0016).moved(x=length / 2 - 0.034, z=2 * r + 0.0006)
-    knob = box(0.006, 0.0028, 0.0022).moved(x=length / 2 - 0.014, z=2 * r - 0.001)
+    clip = box(0.045, 0.0028, 0.0016).move(x=length / 2 - 0.034, z=2 * r + 0.0006)
+    knob = box(0.006, 0.0028, 0.0022).move(x=length / 2 - 0.014, z=2 * r - 0.001)
     return shape(
         [(barrel, tile), (clip, textures.plain(metal)), (knob, textures.plain(metal))],
         [
@@ -122,8 +112,8 @@ def marker(look: Look) -> Shape:
     shell = textures.stripes([color, barrel, barrel, color, barrel, color], side=48)
     return shape(
         [
-            (body.moved(x=-0.17 * length, z=0.08 * r), shell),
-            (cap.moved(x=0.31 * length), textures.plain(color)),
+            (body.move(x=-0.17 * length, z=0.08 * r), shell),
+            (cap.move(x=0.31 * length), textures.plain(color)),
         ],
         [
             box_part(0.66 * length, 1.5 * r, 1.84 * r, (-0.17 * length, 0, 0.08 * r)),
@@ -138,16 +128,16 @@ def pencil_holder(look: Look) -> Shape:
     color = look.color("black", "white", "teal", "wooden", "coral", "silver", "navy", "mustard")
     wall = look.surface(color, look.pick(["plastic", "wood", "metal"]))
     if look.chance(0.5):
-        wall = glazed(look, color)
+        wall = glaze_tile(look, color)
     elif look.chance(0.4):
-        wall = prints.mesh_holes(color, tinted(color, 0.5), 10, 20)
+        wall = prints.mesh_holes(color, tint_color(color, 0.5), 10, 20)
     cup = lathe([(0, 0), (r, 0), (r, h), (r - 0.003, h), (r - 0.003, 0.005), (0, 0.005)], 28)
     pieces = [(cup, wall)]
     parts = [cylinder_part(r, h)]
     for k in range(int(look.rng.integers(4, 7))):
         angle, tall = 2.4 * k + look.between(0, 0.6), look.between(0.13, 0.17)
         way = np.array([np.cos(angle), np.sin(angle)])
-        tint = textures.plain(look.fixed("yellow", "red", "blue", "green", "black", "orange"))
+        tint = textures.plain(look.own_color("yellow", "red", "blue", "green", "black", "orange"))
         stick = _leaning(way, 0.012, r - 0.007, h, tall)
         tip = _leaning(way, 0.012, r - 0.007, h, tall + 0.012, tall)
         wood = textures.plain((222, 186, 132))

@@ -35,7 +35,7 @@ KINDS: Mapping[str, str] = MappingProxyType(
         "address": "network:addresses",
         "prompts": "files:prompts",
         "batch-records": "files:batches",
-        "spending": "files:purses",
+        "spending": "files:budgets",
         "ledger": "files:ledgers",
         "prices": "files:prices",
         "call-store": "files:calls",

@@ -20,15 +20,8 @@ from generator.bundle.encoding import dumps
 from generator.bundle.segments import Segments
 from generator.errors import BundleError
 from generator.physics.gate import judge
-from generator.physics.mjcf import compiled, document, scene_spec
-from generator.scene import (
-    Edit,
-    PlannedObject,
-    PlannedTable,
-    Provenance,
-    Relation,
-    ScenePlan,
-)
+from generator.physics.mjcf import compile_spec, document, scene_spec
+from generator.scene import Edit, PlannedObject, PlannedTable, Provenance, Relation, ScenePlan
 
 from ..judging import accepts, command
 from ..streams import bomb, hostile_png, png, spoiled
@@ -70,7 +63,7 @@ def base() -> tuple[bytes, Files]:
 
 
 def values(rng: random.Random, folder: Path) -> Run:
-    """Bundles with mutated fields, digests and XML made anew."""
+    """Bundles with mutated fields, digests and XML made again."""
     raw, files = base()
     files = dict(files)
     payload = json.loads(raw)
@@ -105,7 +98,7 @@ def _aim(payload: Payload, rng: random.Random) -> None:
 
 
 def files(rng: random.Random, folder: Path) -> Run:
-    """Bundles with mutated meshes, pictures, XML and lists of files, digests made anew."""
+    """Bundles with mutated meshes, pictures, XML and lists of files, digests made again."""
     raw, kept = base()
     payload, kept = json.loads(raw), dict(kept)
     change = rng.choice(_CHANGES)
@@ -118,11 +111,7 @@ def files(rng: random.Random, folder: Path) -> Run:
 
 def certificates(rng: random.Random, folder: Path) -> Run:
     """Certificates beside a sound bundle."""
-    from tabletopgen_env.certificates.certificate import (
-        SCHEMA,
-        certified_instances,
-        read_certificate,
-    )
+    from tabletopgen_env.certificates.certificate import SCHEMA, read_certificate
     from tabletopgen_env.env import make_env
 
     raw, kept = base()
@@ -151,8 +140,7 @@ def certificates(rng: random.Random, folder: Path) -> Run:
 
     def run() -> bool:
         calls: list[Callable[[], Any]] = [
-            lambda: read_certificate(place), lambda: certified_instances(place),
-            lambda: verify(place),
+            lambda: read_certificate(place), lambda: verify(place),
         ]  # fmt: skip
         return accepts(*calls, *([played] if simulate else []))
 
@@ -389,7 +377,7 @@ def _simulated(place: Path) -> bool:
 
     def compile_again() -> None:  # what loads compiles
         scene = load(place)
-        compiled(scene_spec(scene), scene.name)
+        compile_spec(scene_spec(scene), scene.name)
 
     return accepts(compile_again, lambda: _judged(place), play, preview)
 

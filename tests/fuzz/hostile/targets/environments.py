@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from toy import toy_object, toy_scene
 
-from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.composition import compose
 from generator.errors import TabletopError
 from generator.physics.gate import judge
@@ -131,7 +131,7 @@ def texts(rng: random.Random, folder: Path) -> Run:
     built = rng.random() < 0.01
 
     def plan() -> None:
-        planned = Reasoner().plan_scene(asked, 0)
+        planned = EmbeddedReasoner().plan_scene(asked, 0)
         assert isinstance(planned, ScenePlan)
 
     calls: list[Callable[[], Any]] = [plan]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import json
 import os
 import random
+import sqlite3
 from collections.abc import Callable
+from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,11 +20,12 @@ from toy import toy_object, toy_scene
 from generator import bundle
 from generator import jobs as batch
 from generator.calls.money.account import Account
-from generator.calls.money.budget import Purse
+from generator.calls.money.budget import SharedBudget
+from generator.calls.money.database import FILE, TABLES
 from generator.calls.money.entries import Entry
 from generator.calls.money.prices import Prices
 from generator.calls.money.spending import Spending
-from generator.calls.store import Answer, CallStore
+from generator.calls.store import CallStore, StoredAnswer
 from generator.errors import InputError, TabletopError
 from generator.jobs import running as batch_running
 from generator.jobs.place import PLACE
@@ -105,12 +109,6 @@ class StubMaker:
         return bundle.save(_scene(), folder)
 
 
-class Done(list[Any]):
-    """What came of a task; told apart from others by being itself."""
-
-    __hash__ = object.__hash__  # type: ignore[assignment]
-
-
 class Inline:
     """A worker pool without processes: tasks are done when they are given."""
 
@@ -119,22 +117,13 @@ class Inline:
     def __init__(self, width: int) -> None:
         """Take any width."""
 
-    def give(self, task: Callable[[], Any]) -> Done:
+    def submit(self, function: Callable[..., Any], *args: Any) -> Future[Any]:
         """Do a task."""
-        return Done([task()])
+        done: Future[Any] = Future()
+        done.set_result(function(*args))
+        return done
 
-    def first(self, given: list[Done]) -> Done:
-        """Return the first."""
-        return given[0]
-
-    def result(self, given: Done) -> Any:
-        """Return what came of it."""
-        return given[0]
-
-    def renew(self) -> None:
-        """There is nothing to renew."""
-
-    def close(self, *, now: bool) -> None:
+    def close(self, grace: float = 0.0) -> None:
         """There is nothing to end."""
 
 
@@ -158,19 +147,19 @@ def batches(rng: random.Random, folder: Path) -> Run:
             record = mutate(record, rng, (*outside(folder), "InputError", "SceneError"), raw=True)
         put(place / PLACE / f"{key}.json", written(record, rng), rng)
         _begun(place, key, record, rng)
-    _put_purse(place / PLACE, rng, folder, share=0.1)
+    _put_money(place / PLACE, rng, folder, share=0.1)
     retry = rng.random() < 0.3
 
     def run() -> bool:
-        before = batch_running.Processes
-        batch_running.Processes = Inline  # type: ignore[assignment,misc]
+        before = batch_running.WorkerPool
+        batch_running.WorkerPool = Inline  # type: ignore[assignment,misc]
         try:
             return accepts(
                 lambda: batch.run(texts, place, make, retry=retry),
                 lambda: batch.run(texts, place, make),
             )
         finally:
-            batch_running.Processes = before  # type: ignore[misc]
+            batch_running.WorkerPool = before  # type: ignore[misc]
 
     return run
 
@@ -197,61 +186,93 @@ def _begun(place: Path, key: str, record: Any, rng: random.Random) -> None:
 # ------------------------------------------------------------------------------------------- money
 
 
-def _put_purse(place: Path, rng: random.Random, folder: Path, share: float = 0.9) -> None:
+def _cell(value: Any, rng: random.Random) -> str | int | float | bytes | None:
+    """Return what a database can hold of a value."""
+    if isinstance(value, str):
+        return value.encode("utf-8", "replace").decode()
+    if value is None or isinstance(value, float | bytes):
+        return value
+    if isinstance(value, int) and abs(value) < 2**63:
+        return int(value)
+    return written(value, rng)
+
+
+def _database(rng: random.Random, **rows: list[Any]) -> bytes:
+    """Return a database with rows, now and then spoiled, or with a table too few or too many."""
+    with contextlib.closing(sqlite3.connect(":memory:")) as made:
+        for table in TABLES:
+            made.execute(table)
+        for table, told in rows.items():
+            for row in told:
+                marks = ", ".join("?" * len(row))
+                made.execute(f"INSERT INTO {table} VALUES ({marks})", [_cell(v, rng) for v in row])
+        if rng.random() < 0.1:
+            made.execute(rng.choice((
+                "DROP TABLE held", "CREATE TABLE other (a)", "DROP INDEX calls_of_scenes",
+                "CREATE TRIGGER t AFTER UPDATE ON spent BEGIN UPDATE spent SET money = 0; END",
+                "CREATE VIEW v AS SELECT * FROM spent",
+            )))  # fmt: skip
+        made.commit()
+        content = made.serialize()
+    return spoiled(content, rng) if rng.random() < 0.3 else content
+
+
+def _put_money(place: Path, rng: random.Random, folder: Path, share: float = 0.9) -> None:
+    """Put a shared budget into a folder, and what may lie beside it."""
     if rng.random() > share:
         return
-    held: Any = {"0123456789abcdef": [1.0, 2.0]}
-    if rng.random() < 0.5:
-        held = {text(rng, outside(folder)): rng.choice(([1.0], [number(rng)], number(rng)))}
-    told: Any = {"mark": "m", "currency": "USD", "money": 1.0, "unpriced": 0, "held": held}
+    spent, held = ["m", "USD", 1.0, 0], [1, "0123456789abcdef", 2.0]
     if rng.random() < 0.6:
-        told = mutate(told, rng, outside(folder), raw=True)
-    content = written(told, rng)
+        spent[rng.randrange(4)] = rng.choice((text(rng, outside(folder)), number(rng), None))
+    if rng.random() < 0.6:
+        held[rng.randrange(1, 3)] = rng.choice((text(rng, outside(folder)), number(rng), None))
+    put(place / FILE, _database(rng, spent=[spent] * rng.choice((1, 1, 1, 0, 2)), held=[held]), rng)
     if rng.random() < 0.1:
-        content = spoiled(content, rng)
-    put(place / "spent.json", content, rng)
+        name = str(folder.parents[1] / "precious").encode()
+        put(place / f"{FILE}-journal", b"x" * 512 + name + b"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", rng)
     spenders = place / "spenders"
     if rng.random() < 0.1:
         spenders.symlink_to(rng.choice(("../../precious", "../precious", "spenders")))
     elif rng.random() < 0.3:
         put(spenders / "0123456789abcdef.lock", b"", rng, share=0.5)
     if rng.random() < 0.05:
-        put(place / "spent.lock", b"", rng, share=0.9)
+        put(place / "spent.json", b"{}", rng, share=0.5)
 
 
-def purses(rng: random.Random, folder: Path) -> Run:
-    """Sums of money that several processes share."""
+def budgets(rng: random.Random, folder: Path) -> Run:
+    """Budgets that several processes share."""
     place = folder / "batch" / PLACE
     place.mkdir(parents=True)
-    _put_purse(place, rng, folder)
+    _put_money(place, rng, folder)
     budget = rng.choice((None, 5.0, 0.0))
 
     def spend() -> None:
-        purse = Purse.open(place, "USD")
-        purse.sum()
-        with purse.spending() as spender:
-            if spender.hold(0.5, budget, "a call"):
-                spender.settle(0.5, 0.25)
-        purse.sum()
+        shared = SharedBudget.open(place, "USD")
+        shared.total()
+        with shared.spending() as spender:
+            reservation = spender.reserve(0.5, budget, "a call")
+            if reservation is not None:
+                spender.settle(reservation, 0.25)
+        shared.total()
 
-    return lambda: accepts(spend, lambda: batch.purse_of(folder / "batch"))
+    return lambda: accepts(spend, lambda: batch.shared_budget(folder / "batch"))
 
 
 def ledgers(rng: random.Random, folder: Path) -> Run:
-    """What the calls of earlier runs cost, a line each."""
+    """What the calls of earlier runs cost, a row each."""
     good: Any = {
-        "call": "c1", "key": "0" * 64, "at": 1.0, "currency": "USD", "server": "cloud",
+        "key": "0" * 64, "time": 1.0, "currency": "USD", "server": "cloud",
         "question": "plan_scene", "model": "m", "outcome": "answered", "seconds": 1.0,
         "tokens_in": 5, "tokens_out": 6, "images": 0, "money": 0.5, "earlier": False,
     }  # fmt: skip
-    lines = [written(mutate(good, rng, raw=True), rng) for _ in range(rng.choice((1, 3)))]
-    lines.append(json.dumps({**good, "call": "c2", "money": rng.choice((None, 1, 0.1))}).encode())
-    content = b"\n".join(rng.sample(lines, len(lines)))
-    if rng.random() < 0.1:
-        content = spoiled(content, rng)
-    spending = Spending.beside(folder / "calls", "scene")
+    told = [written({**good, "money": rng.choice((None, 1, 0.1))}, rng)]
+    if rng.random() < 0.7:
+        told += [written(mutate(good, rng, raw=True), rng) for _ in range(rng.choice((1, 3)))]
+    told = [row.decode("utf-8", "replace") if rng.random() < 0.9 else row for row in told]
+    spending = Spending(folder / "calls", "scene")
+    content = _database(rng, calls=[(None, "scene", row) for row in rng.sample(told, len(told))])
     put(spending.path, content, rng)
-    prices = Prices.shipped()
+    prices = Prices.default()
 
     def read() -> None:
         account = Account()
@@ -263,7 +284,7 @@ def ledgers(rng: random.Random, folder: Path) -> Run:
         account.save(folder, prices)
 
     def write() -> None:
-        spending.write("c3", "0" * 64, Entry("cloud", "plan_scene"))
+        spending.write("0" * 64, Entry("cloud", "plan_scene"))
 
     return lambda: accepts(read, write, read)
 
@@ -356,7 +377,7 @@ def calls(rng: random.Random, folder: Path) -> Run:
             if found is not None:
                 found.body.decode("latin-1")
                 assert isinstance(found.status, int) and isinstance(found.content_type, str)
-            store.put(key, Answer(200, "text/plain", b"x" * 50))
+            store.put(key, StoredAnswer(200, "text/plain", b"x" * 50))
             store.get(key)
         len(store)
         store.size()

@@ -16,16 +16,10 @@ import numpy as np
 from generator.physics import decomposition
 from tabletopgen_env.learning import plotting, runs
 from tabletopgen_env.learning.networks.actor import Actor
-from tabletopgen_env.learning.policies import (
-    KEY,
-    Card,
-    TrainedPolicy,
-    load_policy,
-    policy_bytes,
-)
+from tabletopgen_env.learning.policies import KEY, Card, TrainedPolicy, load_policy, policy_bytes
 from tabletopgen_env.learning.recipes import Network, Recipe, recipe, recipe_of
 
-from ..judging import accepts, accepts_any, robot_command
+from ..judging import accepts, accepts_any, command
 from ..odd import put
 from ..streams import spoiled
 from ..values import TEXTS, mutate, written
@@ -83,9 +77,9 @@ def policies(rng: random.Random, folder: Path) -> Run:
     def run() -> bool:
         good = accepts(load)
         if path.suffix == ".zip" or played:
-            good |= robot_command("enjoy", str(path), "--episodes", "0")
-            robot_command("enjoy", str(path), "--scenes", "none-such")
-            robot_command("enjoy", str(folder), "--scenes", "none-such")
+            good |= command("enjoy", str(path), "--episodes", "0")
+            command("enjoy", str(path), "--scenes", "none-such")
+            command("enjoy", str(folder), "--scenes", "none-such")
         return good
 
     return run
@@ -163,7 +157,7 @@ def recipes(rng: random.Random, folder: Path) -> Run:
     def run() -> bool:
         good = accepts_any(read, of_json, lambda: recipe("reach", changes))
         if trained:
-            robot_command("train", str(path), "--scenes", "none-such", "--out", "run")
+            command("train", str(path), "--scenes", "none-such", "--out", "run")
         return good
 
     return run
@@ -234,12 +228,12 @@ def run_folders(rng: random.Random, folder: Path) -> Run:
         (place / "checkpoint-99").symlink_to(rng.choice(("../../../precious", ".", "nowhere")))
 
     def restore() -> None:
-        run = runs.opened(place)
+        run = runs.open_run(place)
         run.rows()
         run.restore(_model())
 
     def plot() -> None:
-        run = runs.opened(place)
+        run = runs.open_run(place)
         plotting.draw(plotting.bands([run]), "steps")
 
     def begin() -> None:

@@ -14,11 +14,11 @@ import numpy as np
 from backends.cloud import desk
 from backends.modelers.foreign import instance, prior
 
-from generator.backends.cloud.imager import Imager
-from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.cloud.imager import CloudImager
+from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
 from generator.backends.modelers.tencent import Tencent
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 from generator.errors import BackendError
@@ -46,8 +46,8 @@ _ADDRESSES = (
 def session(folder: Path, rng: random.Random) -> Session:
     """Return a session that does not wait long, with a store of its own now and then."""
     store = CallStore(folder / "calls") if rng.random() < 0.3 else None
-    patience = Patience(first=0.001, longest=0.002, obeyed=0.05, rest=0.05)
-    return Session(store=store, attempts=rng.choice((1, 1, 2)), patience=patience, grace=0.2)
+    policy = RetryPolicy(first=0.001, longest=0.002, obeyed=0.05, rest=0.05)
+    return Session(store=store, attempts=rng.choice((1, 1, 2)), retry_policy=policy, grace=0.2)
 
 
 def _named(url: str) -> None:
@@ -124,7 +124,7 @@ _ANSWERS: dict[str, Any] = {
 }  # fmt: skip
 
 
-def _asks(reasoner: Reasoner) -> dict[str, Callable[[], Any]]:
+def _asks(reasoner: CloudReasoner) -> dict[str, Callable[[], Any]]:
     """Return how each question is asked, about a painted desk."""
     picture, things = desk.reference(), desk.instances()
     return {
@@ -161,7 +161,7 @@ def chat(rng: random.Random, folder: Path) -> Run:
     shared = session(folder, rng)
 
     def ask(url: str) -> Any:
-        return _asks(Reasoner(session=shared))[question]()
+        return _asks(CloudReasoner(session=shared))[question]()
 
     return _asking(telling(content, status, kind), ask)
 
@@ -213,7 +213,7 @@ def images(rng: random.Random, folder: Path) -> Run:
 
     def draw(url: str) -> None:
         mug = PlannedObject("mug_1", "mug", "mug")
-        Imager(session=shared).draw(ScenePlan("a mug", PlannedTable(), (mug,)), 0)
+        CloudImager(session=shared).draw(ScenePlan("a mug", PlannedTable(), (mug,)), 0)
 
     return _asking(answer, draw)
 
@@ -293,7 +293,7 @@ def addresses(rng: random.Random, folder: Path) -> Run:
                 os.environ["TABLETOPGEN_CLOUD_BASE_URL"] = address
             except (UnicodeEncodeError, ValueError) as error:  # no environment holds it
                 raise BackendError("no address") from error
-        Reasoner(session=shared).plan_scene("a mug", 0)
+        CloudReasoner(session=shared).plan_scene("a mug", 0)
 
     def local() -> None:
         Hunyuan3D(address, timeout=TIMEOUT, session=shared).model(

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from generator.backends.cloud.drawing.pictures import NotAPicture, decoded
+from generator.backends.cloud.drawing.pictures import NotAPicture, decode
 from generator.bundle.contents import decode_png
 from generator.bundle.segments import decode_segments
 from generator.errors import InputError
@@ -51,7 +51,7 @@ def pictures(rng: random.Random, folder: Path) -> Run:
 
     def of_cloud() -> None:
         try:
-            decoded(raw)
+            decode(raw)
         except NotAPicture as error:  # which the imager turns into an error of ours
             raise InputError("no picture") from error
 

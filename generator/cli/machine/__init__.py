@@ -1,0 +1,1 @@
+"""``tabletopgen doctor``: what this machine can do."""

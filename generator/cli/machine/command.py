@@ -1,0 +1,66 @@
+"""The command ``doctor``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ..printing import emit
+
+
+def doctor(*, json: bool = False) -> int:
+    """Show what this machine can do: versions, rendering, CUDA, extras, models, keys, caches.
+
+    Nothing is downloaded, sent or changed. Of API keys it tells only whether they are set.
+
+    Args:
+        json: Print one JSON object instead of text.
+    """
+    from .facts import facts
+
+    found = facts()
+    emit(found, json, lambda: describe(found))
+    return 0
+
+
+def describe(found: Mapping[str, Any]) -> list[str]:
+    """Return what was found as lines of text."""
+    python, packages, models = found["python"], found["packages"], found["models"]
+    absent = [name for name, version in packages.items() if version is None]
+    sections: dict[str, list[str]] = {
+        "Python": [f"{python['version']} on {python['platform']}, {python['cores']} CPU cores"],
+        "Packages": [f"{name} {version}" for name, version in packages.items() if version]
+        + [f"{name}: missing, install tabletopgen again" for name in absent],
+        "Rendering": [_probe(f"MUJOCO_GL={name}", facts)
+                      for name, facts in found["rendering"].items()]
+        + ["renderer='software': works everywhere"],
+        "CUDA": [_probe("torch", found["cuda"])],
+        "Extras": [
+            f"{name}: missing {', '.join(facts['missing'])}; {facts['install']}"
+            if facts["missing"] else f"{name}: installed"
+            for name, facts in found["extras"].items()
+        ],
+        "Models": [
+            *(f"{name}: {_there(here)}" for name, here in models["embedded"].items()),
+            *(f"{name}: {_there(here)}, see tabletopgen models pull" if not here
+              else f"{name}: {_there(here)}"
+              for name, here in models["huggingface"]["models"].items()),
+        ],
+        "API keys": [f"{name}: {'set' if here else 'not set'}"
+                     for name, here in found["keys"].items()],
+        "Caches": [f"{name}: {_megabytes(facts['bytes'])} in {facts['folder']}"
+                   for name, facts in found["caches"].items()],
+    }  # fmt: skip
+    return [line for title, rows in sections.items() for line in (title, *(f"  {r}" for r in rows))]
+
+
+def _probe(name: str, facts: Mapping[str, Any]) -> str:
+    return f"{name}: {'works' if facts['works'] else 'does not work'} ({facts['said']})"
+
+
+def _there(here: bool) -> str:
+    return "here" if here else "not here"
+
+
+def _megabytes(count: int) -> str:
+    return f"{count / 1e6:,.1f} MB"

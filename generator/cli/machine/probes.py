@@ -1,0 +1,80 @@
+"""Questions that may crash or hang a process, asked of one that is started for each."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+
+LIMIT = 60.0
+"""Seconds that a probe may take."""
+
+GL_BACKENDS = ("egl", "osmesa", "glfw")
+"""What ``MUJOCO_GL`` may name."""
+
+_LONGEST = 200  # letters of what a probe says
+
+_DRAW = """
+import mujoco
+from OpenGL import GL
+model = mujoco.MjModel.from_xml_string('<mujoco><worldbody><geom size="1"/></worldbody></mujoco>')
+data = mujoco.MjData(model)
+mujoco.mj_forward(model, data)
+with mujoco.Renderer(model, 32, 32) as renderer:
+    renderer.update_scene(data)
+    if not renderer.render().any():
+        raise SystemExit("the picture is black")
+    print(GL.glGetString(GL.GL_RENDERER).decode())
+"""
+
+_CUDA = """
+import torch
+if torch.version.cuda is None:
+    raise SystemExit(f"torch {torch.__version__} is built without CUDA")
+if not torch.cuda.is_available():
+    raise SystemExit("torch finds no usable device")
+print(torch.cuda.get_device_name(0))
+"""
+
+
+@dataclass(frozen=True)
+class Probe:
+    """Whether something works, and what it said: a device's name, or why not."""
+
+    works: bool
+    said: str
+
+
+def draw(backend: str, limit: float = LIMIT) -> Probe:
+    """Tell whether MuJoCo can draw a picture with one of ``GL_BACKENDS``."""
+    return run(_DRAW, limit, MUJOCO_GL=backend)
+
+
+def cuda(limit: float = LIMIT) -> Probe:
+    """Tell whether torch can use a CUDA device."""
+    return run(_CUDA, limit)
+
+
+def run(code: str, limit: float, **environment: str) -> Probe:
+    """Run Python code in a process of its own.
+
+    Args:
+        code: says what it found in its last line; what fails says why in the last line of its
+            errors.
+        limit: seconds after which it is killed.
+        environment: variables set beside this process's own.
+    """
+    try:
+        done = subprocess.run(
+            [sys.executable, "-P", "-c", code], stdin=subprocess.DEVNULL, capture_output=True,
+            text=True, errors="replace", timeout=limit, env={**os.environ, **environment},
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return Probe(False, f"no result within {limit:g} s")
+    except OSError as error:
+        return Probe(False, f"no process could be started: {error.strerror}")
+    if done.returncode < 0:
+        return Probe(False, f"the process crashed with signal {-done.returncode}")
+    lines = (done.stderr if done.returncode else done.stdout).strip().splitlines()
+    return Probe(not done.returncode, lines[-1][:_LONGEST] if lines else "")

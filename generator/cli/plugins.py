@@ -1,0 +1,62 @@
+"""Commands that other packages add: entry points of the group ``tabletopgen.commands``.
+
+This package imports none of them; ``tabletopgen_env`` declares its own in ``pyproject.toml``. A
+source checkout is asked first, for what is installed of it may be older, or nothing at all.
+"""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from collections.abc import Callable, Mapping
+from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
+from typing import Any
+
+from ..errors import InputError, escape
+
+GROUP = "tabletopgen.commands"
+
+CHECKOUT = Path(__file__).parents[2]
+"""The folder that holds this package: of a source checkout, with a ``pyproject.toml``."""
+
+
+def find_commands() -> Mapping[str, EntryPoint]:
+    """Return the commands of other packages by name; none of them is imported."""
+    installed = {entry.name: entry for entry in entry_points(group=GROUP)}
+    return dict(sorted((installed | _of_checkout()).items()))
+
+
+def load(entry: EntryPoint, needed: bool) -> Callable[..., Any] | None:
+    """Import a command; return None if it cannot be imported and is not needed, and say so.
+
+    Raises:
+        InputError: it is needed.
+    """
+    try:
+        return entry.load()
+    except Exception as error:  # it is not ours
+        told = (
+            f"The command {entry.name} cannot be loaded from {entry.value} "
+            f"({type(error).__name__}: {error})."
+        )
+        if needed:
+            raise InputError(f"{told} Install again what adds it.") from error
+        print(escape(told), file=sys.stderr)
+        return None
+
+
+def project() -> Mapping[str, Any]:
+    """Return the ``project`` table of the source checkout; empty where this is none."""
+    try:
+        text = (CHECKOUT / "pyproject.toml").read_text(encoding="utf-8")
+        found = tomllib.loads(text).get("project", {})
+    except (OSError, ValueError):
+        return {}
+    ours = isinstance(found, dict) and found.get("name") == "tabletopgen"
+    return found if ours else {}
+
+
+def _of_checkout() -> dict[str, EntryPoint]:
+    declared = project().get("entry-points", {}).get(GROUP, {})
+    return {name: EntryPoint(name, value, GROUP) for name, value in declared.items()}

@@ -1,0 +1,49 @@
+"""What follows from a triangle mesh's vertices and faces alone."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float, Int
+
+_AT_ONCE = 100_000  # faces worked on together
+
+
+def weld_index(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
+    """Return one common index for vertices that share a position."""
+    span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
+    keys = np.round(vertices / span * 1e5).astype(np.int64)
+    x, y, z = (keys - keys.min(0)).T  # each below 2**17
+    return np.unique((x << 40) + (y << 20) + z, return_inverse=True)[1].reshape(-1)
+
+
+def scaled_normals(triangles: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "m 3"]:
+    """Return each triangle's normal, which is as long as twice its area."""
+    a, b, c = triangles.transpose(1, 0, 2)
+    return np.cross(b - a, c - a)
+
+
+def face_normals(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> Float[np.ndarray, "m 3"]:
+    """Return the unit normal of each face (zero for degenerate faces)."""
+    normal = scaled_normals(vertices[faces])
+    return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+
+
+def areas(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> Float[np.ndarray, "m"]:
+    """Return twice the area of each face."""
+    found = np.zeros(len(faces))
+    for first in range(0, len(faces), _AT_ONCE):
+        part = slice(first, first + _AT_ONCE)
+        found[part] = np.linalg.norm(scaled_normals(vertices[faces[part]]), axis=1)
+    return found
+
+
+def closed(faces: Int[np.ndarray, "m 3"]) -> bool:
+    """Whether every edge is used as often in one direction as in the other."""
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
+    radix = int(edges.max()) + 1
+    there, back = edges @ [radix, 1], edges @ [1, radix]
+    return bool(np.array_equal(np.sort(there), np.sort(back)))

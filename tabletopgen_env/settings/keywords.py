@@ -1,0 +1,129 @@
+"""The keywords of ``gymnasium.make``: each names a group of ``EnvConfig``, or one of its fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields
+from types import MappingProxyType
+from typing import Any, TypedDict
+
+from generator.errors import InputError, choices
+
+from ..actions import ActionConfig, ActionMode, GripperMode
+from ..randomization import Randomization
+from ..rendering.config import (
+    CameraName,
+    HintKind,
+    ObservationConfig,
+    ObservationMode,
+    RenderConfig,
+    RenderMode,
+)
+from ..rendering.kinds import Kind, RendererChoice
+from ..robot.panda import Panda
+from ..world.worlds import Masters, WorldConfig
+from .config import EnvConfig, RewardMode
+
+
+class Settings(TypedDict, total=False):
+    """How a task is played: keywords, all optional, each a field of ``EnvConfig`` or of a group.
+
+    A group is given as a whole (``observation=ObservationConfig("pixels", points=64)``), as a dict
+    of its fields, or by its fields alone (``observation="pixels", points=64``), not both ways.
+    """
+
+    observation: ObservationMode | ObservationConfig
+    cameras: Sequence[CameraName]
+    kinds: Sequence[Kind]
+    image_size: int | tuple[int, int]
+    points: int
+    grasp_hint: bool | HintKind
+    action: ActionMode | ActionConfig
+    gripper: GripperMode
+    control_hz: int
+    render: RenderConfig
+    render_mode: RenderMode | None
+    render_size: int | tuple[int, int]
+    renderer: RendererChoice
+    worlds: WorldConfig
+    robot: Panda | None
+    cache: int
+    masters: Masters | None
+    reward: RewardMode
+    randomization: Randomization | str | None
+    certified: bool
+
+
+KEYWORDS = frozenset(Settings.__annotations__)
+
+GROUPS: Mapping[str, type] = MappingProxyType(
+    {
+        "observation": ObservationConfig,
+        "action": ActionConfig,
+        "render": RenderConfig,
+        "worlds": WorldConfig,
+    }
+)
+"""The class of each group of settings."""
+
+_RENAMED: Mapping[tuple[str, str], str] = MappingProxyType(
+    {
+        ("observation", "mode"): "observation",
+        ("action", "mode"): "action",
+        ("render", "mode"): "render_mode",
+        ("render", "size"): "render_size",
+    }
+)
+
+
+def keywords_of(group: str) -> dict[str, str]:
+    """Return the field of a group that each keyword sets."""
+    names = (field.name for field in fields(GROUPS[group]))
+    return {_RENAMED.get((group, name), name): name for name in names}
+
+
+def read_settings(settings: Mapping[str, Any]) -> EnvConfig:
+    """Return what keywords mean; see ``Settings``.
+
+    Raises:
+        InputError: an unknown keyword, a wrong value, or a group and one of its fields together.
+    """
+    check_settings(settings)
+    rest = dict(settings)
+    groups = {group: _read_group(group, rest) for group in GROUPS}
+    return EnvConfig(**groups, **rest)
+
+
+def check_settings(given: Iterable[str], *more: str) -> None:
+    """Check that all names are keywords of an environment, or of ``more``.
+
+    Raises:
+        InputError: one is not.
+    """
+    known = {*KEYWORDS, "scenes", "task", "preset", *more}
+    for name in given:
+        if name not in known:
+            raise InputError(f"An environment has no setting {name!r}." + choices(name, known))
+
+
+def _read_group(group: str, rest: dict[str, Any]) -> Any:
+    """Take what sets a group out of ``rest``; return the group."""
+    kind, names = GROUPS[group], keywords_of(group)
+    whole = rest.pop(group) if isinstance(rest.get(group), kind | Mapping) else None
+    flat = {name: rest.pop(name) for name in names if name in rest}
+    if group in rest:
+        raise InputError(f"{group} must be a {kind.__name__}, got {rest[group]!r}.")
+    if whole is None:
+        return kind(**{names[name]: value for name, value in flat.items()})
+    if flat:
+        raise InputError(
+            f"{group} is given as a whole, so {', '.join(flat)} cannot be given besides. Set it in "
+            f"the {kind.__name__}."
+        )
+    if isinstance(whole, kind):
+        return whole
+    known = set(names.values())
+    for name in whole:
+        if name not in known:
+            raise InputError(f"{kind.__name__} has no {name!r}." + choices(str(name), known))
+    return kind(**whole)

@@ -1,0 +1,105 @@
+"""Every block of code of README.md and of the docs runs, or says why it does not and is checked."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import warnings
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import blocks
+import pytest
+from blocks import ROOT, Block
+
+from generator.threads import torch_threads
+
+BLOCKS = blocks.blocks()
+RUN = {
+    page: [b for b in BLOCKS if b.page == page and b.language in blocks.RUN and b.reason is None]
+    for page in sorted({b.page for b in BLOCKS})
+}
+"""The blocks that are run, by page."""
+
+PICTURE = "examples/pictures/coffee_table.png"
+GIVEN: Mapping[str, Mapping[str, str]] = MappingProxyType({
+    "docs/guides/photo.md": {"desk.png": PICTURE},
+})  # fmt: skip
+"""Files that a page takes for granted, and where they come from."""
+
+CHEAP = ("docs/concepts/frames.md", "docs/reference/api/index.md")
+"""Pages whose blocks run in about a second together."""
+
+
+def slow(page: str) -> Any:
+    return pytest.param(page, marks=() if page in CHEAP else pytest.mark.slow)
+
+
+def test_every_block_is_of_a_language_that_is_known() -> None:
+    unknown = [str(b) for b in BLOCKS if b.language not in (*blocks.RUN, *blocks.SHOWN)]
+    assert not unknown, f"Name the language: {blocks.RUN} are run, {blocks.SHOWN} shown."
+
+
+@pytest.mark.parametrize("block", [b for b in BLOCKS if b.language in blocks.RUN], ids=str)
+def test_a_block_is_sound(block: Block) -> None:
+    assert blocks.faults(block) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("language", "code"), [
+    ("bash", "tabletopgen generat x"),
+    ("bash", "tabletopgen compose x --bugdet 3"),
+    ("bash", "for seed in 0 1; do tabletopgen verify x --jsn; done"),
+    ("bash", "A=b tabletopgen cache lst"),
+    ("bash", "make tset"),
+    ("bash", "pip install -e '.[trian]'"),
+    ("bash", "python benchmarks/sped.py"),
+    ("bash", "rm -rf x"),
+    ("bash", "echo 'x"),
+])  # fmt: skip
+def test_faults_are_found(language: str, code: str) -> None:
+    try:
+        assert blocks.faults(Block("page", 1, language, code, None))
+    except ValueError as error:
+        assert "quotation" in str(error)
+
+
+def run_shell(block: Block, folder: Path) -> None:
+    found = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(
+        ["bash", "-euo", "pipefail", "-c", block.code], cwd=folder, timeout=240,
+        env={**os.environ, "PATH": found, "PYTHONPATH": str(ROOT)}, stdin=subprocess.DEVNULL,
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, f"{block}: {done.stdout[-2000:]}{done.stderr[-2000:]}"
+
+
+def run_python(block: Block, names: dict[str, Any]) -> None:
+    padded = "\n" * block.line + block.code  # for the line in a traceback
+    exec(compile(padded, str(ROOT / block.page), "exec"), names)
+
+
+@pytest.mark.parametrize("page", [slow(page) for page, found in RUN.items() if found])
+def test_the_blocks_of_a_page_run(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "work"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    for name in ("HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "TABLETOPGEN_CALLS"):
+        monkeypatch.setenv(name, str(tmp_path / name.lower()))
+    monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
+    for name, origin in GIVEN.get(page, {}).items():
+        shutil.copy(ROOT / origin, folder / name)
+    names: dict[str, Any] = {"__name__": "__main__"}
+    with torch_threads(1), warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        for block in RUN[page]:
+            if block.language == "bash":
+                run_shell(block, folder)
+            else:
+                run_python(block, names)

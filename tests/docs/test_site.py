@@ -1,0 +1,95 @@
+"""The site builds without a warning, offline, and its generated pages say what the code says."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import docstrings
+import help_text
+import pytest
+from blocks import ROOT
+
+OFFLINE = """
+import socket
+def refuse(*args, **kwargs):
+    raise OSError("the build may not use the network")
+socket.socket.connect = socket.create_connection = socket.getaddrinfo = refuse
+"""
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The site, built."""
+    out = tmp_path_factory.mktemp("site")
+    (out / "offline").mkdir()
+    (out / "offline" / "sitecustomize.py").write_text(OFFLINE, encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-c", ROOT / "docs/site",
+         "-d", out / "doctrees", ROOT / "docs", out / "html"],
+        env={**os.environ, "PYTHONPATH": str(out / "offline"), "PYTHONDONTWRITEBYTECODE": "1"},
+        cwd=out, capture_output=True, text=True, timeout=280,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-5000:]
+    return out / "html"
+
+
+@pytest.mark.slow
+def test_the_site_has_every_page(site: Path) -> None:
+    pages = [p.relative_to(ROOT / "docs") for p in (ROOT / "docs").rglob("*.md")]
+    assert pages and all((site / page.with_suffix(".html")).is_file() for page in pages)
+
+
+@pytest.mark.slow
+def test_generated_pages_are_generated(site: Path) -> None:
+    cli = (site / "reference/cli.html").read_text(encoding="utf-8")
+    for command in help_text.commands():
+        assert f'id="{command.name.replace(" ", "-")}"' in cli
+    assert "Push-v0" in (site / "reference/tasks.html").read_text(encoding="utf-8")
+    assert "Unreleased" in (site / "changelog.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_the_reference_documents_the_facade(site: Path) -> None:
+    text = "".join(p.read_text(encoding="utf-8") for p in (site / "reference/api").glob("*.html"))
+    for name in ("generator.pipeline.generate", "generator.bundle.load", "generator.bundle.save",
+                 "generator.composition.compose", "tabletopgen_env.env.make_env"):  # fmt: skip
+        assert f'id="{name}"' in text
+
+
+def test_help_is_taken_apart() -> None:
+    printed = """usage: tabletopgen cut [-h] [--deep {None}|INT] STR
+
+Cut a thing.
+
+╭─ positional arguments ──╮
+│ STR        What.        │
+╰─────────────────────────╯
+╭─ knife options ─────────╮
+│ How it is cut.          │
+│ ─────────────────────── │
+│ --deep {None}|INT       │
+│            How deep,    │
+│            in mm.       │
+│ --neat, --no-neat       │
+│            Neatly.      │
+╰─────────────────────────╯
+"""
+    found = help_text.read_help(printed)
+    assert (found.name, found.text) == ("tabletopgen cut", "Cut a thing.")
+    assert [(g.title, g.remark) for g in found.groups] == [
+        ("positional arguments", ""), ("knife options", "How it is cut."),
+    ]  # fmt: skip
+    assert found.groups[1].options[0].text == "How deep, in mm."
+    assert found.flags == {"--deep", "--neat", "--no-neat"}
+
+
+def test_fields_become_a_list() -> None:
+    lines = ["Limits.", "", "low, high: metres,", "    or more.", "other: text", "", "low: no"]
+    found = docstrings.list_fields(lines, {"low", "high"})
+    assert found == [
+        "Limits.", "", "", "* ``low``, ``high``: metres,", "  or more.", "  other: text", "",
+        "", "* ``low``: no",
+    ]  # fmt: skip
