@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import zipfile
 from pathlib import Path
 
 import built_wheel
@@ -18,6 +19,13 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_it_holds_every_file_of_the_packages(wheel: Path) -> None:
     assert built_wheel.left_out(wheel) == set()
+
+
+def test_its_packages_say_that_they_are_typed(wheel: Path) -> None:
+    names = zipfile.ZipFile(wheel).namelist()
+    packages = ("generator", "tabletopgen_env", "assets_cache")
+    assert {f"{name}/py.typed" for name in packages} <= {*names}
+    assert not [name for name in names if name.startswith("research")]
 
 
 def test_it_works_by_itself(wheel: Path, tmp_path: Path) -> None:
