@@ -1,0 +1,9 @@
+"""What the strictly checked parts use of SciPy's ndimage, which has no types of its own."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+def distance_transform_edt(input: ArrayLike) -> NDArray[np.float64]: ...
+def __getattr__(name: str) -> Any: ...
