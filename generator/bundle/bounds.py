@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 from ..errors import BundleError
 
@@ -94,13 +94,15 @@ def check_listed(files: object, bounds: Bounds = BOUNDS) -> None:
     """
     if not isinstance(files, dict):
         raise BundleError("scene.json must list the bundle's files.")
-    bounds.check("files", len(files), "scene.json lists {} files")
-    for name, entry in files.items():
-        size = entry.get("bytes") if isinstance(entry, dict) else None
+    listed = cast("dict[str, object]", files)
+    bounds.check("files", len(listed), "scene.json lists {} files")
+    total = 0
+    for name, entry in listed.items():
+        size = cast("dict[str, object]", entry).get("bytes") if isinstance(entry, dict) else None
         if type(size) is not int:
             raise BundleError(f"scene.json lists {name[:200]!r} without size and sha256.")
         bounds.check("file_bytes", size, "a listed file has {} bytes")
-    total = sum(entry["bytes"] for entry in files.values())
+        total += size
     bounds.check("all_bytes", total, "the files together have {} bytes")
 
 
@@ -131,7 +133,7 @@ def check_drawn(
 
 def _of(entry: object, key: str, kind: type, who: str) -> Any:
     """Return a field that is a list or an object."""
-    value = entry.get(key) if isinstance(entry, dict) else None
+    value = cast("dict[str, Any]", entry).get(key) if isinstance(entry, dict) else None
     if type(value) is not kind:
         raise BundleError(f"{who} needs {key!r} as a JSON {'list' if kind is list else 'object'}.")
     return value

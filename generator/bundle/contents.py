@@ -6,7 +6,7 @@ import io
 import re
 import struct
 import warnings
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -46,7 +46,7 @@ def picture_size(raw: bytes, name: str, bounds: Bounds = BOUNDS) -> tuple[int, i
 
 
 @contextmanager
-def opened_png(raw: bytes, name: str) -> Iterator[Image]:
+def opened_png(raw: bytes, name: str) -> Generator[Image, None, None]:
     """Open a PNG called ``name`` whose size is within bounds.
 
     Raises:

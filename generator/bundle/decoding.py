@@ -138,7 +138,9 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     scene = Scene(
         name=entry.name,
         table=Table(model=models[entry.table.model], **table),
-        objects=tuple(Object(**{**vars(o), "model": models[o.model]}) for o in entry.objects),
+        objects=tuple(
+            Object(**dict[str, Any](vars(o), model=models[o.model])) for o in entry.objects
+        ),
         provenance=entry.provenance,
         view=entry.view,
         report=entry.report,
@@ -172,7 +174,7 @@ def _meshes(
             if path_of(raw) != name:
                 raise BundleError(f"{name[:200]!r} is not named by its content.")
     surfaces = {name: decode_obj(raw, name) for name, raw in shapes.items()}
-    meshes = {}
+    meshes: dict[tuple[str, str, float], Mesh] = {}
     for name, raw in pictures.items():
         texture = decode_png(raw, name)
         for shape, picture, opacity in sorted(different):

@@ -127,7 +127,8 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
         return f"{where} holds text"
     if len(wanted) != len(found):
         return f"{where} has {len(found)} elements, not {len(wanted)}"
-    return next(filter(None, map(_difference, wanted, found)), "")
+    differences = (_difference(one, other) for one, other in zip(wanted, found, strict=True))
+    return next((text for text in differences if text), "")
 
 
 def _close(key: str, wanted: str, found: str) -> bool:

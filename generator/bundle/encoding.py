@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -24,11 +24,11 @@ _LENGTH, _UNIT, _MASS = 7, 6, 12  # decimals of metres, of canonical coordinates
 
 def dumps(payload: Mapping[str, Any]) -> bytes:
     """Return the one way to write ``payload``: sorted keys, one line per key, arrays compact."""
-    lines = []
+    lines: list[str] = []
     for key in sorted(payload):
         value = payload[key]
         if isinstance(value, list) and value and isinstance(value[0], dict):
-            inner = ",\n  ".join(_compact(item) for item in value)
+            inner = ",\n  ".join(_compact(item) for item in cast("list[Any]", value))
             lines.append(f" {_compact(key)}: [\n  {inner}\n ]")
         else:
             lines.append(f" {_compact(key)}: {_compact(value)}")
@@ -147,5 +147,8 @@ def _printable(value: Any) -> Any:
     if isinstance(value, str):
         return HIDDEN.sub(" ", value)
     if isinstance(value, dict):
-        return {_printable(key): _printable(inner) for key, inner in value.items()}
-    return [_printable(inner) for inner in value] if isinstance(value, list) else value
+        entries = cast("dict[str, Any]", value).items()
+        return {_printable(key): _printable(inner) for key, inner in entries}
+    if isinstance(value, list):
+        return [_printable(inner) for inner in cast("list[Any]", value)]
+    return value

@@ -31,14 +31,14 @@ def make(kind: type[T], entry: object, what: str) -> T:
     """
     if not isinstance(entry, dict):
         raise BundleError(f"{what} must be a JSON object, not {type(entry).__name__}.")
-    hints = _hints(kind)
-    unknown = sorted(entry.keys() - hints.keys())
+    values, hints = typing.cast("dict[str, Any]", entry), _hints(kind)
+    unknown = sorted(values.keys() - hints.keys())
     if unknown:
         raise BundleError(f"{what} has an unknown field {unknown[0][:80]!r}.")
-    missing = sorted(_required_fields(kind) - entry.keys())
+    missing = sorted(_required_fields(kind) - values.keys())
     if missing:
         raise BundleError(f"{what} has no {missing[0]!r}.")
-    return kind(**{k: convert(hints[k], v, f"{what}.{k}") for k, v in entry.items()})
+    return kind(**{k: convert(hints[k], v, f"{what}.{k}") for k, v in values.items()})
 
 
 def convert(kind: Any, value: Any, what: str) -> Any:
@@ -63,11 +63,12 @@ def convert(kind: Any, value: Any, what: str) -> Any:
     if origin is not None and issubclass(origin, Mapping):
         if not isinstance(value, dict):
             raise BundleError(f"{what} must be a JSON object, not {type(value).__name__}.")
-        return {k: convert(inner[1], v, f"{what}[{k[:40]!r}]") for k, v in value.items()}
+        entries = typing.cast("dict[str, Any]", value).items()
+        return {k: convert(inner[1], v, f"{what}[{k[:40]!r}]") for k, v in entries}
     if getattr(kind, "array_type", None) is np.ndarray:
         return numbers(value, what)
     if dataclasses.is_dataclass(kind):
-        return make(typing.cast(type, kind), value, what)
+        return make(typing.cast("type[object]", kind), value, what)
     return _scalar(kind, value, what)
 
 
@@ -77,12 +78,12 @@ def numbers(value: object, what: str) -> np.ndarray:
     Raises:
         BundleError: they hold something else, or are ragged.
     """
-    leaves: Any = value
-    while type(leaves) is list and set(map(type, leaves)) == {list}:
+    leaves: list[Any] = typing.cast("list[Any]", value if isinstance(value, list) else [None])
+    while {type(leaf) for leaf in leaves} == {list}:
         leaves = list(itertools.chain.from_iterable(leaves))
     # The types come first: an array of texts has room for the longest at every place.
     array = None
-    if type(leaves) is list and set(map(type, leaves)) <= {int, float}:
+    if {type(leaf) for leaf in leaves} <= {int, float}:
         with contextlib.suppress(ValueError, OverflowError):
             array = np.array(value, np.float64)
     if array is None:
@@ -92,11 +93,12 @@ def numbers(value: object, what: str) -> np.ndarray:
 
 def _tuple(inner: tuple[Any, ...], value: Any, what: str) -> tuple[Any, ...]:
     variadic = len(inner) == 2 and inner[1] is Ellipsis
-    if not isinstance(value, list) or not (variadic or len(value) == len(inner)):
+    values = typing.cast("list[Any]", value) if isinstance(value, list) else None
+    if values is None or not (variadic or len(values) == len(inner)):
         raise BundleError(f"{what} must be a list{'' if variadic else f' of {len(inner)}'}.")
-    kinds = [inner[0]] * len(value) if variadic else inner
+    kinds = [inner[0]] * len(values) if variadic else inner
     return tuple(
-        convert(k, v, f"{what}[{i}]") for i, (k, v) in enumerate(zip(kinds, value, strict=True))
+        convert(k, v, f"{what}[{i}]") for i, (k, v) in enumerate(zip(kinds, values, strict=True))
     )
 
 

@@ -15,7 +15,7 @@ import hashlib
 import os
 import re
 import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -307,7 +307,7 @@ def _read(folder: Path, visuals: bool = False) -> Scene:
 
 def _contents(folder: Path, listed: Mapping[str, Any]) -> dict[str, bytes]:
     """Check every listed file; return those that the scene is made of."""
-    contents = {}
+    contents: dict[str, bytes] = {}
     for name, entry in listed.items():
         content = _read_listed(folder, name, entry)
         if name.startswith(("meshes/", "textures/")) or name == "scene.xml":
@@ -356,7 +356,7 @@ def read_inside(folder: Path, name: str, limit: int) -> bytes:
 
 
 @contextlib.contextmanager
-def _opened_inside(folder: Path, path: PurePosixPath) -> Iterator[int]:
+def _opened_inside(folder: Path, path: PurePosixPath) -> Generator[int, None, None]:
     """Open a file inside ``folder`` step by step, so that nothing on the way can become a link."""
     with contextlib.ExitStack() as opened:
         place = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)

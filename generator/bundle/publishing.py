@@ -16,7 +16,7 @@ import os
 import re
 import tempfile
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Generator, Mapping
 from pathlib import Path
 from typing import Concatenate, ParamSpec, TypeVar
 
@@ -106,7 +106,7 @@ def discard(path: Path) -> bool:
 
 
 @contextlib.contextmanager
-def staging_in(folder: Path) -> Iterator[Path]:
+def staging_in(folder: Path) -> Generator[Path, None, None]:
     """Yield a new folder, inside one in ``folder``, that in the end is removed or was renamed.
 
     Raises:
@@ -225,7 +225,7 @@ def _remove(staging: Path) -> None:
 
 
 @contextlib.contextmanager
-def _open(path: Path) -> Iterator[int | None]:
+def _open(path: Path) -> Generator[int | None, None, None]:
     """Yield a descriptor of a folder: as long as it is open, no other has the same number.
 
     None where it cannot be opened for another reason than that it is not there.

@@ -47,7 +47,7 @@ def ask_rotations(
         BackendError: an answer is missing, or no finite angle.
     """
     guesses = guesser.guess_rotations(reference, instances, sizes, view)
-    rotations = {}
+    rotations: dict[str, Rotation] = {}
     for name in (i.name for i in instances if i.name != TABLE):
         if name not in guesses or not np.isfinite(guesses[name]):
             raise BackendError(

@@ -112,12 +112,10 @@ def assemble(
 
     arranged, stuck = arrange(scene, config)
     rested, unstable = rest(arranged, config)
-    failing = {*stuck, *unstable}
-    if config.drop_failing and failing:
-        scene, arranged, dropped = _without(scene, failing), _without(arranged, failing), failing
+    dropped = {*stuck, *unstable} if config.drop_failing else set[str]()
+    if dropped:
+        scene, arranged = _without(scene, dropped), _without(arranged, dropped)
         rested, unstable = rest(arranged, config)
-    else:
-        dropped = set()
     return _record(scene, arranged, rested, stuck, unstable, dropped, config)
 
 

@@ -132,7 +132,7 @@ def clean(detection: Detection) -> Detection | None:
 def unique_names(labels: Sequence[str]) -> list[str]:
     """Return a file-safe unique name per label: "toy car" twice gives toy_car_1, toy_car_2."""
     counts: dict[str, int] = {}
-    names = []
+    names: list[str] = []
     for label in labels:
         stem = re.sub(r"[^0-9a-z]+", "_", label.lower()).strip("_") or "object"
         counts[stem] = counts.get(stem, 0) + 1

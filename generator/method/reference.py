@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Float, UInt8
+from jaxtyping import Float, Int, UInt8
 
 from ..backends.protocols import Imager, Reasoner
 from ..errors import InputError
@@ -181,8 +181,7 @@ def _refer_depth(
     metres = read_depth(depth, size, config)
     image = _prepare(picture, config)
     height, width = image.shape[:2]
-    rows = ((np.arange(height) + 0.5) * size[1] / height).astype(int)
-    columns = ((np.arange(width) + 0.5) * size[0] / width).astype(int)
+    rows, columns = _nearest(height, size[1]), _nearest(width, size[0])
     return Reference(
         image,
         depth=metres[np.ix_(rows, columns)],  # nearest: blending would invent surfaces
@@ -297,14 +296,18 @@ def fetch_depth(
     return _read_bytes(source, config or ReferenceConfig(), "depth map")
 
 
+def _nearest(count: int, pixels: int) -> Int[np.ndarray, "n"]:
+    """Return which of a line's ``pixels`` lies under each of ``count`` new ones."""
+    places: np.ndarray = (np.arange(count) + 0.5) * pixels / count
+    return places.astype(int)
+
+
 def depth_digest(source: DepthSource) -> str | None:
     """Return the sha256 of a fetched depth map's bytes."""
     return None if isinstance(source, str | Path) else source_digest(source)
 
 
-def _read_bytes(
-    source: str | Path | bytes, config: ReferenceConfig, what: str = "picture"
-) -> bytes:
+def _read_bytes(source: object, config: ReferenceConfig, what: str = "picture") -> bytes:
     if isinstance(source, bytes):
         data = source
     elif not isinstance(source, str | Path):

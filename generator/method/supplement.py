@@ -113,7 +113,8 @@ def match_planned(
         cost = np.array([[float(a != b) for b in under] for a in below]).reshape(
             len(below), len(under)
         )
-        for row, column in zip(*linear_sum_assignment(cost), strict=True):
+        rows, columns = linear_sum_assignment(cost)
+        for row, column in zip(map(int, rows), map(int, columns), strict=True):
             pairs[wanted[row].name] = found[column]
     return pairs
 

@@ -8,7 +8,7 @@ axes turn with the frame, so a yaw keeps its value: only x and y change sign.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -34,16 +34,21 @@ def from_paper(
     Raises:
         InputError: an object without a rotation, or fields missing or malformed.
     """
-    objects = alignment.get("objects", {}) if isinstance(alignment, Mapping) else None
-    if not isinstance(rotations, Mapping) or not isinstance(objects, Mapping):
+    given, answer = _mapping(rotations), _mapping(alignment)
+    objects = None if answer is None else _mapping(answer.get("objects", {}))
+    if given is None or answer is None or objects is None:
         raise InputError(
             'Rotations are {name: degrees}, alignments {"objects": {name: {"scale", '
             '"translation"}}}.'
         )
-    yaws = {_plain(name): degrees for name, degrees in rotations.items()}
+    yaws = {_plain(name): degrees for name, degrees in given.items()}
     placements = tuple(_placement(_plain(raw), entry, yaws) for raw, entry in objects.items())
-    anchor = alignment.get("anchor_object")
+    anchor = answer.get("anchor_object")
     return placements, None if anchor is None else _plain(anchor)
+
+
+def _mapping(value: object) -> Mapping[str, Any] | None:
+    return cast("Mapping[str, Any]", value) if isinstance(value, Mapping) else None
 
 
 def _plain(name: object) -> str:

@@ -40,7 +40,7 @@ class PlannedObject:
     name: str
     noun: str
     category: str
-    attributes: Mapping[str, str] = field(default_factory=dict)
+    attributes: Mapping[str, str] = field(default_factory=dict[str, str])
     relations: tuple[Relation, ...] = ()
     size: tuple[float, float, float] | None = None
 

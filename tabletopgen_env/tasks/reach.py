@@ -48,7 +48,7 @@ def free_point(world: World, rng: np.random.Generator) -> Float[np.ndarray, "3"]
     """Draw a point over the table, clear of what stands there, within reach."""
     outline = world.scene.table.outline
     for _ in range(_TRIES):
-        xy = rng.uniform(outline.min(0), outline.max(0))
+        xy = rng.uniform(np.asarray(outline.min(0)), np.asarray(outline.max(0)))
         rise = rng.uniform(*HEIGHTS)
         here = np.array([*xy, world.scene.table.height])
         point = np.array([*xy, clear_height(world, None, here, here) + rise])

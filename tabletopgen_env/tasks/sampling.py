@@ -77,7 +77,7 @@ def draw_episode(
     """
     if target is None:
         names = [name for name, reason in reasons.items() if reason is None]
-        names = [names[k] for k in rng.permutation(len(names))]
+        names = [names[k] for k in map(int, rng.permutation(len(names)))]
     else:
         names = [check_known(world, target, "to move")]
     for name in names:

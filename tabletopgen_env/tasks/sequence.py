@@ -195,7 +195,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
     names = [name for name, why in reasons.items() if why is None]
     goals: list[Goal] = []
     busy: set[str] = set()
-    for k in rng.permutation(len(names)):
+    for k in map(int, rng.permutation(len(names))):
         obj = world.scene.object(names[k])
         if obj.name in busy or not has_grasp(world, obj.name):
             reasons[obj.name] = NO_GRASP

@@ -51,7 +51,7 @@ class Swap(Task):
 
         def make(obj: Object) -> Episode | None:
             names = fit if wanted is None else [wanted]
-            for k in rng.permutation(len(names)):
+            for k in map(int, rng.permutation(len(names))):
                 other = world.scene.object(names[k])
                 if other.name == obj.name or not has_grasp(world, other.name):
                     continue

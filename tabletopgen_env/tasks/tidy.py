@@ -60,7 +60,7 @@ class Tidy(Task):
         for obj in small:
             reasons[obj.name] = "nothing that it would go into together with another"
         names = sorted(loads)
-        for k in rng.permutation(len(names)):
+        for k in map(int, rng.permutation(len(names))):
             container = world.scene.object(names[k])
             taken = _together(world, container, loads[container.name])
             if len(taken) >= 2:

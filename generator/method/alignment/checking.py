@@ -154,7 +154,7 @@ def _false(
     ``unit`` is the table's length in pixels, times how much more than usual may be off. Only what
     stands on the table is held to its place.
     """
-    remarks = {}
+    remarks: dict[str, str] = {}
     for name in placed:
         if name not in boxes:
             continue

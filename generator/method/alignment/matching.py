@@ -42,7 +42,7 @@ def complete_boxes(
     cost = np.array([[_cost(i, frame, d, table) for d in things] for i in missing])
     boxes = dict(top.boxes)
     rows, columns = linear_sum_assignment(cost)
-    for row, column in zip(rows, columns, strict=True):
+    for row, column in zip(map(int, rows), map(int, columns), strict=True):
         boxes[missing[row].name] = things[column].box
     extra = len(things) - len(columns)
     messages = (

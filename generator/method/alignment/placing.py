@@ -129,7 +129,7 @@ def align(
     usual = np.asarray(models[TABLE].size) if modelled else sizes[TABLE].extent
     table_scale = _table_scale(top, alpha, usual, modelled)
     limit = config.guess_limit if reference.plan is None else config.size_limit
-    scales = {}
+    scales: dict[str, np.ndarray] = {}
     for n in names:
         box = np.asarray(top.boxes[n])
         extent = own_extent((box[2:] - box[:2]) * alpha, yaws[n], physical[n])

@@ -117,7 +117,8 @@ def make_crowd(
     """
     import torch
 
-    rows, shapes = [], []
+    rows: list[tuple[int, int]] = []
+    shapes: list[list[np.ndarray]] = []
     for (i, a), (j, b) in combinations(enumerate(placements), 2):
         low, high = _shared_heights(a, b)
         if a.name in chains[j] or b.name in chains[i] or high - low < _LEAST:

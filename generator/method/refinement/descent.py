@@ -1,5 +1,9 @@
 """Agreement of outlines, and the descent to its optimum."""
 
+# Torch leaves methods of its tensors without types.
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+# pyright: reportUnknownArgumentType=false
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

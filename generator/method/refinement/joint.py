@@ -81,13 +81,14 @@ def refine_scene(
         start, camera = misfits(seen, problem.posed, config)
         steps = descend(problem, camera, config)
         carries = problem.links.carries.numpy().astype(float)
-        for _ in range(2):
-            found = _move(placements, moving, steps, carries, models, float(table_scale[2]))
-            after = measure(found)
-            worse = after > start + _WORSE
-            if not worse.any():
-                break
+        height = float(table_scale[2])
+        found = _move(placements, moving, steps, carries, models, height)
+        after = measure(found)
+        worse = after > start + _WORSE
+        if worse.any():
             steps = np.where(worse[:, None], 0.0, steps)
+            found = _move(placements, moving, steps, carries, models, height)
+            after = measure(found)
     if after.mean() >= start.mean():
         return Refinement(tuple(placements), float(start.mean()), float(start.mean()))
     return Refinement(found, float(start.mean()), float(after.mean()))

@@ -80,7 +80,8 @@ def make_seen(
     tight = [tight_box(i) for i in things]
     boxes = np.array([in_reference(i, t) for i, t in zip(things, tight, strict=True)])
     eye = Camera(np.zeros(3), view_rotation(view), view.fov, *image_size)
-    masks, weights = [], []
+    masks: list[np.ndarray] = []
+    weights: list[np.ndarray] = []
     for thing, box in zip(things, tight, strict=True):
         masks.append(tight_crop(thing.crop, box, size)[..., 3])
         hidden = hiders(thing, all_things)
@@ -167,8 +168,9 @@ def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
     rays = rays.astype(float) / np.linalg.norm(rays, axis=1, keepdims=True)
     across = np.eye(3) - rays[:, :, None] * rays[:, None]
     points = posed.place.numpy().astype(float)
-    found = np.linalg.lstsq(across.sum(0), (across @ points[..., None]).sum(0)[:, 0], rcond=None)
-    return tensor(found[0])
+    left = np.asarray(across.sum(0))
+    right = np.asarray((across @ points[..., None]).sum(0)[:, 0])
+    return tensor(np.linalg.lstsq(left, right, rcond=None)[0])
 
 
 def tensor(array: object) -> Tensor:

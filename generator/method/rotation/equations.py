@@ -49,13 +49,16 @@ def appearance_loss(
     The average, where the paper prints a sum, keeps lambda_a independent of the resolution.
     ``weight`` has one map for each of the features'.
     """
-    losses = []
+    losses: list[Tensor] = []
     for k, (a, b) in enumerate(zip(rendered, target, strict=True)):
         squares = (a - b).square().sum(1)
         if weight is not None:
             squares = squares * weight[k]
         losses.append(squares.mean((-2, -1)))
-    return sum(losses[1:], losses[0]) / len(losses)
+    total = losses[0]
+    for loss in losses[1:]:
+        total = total + loss
+    return total / len(losses)
 
 
 def rotation_loss(

@@ -3,6 +3,10 @@
 Each level looks closer at fewer candidates; most objects are decided before the last one.
 """
 
+# Torch leaves methods of its tensors without types.
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+# pyright: reportUnknownArgumentType=false
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -62,7 +66,7 @@ def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list
     last = refine(close, finalists, config.steps)
     rounds.append([prefer(found, hint) for found, hint in zip(last, hints, strict=True)])
     exact = widths(close, [flat or found[0] for flat, found in zip(still, rounds[-1], strict=True)])
-    answers = []
+    answers: list[RotationAnswer] = []
     for k, flat in enumerate(still):
         looks = [found[k] for found in reversed(rounds)]
         if flat is not None:
@@ -162,12 +166,12 @@ def coarse_search(
     losses = coarse_losses(objective, yaws)
     places: list[list[Place]] = [[(0.0, 0.0, 0.0)] * len(yaws) for _ in range(len(objective))]
     cut = objective.target.cut & objective.loose[:, None]
-    for k, side in torch.nonzero(cut).tolist():
+    for k, side in torch.nonzero(cut).cpu().numpy().tolist():
         yaw = torch.as_tensor(yaws, dtype=torch.float32, device=objective.middle.device)
         owner = torch.full((len(yaws),), k, device=yaw.device)
         with torch.no_grad():
             fit = reaching_past(objective, Candidates(owner, yaw, torch.zeros_like(yaw)), side)
-        rows = torch.cat([fit.shift, fit.zoom[:, None]], 1).tolist()
+        rows = torch.cat([fit.shift, fit.zoom[:, None]], 1).cpu().numpy().tolist()
         found = losses_at(objective, k, yaws, rows)
         for n in np.flatnonzero(found < losses[k]):
             losses[k, n], places[k][n] = found[n], tuple(rows[n])
@@ -181,7 +185,7 @@ def coarse_losses(objective: Objective, yaws: Float[np.ndarray, "n"]) -> Float[n
     count = len(objective)
     device = objective.middle.device
     chunks = torch.as_tensor(yaws, dtype=torch.float32, device=device).split(_CHUNK)
-    rows = []
+    rows: list[Tensor] = []
     with torch.no_grad():
         for chunk in chunks:
             owner = torch.arange(count, device=device).repeat_interleave(len(chunk))
@@ -204,7 +208,7 @@ def losses_at(
 
     device = objective.middle.device
     rows = torch.as_tensor(np.column_stack([yaws, places]), dtype=torch.float32, device=device)
-    out = []
+    out: list[Tensor] = []
     with torch.no_grad():
         for part in rows.split(_CHUNK):
             owner = torch.full((len(part),), number, device=device)
@@ -279,7 +283,7 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
             fall = 0.5 * (1 + np.cos(np.pi * (step + 1) / steps))
             for group, rate in zip(optimiser.param_groups, rates, strict=True):
                 group["lr"] = rate * fall
-    rows = iter(best.cpu().tolist())
+    rows = iter(best.cpu().numpy().tolist())
     refined = [[_candidate(*next(rows)) for _ in found] for found in starts]
     return [sorted(found, key=lambda f: f.loss) for found in refined]
 
