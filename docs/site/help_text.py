@@ -13,7 +13,6 @@ from generator.cli import run
 
 _WIDE = "1000"  # columns: no line is broken but where its docstring ends one
 _NESTED = re.compile(r"\{([\w,-]+)\}")
-_OWN = re.compile(r"tabletopgen (\w+) --help")
 
 
 @dataclass(frozen=True)
@@ -56,7 +55,7 @@ class CommandHelp:
 def commands() -> Iterator[CommandHelp]:
     """Yield every command of ``tabletopgen``, nested ones with their group's name."""
     top = read_help(print_help([]))
-    for name in (*subcommands(top), *_OWN.findall(top.text)):
+    for name in subcommands(top):
         found = read_help(print_help([name]))
         if nested := subcommands(found):
             yield from (read_help(print_help([name, inner])) for inner in nested)

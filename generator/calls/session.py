@@ -25,7 +25,7 @@ from .store import CallStore
 if TYPE_CHECKING:
     import httpx2
 
-    from .asking import Sign
+    from .paid_call import Sign
 
 T = TypeVar("T")
 R = TypeVar("R")

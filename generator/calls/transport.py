@@ -12,12 +12,12 @@ from collections.abc import Mapping
 import httpx2
 
 from ..errors import BackendError, StorageError
-from .asking import PaidCall, SessionState, Sign, entry_of
 from .http.address import local, near
 from .http.dialing import Wire, proxy_for
 from .http.exchange import UNPACKED, Reply, Trouble, exchange
 from .http.pending import PendingCall
 from .http.redaction import excerpt, holds
+from .paid_call import PaidCall, SessionState, Sign, entry_of
 from .question import Question, failed, question
 from .store import StoredAnswer
 from .used import KEY

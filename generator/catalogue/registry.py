@@ -43,10 +43,10 @@ from .things.kitchen import (
     bakeware,
     bottles,
     brewing,
+    cooking,
     cups,
     cutlery,
     dining,
-    kitchen,
     racks,
     utensils,
 )
@@ -68,7 +68,7 @@ from .things.tools import benchwork, craft, fasteners, hardware, tools, workbenc
 from .things.wardrobe import bathroom, clothes, gifts, jewelry
 
 _SHELVES = (
-    *(cups, dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),
+    *(cups, dining, cutlery, brewing, cooking, bottles, pantry, food, bakery),
     *(fruit, produce, groceries, meals, sweets, hardware),
     *(devices, portables, deskware, leisure, ornaments, household),
     *(office, writing, electronics, handhelds, gadgets, decor, plants, keepsakes, lights),

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
 
 import tyro
 
@@ -15,15 +18,19 @@ from .plugins import find_commands, load
 
 DESCRIPTION = """Turn text or a photo of a tabletop into a MuJoCo scene and Gymnasium environments.
 
-The store of finished tables and the open models have subcommands of their own:
-tabletopgen cache --help, tabletopgen models --help.
+tabletopgen COMMAND --help tells more.
 
 Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,
 130 interrupted.
 """
 
-GROUPS = {"cache": cache.app, "models": models.app}
-"""Commands with commands of their own."""
+GROUPS: Mapping[str, tuple[tyro.extras.SubcommandApp, str]] = MappingProxyType(
+    {
+        "cache": (cache.app, "List, check and remove the finished tables of the store."),
+        "models": (models.app, "List, fetch and remove the open models."),
+    }
+)
+"""Commands with commands of their own, and what they are for."""
 
 COMMANDS: tuple[Callable[..., int], ...] = (
     making.generate,
@@ -42,20 +49,35 @@ COMMANDS: tuple[Callable[..., int], ...] = (
 def app(name: str) -> tyro.extras.SubcommandApp:
     """Return the commands: this package's, and of the others the one called ``name``.
 
-    If nothing is called so, as with ``--help``, they are all there.
+    If nothing is called so, as with ``--help``, they are all there, each with one line about it.
 
     Raises:
         InputError: the one called ``name`` cannot be loaded.
     """
     made = tyro.extras.SubcommandApp()
-    for command in COMMANDS:
-        made.command(command)
-    own = {command.__name__ for command in COMMANDS}
+    own = {command.__name__: command for command in COMMANDS}
     others = {} if name in own else find_commands()
+    found: dict[str, Callable[..., Any]] = dict(own)
     for entry in [others[name]] if name in others else others.values():
-        if entry.name not in own | GROUPS.keys() and (found := load(entry, entry.name == name)):
-            made.command(name=entry.name)(found)
+        if entry.name not in own.keys() | GROUPS.keys():
+            command = load(entry, entry.name == name)
+            found |= {entry.name: command} if command else {}
+    for known, command in found.items():
+        made.command(name=known)(command if name in found else _brief(command))
+    for group, (commands, purpose) in GROUPS.items():
+        made.command(name=group)(_brief(commands.cli, purpose))
     return made
+
+
+def _brief(command: Callable[..., Any], purpose: str = "") -> Callable[..., Any]:
+    """Return a command of which a list of commands shows one line."""
+
+    @functools.wraps(command)
+    def brief(*args: Any, **settings: Any) -> Any:
+        return command(*args, **settings)
+
+    brief.__doc__ = purpose or (command.__doc__ or "").partition("\n\n")[0]
+    return brief
 
 
 def run(arguments: list[str]) -> int:
@@ -63,7 +85,9 @@ def run(arguments: list[str]) -> int:
     name = arguments[0] if arguments else ""
     try:
         if group := GROUPS.get(name):
-            return group.cli(prog=f"tabletopgen {name}", args=arguments[1:], use_underscores=False)
+            return group[0].cli(
+                prog=f"tabletopgen {name}", args=arguments[1:], use_underscores=False
+            )
         code = app(name).cli(
             prog="tabletopgen", description=DESCRIPTION, args=arguments, use_underscores=False
         )

@@ -17,11 +17,11 @@ from ..method.publish import without
 from ..scene import TABLE, Edit, EditKind, Model, Object, Placement, PlannedObject, Relation, Scene
 from ..scene.provenance import plain, versions
 from . import planning
-from .asking import Planner, as_planned, understand, whereabouts
 from .edited import Edited, Opened
 from .making import check_known, check_style, make, remodel
 from .moving import moved_by, moved_to
 from .placing import beneath, loads, place_by_relations, pose, set_down
+from .request import Planner, as_planned, understand, whereabouts
 from .settling import settle_again, try_places
 
 ATTEMPTS = 4

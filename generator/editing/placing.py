@@ -26,7 +26,7 @@ from ..scene import (
     Scene,
     ScenePlan,
 )
-from .asking import as_planned
+from .request import as_planned
 
 _TOUCH = 1e-3  # metres: things nearer than this touch
 

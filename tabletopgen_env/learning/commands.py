@@ -66,6 +66,8 @@ def train(
 ) -> int:
     """Train a policy by a recipe.
 
+    reach-sac (minutes) · lift-clone --scenes fresh · pickplace-clone --set cloning.rounds=4
+
     After Ctrl-C, --resume continues a run of reinforcement learning; clone recipes start over.
 
     Args:

@@ -24,16 +24,16 @@ from ...scene import (
 )
 from .. import protocols
 from .drawing import cutting
-from .drawing.asking import RATIOS, Form, Painter, Tolerated
+from .drawing.picture_request import RATIOS, Form, Painter, Tolerated
 from .drawing.pictures import on_white, pad, shrink
 from .prompts import prompt
 from .questions import planning
 from .questions.checking import faults
 from .questions.labelled import Labelled
 from .server import configuration
-from .server.asking import Chat, Manners
 from .server.calling import Server
 from .server.reading import Wrong
+from .server.typed_question import Chat, Manners
 
 REDRAWS = 2
 """How often at most a picture is drawn again that does not show what it should."""

@@ -25,8 +25,8 @@ from .prompts import prompt as worded
 from .questions import estimating, judging, orientation, planning
 from .server import configuration
 from .server.answers import OrientationAnswer, PlanAnswer
-from .server.asking import Chat, Manners
 from .server.calling import Server
+from .server.typed_question import Chat, Manners
 
 
 @dataclass(frozen=True)

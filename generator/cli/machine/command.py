@@ -51,7 +51,25 @@ def describe(found: Mapping[str, Any]) -> list[str]:
         "Caches": [f"{name}: {_megabytes(facts['bytes'])} in {facts['folder']}"
                    for name, facts in found["caches"].items()],
     }  # fmt: skip
+    sections["Verdict"] = verdict(found)
     return [line for title, rows in sections.items() for line in (title, *(f"  {r}" for r in rows))]
+
+
+def verdict(found: Mapping[str, Any]) -> list[str]:
+    """Return in plain words what works here and what does not."""
+    missing = [name for name, version in found["packages"].items() if version is None]
+    drawing = next((name for name, probe in found["rendering"].items() if probe["works"]), None)
+    embedded = all(found["models"]["embedded"].values())
+    extras = found["extras"]
+    trains = not extras["train"]["missing"]
+    return [
+        f"compose, environments: {'no, packages are missing' if missing else 'yes'}",
+        f"generate without a key: {'yes' if embedded and not missing else 'no'}",
+        f"pictures: {f'by OpenGL ({drawing})' if drawing else 'in software (slower)'}",
+        f"training: {'yes' if trains else 'no, ' + extras['train']['install']}, "
+        f"on {'a GPU' if found['cuda']['works'] else 'the CPU'}",
+        f"models by API: {'yes' if any(found['keys'].values()) else 'no key is set'}",
+    ]
 
 
 def _probe(name: str, facts: Mapping[str, Any]) -> str:

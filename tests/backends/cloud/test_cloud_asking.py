@@ -16,7 +16,7 @@ from openai_server import KEY, Request, Running, from_uri, pixels
 
 from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server import calling, configuration
-from generator.backends.cloud.server.asking import ANSWER, REASKS
+from generator.backends.cloud.server.typed_question import ANSWER, REASKS
 from generator.calls.money.prices import Price, Prices
 from generator.calls.session import Session
 from generator.calls.store import CallStore

@@ -20,7 +20,7 @@ from toy import cube_mesh
 
 from generator.backends.cloud.drawing.pictures import pad
 from generator.backends.cloud.imager import REDRAWS, CloudImager
-from generator.backends.cloud.server.asking import data_uri
+from generator.backends.cloud.server.typed_question import data_uri
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 from generator.calls.used import Used

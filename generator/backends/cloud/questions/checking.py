@@ -7,8 +7,8 @@ from jaxtyping import UInt8
 
 from ..prompts import prompt
 from ..server.answers import TopViewAnswer
-from ..server.asking import Chat
 from ..server.reading import Wrong
+from ..server.typed_question import Chat
 from .labelled import GRID, Labelled
 
 _SAME = 0.85  # overlap from which two boxes are one place

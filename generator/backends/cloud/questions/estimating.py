@@ -18,8 +18,8 @@ from ..server.answers import (
     TurnsAnswer,
     ViewAnswer,
 )
-from ..server.asking import Chat
 from ..server.reading import Wrong
+from ..server.typed_question import Chat
 from .labelled import Labelled
 
 Instances = tuple[Instance, ...]

@@ -11,8 +11,8 @@ from jaxtyping import UInt8
 from ....errors import InputError
 from ..prompts import prompt
 from ..server.answers import MarksAnswer, OrderAnswer
-from ..server.asking import Chat
 from ..server.reading import Wrong
+from ..server.typed_question import Chat
 
 Picture = UInt8[np.ndarray, "_ _ 3"]
 

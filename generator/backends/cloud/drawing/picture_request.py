@@ -26,8 +26,8 @@ from ....calls.used import Used
 from ....errors import UnusableError
 from ....io.png import encode_png
 from ..server import configuration
-from ..server.asking import data_uri
 from ..server.calling import Rejected, Server
+from ..server.typed_question import data_uri
 from .pictures import RGBA, NotAPicture, decode
 
 Form = Literal["openai", "seedream"]
