@@ -25,6 +25,7 @@ demo: $(VENV)/.installed  ## a text and a picture to bundles, the Panda moves an
 check: $(VENV)/.installed-dev  ## lint, types and the fast tests, side by side
 	$(MAKE) --jobs=3 --output-sync=target lint types test-fast
 
+test: export TABLETOPGEN_CHECK_ARRAYS = 1  # shapes and types of arrays, at run time
 test: $(VENV)/.installed-dev  ## the whole test suite
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 
