@@ -82,7 +82,7 @@ def pictures(
     return seen
 
 
-def geom_labels(world: World, order: Sequence[str]) -> UInt8[np.ndarray, "ngeom+1"]:
+def geom_labels(world: World, order: Sequence[str]) -> UInt8[np.ndarray, "geoms"]:
     """Return what each geom is in a segmentation; the last entry is for geom -1, nothing."""
     model = world.model
     body = np.full(model.nbody, BACKGROUND, np.uint8)

@@ -184,7 +184,7 @@ class Task(ABC):
 
     # -------------------------------------------------------------------------------------- reward
 
-    def goal_terms(self, agreement: Agreement) -> dict[str, Float[np.ndarray, "*n"]]:
+    def goal_terms(self, agreement: Agreement) -> dict[str, float | Float[np.ndarray, "*n"]]:
         """Return the terms that follow from the goal vectors: place, met, success; vectorised."""
         across, up, met = agreement.across, agreement.up, agreement.met
         if met.shape == (1,):  # one goal at a time: the same sums, without arrays
