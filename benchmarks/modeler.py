@@ -108,7 +108,7 @@ def draw_case(model: Model, rng: np.random.Generator) -> ModelerCase:
     drawn = render([ground(), item], camera, light=light)
     mask = drawn.ids == 1
     found = complete(Reference(drawn.image), Detection(model.label, mask_box(mask), mask), ())
-    plane = TablePlane(view, camera, "rectangle", False, (1.6, 1.2), 0.0, np.zeros((4, 2)), 0.0)
+    plane = TablePlane(view, camera, "rectangle", False, (1.6, 1.2), 0.0, 0.0)
     return ModelerCase(
         model.category, item, found,
         ray_view(view, (found.box[:2] + found.box[2:]) / 2, WIDTH, HEIGHT), camera, light,

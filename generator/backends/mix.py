@@ -31,7 +31,7 @@ class Mix:
 
     @property
     def given(self) -> bool:
-        """Whether anybody is named."""
+        """Whether any name is given."""
         return any(getattr(self, field.name) is not None for field in fields(self))
 
     @property

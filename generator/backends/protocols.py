@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 R = TypeVar("R")
+Instances = tuple[Instance, ...]
+Sizes = Mapping[str, SizePrior]
 
 
 class Each(Protocol):
@@ -65,9 +67,7 @@ class Reasoner(Protocol):
         """Estimate azimuth, elevation and field of view from the image (Sec. 3.3)."""
         ...
 
-    def estimate_sizes(
-        self, reference: Reference, instances: tuple[Instance, ...], view: View
-    ) -> Mapping[str, SizePrior]:
+    def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
         """Give each instance's commonsense size and axes, the table's too (Fig. 22)."""
         ...
 
@@ -81,7 +81,7 @@ class Reasoner(Protocol):
         ...
 
     def stacking_order(
-        self, reference: Reference, instances: tuple[Instance, ...], view: View
+        self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
         """Say what each instance stands on or in (Fig. 25)."""
         ...
@@ -114,17 +114,13 @@ class Judge(Protocol):
 
 @runtime_checkable
 class PoseGuesser(Protocol):
-    """Numbers read off the picture (Sec. 4.3): two questions that a reasoner may answer, too.
+    """Poses read off the picture (Sec. 4.3) where an ablation leaves out DRO and TSA.
 
-    They stand in for DRO and TSA where an ablation leaves these out.
+    Two questions that a reasoner may answer, too.
     """
 
     def guess_rotations(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        sizes: Mapping[str, SizePrior],
-        view: View,
+        self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
         """Say each instance's yaw in radians, world frame; the table, whose yaw is 0, is left out.
 
@@ -133,16 +129,9 @@ class PoseGuesser(Protocol):
         ...
 
     def guess_layout(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        sizes: Mapping[str, SizePrior],
-        view: View,
+        self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Say where on the table each instance is and how large, in metres, without the table.
-
-        The tabletop is as large as ``sizes`` has it.
-        """
+        """Say where each instance but the table is on a top of size ``sizes``, and how large: m."""
         ...
 
 
@@ -167,16 +156,15 @@ class Imager(Protocol):
     def top_view(
         self,
         reference: Reference,
-        instances: tuple[Instance, ...],
+        instances: Instances,
         models: Mapping[str, Model],
         rotations: Mapping[str, Rotation],
         view: View,
     ) -> TopView:
         """Show the table from straight above (Sec. 3.3, TSA, Fig. 24).
 
-        ``instances`` includes the table. A backend that only draws may leave ``boxes`` empty; the
-        stage then has the segmenter find them. Models and rotations are what is known so far;
-        generative backends may ignore them.
+        ``instances`` includes the table. A backend that only draws may leave ``boxes`` empty, for
+        the segmenter to find, and ignore ``models`` and ``rotations``: what is known so far.
         """
         ...
 
@@ -194,10 +182,8 @@ class Segmenter(Protocol):
     ) -> tuple[Detection, ...]:
         """Find every instance of ``labels``; exactly one detection has the label "table".
 
-        ``depth`` (metres, 0 where unknown) and ``intrinsics`` come with an RGB-D picture only.
-
-        A label "object" asks for anything that stands on the table; a backend that can name what
-        it found answers with a better word.
+        ``depth`` (metres, 0 where unknown) and ``intrinsics`` come with an RGB-D picture only. The
+        label "object" asks for anything on the table; a backend may answer with a better word.
         """
         ...
 
@@ -209,7 +195,7 @@ class Modeler(Protocol):
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Make a textured model of one instance (the table too), in any orientation by 90 degrees.
 
-        ``view`` is the view of this very instance (along its own ray). ``size`` is the prior.
+        ``view`` is along the instance's own ray, ``size`` the prior.
         """
         ...
 
@@ -219,8 +205,5 @@ class Encoder(Protocol):
     """Differentiable appearance features Phi of Eq. 4."""
 
     def features(self, images: torch.Tensor) -> tuple[torch.Tensor, ...]:
-        """Map (b, 3, h, w) images in [0, 1] to spatial feature maps (b, c, h', w').
-
-        Differentiable in ``images``.
-        """
+        """Map (b, 3, h, w) images in [0, 1], differentiably, to feature maps (b, c, h', w')."""
         ...

@@ -56,11 +56,7 @@ TABLE: Mapping[str, Mapping[str, str]] = {
 
 
 def _check_names(default: str, roles: Mapping[str, Any]) -> None:
-    """Check that every role that is given by name has an answer; ``default`` for those left open.
-
-    Raises:
-        BackendError: an unknown name, or the questions that lack an answer.
-    """
+    """Raise BackendError where a role's name, or ``default`` for it, is unknown or no answer."""
     if default not in TABLE:
         raise BackendError(f"Unknown backend {default!r}.{choices(default, TABLE)}")
     names = {role: pick for role in PROTOCOLS if isinstance(pick := roles.get(role, default), str)}
@@ -93,7 +89,7 @@ def _load(name: str, role: str, session: Session) -> Any:
 
 
 def _add_fallback(role: str, backend: Any) -> Any:
-    """Return a backend that has a ``fallback`` with the embedded one for it, unless it has one."""
+    """Return a backend with the embedded one as its ``fallback`` if it has such a field, empty."""
     if "fallback" not in _fields(type(backend)) or backend.fallback is not None:
         return backend
     return dataclasses.replace(backend, fallback=_load("embedded", role, Session()))

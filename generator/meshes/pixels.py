@@ -24,6 +24,16 @@ def nearest_inside(
     return rows, columns
 
 
+def dilate(mask: Mask, side: int) -> Mask:
+    """Return a mask grown by a square brush of ``side`` pixels."""
+    return cv2.dilate(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
+
+
+def erode(mask: Mask, side: int) -> Mask:
+    """Return a mask shrunk by a square brush of ``side`` pixels, but not at the frame."""
+    return cv2.erode(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
+
+
 def hull_of(mask: Mask) -> Mask:
     """Return the filled convex hull of a mask."""
     points = np.column_stack(np.nonzero(mask)[::-1]).astype(np.int32)

@@ -94,6 +94,11 @@ class Projection:
         return np.array([-self.rotation[0, 1], self.rotation[0, 0], 0.0])
 
     @property
+    def pixel(self) -> float:
+        """Length of a pixel at the origin's distance."""
+        return float(np.linalg.norm(self.position)) / self.focal
+
+    @property
     def sine(self) -> float:
         """Sine of the elevation under which the camera sees the origin."""
         return float(np.clip(self.position[2] / np.linalg.norm(self.position), 0.05, 1.0))

@@ -78,12 +78,12 @@ def lesson(
     mask.
     """
     glance = glance_at(load_weights(), np.ascontiguousarray(image))
-    clues = clues_of(glance.finds, glance.region)
+    clues = clues_of(glance.things, glance.region)
     count = len(full)
     area = np.bincount(visible.ravel(), minlength=count + 1)[1:]
     shows = worth_finding(area, full.sum((1, 2)))
-    overlap = np.zeros((len(glance.finds), count + 1))  # the first column: no thing
-    for row, detection in zip(overlap, glance.finds, strict=True):
+    overlap = np.zeros((len(glance.things), count + 1))  # the first column: no thing
+    for row, detection in zip(overlap, glance.things, strict=True):
         shared = np.bincount(visible[detection.visible], minlength=count + 1)[1:]
         row[1:] = shared / (area + detection.visible.sum() - shared)
     thing, right = overlap.argmax(1), overlap.max(1) >= _RIGHT

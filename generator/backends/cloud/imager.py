@@ -22,7 +22,7 @@ from ...scene import (
     TopView,
     View,
 )
-from .. import protocols
+from ..protocols import Imager, Instances
 from .drawing import cutting
 from .drawing.picture_request import RATIOS, Form, Painter, Tolerated
 from .drawing.pictures import on_white, pad, shrink
@@ -66,7 +66,7 @@ class CloudImager:
     chat_model: str = field(default_factory=configuration.chat_model)
     seed: int = 0
     session: Session = field(default_factory=Session, repr=False, compare=False)
-    fallback: protocols.Imager | None = field(default=None, repr=False, compare=False)
+    fallback: Imager | None = field(default=None, repr=False, compare=False)
     manners: Manners = field(default_factory=Manners, repr=False, compare=False)
     tolerated: Tolerated = field(default_factory=Tolerated, repr=False, compare=False)
 
@@ -147,16 +147,16 @@ class CloudImager:
     def top_view(
         self,
         reference: Reference,
-        instances: tuple[Instance, ...],
+        instances: Instances,
         models: Mapping[str, Model],
         rotations: Mapping[str, Rotation],
         view: View,
     ) -> TopView:
         """Draw the table from above; its boxes are left to the segmenter.
 
-        The chat model checks that each thing is there once and nothing else is. After ``REDRAWS``
-        more drawings that fail, or where a model refuses or gives nothing of use, ``fallback``
-        makes the view by geometry, and ``warnings`` of the top view says why.
+        The chat model checks that each thing is there once and nothing else is. Where a model
+        refuses, or ``REDRAWS`` more drawings fail, ``fallback`` makes the view by geometry, and
+        ``warnings`` of the top view says why.
 
         Raises:
             BackendError: a server gave no answer at all, or none of use and there is no fallback.
@@ -171,27 +171,16 @@ class CloudImager:
         return replace(made, repaired=tuple(made.boxes), warnings=(*made.warnings, warning))
 
     def _drawn_top_view(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        models: Mapping[str, Model],
+        self, reference: Reference, instances: Instances, models: Mapping[str, Model]
     ) -> TopView:
-        """Return a drawn top view that is right.
-
-        Raises:
-            UnusableError: none is.
-            BackendError: a server gave no answer at all.
-        """
+        """Return a drawn top view that is right (UnusableError: none is)."""
         things = Labelled.of(reference.image, instances)
-        pictures = [pad(p, *RATIOS[self.painter.form]) for p in (reference.image, things.picture())]
+        pictures = [pad(p, *RATIOS[self.painter.form]) for p in things.pair()]
         extent = _table_size(reference, models)
-        ratio = extent[0] / extent[1] if extent else _WIDE
-        size = (
-            ", {:.0f} cm from left to right by {:.0f} cm".format(*(100 * v for v in extent))
-            if extent
-            else ""
-        )
-        complaint = ""
+        ratio, size, complaint = _WIDE, "", ""
+        if extent is not None:
+            ratio = extent[0] / extent[1]
+            size = ", {:.0f} cm from left to right by {:.0f} cm".format(*(100 * v for v in extent))
         for take in range(1 + REDRAWS):
             text = prompt(
                 "top_view", size=size, count=str(things.count), things=things.names(),
@@ -233,9 +222,10 @@ def _as_instance(detection: Detection) -> Instance:
 
 
 def _table_size(reference: Reference, models: Mapping[str, Model]) -> tuple[float, float] | None:
-    """Return the table's length and width in metres, as far as they are known."""
+    """Return the table's length and width in metres, if they are known."""
     if reference.plan is not None:
         return reference.plan.table.size[:2]
-    if TABLE in models:
-        return float(models[TABLE].size[0]), float(models[TABLE].size[1])
-    return None
+    if TABLE not in models:
+        return None
+    length, width, _ = models[TABLE].size.tolist()
+    return length, width

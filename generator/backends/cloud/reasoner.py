@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from string import ascii_uppercase
 
 import numpy as np
 from jaxtyping import UInt8
 
 from ...calls.session import Session
+from ...errors import InputError
+from ...geometry import wrap
 from ...scene import (
     TABLE,
     Instance,
@@ -20,13 +23,17 @@ from ...scene import (
     Stacking,
     View,
 )
+from ..protocols import Instances, Sizes
 from .drawing.pictures import on_white
 from .prompts import prompt as worded
-from .questions import estimating, judging, orientation, planning
-from .server import configuration
-from .server.answers import OrientationAnswer, PlanAnswer
+from .questions import estimating, orientation, planning
+from .questions.labelled import Labelled
+from .server import answers, configuration
 from .server.calling import Server
+from .server.reading import Wrong
 from .server.typed_question import Chat, Manners
+
+Picture = UInt8[np.ndarray, "_ _ 3"]
 
 
 @dataclass(frozen=True)
@@ -67,28 +74,63 @@ class CloudReasoner:
             InputError: the text is empty or too long.
             BackendError: no usable answer, as for every question.
         """
-        text = planning.checked_text(prompt)
-        return self.chat.ask(
-            "plan_scene",
-            worded("plan_scene", text=text, seed=str(seed)),
-            (),
-            PlanAnswer,
-            lambda answer: planning.to_plan(prompt, answer),
-        )
+        text = worded("plan_scene", text=planning.checked_text(prompt), seed=str(seed))
+
+        def plan(answer: answers.PlanAnswer) -> ScenePlan:
+            return planning.to_plan(prompt, answer)
+
+        return self.chat.ask("plan_scene", text, (), answers.PlanAnswer, plan)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
         """Return "table" and the noun of each kind seen, as often as it is there."""
-        return estimating.list_objects(self.chat, reference)
+        plan = ""
+        if reference.plan is not None:
+            nouns = ", ".join(thing.noun for thing in reference.plan.objects)
+            plan = (
+                f"\nThe picture was drawn to show: {nouns}. Where one of these words fits what you "
+                "see, use it; list no kind that is not there, and also what is there beside these."
+            )
+        text = worded("list_objects", plan=plan)
+        return self.chat.ask(
+            "list_objects", text, (reference.image,), answers.KindsAnswer, estimating.kinds
+        )
 
     def estimate_view(self, reference: Reference, table: Instance) -> View:
         """Return the camera as the model judges it; known intrinsics tell the field of view."""
-        return estimating.estimate_view(self.chat, reference, table)
+        shown = Labelled.of(reference.image, (table,))
 
-    def estimate_sizes(
-        self, reference: Reference, instances: tuple[Instance, ...], view: View
-    ) -> Mapping[str, SizePrior]:
+        def view(answer: answers.ViewAnswer) -> View:
+            fov = float(np.deg2rad(answer.vertical_fov))
+            if reference.intrinsics is not None:
+                half = reference.image.shape[0] / 2
+                fov = 2 * float(np.arctan(half / reference.intrinsics.fy))
+            azimuth, elevation = np.deg2rad([answer.azimuth, answer.elevation])
+            return View(float(azimuth), float(elevation), fov)
+
+        text = worded("estimate_view", listing=shown.listing())
+        return self.chat.ask("estimate_view", text, (shown.picture(),), answers.ViewAnswer, view)
+
+    def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
         """Return usual sizes; those that a text fixed are kept."""
-        return estimating.estimate_sizes(self.chat, reference, instances)
+        shown = Labelled.of(reference.image, instances)
+        fixed = estimating.fixed_sizes(reference, instances)
+        numbers = shown.numbers
+        known = [f"Number {numbers[n]} measures {planning.in_cm(s)}." for n, s in fixed.items()]
+
+        def sizes(answer: answers.SizesAnswer) -> Sizes:
+            return {
+                name: SizePrior(
+                    name,
+                    fixed.get(name, np.array([a.length, a.width, a.height]) / 100),
+                    a.placement,
+                    (a.length_is, a.width_is, a.height_is),
+                )
+                for name, a in shown.match(answer.sizes).items()
+            }
+
+        note = "\nThis is known: " + " ".join(known) if known else ""
+        text = worded("estimate_sizes", listing=shown.listing(), known=note)
+        return self.chat.ask("estimate_sizes", text, shown.pair(), answers.SizesAnswer, sizes)
 
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
@@ -104,48 +146,77 @@ class CloudReasoner:
         )  # fmt: skip
         pictures = (on_white(instance.crop), orientation.six_sides(mesh))
         return self.chat.ask(
-            "review_orientation", text, pictures, OrientationAnswer, orientation.turns
+            "review_orientation", text, pictures, answers.OrientationAnswer, orientation.turns
         )
 
     def stacking_order(
-        self, reference: Reference, instances: tuple[Instance, ...], view: View
+        self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
         """Return what each thing rests on or in; layers are counted from the table up."""
-        return estimating.stacking_order(self.chat, reference, instances)
+        shown = Labelled.of(reference.image, instances)
+
+        def stacking(answer: answers.RestsAnswer) -> Mapping[str, Stacking]:
+            return estimating.stacking(answer, shown)
+
+        text = worded("stacking_order", listing=shown.listing())
+        return self.chat.ask("stacking_order", text, shown.pair(), answers.RestsAnswer, stacking)
 
     def rate(
-        self,
-        reference: UInt8[np.ndarray, "h w 3"],
-        pictures: tuple[UInt8[np.ndarray, "a b 3"], ...],
-        criteria: Mapping[str, str],
+        self, reference: Picture, pictures: tuple[Picture, ...], criteria: Mapping[str, str]
     ) -> Mapping[str, float]:
         """Return marks from 1 to 7."""
-        return judging.rate(self.chat, reference, pictures, criteria)
+
+        def marks(answer: answers.MarksAnswer) -> dict[str, float]:
+            given = [m.criterion for m in answer.marks]
+            if sorted(given) != sorted(criteria):
+                raise Wrong(f"marks are needed for {', '.join(criteria)}, each once; got {given}.")
+            return {m.criterion: m.mark for m in answer.marks}
+
+        listed = "\n".join(f"- {key}: {meaning}" for key, meaning in criteria.items())
+        text = worded("rate", count=str(len(pictures)), criteria=listed)
+        return self.chat.ask("rate", text, (reference, *pictures), answers.MarksAnswer, marks)
 
     def rank(
-        self,
-        reference: UInt8[np.ndarray, "h w 3"],
-        methods: Mapping[str, tuple[UInt8[np.ndarray, "a b 3"], ...]],
+        self, reference: Picture, methods: Mapping[str, tuple[Picture, ...]]
     ) -> tuple[str, ...]:
-        """Return the methods, best first; the model is told letters, no names."""
-        return judging.rank(self.chat, reference, methods)
+        """Return the methods, best first; the model is told letters, no names.
+
+        Raises:
+            InputError: more methods than letters.
+        """
+        if len(methods) > len(ascii_uppercase):
+            raise InputError(f"At most {len(ascii_uppercase)} methods can be ranked at once.")
+        letters = dict(zip(ascii_uppercase, methods, strict=False))
+
+        def order(answer: answers.OrderAnswer) -> tuple[str, ...]:
+            given = [letter.strip().upper() for letter in answer.order]
+            if sorted(given) != sorted(letters):
+                raise Wrong(f"the order must hold {', '.join(letters)}, each once; got {given}.")
+            return tuple(letters[letter] for letter in given)
+
+        lines = [f"{letter}: {len(methods[name])} pictures" for letter, name in letters.items()]
+        pictures = [picture for shown in methods.values() for picture in shown]
+        text = worded("rank", listing="\n".join(lines))
+        return self.chat.ask("rank", text, (reference, *pictures), answers.OrderAnswer, order)
 
     def guess_rotations(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        sizes: Mapping[str, SizePrior],
-        view: View,
+        self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
         """Return yaws as the model sees them."""
-        return estimating.guess_rotations(self.chat, reference, instances, sizes, view)
+        shown = Labelled.of(reference.image, instances, table=False)
+        if not shown.by_number:
+            return {}
+
+        def yaws(answer: answers.TurnsAnswer) -> dict[str, float]:
+            by_name = shown.match(answer.turns, without=(0,))
+            return {name: wrap(float(np.deg2rad(a.yaw))) for name, a in by_name.items()}
+
+        known = estimating.pose_facts(shown, sizes, view)
+        text = worded("guess_rotations", **known)
+        return self.chat.ask("guess_rotations", text, shown.pair(), answers.TurnsAnswer, yaws)
 
     def guess_layout(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        sizes: Mapping[str, SizePrior],
-        view: View,
+        self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
         """Return places and sizes as the model sees them, none beyond the tabletop.
 
@@ -154,4 +225,18 @@ class CloudReasoner:
         """
         if TABLE not in sizes:
             raise self.chat.server.failure("guess_layout", "the size of the table is not given.")
-        return estimating.guess_layout(self.chat, reference, instances, sizes, view)
+        shown = Labelled.of(reference.image, instances, table=False)
+        if not shown.by_number:
+            return {}
+        length, width = 100 * sizes[TABLE].extent[:2]
+
+        def layout(answer: answers.PlacesAnswer) -> dict[str, LayoutBox]:
+            return estimating.layout(answer, shown, length, width)
+
+        text = worded(
+            "guess_layout",
+            length=f"{length:.0f}", width=f"{width:.0f}",
+            half_length=f"{length / 2:.0f}", half_width=f"{width / 2:.0f}",
+            **estimating.pose_facts(shown, sizes, view),
+        )  # fmt: skip
+        return self.chat.ask("guess_layout", text, shown.pair(), answers.PlacesAnswer, layout)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
 from ...language.naming import known_category
@@ -17,7 +16,7 @@ from ...meshes.pixels import mask_iou
 from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from .shapes.choosing import best_solid
-from .shapes.framing import proportion_gap
+from .shapes.framing import proportion_gap, small_mask
 from .shapes.likeness import Likeness, fit_likeness
 from .shapes.painting import PROJECT, paint
 from .shapes.solids import PosedSolid
@@ -69,58 +68,35 @@ def likeness_model(
     found: Likeness, instance: Instance, projection: Projection, size: SizePrior, texture: int
 ) -> Model:
     """Return the catalogue model of a likeness with the crop's proportions and colours."""
-    return dataclasses.replace(
-        found.model,
-        name=instance.label,
-        label=instance.label,
-        mesh=paint(
-            found.model.mesh,
-            found.extent,
-            found.yaw,
-            found.position,
-            instance.crop,
-            projection,
-            texture,
-            found.iou >= PROJECT,
-        ),
-        size=metric(found.extent, size),
-    )
-
-
-def small_mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]:
-    """Return the crop's silhouette at the size of ``small``."""
-    size = small.width, small.height
-    alpha = cv2.resize(instance.crop[..., 3], size, interpolation=cv2.INTER_AREA)
-    return alpha > 127
+    mesh = paint(
+        found.model.mesh, found.extent, found.yaw, found.position, instance.crop, projection,
+        texture, found.iou >= PROJECT,
+    )  # fmt: skip
+    label, extent = instance.label, metric(found.extent, size)
+    return dataclasses.replace(found.model, name=label, label=label, mesh=mesh, size=extent)
 
 
 def solid_model(
     posed: PosedSolid, instance: Instance, projection: Projection, size: SizePrior, texture: int
 ) -> Model:
     """Paint a posed solid from the crop and bring it to the canonical frame."""
-    world = posed.world
     planes = mirror_planes(posed, projection)
     atlas, picture = baking.paint(
-        world, posed.solid.faces, instance.crop, projection, planes, texture, posed.kind != "carved"
-    )
+        posed.world, posed.solid.faces, instance.crop, projection, planes, texture,
+        posed.kind != "carved",
+    )  # fmt: skip
     mesh, center, extent = to_unit_box(baking.apply_texture(atlas, posed.solid.vertices, picture))
-    return Model(
-        instance.label,
-        instance.label,
-        mesh,
-        metric(extent, size),
-        Physics(density=500.0, friction=0.6),
-        parts_to_unit_box(posed.solid.parts, center, extent),
-    )
+    parts = parts_to_unit_box(posed.solid.parts, center, extent)
+    label, physics = instance.label, Physics(density=500.0, friction=0.6)
+    return Model(label, label, mesh, metric(extent, size), physics, parts)
 
 
 def mirror_planes(posed: PosedSolid, projection: Projection) -> tuple[Float[np.ndarray, "4"], ...]:
     """Return the vertical planes about which a solid may be taken to look alike."""
     low, high = posed.solid.vertices.min(0), posed.solid.vertices.max(0)
-    middle = rotation_z(posed.yaw) @ ((low + high) / 2) + posed.position
+    turn = rotation_z(posed.yaw)
+    middle = turn @ ((low + high) / 2) + posed.position
+    normals = [turn[:, 1], turn[:, 0]]
     if posed.kind == "revolution":
         normals = [projection.away, projection.right]
-    else:
-        turn = rotation_z(posed.yaw)
-        normals = [turn[:, 1], turn[:, 0]]
     return tuple(np.array([*n, n @ middle]) for n in normals)

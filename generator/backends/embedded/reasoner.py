@@ -15,13 +15,14 @@ from ...scene import (
     LayoutBox,
     Mesh,
     Reference,
-    ScenePlan,
     SizePrior,
     Stacking,
     View,
 )
+from ..protocols import Instances, Sizes
 from .layout import guessing
-from .layout.survey import Survey, solid_size, stacking_of, survey
+from .layout.stacking import stack
+from .layout.survey import Survey, solid_size, survey
 from .plane.measure import apparent_scale, measured_extent, usual_solid, whole_box
 from .segmenter import GENERIC
 
@@ -37,9 +38,7 @@ class EmbeddedReasoner:
     The two of ``PoseGuesser`` it answers by a naive look at the picture (``guessing``).
     """
 
-    def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
-        """Expand a text by rules (``planner``)."""
-        return plan_scene(prompt, seed)
+    plan_scene = staticmethod(plan_scene)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
         """Return the plan's nouns, one per expected thing; without a plan, ask for anything."""
@@ -51,9 +50,7 @@ class EmbeddedReasoner:
         """Return the camera that depth shows, or that explains the tabletop's outline."""
         return survey(reference, (table,)).plane.view
 
-    def estimate_sizes(
-        self, reference: Reference, instances: tuple[Instance, ...], view: View
-    ) -> Mapping[str, SizePrior]:
+    def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
         """Return catalogue sizes for words it knows, and measured sizes for the rest.
 
         The table is as long as makes most known things their usual size, within what tables are.
@@ -61,35 +58,30 @@ class EmbeddedReasoner:
         """
         seen = survey(reference, instances)
         plane, solids = seen.plane, seen.solids
-        stacking = stacking_of(instances, solids, _holds)
-        usual: dict[str, SizePrior] = {}
-        measured: dict[str, np.ndarray] = {}
+        stacking = stack(instances, _holds, solids)
+        found: dict[str, SizePrior | np.ndarray] = {}  # an extent is still to be scaled
         looks: list[tuple[float, float]] = []
         for instance in instances:
-            if instance.name == TABLE:
+            name = instance.name
+            if name == TABLE:
                 continue
             prior = _usual_size(reference, instance)
-            if instance.name in solids:
-                prior = solid_size(instance, solids, stacking, prior)
-            elif prior is not None:
-                category = find_category(instance.label)
-                if category is not None:
+            if name in solids:
+                found[name] = solid_size(instance, solids, stacking, prior)
+            elif prior is None:
+                found[name], _ = measured_extent(np.asarray(instance.mask), plane)
+            else:
+                found[name] = prior
+                if (category := find_category(instance.label)) is not None:
                     solid = usual_solid(category.key)
                     looks.append(apparent_scale(whole_box(instance), solid, plane))
-            else:
-                measured[instance.name], _ = measured_extent(np.asarray(instance.mask), plane)
-            if prior is not None:
-                usual[instance.name] = prior
         metric = reference.plan is not None or reference.depth is not None
         factor = 1.0 if metric else _table_factor(looks)
-        sizes = {TABLE: _table_size(reference, seen, factor)}
-        for instance in instances:
-            if instance.name != TABLE:
-                prior = usual.get(instance.name)
-                sizes[instance.name] = prior or SizePrior(
-                    instance.name, measured[instance.name] * factor
-                )
-        return sizes
+        sizes = {
+            name: size if isinstance(size, SizePrior) else SizePrior(name, size * factor)
+            for name, size in found.items()
+        }
+        return {TABLE: _table_size(reference, seen, factor), **sizes}
 
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
@@ -98,28 +90,20 @@ class EmbeddedReasoner:
         return ()
 
     def stacking_order(
-        self, reference: Reference, instances: tuple[Instance, ...], view: View
+        self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
         """Return what each thing stands on or in: by depth, or by the masks (``stacking``)."""
         solids = survey(reference, instances).solids if reference.depth is not None else {}
-        return stacking_of(instances, solids, _holds)
+        return stack(instances, _holds, solids)
 
     def guess_rotations(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        sizes: Mapping[str, SizePrior],
-        view: View,
+        self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
         """Return the yaw that each mask's long axis suggests, to 15 degrees (``guessing``)."""
         return guessing.guess_rotations(instances, sizes, view)
 
     def guess_layout(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        sizes: Mapping[str, SizePrior],
-        view: View,
+        self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
         """Return places read off the table's box, and usual sizes (``guessing``)."""
         return guessing.guess_layout(instances, sizes, view)

@@ -12,15 +12,19 @@ from jaxtyping import Bool, Float, UInt8
 from ...errors import SceneError
 from ...geometry import main_parts, mask_box
 from ...language.naming import assign, free_labels, shape_word, weigh
+from ...meshes.pixels import dilate
 from ...scene import TABLE, Detection, Intrinsics
 from .depth.plane import find_depth_plane
 from .depth.things import confirm
-from .eye.sight import EyeReading, EyeThing, see
+from .eye.judge import EyeDetection
+from .eye.sight import EyeReading, see
 from .eye.weights import load_weights
 from .plane.measure import apparent_scale, usual_solid
 from .plane.outline import top_of
 from .plane.plane import TablePlane
 from .plane.tabletop import find_tabletop
+
+Named = list[tuple[EyeDetection, str]]
 
 GENERIC = "object"
 """The label that asks for anything on the table."""
@@ -50,8 +54,7 @@ class EmbeddedSegmenter:
         """Return the table first, then the things, nearest to the viewer last.
 
         Labels may repeat: each stands for one expected thing. With no label beyond "table" and
-        "object", everything the eye is sure of is named as it looks. Depth confirms what the eye
-        found (``depth_things``).
+        "object", everything the eye is sure of is named as it looks. Depth confirms what it found.
 
         Raises:
             BackendError: the eye's weights are missing or damaged.
@@ -77,10 +80,10 @@ class EmbeddedSegmenter:
         ]
         if depth is not None and measured is not None:
             found = confirm(found, depth, measured)
-        found = sorted(found, key=lambda d: (d.box[3], d.box[0]))
         for thing in found:
             table &= ~thing.mask
-        return (Detection(TABLE, mask_box(table), table), *found)
+        table_found = Detection(TABLE, mask_box(table), table)
+        return (table_found, *sorted(found, key=lambda d: (d.box[3], d.box[0])))
 
 
 def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.ndarray, "h w"]:
@@ -88,11 +91,11 @@ def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.nd
     return refine(image, main_parts(sight.shows("top", "legs")))
 
 
-def _on_table(sight: EyeReading, minimum: float) -> list[EyeThing]:
+def _on_table(sight: EyeReading, minimum: float) -> list[EyeDetection]:
     """Return the things that stand on the table or on each other, not beside or under it."""
     top = top_of(sight)
     side = max(top.shape)
-    near = cv2.dilate(top.astype(np.uint8), np.ones((side // 60 + 1, side // 60 + 1))) > 0
+    near = dilate(top, side // 60 + 1)
     kept = []
     for thing in sight.things:
         area = int(thing.visible.sum())
@@ -110,11 +113,8 @@ def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:
     return int(rows[-1] - (rows[-1] - rows[0]) / 6) if len(rows) else 0
 
 
-def _pick_wanted(things: Sequence[EyeThing], wanted: tuple[str, ...]) -> list[tuple[EyeThing, str]]:
-    """Return the things that were asked for, with their words, no more than asked.
-
-    What the eye doubts must look like its word.
-    """
+def _pick_wanted(things: Sequence[EyeDetection], wanted: tuple[str, ...]) -> Named:
+    """Return what was asked for, with its words; what the eye doubts must look like its word."""
     if not things:
         return []
     names = np.stack([t.names for t in things]).astype(float)
@@ -124,8 +124,8 @@ def _pick_wanted(things: Sequence[EyeThing], wanted: tuple[str, ...]) -> list[tu
 
 
 def _label(
-    image: UInt8[np.ndarray, "h w 3"], things: Sequence[EyeThing], measured: TablePlane | None
-) -> list[tuple[EyeThing, str]]:
+    image: UInt8[np.ndarray, "h w 3"], things: Sequence[EyeDetection], measured: TablePlane | None
+) -> Named:
     """Return the things with their labels; ``measured`` is the plane in metres that depth shows."""
     if not things:
         return []
@@ -137,24 +137,22 @@ def _label(
 
 
 def looks_of(
-    things: Sequence[EyeThing], plane: TablePlane, keys: Sequence[str]
+    things: Sequence[EyeDetection], plane: TablePlane, keys: Sequence[str]
 ) -> list[dict[int, tuple[float, float]] | None]:
     """Return how large and how much alike a thing looks, by the index of each likely category."""
     looks = []
     for thing in things:
         box = mask_box(thing.whole)
         height, width = thing.whole.shape
-        if min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width):
-            looks.append(None)
-            continue
-        likely = np.flatnonzero(thing.names[:-1] > _LOOKED)
+        cut = min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width)
+        likely = np.flatnonzero(thing.names[:-1] > _LOOKED).tolist()
         looks.append(
-            {int(k): apparent_scale(box, usual_solid(keys[int(k)]), plane) for k in likely}
+            None if cut else {k: apparent_scale(box, usual_solid(keys[k]), plane) for k in likely}
         )
     return looks
 
 
-def _shape(thing: EyeThing) -> str:
+def _shape(thing: EyeDetection) -> str:
     x0, y0, x1, y1 = mask_box(thing.visible)
     share = float(thing.visible.sum() / ((x1 - x0) * (y1 - y0)))
     return shape_word(x1 - x0, y1 - y0, share)

@@ -251,7 +251,7 @@ VIEWED = json.dumps(
 def geometry(monkeypatch: pytest.MonkeyPatch) -> None:
     """A top view by geometry that takes no time."""
     made = TopView(np.zeros((4, 6, 3), np.uint8), np.array([0, 0, 6, 4.0]), {})
-    monkeypatch.setattr("generator.backends.embedded.drawing.topview.top_view", lambda *known: made)
+    monkeypatch.setattr(EmbeddedImager, "top_view", lambda *known: made)
 
 
 def top_view(session: Session) -> tuple[str, ...]:

@@ -38,11 +38,8 @@ _SIZES = ((1024, 1024), (1536, 1024), (1024, 1536))
 RATIOS: dict[Form, tuple[float, float]] = {"openai": (2 / 3, 1.5), "seedream": (0.4, 2.5)}
 """Least and greatest width over height that a picture may have."""
 
-_SEEDREAM = {
-    "response_format": "b64_json",
-    "watermark": False,
-    "sequential_image_generation": "disabled",
-}
+_SEEDREAM = {"response_format": "b64_json", "watermark": False,
+             "sequential_image_generation": "disabled"}  # fmt: skip
 """What Seedream is told beside text and size."""
 
 _LONG = 2048  # pixels of the longer side, in the form that takes any size
@@ -84,12 +81,11 @@ class Painter:
     ) -> RGBA:
         """Return a drawn picture.
 
-        Errors and the account name ``question``. Of width over height, ``ratio``, the nearest that
-        the server can draw is asked for. ``pictures`` are to be looked at or edited; the first is
-        edited, and stays where ``keep`` is opaque; where the server takes no mask, the text alone
-        says so. ``clear`` asks for nothing behind what is drawn; not all servers can. ``used`` are
-        the answers so far where several drawings answer the question; they go with this one if it
-        is of no use.
+        Errors and the account name ``question``. ``ratio`` is width over height; the nearest that
+        the server can draw is asked for. Of ``pictures`` the first is edited, and stays where
+        ``keep`` is opaque; where the server takes no mask, the text alone says so. ``clear`` asks
+        for nothing behind what is drawn; not all servers can. ``used`` are the answers so far where
+        several drawings answer the question; they are dropped with this one if it is of no use.
 
         Raises:
             UnusableError: the model refuses, or its answer is no picture.
@@ -158,10 +154,9 @@ class Painter:
         """Make a call; options that the server rejects are left out, and not tried again."""
         left = {k: v for k, v in options.items() if k not in self.tolerated.unknown}
         while True:
-            sent = dict(left)
             try:
                 data = self.server.call(
-                    question, lambda c, h, sent=sent: request(c, h, sent), used, meant, memo
+                    question, lambda c, h, sent=left: request(c, h, sent), used, meant, memo
                 )
             except Rejected as error:
                 said = str(error).replace(self.server.model, "").lower()
@@ -170,8 +165,7 @@ class Painter:
                 named = [k for k in left if k in said]
                 if not left:
                     raise
-                for name in named or list(left):
-                    del left[name]
+                left = {k: v for k, v in left.items() if named and k not in named}
                 continue
             with self.tolerated.lock:
                 self.tolerated.unknown.update(set(options) - set(left))
@@ -210,11 +204,7 @@ class Painter:
             raise _Unusable(f"{error}.") from None
 
     def _fetch(self, question: str, address: str, used: Used, memo: str) -> bytes:
-        """Return what is at the address of a picture; the key is not sent there.
-
-        Kept is the picture of the drawing that ``used`` noted last: a server may give each the same
-        address.
-        """
+        """Return what is at the address of a picture, kept by its drawing; no key is sent there."""
         server = self.server
         try:
             check_link(address, "the picture's address", UnusableError)

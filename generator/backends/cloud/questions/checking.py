@@ -22,17 +22,15 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
     """
 
     def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
-        seen = things.match(answer.things, without=(0,))
-        numbers = things.numbers
-        places = [(a.id, np.array(box)) for a in seen.values() for box in a.boxes]
-        _check_places(places)
+        seen = things.match(answer.things, without=(0,)).values()
+        _check_places([(a.id, np.array(box)) for a in seen for box in a.boxes])
         found = [] if answer.from_above else ["It did not look straight down."]
-        for name, sight in seen.items():
-            called = f"the {things.by_number[numbers[name]].label} (number {numbers[name]})"
+        for sight in seen:
+            called = f"The {things.by_number[sight.id].label} (number {sight.id})"
             if not sight.boxes and not sight.covered:
-                found.append(f"{called[0].upper()}{called[1:]} was missing.")
+                found.append(f"{called} was missing.")
             elif len(sight.boxes) > 1:
-                found.append(f"{called[0].upper()}{called[1:]} was there {len(sight.boxes)} times.")
+                found.append(f"{called} was there {len(sight.boxes)} times.")
         found += [f"There was a {word} that does not belong there." for word in answer.extra]
         return tuple(found)
 

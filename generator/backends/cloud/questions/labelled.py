@@ -43,11 +43,7 @@ class Labelled:
 
     @classmethod
     def of(
-        cls,
-        image: UInt8[np.ndarray, "h w 3"],
-        instances: Sequence[Instance],
-        *,
-        table: bool = True,
+        cls, image: UInt8[np.ndarray, "h w 3"], instances: Sequence[Instance], *, table: bool = True
     ) -> Labelled:
         """Number instances; ``table`` False leaves the table out."""
         tables = [i for i in instances if i.name == TABLE and table]
@@ -77,6 +73,10 @@ class Labelled:
             draw.rectangle((x, y, x + width, y + height), fill=(0, 0, 0))
             draw.text((x + 3 - left, y + 3 - top), number, (255, 255, 255), font)
         return np.asarray(picture, np.uint8)
+
+    def pair(self) -> tuple[UInt8[np.ndarray, "h w 3"], UInt8[np.ndarray, "h w 3"]]:
+        """Return the picture as it is, and with its boxes."""
+        return self.image, self.picture()
 
     def listing(self, facts: Callable[[Instance], str] | None = None) -> str:
         """Return a line for each thing: number, label, ``facts`` if any, box on the grid."""
@@ -110,18 +110,12 @@ class Labelled:
         """
         wanted = [n for n in self.by_number if n not in without]
         given = [a.id for a in answers if a.id not in without]
-        unknown = sorted(set(given) - set(wanted))
-        missing = sorted(set(wanted) - set(given))
-        twice = sorted({n for n in given if given.count(n) > 1})
-        faults = [
-            f"{what} {', '.join(map(str, numbers))}"
-            for what, numbers in (
-                ("the list has no number", unknown),
-                ("there is no answer for number", missing),
-                ("more than one answer for number", twice),
-            )
-            if numbers
-        ]
+        wrong = {
+            "the list has no number": set(given) - set(wanted),
+            "there is no answer for number": set(wanted) - set(given),
+            "more than one answer for number": {n for n in given if given.count(n) > 1},
+        }
+        faults = [f"{k} {', '.join(map(str, sorted(v)))}" for k, v in wrong.items() if v]
         if faults:
             raise Wrong("; ".join(faults) + ". Answer for each number of the list once.")
         return {self.by_number[a.id].name: a for a in answers if a.id not in without}

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+
+import numpy as np
 
 from ....catalogue import category
 from ....errors import InputError
@@ -11,8 +14,6 @@ from ..server.answers import PlanAnswer, RelationAnswer, ThingAnswer
 from ..server.reading import Wrong
 
 _MOST = 2000  # characters of a text
-_GENERIC = "generic"
-_ONLY_TABLE = ("center", "edge")
 
 
 def checked_text(text: object) -> str:
@@ -59,13 +60,12 @@ def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
 def _names(answer: PlanAnswer) -> dict[int, str]:
     """Return each number's name: "mug_1" for the first mug."""
     names: dict[int, str] = {}
-    counts: dict[str, int] = {}
+    stems: list[str] = []
     for thing in answer.things:
         if thing.id in names:
             raise Wrong(f"the number {thing.id} is given twice. Each thing has its own.")
-        stem = re.sub(r"[^0-9a-z]+", "_", _noun(thing.noun)).strip("_") or "object"
-        counts[stem] = counts.get(stem, 0) + 1
-        names[thing.id] = f"{stem}_{counts[stem]}"
+        stems.append(re.sub(r"[^0-9a-z]+", "_", _noun(thing.noun)).strip("_") or "object")
+        names[thing.id] = f"{stems[-1]}_{stems.count(stems[-1])}"
     return names
 
 
@@ -75,16 +75,14 @@ def _noun(word: str) -> str:
 
 def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
     fields = {
-        "color": thing.color,
-        "material": thing.material,
-        "size": thing.size_word,
-        "state": thing.state,
-    }
+        "color": thing.color, "material": thing.material,
+        "size": thing.size_word, "state": thing.state,
+    }  # fmt: skip
     size = thing.size_cm
     return PlannedObject(
         names[thing.id],
         _noun(thing.noun),
-        category_key(thing.noun),
+        _category_key(thing.noun),
         {k: v for k, v in fields.items() if v},
         tuple(_relation(thing, relation, names) for relation in thing.relations),
         (size[0] / 100, size[1] / 100, size[2] / 100) if size else None,
@@ -94,7 +92,7 @@ def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
 def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str]) -> Relation:
     if relation.target and relation.target not in names:
         raise Wrong(f"thing {thing.id} is related to number {relation.target}, which is no thing.")
-    if relation.target and relation.kind in _ONLY_TABLE:
+    if relation.target and relation.kind in ("center", "edge"):
         raise Wrong(f"thing {thing.id} is {relation.kind!r} of a thing; only of 0, the table.")
     if not relation.target and relation.kind == "in":
         raise Wrong(f"thing {thing.id} is in the table; things are on the table, 0.")
@@ -104,7 +102,7 @@ def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str
     return Relation(relation.kind, names[relation.target] if relation.target else TABLE)
 
 
-def category_key(noun: str) -> str:
+def _category_key(noun: str) -> str:
     """Return the catalogue's key for a noun, or for its last words; "generic" if it has none."""
     words = _noun(noun).split()
     for first in range(len(words)):
@@ -112,7 +110,7 @@ def category_key(noun: str) -> str:
             return category(" ".join(words[first:])).key
         except InputError:
             continue
-    return _GENERIC
+    return "generic"
 
 
 def in_words(plan: ScenePlan) -> tuple[str, str]:
@@ -127,7 +125,7 @@ def in_words(plan: ScenePlan) -> tuple[str, str]:
     called = _descriptions(plan)
     lines = []
     for number, thing in enumerate(plan.objects, start=1):
-        size = f", {_by(thing.size)} cm" if thing.size else ""
+        size = f", {in_cm(thing.size)}" if thing.size else ""
         where = "; ".join(_PLACES[r.kind].format(called[r.target]) for r in thing.relations)
         lines.append(f"{number}. {called[thing.name]}{size}{': ' + where if where else ''}")
     return top, "\n".join(lines)
@@ -161,5 +159,6 @@ def _descriptions(plan: ScenePlan) -> dict[str, str]:
     return called
 
 
-def _by(size: tuple[float, float, float]) -> str:
-    return " by ".join(f"{100 * v:.3g}" for v in size)
+def in_cm(size: Sequence[float] | np.ndarray) -> str:
+    """Return a size, metres, in words."""
+    return " by ".join(f"{100 * v:.3g}" for v in size) + " cm"

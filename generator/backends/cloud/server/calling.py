@@ -51,21 +51,18 @@ class Server:
         """Return the JSON that a request is answered with.
 
         Errors and the account name ``question``. ``request`` makes the call, given the client and
-        headers to send, and returns the raw response; ``used`` takes note of it. ``meant`` is what
-        is asked, however the server likes to be asked: two calls of the same meaning have the same
-        answer, unless ``memo`` is "renew", as where an answer that was kept is of no use.
+        headers to send, and returns the raw response; ``used`` takes note of it. Two calls that
+        have the same meaning, ``meant``, have the same answer, unless ``memo`` is "renew".
 
         Raises:
             Rejected: status 400, 413 or 422.
             UnusableError: the answer is no JSON object.
             BackendError: no key, or the call failed.
         """
-        message = self._send(question, request, used, meant, memo)
-        if isinstance(
-            message, TabletopError
-        ):  # raised here, where nothing that it leads to has a key
-            raise message.with_traceback(None)
-        return self._json(question, message)
+        answer = self._send(question, request, used, meant, memo)
+        if isinstance(answer, TabletopError):  # raised where nothing that it leads to has a key
+            raise answer.with_traceback(None)
+        return self._json(question, answer)
 
     def _send(
         self,
@@ -110,11 +107,11 @@ class Server:
 
     def unusable(self, question: str, what: str) -> UnusableError:
         """Return the error that says who answered which question in a way that is of no use."""
-        return UnusableError(self._message(question, "failed", what))
+        return UnusableError(self._message(question, what))
 
     def failure(self, question: str, what: str) -> BackendError:
         """Return the error that says who could not answer which question, and why."""
-        return BackendError(self._message(question, "failed", what))
+        return BackendError(self._message(question, what))
 
     def quote(self, text: str, maximum: int = _SHOWN) -> str:
         """Quote what a server said on one line of ``maximum`` characters, without keys."""
@@ -122,7 +119,7 @@ class Server:
         text = " ".join(excerpt(text, 10 * maximum, keys).split())
         return repr(text if len(text) <= maximum else text[: maximum - 3] + "...")
 
-    def _message(self, question: str, how: str, what: str) -> str:
+    def _message(self, question: str, what: str, how: str = "failed") -> str:
         text = f"cloud ({self.model} at {self.name}): {question} {how}: {what}"
         return redact(text, configuration.keys(self.base_url, self.purpose))
 
@@ -146,7 +143,7 @@ class Server:
         said = self.quote(_error_message(error.body) or error.message)
         message = f"status {error.status_code}, {said}."
         if error.status_code in (400, 413, 422):
-            return Rejected(self._message(question, "was rejected", message))
+            return Rejected(self._message(question, message, "was rejected"))
         todo = ""
         if error.status_code in (401, 403):
             variables = configuration.key_variables(self.base_url, self.purpose)
@@ -157,14 +154,12 @@ class Server:
         return self.failure(question, message + todo)
 
     def _connection_error(self, question: str, error: openai.APIConnectionError) -> TabletopError:
-        causes: list[BaseException] = []
-        cause = error.__cause__
+        first = cause = error.__cause__
         while cause is not None:
             if isinstance(cause, TabletopError):  # the session's own, which says it all
                 return cause
-            causes.append(cause)
             cause = cause.__cause__
-        message = f"{type(causes[0]).__name__}: {causes[0]}" if causes else str(error)
+        message = str(error) if first is None else f"{type(first).__name__}: {first}"
         return self.failure(
             question,
             f"no answer from {self.base_url} ({self.quote(message)}). Is the server there?",

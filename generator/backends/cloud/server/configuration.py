@@ -47,22 +47,14 @@ _STORES = {
 """Where a provider keeps the pictures whose addresses it answers with."""
 
 
-def base_url(purpose: Purpose) -> str:
-    """Return the server of the environment."""
-    chat = os.environ.get("TABLETOPGEN_CLOUD_BASE_URL") or OPENAI
-    if purpose == "chat":
-        return chat
-    return os.environ.get("TABLETOPGEN_CLOUD_IMAGE_BASE_URL") or chat
-
-
 def chat_base_url() -> str:
     """Return the chat server of the environment."""
-    return base_url("chat")
+    return os.environ.get("TABLETOPGEN_CLOUD_BASE_URL") or OPENAI
 
 
 def image_base_url() -> str:
     """Return the image server of the environment."""
-    return base_url("image")
+    return os.environ.get("TABLETOPGEN_CLOUD_IMAGE_BASE_URL") or chat_base_url()
 
 
 def chat_model() -> str:
@@ -71,20 +63,18 @@ def chat_model() -> str:
     Raises:
         BackendError: none is named, and the server is not OpenAI's.
     """
-    return _model("chat")
+    return _model("chat", chat_base_url())
 
 
 def image_model() -> str:
     """Return the image model of the environment; see ``chat_model``."""
-    return _model("image")
+    return _model("image", image_base_url())
 
 
-def _model(purpose: Purpose) -> str:
+def _model(purpose: Purpose, url: str) -> str:
     variable = f"TABLETOPGEN_CLOUD_{purpose.upper()}_MODEL"
-    named = os.environ.get(variable)
-    if named:
+    if named := os.environ.get(variable):
         return named
-    url = base_url(purpose)
     if host(url) == host(OPENAI):
         return _USUAL[purpose]
     raise BackendError(
@@ -132,16 +122,15 @@ def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
     Raises:
         BackendError: there is none; the message names the variables.
     """
-    variables = key_variables(url, purpose)
-    found = next(iter(keys(url, purpose)), None)
-    if found is None and local(host(url)):
+    if found := keys(url, purpose):
+        return found[0]
+    if local(host(url)):
         return "none-needed"
-    if found is None:
-        raise BackendError(
-            f"{what}: no key for {server_name(url)} ({url}). Set {' or '.join(variables)}; the key "
-            "stays in the environment and is written nowhere."
-        )
-    return found
+    raise BackendError(
+        f"{what}: no key for {server_name(url)} ({url}). Set "
+        f"{' or '.join(key_variables(url, purpose))}; the key stays in the environment and is "
+        "written nowhere."
+    )
 
 
 def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
@@ -151,12 +140,12 @@ def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
-    """Return the variables that may hold the key of a server, the first that is set counts.
+    """Return the variables that may hold the key of a server; the first that is set counts.
 
     A provider's own key goes to its own hosts alone, and the chat server's to no other host.
     """
     names = ["TABLETOPGEN_CLOUD_IMAGE_KEY"] if purpose == "image" else []
-    if purpose == "chat" or host(url) == host(base_url("chat")):
+    if purpose == "chat" or host(url) == host(chat_base_url()):
         names.append("TABLETOPGEN_CLOUD_KEY")
     if host(url) in _PROVIDERS:
         names.append(_PROVIDERS[host(url)][1])
@@ -164,18 +153,14 @@ def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def own_headers(url: str) -> tuple[str, ...]:
-    """Return the headers that a server alone is sent: OpenAI's, who of its users asks.
-
-    The ``openai`` package reads them from ``OPENAI_ORG_ID`` and ``OPENAI_PROJECT_ID``.
-    """
+    """Return the headers that OpenAI alone is sent (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``)."""
     return ("openai-organization", "openai-project") if host(url) == host(OPENAI) else ()
 
 
 def may_fetch(address: str, server: str) -> bool:
     """Tell whether a picture may be fetched from an address that the server ``server`` gave.
 
-    Allowed is https at the server's own host, at its provider's stores (``.volces.com`` and
-    ``.bytepluses.com`` of Ark, ``.blob.core.windows.net`` of OpenAI), and at the hosts of
+    Allowed is https at the server's own host, at its provider's stores, and at the hosts of
     ``TABLETOPGEN_CLOUD_IMAGE_HOSTS``, where a leading dot means all below; http only at a server
     that is itself spoken to by http.
     """

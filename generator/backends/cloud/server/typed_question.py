@@ -1,13 +1,9 @@
 """A question to a chat model with a typed answer: schema, reading, checking, asking again.
 
 A server is asked for an answer by schema (``json_schema``), then for any JSON (``json_object``),
-then for nothing but the prompt's own words; which of them it takes is learned from its first
-rejection and kept as long as the backend. Whatever it was asked for, the answer is read with
-patience (``reading``) and checked without any.
-
-Answers are kept by what was asked, not by the form that the server took in the end: a question that
-was answered once is not asked again to find that out. Those of a question that ends in an error for
-what they say are dropped.
+then by the prompt's own words; which of them it takes is learned from its first rejection and kept
+as long as the backend. Answers are kept by what was asked, whatever form the server took; those of
+a question that ends in an error for what they say are dropped.
 """
 
 from __future__ import annotations
@@ -99,46 +95,34 @@ class Chat:
             UnusableError: the model refuses, or no answer after ``REASKS`` more tries can be used.
             BackendError: the call failed.
         """
-        used = Used(self.server.session.store)
-        with used.dropped_on(UnusableError):
-            return self._ask(question, text, pictures, answer, accept, used)
-
-    def _ask(
-        self,
-        question: str,
-        text: str,
-        pictures: Sequence[Picture],
-        answer: type[A],
-        accept: Callable[[A], T],
-        used: Used,
-    ) -> T:
         schema = strict_schema(answer)
         tail = prompt("answer", schema=json.dumps(schema))
         content: list[dict[str, Any]] = [{"type": "text", "text": f"{text}\n\n{tail}"}]
         content += [_picture_part(picture) for picture in pictures]
         messages: list[dict[str, Any]] = [{"role": "user", "content": content}]
-        problem = ""
-        for _ in range(1 + REASKS):
-            said = self._reply(question, messages, schema, used)
-            try:
-                return accept(answer.model_validate(read_object(said)))
-            except ValidationError as error:
-                problem = _faults(error)
-            except (Wrong, InputError) as error:
-                problem = str(error)
-            if is_refusal(said):
-                raise self.server.unusable(
-                    question, f"the model refuses: {self.server.quote(said)}."
-                )
-            messages += [
-                {"role": "assistant", "content": said or "(nothing)"},
-                {"role": "user", "content": prompt("again", problem=problem)},
-            ]
-        raise self.server.unusable(
-            question,
-            f"{1 + REASKS} answers could not be used. What was wrong with the last: {problem} "
-            "Try another model or seed.",
-        )
+        used, problem = Used(self.server.session.store), ""
+        with used.dropped_on(UnusableError):
+            for _ in range(1 + REASKS):
+                said = self._reply(question, messages, schema, used)
+                try:
+                    return accept(answer.model_validate(read_object(said)))
+                except ValidationError as error:
+                    problem = _faults(error)
+                except (Wrong, InputError) as error:
+                    problem = str(error)
+                if is_refusal(said):
+                    raise self.server.unusable(
+                        question, f"the model refuses: {self.server.quote(said)}."
+                    )
+                messages += [
+                    {"role": "assistant", "content": said or "(nothing)"},
+                    {"role": "user", "content": prompt("again", problem=problem)},
+                ]
+            raise self.server.unusable(
+                question,
+                f"{1 + REASKS} answers could not be used. What was wrong with the last: {problem} "
+                "Try another model or seed.",
+            )
 
     def _reply(
         self, question: str, messages: list[dict[str, Any]], schema: dict[str, Any], used: Used
@@ -167,13 +151,13 @@ class Chat:
         used: Used,
     ) -> dict[str, Any]:
         body: dict[str, Any] = {"seed": self.seed} if seed else {}
+        if _FORMS[form] != "words":
+            body["response_format"] = {"type": _FORMS[form]}
         if _FORMS[form] == "json_schema":
             strict = {"name": question, "schema": schema, "strict": True}
-            body["response_format"] = {"type": "json_schema", "json_schema": strict}
-        elif _FORMS[form] == "json_object":
-            body["response_format"] = {"type": "json_object"}
-        meant = json.dumps([messages, schema, self.seed])
-        meant = hashlib.sha256(meant.encode()).hexdigest()
+            body["response_format"]["json_schema"] = strict
+        asked = json.dumps([messages, schema, self.seed])
+        meant = hashlib.sha256(asked.encode()).hexdigest()
         bound = self.manners.bound
         while True:
             more: dict[str, Any] = {_BOUNDS[bound]: ANSWER, **body} if _BOUNDS[bound] else body
@@ -240,10 +224,8 @@ def data_uri(png: bytes) -> str:
 
 
 def _picture_part(picture: Picture) -> dict[str, Any]:
-    return {
-        "type": "image_url",
-        "image_url": {"url": data_uri(encode_png(picture)), "detail": "high"},
-    }
+    url = data_uri(encode_png(picture))
+    return {"type": "image_url", "image_url": {"url": url, "detail": "high"}}
 
 
 def _faults(error: ValidationError) -> str:

@@ -1,8 +1,7 @@
-"""How large things are, where they stand and on what, from the points of a depth map."""
+"""How large things are and where they stand, from the points of a depth map."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import cv2
@@ -10,7 +9,6 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from ....geometry import Camera, rotation_z
-from ....scene import TABLE, Instance, Stacking
 from ..plane.plane import TablePlane
 from .plane import smooth
 
@@ -19,7 +17,6 @@ _TAIL = 1.0  # percent of the points left out at each end
 _STRAY = 0.06  # metres of empty space that part a thing's points from stray ones
 _MOST = 4000  # points looked at per thing
 _LEVEL = 0.03  # metres between a support's top and what stands on it
-_HELD = 0.5  # share of a thing's footprint points over its support
 _NARROW = 0.85  # of its length: what a thing's top is less than if it tapers
 _HOLLOW = 0.025  # metres that the middle of a container lies below its rim
 _GROUND = 0.008  # metres: of what is clearly taller, nothing lower than this is counted
@@ -171,40 +168,6 @@ def _deepen(
     across = np.array([-np.sin(yaw), np.cos(yaw)])
     lacking = max(0.8 * length - width, 0.0) * abs(float(across @ away))
     return center + away * lacking / 2, yaw, (length, width + lacking)
-
-
-# -------------------------------------------------------------------------------- what is on what
-
-
-def stack_solids(
-    instances: tuple[Instance, ...],
-    solids: Mapping[str, ObservedSolid],
-    container: Callable[[str], bool] = lambda label: False,
-) -> Mapping[str, Stacking]:
-    """Return what each instance stands on: what is under its footprint and as high as its foot.
-
-    A thing whose foot is hidden seems to hover; with nothing under it, it stands on the table.
-    Inside is what is held by something hollow, or by what ``container`` says of its label.
-    """
-    labels = {i.name: i.label for i in instances}
-    names = [i.name for i in instances if i.name != TABLE]
-    on = dict.fromkeys(names, TABLE)
-    inside = dict.fromkeys(names, False)
-    for name in names:
-        held = {b: holds(solids[b], solids[name]) for b in names
-                if b != name and b in solids and name in solids}  # fmt: skip
-        below = max(held, key=lambda b: (held[b], b), default=None)
-        if below is not None and held[below] > _HELD:
-            on[name] = below
-            inside[name] = solids[below].hollow or container(labels[below])
-    result = {TABLE: Stacking(1)}
-    for name in names:
-        chain = [name]
-        while on[chain[-1]] != TABLE and on[chain[-1]] not in chain:
-            chain.append(on[chain[-1]])
-        below = on[name] if on[chain[-1]] == TABLE else TABLE
-        result[name] = Stacking(1 + len(chain), below, below != TABLE and inside[name])
-    return result
 
 
 def holds(below: ObservedSolid, thing: ObservedSolid) -> float:

@@ -143,9 +143,8 @@ def top_region(
 ) -> tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
     """Return the pixels of one tabletop, and of what stands on it.
 
-    The top is what lies on the plane and hangs together, on its own or through those things.
-
-    A second table at the same height, apart in depth, is another region and left out.
+    The top is what lies on the plane and hangs together, on its own or through those things; a
+    second table at the same height, apart in depth, is left out.
     """
     above = level.above(points)
     spread = level.spread(points[..., 2])
@@ -154,8 +153,8 @@ def top_region(
     count, numbers = cv2.connectedComponents(linked.astype(np.uint8), connectivity=4)
     sizes = np.bincount(numbers[on & linked], minlength=count)
     sizes[0] = 0
-    region = on & (numbers == sizes.argmax())
-    return _open(region, 3), _open(linked & ~on & (numbers == sizes.argmax()) & (above > 0), 5)
+    largest = numbers == sizes.argmax()
+    return _open(on & largest, 3), _open(linked & ~on & largest & (above > 0), 5)
 
 
 def _open(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
@@ -264,10 +263,9 @@ def _draw(
     rng: np.random.Generator,
 ) -> Level | None:
     """Return the level plane through three neighbouring points that most points lie on."""
-    reach = _NEAR * side
     first = rng.integers(len(cloud), size=_TRIES)
-    others = [_neighbours(pixels, first, reach, rng) for _ in range(2)]
-    a, b, c = cloud[first], cloud[others[0]], cloud[others[1]]
+    others = [_neighbours(pixels, first, _NEAR * side, rng) for _ in range(2)]
+    a, b, c = (cloud[k] for k in (first, *others))
     normals = np.cross(b - a, c - a)
     length = np.linalg.norm(normals, axis=1)
     normals = normals / np.maximum(length, 1e-12)[:, None]
@@ -277,27 +275,20 @@ def _draw(
         return None
     normals, heights = normals[usable], -(normals * a).sum(1)[usable]
     tolerance = noise(cloud[:, 2])
-    counts = [
-        int((np.abs(cloud @ n + h) < tolerance).sum())
-        for n, h in zip(normals, heights, strict=True)
-    ]
-    best = int(np.argmax(counts))
+    pairs = zip(normals, heights, strict=True)
+    best = int(np.argmax([(np.abs(cloud @ n + h) < tolerance).sum() for n, h in pairs]))
     return _plane_through(-normals[best] * heights[best], normals[best])
 
 
 def _neighbours(
-    pixels: Int[np.ndarray, "n 2"],
-    first: np.ndarray,
-    reach: float,
-    rng: np.random.Generator,
+    pixels: Int[np.ndarray, "n 2"], first: np.ndarray, reach: float, rng: np.random.Generator
 ) -> np.ndarray:
     """Return, for each first point, one of the points known about ``reach`` pixels around it."""
-    wanted = pixels[first] + rng.uniform(-reach, reach, (len(first), 2))
-    keys = pixels[:, 1] * (pixels[:, 0].max() + 1) + pixels[:, 0]  # ascending: rows, then columns
-    row = np.clip(np.round(wanted[:, 1]), 0, pixels[:, 1].max())
-    column = np.clip(np.round(wanted[:, 0]), 0, pixels[:, 0].max())
-    at = np.searchsorted(keys, row * (pixels[:, 0].max() + 1) + column)
-    return np.minimum(at, len(pixels) - 1)
+    wanted = np.round(pixels[first] + rng.uniform(-reach, reach, (len(first), 2)))
+    column, row = np.clip(wanted, 0, pixels.max(0)).T
+    width = pixels[:, 0].max() + 1
+    keys = pixels[:, 1] * width + pixels[:, 0]  # ascending: rows, then columns
+    return np.minimum(np.searchsorted(keys, row * width + column), len(pixels) - 1)
 
 
 def _faces_up(normals: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
@@ -333,7 +324,7 @@ def _judge(
     normal = np.array(level.normal)
     flat = cloud - level.above(cloud)[:, None] * normal  # dropped onto the plane
     east = np.cross(normal, [0.0, 0.0, 1.0]) if abs(normal[2]) < 0.9 else np.array([1.0, 0, 0])
-    east = east / np.linalg.norm(east)
+    east /= np.linalg.norm(east)
     place = flat @ np.column_stack([east, np.cross(normal, east)])
     inner = place[inliers]
     above = level.above(cloud)

@@ -15,6 +15,7 @@ from jaxtyping import Bool, Float
 
 from ....geometry import mask_box
 from ....language.naming import shape_word
+from ....meshes.pixels import dilate, erode, hull_of
 from ....scene import Detection
 from ..plane.plane import TablePlane, outline_distance
 from .measure import ObservedSolid, holds, measure_solid, steady, table_points
@@ -72,11 +73,10 @@ def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[
 
     Things that touch at their full height, or stand on one another, come out as one.
     """
-    kernel = np.ones((3, 3), np.uint8)
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
     masks = [part for piece in pieces for part in _part(piece, known, least)]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
-    return tuple(cv2.dilate(m.astype(np.uint8), kernel) > 0 for m in masks)
+    return tuple(dilate(mask, 3) for mask in masks)
 
 
 def _standing_pieces(depth: Float[np.ndarray, "h w"], standing: Mask) -> list[Mask]:
@@ -140,24 +140,17 @@ def _judge(
     if (standing & mask).sum() < _FLAT * known.sum():
         return thing if thing.score >= _SURE else None
     foot = max(3, int(0.1 * np.sqrt(mask.sum())))  # pixels: the foot itself is level with the table
-    around = np.ones((2 * foot + 1, 2 * foot + 1), np.uint8)
-    near = cv2.dilate((standing & mask).astype(np.uint8), around) > 0
-    spill = mask & lying & ~near & ~_hull(standing & mask)  # the low inside of a bowl is its own
+    near = dilate(standing & mask, 2 * foot + 1)
+    spill = mask & lying & ~near & ~hull_of(standing & mask)  # a bowl's low inside is its own
     kept = mask & ~spill
     if not spill.any() or kept.sum() < _KEPT * mask.sum():
         return thing
-    return _with_mask(thing, kept, None if thing.full is None else np.asarray(thing.full) & ~spill)
-
-
-def _hull(mask: Mask) -> Mask:
-    canvas = np.zeros(mask.shape, np.uint8)
-    points = np.argwhere(mask)[:, ::-1].astype(np.int32)
-    return cv2.fillConvexPoly(canvas, cv2.convexHull(points), 1) > 0
+    return _with_mask(thing, kept, None if thing.full is None else thing.full & ~spill)
 
 
 def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
-    whole = None if full is None else full | mask
-    return replace(thing, mask=mask, box=mask_box(mask), full=whole)
+    full = None if full is None else full | mask
+    return replace(thing, mask=mask, box=mask_box(mask), full=full)
 
 
 def _rejoin(
@@ -200,10 +193,9 @@ def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3
     """Tell whether two things are one flat side around their seam, as a box and its print are."""
     a, b = np.asarray(one.mask), np.asarray(other.mask)
     side = 2 * round(_BAND * max(a.shape)) + 1
-    kernel = np.ones((side, side), np.uint8)
     known = np.isfinite(points).all(-1)
-    here = points[a & known & (cv2.dilate(b.astype(np.uint8), kernel) > 0)]
-    there = points[b & known & (cv2.dilate(a.astype(np.uint8), kernel) > 0)]
+    here = points[a & known & dilate(b, side)]
+    there = points[b & known & dilate(a, side)]
     if min(len(here), len(there)) < side:
         return False
     middle = np.median(here, axis=0)
@@ -213,10 +205,8 @@ def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3
 
 def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) -> int:
     """Return how many pixels of ``one`` touch ``other`` in the picture and in depth."""
-    kernel = np.ones((9, 9), np.uint8)
     a, b = np.asarray(one.mask), np.asarray(other.mask)
-    here = a & (cv2.dilate(b.astype(np.uint8), kernel) > 0) & (depth > 0)
-    there = b & (cv2.dilate(a.astype(np.uint8), kernel) > 0) & (depth > 0)
+    here, there = a & dilate(b, 9) & (depth > 0), b & dilate(a, 9) & (depth > 0)
     if here.sum() < np.sqrt(min(a.sum(), b.sum())) or not there.any():
         return 0
     gap = abs(float(np.median(depth[here])) - float(np.median(depth[there])))
@@ -227,11 +217,8 @@ def _union(one: Detection, other: Detection) -> Detection:
     """Return two parts as one thing, called after the larger one."""
     larger = max(one, other, key=lambda d: int(np.asarray(d.mask).sum()))
     mask = np.asarray(one.mask) | np.asarray(other.mask)
-    full = mask.copy()
-    for part in (one, other):
-        full |= np.asarray(part.mask if part.full is None else part.full)
-    score = max(one.score, other.score)
-    return Detection(larger.label, mask_box(mask), mask, score, full)
+    full = np.any([mask, *(d.full for d in (one, other) if d.full is not None)], axis=0)
+    return Detection(larger.label, mask_box(mask), mask, max(one.score, other.score), full)
 
 
 def _grow(
@@ -248,13 +235,11 @@ def _grow(
         owners = [k for k, m in enumerate(taken) if (m & region).sum() > 0.05 * size]
         if len(owners) != 1:
             continue
-        mask = taken[owners[0]]
-        wider = mask | (region & ~np.logical_or.reduce(taken))
-        solid = measure_solid(mask, depth, plane)
-        if solid is not None and solid.bottom > _HOVER and wider.sum() < _GROWN * mask.sum():
-            thing = grown[owners[0]]
-            full = None if thing.full is None else np.asarray(thing.full)
-            grown[owners[0]] = _with_mask(thing, wider, full)
+        (k,) = owners
+        wider = taken[k] | (region & ~np.logical_or.reduce(taken))
+        solid = measure_solid(taken[k], depth, plane)
+        if solid is not None and solid.bottom > _HOVER and wider.sum() < _GROWN * taken[k].sum():
+            grown[k] = _with_mask(grown[k], wider, grown[k].full)
     return grown
 
 
@@ -265,18 +250,15 @@ def _find_missed(
 
     ``regions`` are looked at in their order; what an earlier one covers is no other thing.
     """
-    seen = np.zeros(height.shape, bool)
-    for thing in things:
-        seen |= np.asarray(thing.mask)
+    seen = np.any([np.zeros(height.shape, bool), *(t.mask for t in things)], axis=0)
     added = []
     shred = max(3, round(_SHREDS * max(height.shape)))
     for region in regions:
-        core = cv2.erode((region & ~seen).astype(np.uint8), np.ones((shred, shred), np.uint8))
-        if (region & seen).sum() > 0.1 * region.sum() or core.sum() < 0.3 * region.sum():
+        mask, area = region & ~seen, region.sum()
+        if (region & seen).sum() > 0.1 * area or erode(mask, shred).sum() < 0.3 * area:
             continue
         if float(np.nanpercentile(height[region], 90)) < _MISSED:
             continue
-        mask = region & ~seen
         seen |= region
         x0, y0, x1, y1 = box = mask_box(mask)
         label = shape_word(x1 - x0, y1 - y0, float(mask.sum() / ((x1 - x0) * (y1 - y0))))

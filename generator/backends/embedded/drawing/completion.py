@@ -8,7 +8,14 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import ndimage
 
 from ....geometry import mask_box
-from ....meshes.pixels import hull_of, in_one_piece, largest_piece, nearest_inside
+from ....meshes.pixels import (
+    dilate,
+    erode,
+    hull_of,
+    in_one_piece,
+    largest_piece,
+    nearest_inside,
+)
 from ....scene import TABLE, Detection, Instance, Reference
 
 _LONG = 288  # least long side of a crop, pixels
@@ -25,21 +32,18 @@ def complete(reference: Reference, detection: Detection, others: tuple[Detection
     """Return the instance of a detection, drawn whole on a transparent ground (Sec. 3.1).
 
     The whole outline is the detection's full mask where another detection hides the object, if it
-    has one. Else, where another detection lies within the object's outline, or touches it and the
-    outline is dented or cut there, the outline is completed. Pieces are joined. Hidden places take
-    the colours of their mirror images if the object looks symmetric, else the colours around are
-    carried on.
+    has one; else it is completed where another detection lies within it, or touches it at a dent or
+    cut. Pieces are joined. Hidden places take the colours of their mirror images if the object
+    looks symmetric, else those around are carried on.
     """
-    hider = _union(detection.mask.shape, [o.mask for o in others if o.label != TABLE])
-    seen = detection.mask & ~hider if (detection.mask & ~hider).any() else detection.mask
+    mask = detection.mask
+    hider = np.any([np.zeros_like(mask), *(o.mask for o in others if o.label != TABLE)], axis=0)
+    seen = mask & ~hider if (mask & ~hider).any() else mask
     if detection.full is not None:
-        brush = np.ones((5, 5), np.uint8)
-        behind = cv2.dilate(hider.astype(np.uint8), brush) > 0
-        whole = largest_piece(detection.mask | (detection.full & behind)) | detection.mask
+        whole = largest_piece(mask | (detection.full & dilate(hider, 5))) | mask
     else:
-        inner = (hider & ~seen).any()
-        near = ndimage.binary_fill_holes(detection.mask) if inner else detection.mask
-        whole = complete_mask(detection.mask | (near & hider), hider & ~seen)
+        near = ndimage.binary_fill_holes(mask) if (hider & ~seen).any() else mask
+        whole = complete_mask(mask | (near & hider), hider & ~seen)
     whole = in_one_piece(whole)
     hidden = whole & ~seen
     occluded = bool(hidden.sum() > 0.02 * seen.sum())
@@ -48,23 +52,8 @@ def complete(reference: Reference, detection: Detection, others: tuple[Detection
         colors, drawn = mirror_colors(colors, seen, whole)
         colors = carry_colors(colors, drawn, whole) if (whole & ~drawn).any() else colors
     box = crop_box(mask_box(whole))
-    return Instance(
-        detection.label,
-        detection.label,
-        detection.box,
-        detection.mask,
-        cut_out(colors, whole, box),
-        box,
-        occluded,
-        detection.score,
-    )
-
-
-def _union(shape: tuple[int, ...], masks: list[np.ndarray]) -> Mask:
-    joined = np.zeros(shape, bool)
-    for mask in masks:
-        joined |= mask
-    return joined
+    label, crop = detection.label, cut_out(colors, whole, box)
+    return Instance(label, label, detection.box, mask, crop, box, occluded, detection.score)
 
 
 def complete_mask(mask: Mask, hider: Mask) -> Mask:
@@ -75,20 +64,17 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
     """
     x0, y0, x1, y1 = mask_box(mask).astype(int)
     reach = max(x1 - x0, y1 - y0)
-    rows = slice(max(0, y0 - reach), y1 + reach)
-    columns = slice(max(0, x0 - reach), x1 + reach)
-    own, other = mask[rows, columns], hider[rows, columns]
-    near = cv2.dilate(own.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
-    if (near & other).sum() < 8:
+    window = np.s_[max(0, y0 - reach) : y1 + reach, max(0, x0 - reach) : x1 + reach]
+    own, other = mask[window], hider[window]
+    near = dilate(own, 7) & other
+    if near.sum() < 8:
         return mask
-    touching = np.array(ndimage.binary_propagation(near & other, mask=other), dtype=bool)
-    guess = hull_of(own)
-    mirror = mirrored_mask(own, other)
+    touching = np.array(ndimage.binary_propagation(near, mask=other), dtype=bool)
+    guess, mirror = hull_of(own), mirrored_mask(own, other)
     if mirror is not None:
         guess = guess | mirror
-    grown = own | (guess & touching)
     whole = mask.copy()
-    whole[rows, columns] = largest_piece(grown) | own
+    whole[window] = largest_piece(own | (guess & touching)) | own
     return whole
 
 
@@ -100,8 +86,8 @@ def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
     """
     brush = np.ones((3, 3), np.uint8)
     rim = mask & (cv2.erode(mask.astype(np.uint8), brush, borderValue=0) == 0)
-    free = rim & (cv2.dilate(hider.astype(np.uint8), np.ones((5, 5), np.uint8)) == 0)
-    near = cv2.dilate(free.astype(np.uint8), brush) > 0
+    free = rim & ~dilate(hider, 5)
+    near = dilate(free, 3)
     x0, _, x1, _ = mask_box(mask).astype(int)
     ys, xs = np.nonzero(free)
     if len(xs) < 12:
@@ -140,7 +126,7 @@ def mirror_colors(
         on = (other >= 0) & (other < full.shape[1])
         overlaps[twice] = float(full[ys[on], other[on]].sum() / len(xs))
     twice = max(overlaps, key=lambda t: (overlaps[t], -abs(t - middle)))
-    core = cv2.erode(seen.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    core = erode(seen, 3)
     other = np.clip(twice - xs, 0, full.shape[1] - 1)
     both = core[ys, xs] & core[ys, other] & (np.abs(other - xs) > slack)
     if overlaps[twice] < _SYMMETRIC or both.sum() < 0.1 * len(xs):
@@ -163,22 +149,17 @@ def carry_colors(
     Rows are continued from the nearest visible pixel, then blended by Telea's inpainting.
     """
     x0, y0, x1, y1 = mask_box(full).astype(int)
-    cut = slice(max(y0 - 4, 0), y1 + 4), slice(max(x0 - 4, 0), x1 + 4)
-    core = cv2.erode(mask[cut].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    cut = np.s_[max(y0 - 4, 0) : y1 + 4, max(x0 - 4, 0) : x1 + 4]
+    core = erode(mask[cut], 5)
     core = core if core.any() else mask[cut]
     carried = image[cut][nearest_inside(core, (3.0, 1.0))]
     missing = (full & ~mask)[cut]
     soft = cv2.GaussianBlur(carried, (0, 0), 2.0)
+    seam = dilate(missing, 5) & ~erode(missing, 5) & full[cut]
     patch = np.where(mask[cut][..., None], image[cut], soft)
-    brush = np.ones((5, 5), np.uint8)
-    seam = cv2.dilate(missing.astype(np.uint8), brush) > 0
-    seam &= cv2.erode(missing.astype(np.uint8), brush) == 0
-    patch = np.where(seam[..., None] & full[cut][..., None], carried, patch)
-    patch = cv2.inpaint(
-        np.ascontiguousarray(patch), (seam & full[cut]).astype(np.uint8), 3, cv2.INPAINT_TELEA
-    )
+    patch = np.where(seam[..., None], carried, patch)
     drawn = image.copy()
-    drawn[cut] = patch
+    drawn[cut] = cv2.inpaint(patch, seam.astype(np.uint8), 3, cv2.INPAINT_TELEA)
     return drawn
 
 
@@ -199,18 +180,17 @@ def cut_out(
     rows = np.clip(np.arange(y0, y1), 0, image.shape[0] - 1)
     columns = np.clip(np.arange(x0, x1), 0, image.shape[1] - 1)
     color, inside = image[np.ix_(rows, columns)], mask[np.ix_(rows, columns)].copy()
-    inside[(np.arange(y0, y1) != rows)] = False
-    inside[:, (np.arange(x0, x1) != columns)] = False
-    core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    inside[np.arange(y0, y1) != rows] = False
+    inside[:, np.arange(x0, x1) != columns] = False
+    core = erode(inside, 3)
     core = core if core.sum() > 9 else inside
     clean = color[nearest_inside(core)]
     long = max(x1 - x0, y1 - y0)
     zoom = float(np.clip(_LONG / long, 1.0 if long <= _MOST else _MOST / long, None))
     size = max(1, round((x1 - x0) * zoom)), max(1, round((y1 - y0) * zoom))
-    how = cv2.INTER_CUBIC if zoom > 1 else cv2.INTER_AREA
-    alpha_how = cv2.INTER_LINEAR if zoom > 1 else how
-    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=alpha_how)
+    how = (cv2.INTER_CUBIC, cv2.INTER_LINEAR) if zoom > 1 else (cv2.INTER_AREA, cv2.INTER_AREA)
+    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=how[1])
     alpha = cv2.GaussianBlur(alpha, (0, 0), max(0.6, 0.5 * zoom))
     soft = np.clip((alpha - 0.5) * max(zoom, 1.0) * 1.5 + 0.5, 0, 1)
-    clean = cv2.resize(clean, size, interpolation=how)
+    clean = cv2.resize(clean, size, interpolation=how[0])
     return np.dstack([clean, np.round(soft * 255).astype(np.uint8)])

@@ -33,9 +33,10 @@ def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
     center = np.array([0.0, 0.0, float(table.size[2]) / 2])
     upright = yaw_quaternion(0.0)
     items = [place(table.mesh, table.size, center, upright, 0)]
-    for number, p in enumerate(layout.placements, start=1):
-        mesh = models[p.name].mesh
-        items.append(place(mesh, p.scale, p.translation, yaw_quaternion(p.yaw), number))
+    items += [
+        place(models[p.name].mesh, p.scale, p.translation, yaw_quaternion(p.yaw), number)
+        for number, p in enumerate(layout.placements, start=1)
+    ]
     view = View(0.0, np.deg2rad(rng.uniform(*ELEVATIONS)), np.deg2rad(rng.uniform(35, 40)))
     points = np.concatenate([item.vertices for item in items])
     camera = framing_camera(points, view, WIDTH, HEIGHT, margin=0.05)

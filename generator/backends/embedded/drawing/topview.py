@@ -6,16 +6,19 @@ from collections.abc import Mapping
 
 import cv2
 import numpy as np
-from jaxtyping import Float, UInt8
+from jaxtyping import Bool, Float, UInt8
 from scipy.optimize import least_squares
 
 from ....geometry import Camera, hull_points, rotation_z, view_rotation, yaw_quaternion
+from ....meshes.pixels import dilate
 from ....render.contact import Body
 from ....render.picture import TOP_DOWN
 from ....render.raster import Item, place, render
 from ....scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
+from ...protocols import Instances
 from ..depth.seating import seat
-from ..layout.survey import floor_of, stacking_of, survey
+from ..layout.stacking import stack
+from ..layout.survey import floor_of, survey
 from ..plane.measure import measured_extent, whole_box
 from ..plane.plane import TablePlane
 
@@ -26,7 +29,7 @@ _GROUND = (226, 226, 224)
 
 def top_view(
     reference: Reference,
-    instances: tuple[Instance, ...],
+    instances: Instances,
     models: Mapping[str, Model],
     rotations: Mapping[str, Rotation],
     view: View,
@@ -36,8 +39,7 @@ def top_view(
     Instances without a model get the box that their mask measures on the plane. All boxes come
     from geometry, so ``repaired`` is empty; the picture is drawn from the same placements. Where
     depth shows a thing, its model keeps its size and is moved until what is seen of it lies where
-    depth has it. Of a picture that came without a text the scale is that of the table: it was sized
-    by everything that stands on it, whose names are guesses one by one.
+    depth has it. A picture without a text has the scale of the table.
 
     Raises:
         SceneError: no tabletop in the picture.
@@ -46,34 +48,31 @@ def top_view(
     known = survey(reference, instances, length, view)
     plane, solids = known.plane, known.solids
     things = [i for i in instances if i.name != TABLE]
-    order = stacking_of(instances, solids, lambda label: False)
-    covered = np.logical_or.reduce([np.asarray(i.mask) for i in things])
+    order = stack(instances, lambda label: False, solids)
+    image = np.asarray(reference.image)
+    covered = np.any([np.zeros(image.shape[:2], bool), *(i.mask for i in things)], axis=0)
     fitted: dict[str, Body] = {}
     footprints: dict[str, np.ndarray] = {}
     for thing in sorted(things, key=lambda i: order[i.name].order):
-        on = order[thing.name].on
-        solid = solids.get(thing.name)
-        if solid is not None:
-            floor = floor_of(thing.name, solids, order)
-        else:
-            floor = _upper_side(fitted[on], models[on].container) if on in fitted else 0.0
-        if thing.name in models:
-            yaw = rotations[thing.name].yaw if thing.name in rotations else 0.0
-            model = models[thing.name]
-            if solid is None:
-                fitted[thing.name] = fit_model(thing, model, yaw, plane, floor)
-            else:
-                others = covered & ~np.asarray(thing.mask)
-                fitted[thing.name] = seat(model, yaw, floor, solid, others, plane)
-            footprints[thing.name] = fitted[thing.name].footprint
-        else:
+        name, on = thing.name, order[thing.name].on
+        solid, model = solids.get(name), models.get(name)
+        yaw = rotations[name].yaw if name in rotations else 0.0
+        if model is None:
             extent, middle = measured_extent(np.asarray(thing.mask), plane)
-            footprints[thing.name] = np.stack([middle - extent[:2] / 2, middle + extent[:2] / 2])
+            footprints[name] = np.stack([middle - extent[:2] / 2, middle + extent[:2] / 2])
+            continue
+        if solid is None:
+            floor = _upper_side(fitted[on], models[on].container) if on in fitted else 0.0
+            fitted[name] = fit_model(thing, model, yaw, plane, floor)
+        else:
+            floor, others = floor_of(name, solids, order), covered & ~np.asarray(thing.mask)
+            fitted[name] = seat(model, yaw, floor, solid, others, plane)
+        footprints[name] = fitted[name].footprint
     scale = _PIXELS / max(plane.size)
-    half = np.asarray(plane.size) / 2 + _MARGIN * max(plane.size)
-    boxes = {name: _pixel_box(f, half, scale) for name, f in footprints.items()}
     table = np.asarray(plane.size) / 2
-    image = _draw(np.asarray(reference.image), things, plane, fitted, half, scale)
+    half = table + _MARGIN * max(plane.size)
+    boxes = {name: _pixel_box(f, half, scale) for name, f in footprints.items()}
+    image = _draw(image, covered, plane, fitted, half, scale)
     table_box = _pixel_box(np.stack([-table, table]), half, scale)
     metric = 1 / scale if reference.plan is None else None
     return TopView(image, table_box, boxes, metres_per_pixel=metric)
@@ -93,11 +92,7 @@ def _upper_side(below: Body, container: bool) -> float:
 
 
 def fit_model(
-    instance: Instance,
-    model: Model,
-    yaw: float,
-    plane: TablePlane,
-    floor: float,
+    instance: Instance, model: Model, yaw: float, plane: TablePlane, floor: float
 ) -> Body:
     """Solve x, y and size so that the model's projection fills the instance's box.
 
@@ -128,7 +123,7 @@ def fit_model(
 
 def _draw(
     image: UInt8[np.ndarray, "h w 3"],
-    things: list[Instance],
+    covered: Bool[np.ndarray, "h w"],
     plane: TablePlane,
     fitted: Mapping[str, Body],
     half: Float[np.ndarray, "2"],
@@ -136,7 +131,7 @@ def _draw(
 ) -> UInt8[np.ndarray, "a b 3"]:
     """Draw the rectified, emptied tabletop with the models on it, as a camera far above sees it."""
     width, height = (round(float(v)) for v in 2 * half * scale)
-    top = _bare_top(image, things, plane, half, scale, (width, height))
+    top = _bare_top(image, covered, plane, half, scale, (width, height))
     fov = TOP_DOWN.fov / 8
     distance = float(half[1] / np.tan(fov / 2))
     camera = Camera(np.array([0, 0, distance]), view_rotation(TOP_DOWN), fov, width, height)
@@ -155,27 +150,24 @@ def _sheet(half: Float[np.ndarray, "2"], texture: UInt8[np.ndarray, "h w 3"]) ->
 
 def _bare_top(
     image: UInt8[np.ndarray, "h w 3"],
-    things: list[Instance],
+    covered: Bool[np.ndarray, "h w"],
     plane: TablePlane,
     half: Float[np.ndarray, "2"],
     scale: float,
     size: tuple[int, int],
 ) -> UInt8[np.ndarray, "a b 3"]:
     """Return the tabletop seen from above with the things painted out, on a neutral ground."""
-    covered = np.zeros(image.shape[:2], np.uint8)
-    for thing in things:
-        covered |= np.asarray(thing.mask).astype(np.uint8)
-    covered = cv2.dilate(covered, np.ones((7, 7), np.uint8))
+    cover = dilate(covered, 7).astype(np.uint8)
     corners = np.array([[-1, 1], [1, 1], [1, -1], [-1, -1]], float) * np.asarray(plane.size) / 2
     here = plane.to_pixels(corners).astype(np.float32)
     there = ((corners * [1, -1] + half) * scale).astype(np.float32)
     warp = cv2.getPerspectiveTransform(here, there)
     flat = cv2.warpPerspective(image, warp, size, flags=cv2.INTER_AREA)
-    holes = cv2.warpPerspective(covered, warp, size, flags=cv2.INTER_NEAREST)
+    holes = cv2.warpPerspective(cover, warp, size, flags=cv2.INTER_NEAREST)
     polygon = np.round((plane.top(-0.004) * [1, -1] + half) * scale - 0.5).astype(np.int32)
     inside = np.zeros((size[1], size[0]), np.uint8)
     cv2.fillPoly(inside, [polygon], 1)
-    shown = cv2.warpPerspective(np.ones_like(covered), warp, size, flags=cv2.INTER_NEAREST) > 0
+    shown = cv2.warpPerspective(np.ones_like(cover), warp, size, flags=cv2.INTER_NEAREST) > 0
     bare = (inside > 0) & (holes == 0) & shown
     usual = np.median(flat[bare], axis=0) if bare.any() else 200
     flat[(inside > 0) & ~bare] = usual

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
+from ....geometry import mask_box
 from .frames import Frame
 from .network import CLOSE_ROOM, CLOSEUP, hints
 
@@ -36,11 +37,7 @@ def closeup(
     ``tabletop`` are the pixels that the tabletop covers. ``slip`` moves the sides of the thing's
     box (left, top, right, bottom) outwards, in shares of its longer side; what training varies.
     """
-    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
-    if not len(rows):
-        rows, columns = np.arange(mask.shape[0]), np.arange(mask.shape[1])
-    low = np.array([columns[0], rows[0]], float)
-    high = np.array([columns[-1] + 1, rows[-1] + 1], float)
+    low, high = mask_box(mask if mask.any() else np.ones_like(mask)).reshape(2, 2)
     wide, tall = high - low
     clues = hints((float(wide), float(tall)), tabletop, mask.size)
     if slip is not None:

@@ -49,8 +49,8 @@ def ask(
     place = place[score > FAINT]
     cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
     detections = answers(eye, maps, torch.full((len(cells),), owner), cells)
-    overlap, _ = overlaps(detections.masks[:, 0] > 0.5)
-    return detections[apart(detections.score, overlap > _SAME)[:_KEPT]]
+    clash = overlaps(detections.masks[:, 0] > 0.5) > _SAME
+    return detections[apart(detections.score, clash)[:_KEPT]]
 
 
 def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Detections:
@@ -63,12 +63,12 @@ def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Detections:
     return Detections(heat.sqrt() * quality * shows, masks)
 
 
-def overlaps(masks: Tensor) -> tuple[Tensor, Tensor]:
-    """Return, of masks (n, h, w), their overlap (IoU) and the share of each that others cover."""
+def overlaps(masks: Tensor) -> Tensor:
+    """Return the overlaps (IoU) of masks (n, h, w)."""
     flat = masks.flatten(1).float()
     area = flat.sum(1).clamp(min=1)[:, None]
     both = flat @ flat.T
-    return both / (area + area.T - both), both / area
+    return both / (area + area.T - both)
 
 
 def apart(score: Tensor, clash: Tensor) -> list[int]:

@@ -31,8 +31,8 @@ class Frame:
     ) -> Frame:
         """Return the frame around a box, ``room`` times as wide as its longer side.
 
-        ``low`` and ``high`` are the box's upper left and lower right corner (x, y), picture pixels,
-        ``side`` the pixels of the look; the frame is ``minimum`` picture pixels wide at least.
+        ``low`` and ``high`` are the box's corners (x, y), ``minimum`` the least width of the frame:
+        picture pixels. ``side`` is in pixels of the look.
         """
         wide = max(room * float((high - low).max()), minimum)
         x, y = (low + high) / 2 - wide / 2
@@ -60,15 +60,13 @@ class Frame:
         return first, int(np.clip(corner + self.side / self.scale + pad, first + 2, length))
 
     def _draw(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
-        shrunk = (1.0, 1.0)
+        warp = self._warp()
         if self.scale < 0.7:  # averaging first keeps fine detail from flickering
             width, height = image.shape[1::-1]
             size = max(1, round(width * self.scale)), max(1, round(height * self.scale))
             image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
-            shrunk = size[0] / width, size[1] / height
-        size, border = (self.side, self.side), cv2.BORDER_REPLICATE
-        warp = self._warp(shrunk)
-        return cv2.warpAffine(image, warp, size, flags=cv2.INTER_LINEAR, borderMode=border)
+            warp = self._warp((size[0] / width, size[1] / height))
+        return cv2.warpAffine(image, warp, (self.side, self.side), borderMode=cv2.BORDER_REPLICATE)
 
     def carry(
         self, mask: Float[np.ndarray, "h w"], factor: float, stride: int, cell: int
@@ -82,19 +80,12 @@ class Frame:
         shift = -np.array(self.corner) * self.scale / cell + 0.5 * zoom - 0.5
         warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
         count = self.side // cell
-        if zoom < 0.7:
-            return self._average(mask, warp, zoom, count)
-        return cv2.warpAffine(mask, warp, (count, count), flags=cv2.INTER_LINEAR)
-
-    @staticmethod
-    def _average(
-        mask: Float[np.ndarray, "h w"], warp: Float[np.ndarray, "2 3"], zoom: float, count: int
-    ) -> Float[np.ndarray, "c c"]:
-        """Return the warped map, drawn finer and averaged, so that thin things stay."""
-        times = int(np.ceil(1 / zoom))
+        if zoom >= 0.7:
+            return cv2.warpAffine(mask, warp, (count, count))
+        times = int(np.ceil(1 / zoom))  # drawn finer and averaged, thin things stay
         finer = warp * times
         finer[:, 2] += (times - 1) / 2
-        fine = cv2.warpAffine(mask, finer, (count * times, count * times), flags=cv2.INTER_LINEAR)
+        fine = cv2.warpAffine(mask, finer, (count * times, count * times))
         return cv2.resize(fine, (count, count), interpolation=cv2.INTER_AREA)
 
     def spread(

@@ -15,6 +15,7 @@ import torch
 from jaxtyping import Bool, Float, Int
 from torch import Tensor, nn
 
+from ....geometry import mask_box
 from .network import REGIONS
 
 ALONE = 26 + len(REGIONS)
@@ -33,7 +34,11 @@ _APART = 0.35  # probability that two finds are two things, from which both stay
 
 @dataclass(frozen=True, eq=False)
 class EyeDetection:
-    """A find before it is judged: certainties of both looks, masks, names as in ``Thing``."""
+    """Something on the table: certainties of the first look and of all, masks at picture size.
+
+    ``whole`` includes what is hidden. ``names`` are probabilities over the catalogue's categories
+    and, last, "unknown".
+    """
 
     first: float
     score: float
@@ -51,18 +56,12 @@ class Clues:
     both: Float[np.ndarray, "m b"]
 
 
-class _Member(nn.Sequential):
-    """A small network that tells a probability's logit."""
-
-    def __init__(self, inward: int) -> None:
-        super().__init__(
-            nn.Linear(inward, _HIDDEN),
-            nn.ReLU(),
-            nn.Dropout(0.1),
-            nn.Linear(_HIDDEN, _HIDDEN),
-            nn.ReLU(),
-            nn.Linear(_HIDDEN, 1),
-        )
+def _member(inward: int) -> nn.Sequential:
+    """Return a small network that tells a probability's logit."""
+    return nn.Sequential(
+        nn.Linear(inward, _HIDDEN), nn.ReLU(), nn.Dropout(0.1),
+        nn.Linear(_HIDDEN, _HIDDEN), nn.ReLU(), nn.Linear(_HIDDEN, 1),
+    )  # fmt: skip
 
 
 class Panel(nn.Module):
@@ -75,7 +74,7 @@ class Panel(nn.Module):
         super().__init__()
         self.register_buffer("mean", torch.zeros(inward))
         self.register_buffer("spread", torch.ones(inward))
-        self.members = nn.ModuleList(_Member(inward) for _ in range(_MEMBERS))
+        self.members = nn.ModuleList(_member(inward) for _ in range(_MEMBERS))
 
     def forward(self, clues: Tensor) -> Tensor:
         """Return each member's logits (members, n) for clues (n, c)."""
@@ -112,7 +111,7 @@ class DetectionJudge(nn.Module):
 
 
 def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h w"]) -> Clues:
-    """Return what is known of the finds of one picture; ``region`` as in ``Sight``."""
+    """Return what is known of the finds of one picture; ``region`` as in ``EyeReading``."""
     if not detections:
         nothing = np.zeros((0, ALONE), np.float32), np.zeros((0, BOTH), np.float32)
         return Clues(nothing[0], np.zeros((0, 2), int), nothing[1])
@@ -141,9 +140,8 @@ class _Shares:
     """How n finds overlap each other; the diagonals are 0, so that none overlaps itself.
 
     ``visible`` are the masks (pixels at which they are compared), ``area`` and ``reach`` the pixels
-    of the visible and the whole masks. ``within`` is how much of the row's find the column's
-    covers, ``behind`` how much of the column's find the row's whole mask covers, ``overlap`` the
-    IoU.
+    of the visible and the whole masks. ``within`` is the share of the row's find that the column's
+    covers, ``behind`` that of the column's find that the row's whole mask covers, ``overlap`` IoU.
     """
 
     visible: Float[np.ndarray, "n p"]
@@ -178,13 +176,15 @@ def _shape(
     detections: Sequence[EyeDetection], shares: _Shares, step: int
 ) -> Float[np.ndarray, "n 5"]:
     """Return size, slenderness, fullness of the box, being cut by the frame, and hidden share."""
-    wide, tall = _sides([f.visible for f in detections])
+    masks = [f.visible for f in detections]
+    boxes = np.array([mask_box(m) if m.any() else (0, 0, 1, 1) for m in masks], float)
+    wide, tall = (boxes[:, 2:] - boxes[:, :2]).T
     return np.column_stack(
         [
             np.log(shares.area / shares.visible.shape[1]) / 3,
             np.log(wide / tall),
             shares.area * step**2 / (wide * tall),
-            [_cut(f.visible) for f in detections],
+            [_cut(mask) for mask in masks],
             np.log(shares.reach / shares.area),
         ]
     )
@@ -244,18 +244,6 @@ def _together(
 def _logit(chance: Float[np.ndarray, "n"]) -> Float[np.ndarray, "n"]:
     inside = np.clip(chance, 1e-4, 1 - 1e-4)
     return np.log(inside / (1 - inside))
-
-
-def _sides(
-    masks: Sequence[Bool[np.ndarray, "h w"]],
-) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
-    """Return the widths and heights of the masks' boxes, pixels; 1 for an empty mask."""
-    sides = []
-    for mask in masks:
-        rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
-        sides.append((np.ptp(columns) + 1, np.ptp(rows) + 1) if len(rows) else (1, 1))
-    wide, tall = np.array(sides, float).T
-    return wide, tall
 
 
 def _cut(mask: Bool[np.ndarray, "h w"]) -> bool:

@@ -57,14 +57,8 @@ class Lite0(nn.Module):
         blocks: list[nn.Module] = []
         self.ends: list[int] = []
         for kernel, stride, expansion, inward, outward, repeats in _STAGES:
-            for k in range(repeats):
-                first = k == 0
-                blocks.append(
-                    _Block(
-                        kernel, stride if first else 1, expansion, inward if first else outward,
-                        outward,
-                    )
-                )  # fmt: skip
+            blocks.append(_Block(kernel, stride, expansion, inward, outward))
+            blocks += [_Block(kernel, 1, expansion, outward, outward) for _ in range(1, repeats)]
             self.ends.append(len(blocks) - 1)
         self.blocks = nn.ModuleList(blocks)
         self.head = nn.Conv2d(CHANNELS[-1], SUMMARY, 1)

@@ -6,9 +6,8 @@ mask; and once more, alone, for its name.
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import cv2
@@ -47,19 +46,6 @@ _NAMELESS = np.zeros(0)
 
 
 @dataclass(frozen=True, eq=False)
-class EyeThing:
-    """Something on the table. Masks are at picture size; ``whole`` includes what is hidden.
-
-    ``names`` are probabilities over the catalogue's categories and, last, "unknown".
-    """
-
-    score: float
-    visible: Bool[np.ndarray, "h w"]
-    whole: Bool[np.ndarray, "h w"]
-    names: Float[np.ndarray, "k"]
-
-
-@dataclass(frozen=True, eq=False)
 class EyeReading:
     """A picture, read. Maps are at picture size.
 
@@ -68,7 +54,7 @@ class EyeReading:
     each pixel's angle below the horizon, radians.
     """
 
-    things: tuple[EyeThing, ...]
+    things: tuple[EyeDetection, ...]
     region: Float[np.ndarray, "4 h w"]
     top: Float[np.ndarray, "h w"]
     latitude: Float[np.ndarray, "h w"]
@@ -78,34 +64,22 @@ class EyeReading:
         return np.isin(self.region.argmax(0), [REGIONS.index(kind) for kind in kinds])
 
 
-@dataclass(frozen=True, eq=False)
-class Glance:
-    """A picture as ``EyeReading``, but with every find, before it is judged which are things."""
-
-    finds: tuple[EyeDetection, ...]
-    region: Float[np.ndarray, "4 h w"]
-    top: Float[np.ndarray, "h w"]
-    latitude: Float[np.ndarray, "h w"]
-
-
 def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
     """Read a picture; things less certain than ``minimum`` are left out.
 
     Raises:
         BackendError: the weights are missing or damaged.
     """
-    weights = load_weights()
-    glance = glance_at(weights, image)
+    glance = glance_at(load_weights(), image)
     with single_thread(), torch.inference_mode():
-        chosen = load_judge().choose(clues_of(glance.finds, glance.region), minimum)
-    detections = [glance.finds[k] for k, _ in chosen]
-    shown = _apart([detection.visible for detection in detections])
+        chosen = load_judge().choose(clues_of(glance.things, glance.region), minimum)
+    shown = _apart([glance.things[k].visible for k, _ in chosen])
     things = tuple(
-        EyeThing(sure, visible, detection.whole, detection.names)
-        for (_, sure), detection, visible in zip(chosen, detections, shown, strict=True)
+        replace(glance.things[k], score=sure, visible=visible)
+        for (k, sure), visible in zip(chosen, shown, strict=True)
         if visible.any()
     )
-    return EyeReading(things, glance.region, glance.top, glance.latitude)
+    return replace(glance, things=things)
 
 
 def _apart(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h w"]]:
@@ -118,8 +92,8 @@ def _apart(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h
     return shown
 
 
-def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> Glance:
-    """Look at a picture, and at all that shows in it from near; judge nothing yet."""
+def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> EyeReading:
+    """Return every find of a picture as a thing, looked at from near, but not judged yet."""
     height, width = image.shape[:2]
     factor = float(np.clip(max(height, width), *SIDES)) / max(height, width)
     small = _resize(image, factor)
@@ -133,8 +107,8 @@ def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> Glance:
         region, latitude = full(maps.region[0].softmax(0)), full(maps.latitude[0])[0]
         seen = _closer(weights.eye, image, ask(weights.eye, maps, small.shape[:2]), factor)
         names = name_all(weights, image, [x.visible for x in seen], float((top > 0.5).sum()))
-    detections = tuple(dataclasses.replace(x, names=n) for x, n in zip(seen, names, strict=True))
-    return Glance(detections, region, top, latitude)
+    detections = tuple(replace(x, names=n) for x, n in zip(seen, names, strict=True))
+    return EyeReading(detections, region, top, latitude)
 
 
 def see(image: UInt8[np.ndarray, "h w 3"]) -> EyeReading:
@@ -230,10 +204,7 @@ def spread(
 
 def _frame(masks: Tensor, factor: float) -> Frame:
     """Return the frame around a find's masks (2, h, w), in cells of the first look."""
-    covered = (masks.amax(0) > 0.5).numpy()
-    rows, columns = np.flatnonzero(covered.any(1)), np.flatnonzero(covered.any(0))
-    low = np.array([columns[0], rows[0]]) * STRIDE / factor
-    high = np.array([columns[-1] + 1, rows[-1] + 1]) * STRIDE / factor
+    low, high = mask_box((masks.amax(0) > 0.5).numpy()).reshape(2, 2) * STRIDE / factor
     return Frame.around(low, high, CLOSE, _ROOM, 32 / factor)
 
 

@@ -32,10 +32,7 @@ _RESTORE = (
 
 @dataclass(frozen=True, eq=False)
 class Weights:
-    """A network ready to look, the category keys its names stand for, and their temperature.
-
-    The last of the network's names is "unknown" and has no key.
-    """
+    """A network, the category keys of its names but the last, "unknown", and their temperature."""
 
     eye: Eye
     categories: tuple[str, ...]

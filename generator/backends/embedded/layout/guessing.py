@@ -1,29 +1,25 @@
 """Poses guessed by a naive look at the picture: what stands in for DRO and TSA in an ablation.
 
-The paper (Sec. 4.3) asks a multimodal language model for the numbers. This is no such model: it is
-a plain reading of masks and boxes that knows the camera's direction but no perspective, does not
-measure, and does not look at the 3D models. Figures obtained with it compare the stages of this
-project with one another, not with the paper's Table 3.
+The paper (Sec. 4.3) asks a multimodal language model. This is a plain reading of masks and boxes
+that knows the camera's direction but no perspective and no 3D models: its figures compare the
+stages of this project with one another, not with the paper's Table 3.
 """
 
 from __future__ import annotations
-
-from collections.abc import Mapping
 
 import numpy as np
 from jaxtyping import Bool, Float
 
 from ....errors import InputError
 from ....geometry import rotated_extent, rotation_z, wrap
-from ....scene import TABLE, Instance, LayoutBox, SizePrior, View
+from ....scene import TABLE, LayoutBox, View
+from ...protocols import Instances, Sizes
 
 _STEP = np.deg2rad(15.0)  # angles are told in such steps
 _LONG = 1.2  # ratio of a mask's axes from which it has a direction
 
 
-def guess_rotations(
-    instances: tuple[Instance, ...], sizes: Mapping[str, SizePrior], view: View
-) -> dict[str, float]:
+def guess_rotations(instances: Instances, sizes: Sizes, view: View) -> dict[str, float]:
     """Return each thing's yaw, radians: of what lies, the direction of its mask's long axis.
 
     The axis is read in the picture as if it were a plan, without foreshortening, and rounded to 15
@@ -37,9 +33,7 @@ def guess_rotations(
     }
 
 
-def guess_layout(
-    instances: tuple[Instance, ...], sizes: Mapping[str, SizePrior], view: View
-) -> dict[str, LayoutBox]:
+def guess_layout(instances: Instances, sizes: Sizes, view: View) -> dict[str, LayoutBox]:
     """Return each thing's place by linear interpolation in the table's box, and its usual size.
 
     The far edge of the tabletop is the upper side of the table's box, its near edge where the

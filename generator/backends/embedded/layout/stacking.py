@@ -9,27 +9,24 @@ overlap, and what stands *in front* has its foot below the other's.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
 from jaxtyping import Bool
 
 from ....scene import TABLE, Instance, Stacking
+from ...protocols import Instances
+from ..depth.measure import ObservedSolid, holds
 
+Supports = dict[str, tuple[str, bool]]
+"""By name: what a thing stands on, and whether it is inside of that."""
+
+_HELD = 0.5  # share of a thing's footprint points over its support
 _FOOT = 0.2  # of a thing's height: its foot
 _ON = 0.6  # share of the foot within the other's outline
 _CLEAR = 0.06  # of the other's height, by which the foot lies above the other's lower edge
 _PART = 0.12  # share of the overlap from which somebody shows in it
 _LARGER = 0.6  # least area of a support, times the area of what it carries
-
-
-@dataclass(frozen=True, eq=False)
-class _Seen:
-    """An instance's masks in the picture: what shows, and all of it."""
-
-    visible: Bool[np.ndarray, "h w"]
-    whole: Bool[np.ndarray, "h w"]
 
 
 def whole_mask(instance: Instance) -> Bool[np.ndarray, "h w"]:
@@ -48,23 +45,47 @@ def whole_mask(instance: Instance) -> Bool[np.ndarray, "h w"]:
 
 
 def stack(
-    instances: tuple[Instance, ...], container: Callable[[str], bool]
+    instances: Instances,
+    container: Callable[[str], bool],
+    solids: Mapping[str, ObservedSolid] | None = None,
 ) -> Mapping[str, Stacking]:
-    """Return what each instance stands on; ``container`` tells whether a label holds things."""
+    """Return what each instance stands on: by depth if it shows ``solids``, else by the masks.
+
+    ``container`` tells whether a label holds things.
+    """
     things = [i for i in instances if i.name != TABLE]
-    seen = {i.name: _Seen(np.asarray(i.mask), whole_mask(i)) for i in things}
-    holds = {i.name: container(i.label) for i in things}
-    found: dict[str, tuple[str, bool]] = {}
+    containers = {i.name: container(i.label) for i in things}
+    found = _by_solids(containers, solids) if solids else _by_masks(things, containers)
+    return _order(list(containers), found)
+
+
+def _by_solids(containers: Mapping[str, bool], solids: Mapping[str, ObservedSolid]) -> Supports:
+    """Return what is under each footprint and as high as its foot, and whether it is hollow.
+
+    A thing whose foot is hidden seems to hover; with nothing under it, it stands on the table.
+    """
+    found: Supports = {}
+    for name in [n for n in containers if n in solids]:
+        held = {b: holds(solids[b], solids[name]) for b in containers if b != name and b in solids}
+        below = max(held, key=lambda b: (held[b], b), default=None)
+        if below is not None and held[below] > _HELD:
+            found[name] = below, solids[below].hollow or containers[below]
+    return found
+
+
+def _by_masks(things: list[Instance], containers: Mapping[str, bool]) -> Supports:
+    seen = {i.name: (np.asarray(i.mask), whole_mask(i)) for i in things}
+    found: Supports = {}
     for name, own in seen.items():
         rated = {
-            other: carries(own.visible, own.whole, below.visible, below.whole, holds[other])
+            other: carries(*own, *below, containers[other])
             for other, below in seen.items()
-            if other != name and below.whole.sum() > _LARGER * own.whole.sum()
+            if other != name and below[1].sum() > _LARGER * own[1].sum()
         }
         best = max(rated, key=lambda n: rated[n][0], default=None)
         if best is not None and rated[best][0] > 0:
             found[name] = best, rated[best][1]
-    return _order(list(seen), found)
+    return found
 
 
 def carries(
@@ -105,7 +126,7 @@ def _above(foot: Bool[np.ndarray, "h w"], below: Bool[np.ndarray, "h w"], margin
     return bool(np.mean(ends + margin < edges) > 0.5)
 
 
-def _order(names: list[str], found: Mapping[str, tuple[str, bool]]) -> Mapping[str, Stacking]:
+def _order(names: list[str], found: Supports) -> Mapping[str, Stacking]:
     """Number the layers from the table up; a circle of supports stands on the table."""
     result = {TABLE: Stacking(1)}
     for name in names:

@@ -5,18 +5,19 @@ A reference with depth is measured; one without is explained by its tabletop's o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from ....scene import TABLE, Instance, Reference, SizePrior, Stacking, View
-from ..depth.measure import ObservedSolid, measure_solid, stack_solids
+from ...protocols import Instances
+from ..depth.measure import ObservedSolid, measure_solid
 from ..depth.plane import find_depth_plane
 from ..depth.things import height_above_floor
 from ..plane.plane import TablePlane
 from ..plane.tabletop import find_tabletop
-from .stacking import stack, whole_mask
+from .stacking import whole_mask
 
 _THIN = 0.004  # metres: the least extent of anything
 _SHOWN = 0.85  # share of a thing that must show for its size to count as measured
@@ -38,7 +39,7 @@ class Survey:
 
 def survey(
     reference: Reference,
-    instances: tuple[Instance, ...],
+    instances: Instances,
     length: float | None = None,
     view: View | None = None,
 ) -> Survey:
@@ -55,24 +56,13 @@ def survey(
         return Survey(find_tabletop(np.asarray(reference.image), plan, length, view), {})
     table = next((np.asarray(i.mask) for i in instances if i.name == TABLE), None)
     plane = find_depth_plane(reference.depth, reference.intrinsics, table)
-    found = {
-        i.name: measure_solid(np.asarray(i.mask), reference.depth, plane)
+    solids = {
+        i.name: solid
         for i in instances
         if i.name != TABLE
+        and (solid := measure_solid(np.asarray(i.mask), reference.depth, plane)) is not None
     }
-    solids = {name: solid for name, solid in found.items() if solid is not None}
     return Survey(plane, solids, height_above_floor(reference.depth, plane))
-
-
-def stacking_of(
-    instances: tuple[Instance, ...],
-    solids: Mapping[str, ObservedSolid],
-    container: Callable[[str], bool],
-) -> Mapping[str, Stacking]:
-    """Return what each instance stands on: by depth if it shows solids, else by the masks."""
-    if not solids:
-        return stack(instances, container)
-    return stack_solids(instances, solids, container)
 
 
 def solid_size(
@@ -84,9 +74,8 @@ def solid_size(
     """Return a thing's measured extent, in the axes of its ``usual`` size if there is one.
 
     Something narrower at its top hides its own back: its width is then what its usual proportions
-    make of its length, within reason. Of what other things hide the picture shows less than there
-    is: a known thing keeps its usual proportions, at the scale of what shows, and neither that nor
-    the extent of an unknown thing counts as measured.
+    make of its length, within reason. Of what other things hide nothing counts as measured: a known
+    thing keeps its usual proportions, at the scale of what shows.
     """
     solid = solids[instance.name]
     height = max(solid.top - floor_of(instance.name, solids, stacking), _THIN)

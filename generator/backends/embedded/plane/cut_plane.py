@@ -11,16 +11,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from ....errors import SceneError
 from ....geometry import Camera, convex_outline, main_parts, rotation_z, view_rotation, wrap
-from ....meshes.pixels import distance_to, hull_corners
+from ....meshes.pixels import dilate, distance_to, hull_corners
 from ....scene import View
-from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance, outline_points
+from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance
 
 CUT_SHARE = 0.15
 """A top whose outline lies on the frame for more than this share of its length is cut."""
@@ -56,9 +55,7 @@ class _Rim:
 
 def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
     """Return which share of the outline (convex hull) of ``mask`` lies on the picture's frame."""
-    hull = hull_corners(_region(mask))
-    points = _sample(hull, _POINTS)
-    return float(_at_frame(points, mask.shape).mean())
+    return float(_at_frame(_sample(hull_corners(_region(mask)), _POINTS), mask.shape).mean())
 
 
 def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
@@ -77,9 +74,9 @@ def plane_from_view(
 
     ``mask`` is the visible tabletop (the surface, without legs and apron; things on it may be part
     of the mask or holes in it). Of ``view`` the azimuth is found anew from the edges. ``hidden``
-    are pixels that may hide more of the top, such as the things on it; an edge of the mask beside
-    them is not an edge of the table. ``length``, metres of the top's longer side, is
-    ``VISIBLE_LENGTH`` by default if the frame cuts the top, else the usual ``TABLE_LENGTH``.
+    pixels may hide more of the top: an edge of the mask beside them is not the table's. ``length``,
+    metres of the top's longer side, is ``VISIBLE_LENGTH`` by default if the frame cuts the top,
+    else ``TABLE_LENGTH``.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
@@ -116,16 +113,15 @@ def plane_of_region(
         SceneError: the mask is too small, or lies at or above the horizon.
     """
     rim = _rim(mask, camera, hidden)
-    whole = float(rim.true.mean()) > 1 - CUT_SHARE
-    arc = float(rim.true.mean()) > _ARC
+    true = float(rim.true.mean())
     if carried is not None and len(carried) >= 3:
         rim = _holding(rim, carried)
-    fits = [_fit(rim, "rectangle", False), _fit(rim, "ellipse", False)]
-    if whole:
-        fits += [_fit(rim, "triangle", flipped) for flipped in (False, True)]
-    best = min(fits[1:], key=lambda f: f.error)
-    fit = best if arc and best.error < _RIVAL * fits[0].error else fits[0]
-    return _as_plane(fit, camera)
+    usual, *others = _fit(rim, "rectangle", False), _fit(rim, "ellipse", False)
+    if true > 1 - CUT_SHARE:
+        others += [_fit(rim, "triangle", flipped) for flipped in (False, True)]
+    rival = min(others, key=lambda f: f.error)
+    better = true > _ARC and rival.error < _RIVAL * usual.error
+    return _as_plane(rival if better else usual, camera)
 
 
 # ----------------------------------------------------------------------------------- the region
@@ -164,7 +160,7 @@ def _rim(
     places = camera.on_plane(np.column_stack([x.ravel(), y.ravel()]), 0.0)[:, :2]
     seen = np.linalg.norm(places, axis=1) < _REACH * camera.position[2]
     in_reach = seen.reshape(mask.shape)  # NaN, above the horizon, is out of reach
-    far = cv2.dilate((~in_reach).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    far = dilate(~in_reach, 3)
     region = _region(region & in_reach & ~far)
     points = _sample(hull_corners(region), _POINTS)
     behind = far if hidden is None else far | (hidden & ~region)
@@ -228,8 +224,7 @@ def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
     best = min(found, key=lambda f: f.cost)
     center, turn, size, radius = _unpack(best.x)
     off = _off(best.x, rim, shape, flipped)
-    held = np.where(rim.true, off, np.maximum(off, 0))
-    error = float(np.sqrt(np.average(2 * (np.sqrt(1 + held**2) - 1), weights=rim.weights)))
+    error = float(np.sqrt(np.average(2 * (np.sqrt(1 + off**2) - 1), weights=rim.weights)))
     return _Top(shape, flipped, center, turn, size, radius, error)
 
 
@@ -259,18 +254,18 @@ def _unpack(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], floa
 
 
 def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
-    """Return how far each point lies outside the outline, in pixels."""
+    """Return how far true points lie off the outline, and others outside of it, in pixels."""
     center, turn, size, radius = _unpack(p)
     places = (rim.places - center) @ rotation_z(turn)[:2, :2]
-    return outline_distance(places, shape, flipped, size, radius) / rim.pixel
+    off = outline_distance(places, shape, flipped, size, radius) / rim.pixel
+    return np.where(rim.true, off, np.maximum(off, 0))
 
 
 def _residuals(
     p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool
 ) -> Float[np.ndarray, "m"]:
     off = _off(p, rim, shape, flipped)
-    held = np.where(rim.true, off, np.maximum(off, 0))
-    robust = np.sign(held) * np.sqrt(2 * (np.sqrt(1 + held**2) - 1))
+    robust = np.sign(off) * np.sqrt(2 * (np.sqrt(1 + off**2) - 1))
     least = np.log(np.maximum(np.ptp(rim.places, axis=0).min(), 1e-6)) - 1.5
     shrink = _SHRINK * (p[3:5] - least)
     prior = [*shrink, 0.5 * (p[5] + 2.5), 0.3 * p[2]]
@@ -290,6 +285,4 @@ def _as_plane(top: _Top, camera: Camera) -> TablePlane:
     elevation = float(np.clip(np.arcsin(np.clip(-up[2], -1, 1)), 0.02, np.pi / 2))
     roll = float(np.arctan2(-up[0], -up[1])) if np.hypot(up[0], up[1]) > 0.02 else 0.0
     view = View(wrap(-turn), elevation, camera.fov, roll)
-    points = outline_points(top.shape, top.flipped, size, top.radius)
-    outline = turned.project(np.column_stack([points, np.zeros(len(points))]))
-    return TablePlane(view, turned, top.shape, top.flipped, size, top.radius, outline, top.error)
+    return TablePlane(view, turned, top.shape, top.flipped, size, top.radius, top.error)

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import shapely
-from jaxtyping import Float
 
 from ....geometry import convex_outline
 from .outline import Outline
@@ -31,16 +30,18 @@ def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
         return plane
     seen = shapely.Polygon(convex_outline(plane.to_table(outline.hull / factor)))
     blunt = _BLUNT * plane.size[0]  # takes off the spikes that single points make
-    edge = _around(seen.buffer(-blunt).buffer(blunt), _RAYS)
+    rim = seen.buffer(-blunt).buffer(blunt).exterior
+    along = np.linspace(0, 1, _RAYS, endpoint=False)
+    points = shapely.line_interpolate_point(rim, along, normalized=True)
+    edge = convex_outline(shapely.get_coordinates(points))
     low, high = edge.min(0), edge.max(0)
     middle, grown = (low + high) / 2, plane.size[0] / float(high[0] - low[0])
     edge = (edge - middle) * grown
     position = (plane.camera.position - [*middle, 0.0]) * grown
     camera = replace(plane.camera, position=position)
-    pixels = camera.project(np.column_stack([edge, np.zeros(len(edge))]))
     size = (plane.size[0], float(high[1] - low[1]) * grown)
     radius = min(plane.radius * grown, RADIUS * min(size))
-    return replace(plane, camera=camera, size=size, radius=radius, outline=pixels, edge=edge)
+    return replace(plane, camera=camera, size=size, radius=radius, edge=edge)
 
 
 def _agreement(plane: TablePlane, outline: Outline, factor: float) -> float:
@@ -57,10 +58,3 @@ def _agreement(plane: TablePlane, outline: Outline, factor: float) -> float:
     plain = ~(inside & outline.hidden[at])
     a, b = (inside & outline.top[at])[plain], shapely.contains_xy(ideal, points[plain])
     return float((a & b).sum() / max((a | b).sum(), 1))
-
-
-def _around(polygon: shapely.Polygon, count: int) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline through ``count`` points evenly along a polygon's rim."""
-    along = np.linspace(0, 1, count, endpoint=False)
-    points = shapely.line_interpolate_point(polygon.exterior, along, normalized=True)
-    return convex_outline(shapely.get_coordinates(points))

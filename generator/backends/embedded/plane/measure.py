@@ -16,13 +16,6 @@ from .plane import TablePlane
 _TURNS = 24
 
 
-def foot_band(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "n 2"]:
-    """Return the pixels of a mask's lower outline: the lowest pixel of each column."""
-    columns = np.flatnonzero(mask.any(0))
-    lowest = mask.shape[0] - mask[::-1, columns].argmax(0)
-    return np.column_stack([columns + 0.5, lowest.astype(float)])
-
-
 def measured_extent(
     mask: Bool[np.ndarray, "h w"], plane: TablePlane
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "2"]]:
@@ -52,12 +45,12 @@ def measured_extent(
 
 def _outline_depth(mask: Bool[np.ndarray, "h w"], plane: TablePlane) -> float:
     """Return twice the depth that a mask's lower outline spans on the plane, metres."""
-    outline = foot_band(mask)
-    drop = outline[:, 1].max() - outline[:, 1]
-    near = outline[drop < 0.6 * np.ptp(np.flatnonzero(mask.any(1))) + 1]
-    side = cv2.convexHull(near.astype(np.float32))[:, 0].astype(float)
-    points = plane.to_table(side)
-    return 2.0 * float(np.nanmax(points[:, 1]) - np.nanmin(points[:, 1]))
+    columns = np.flatnonzero(mask.any(0))
+    lowest = (mask.shape[0] - mask[::-1, columns].argmax(0)).astype(float)
+    near = lowest.max() - lowest < 0.6 * np.ptp(np.flatnonzero(mask.any(1))) + 1
+    outline = np.column_stack([columns + 0.5, lowest])[near].astype(np.float32)
+    away = plane.to_table(cv2.convexHull(outline)[:, 0].astype(float))[:, 1]
+    return 2.0 * float(np.nanmax(away) - np.nanmin(away))
 
 
 def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:

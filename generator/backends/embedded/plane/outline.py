@@ -15,7 +15,7 @@ from jaxtyping import Bool, Float, UInt8
 
 from ....errors import SceneError
 from ....geometry import main_parts
-from ....meshes.pixels import distance_to, hull_corners, mask_iou
+from ....meshes.pixels import dilate, distance_to, hull_corners, mask_iou
 from ..eye.sight import EyeReading
 
 WORKING_SIZE = 640
@@ -66,18 +66,18 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> tuple[
     top = cv2.resize(top_of(sight).astype(np.float32), (width, height)) > 0.5
 
     def small(mask: np.ndarray) -> np.ndarray:
-        return cv2.resize(mask.astype(np.uint8), (width, height), interpolation=0)
+        return cv2.resize(mask.astype(np.uint8), (width, height), interpolation=0) > 0
 
     bare, things = small(sight.shows("top")), small(sight.shows("thing"))
     points, normals = walk(hull_corners(top), _POINTS)
     ends = distance_to(~top, points) < _AWAY
     inner, outer = _at(bare, points - 5 * normals), _at(things, points + 5 * normals)
-    plain = ends & (inner == 1) & (outer != 1)
+    plain = ends & inner & ~outer
     moved = snap(points, normals, gradient(lab))
     points = np.where(plain[:, None], moved, points)
     hull = cv2.convexHull(points.astype(np.float32))[:, 0].astype(float)
     kept = plain if plain.mean() > _LEAST else ends | plain
-    hidden = cv2.dilate(things, np.ones((2 * _RIM + 1, 2 * _RIM + 1), np.uint8)) > 0
+    hidden = dilate(things, 2 * _RIM + 1)
     return Outline(hull, points[kept] if kept.sum() > 20 else points, hidden, top), factor
 
 

@@ -8,7 +8,7 @@ single view leaves open: a rectangle seen head-on does not tell field of view fr
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import cv2
@@ -63,9 +63,9 @@ class TablePlane:
     ``camera`` is in metres with the *centre of the top surface* as origin (x right, y away, z
     up); its scale rests on ``size``, the top's (length, width) in metres. ``shape`` tells the
     outline's kind; ``flipped`` a triangle whose tip points to the viewer; ``radius`` the corner
-    radius in metres. ``outline`` is the fitted outline in picture pixels, ``error`` the median
-    distance of the edge points from it in pixels. ``edge`` is the outline as it was seen, metres,
-    convex and counter-clockwise, where it is none of those shapes; ``shape`` is then the likest.
+    radius in metres; ``error`` the median distance of the edge points from it, picture pixels.
+    ``edge`` is the outline as it was seen, metres, convex and counter-clockwise, where it is none
+    of those shapes; ``shape`` is then the likest.
     """
 
     view: View
@@ -74,7 +74,6 @@ class TablePlane:
     flipped: bool
     size: tuple[float, float]
     radius: float
-    outline: Float[np.ndarray, "k 2"]
     error: float
     edge: Float[np.ndarray, "m 2"] | None = None
 
@@ -143,9 +142,7 @@ def outline_distance(
         return outer + np.minimum(q.max(1), 0) - radius
     x, y = half - radius
     corners = np.array([[-x, -y], [x, -y], [0.0, y]])
-    if flipped:
-        corners = -corners
-    return _convex_distance(points, corners) - radius
+    return _convex_distance(points, -corners if flipped else corners) - radius
 
 
 def outline_points(
@@ -184,18 +181,9 @@ class _Fit:
     cost: float
     error: float
 
-    @property
-    def aspect(self) -> float:
-        """Depth over length."""
-        return float(np.exp(self.parameters[6]))
-
-    @property
-    def radius(self) -> float:
-        """Corner radius over length."""
-        return _radius(self.parameters)
-
 
 def _radius(parameters: Float[np.ndarray, "8"]) -> float:
+    """Return the corner radius over the length."""
     return float(RADIUS / (1 + np.exp(-parameters[7])) * min(1.0, np.exp(parameters[6])))
 
 
@@ -241,12 +229,9 @@ def _residuals(
     robust = np.sign(off) * np.sqrt(2 * _TRUST / len(points) * (np.sqrt(1 + off**2) - 1))
     p = parameters
     prior = [
-        p[0] / kind.azimuth,
-        (p[1] - expected[1]) / _ELEVATION_SPREAD,
-        (p[2] - expected[2]) / _FOV_SPREAD,
-        (p[6] - aspect[0]) / aspect[1],
-        (p[7] + 2) / 2,
-    ]
+        p[0] / kind.azimuth, (p[1] - expected[1]) / _ELEVATION_SPREAD,
+        (p[2] - expected[2]) / _FOV_SPREAD, (p[6] - aspect[0]) / aspect[1], (p[7] + 2) / 2,
+    ]  # fmt: skip
     return np.concatenate([robust, prior])
 
 
@@ -306,20 +291,19 @@ def _starts(
     hull: Float[np.ndarray, "k 2"], frame: tuple[int, int], expected: View
 ) -> list[np.ndarray]:
     """Return first guesses from the outline's box: the expected view, ahead and turned."""
-    width, height = frame
     low, high = hull.min(0), hull.max(0)
     span = high[0] - low[0]
     elevation = max(expected.elevation, 0.15)
-    focal = height / 2 / np.tan(expected.fov / 2)
-    shift = ((low + high) / 2 - np.array([width, height]) / 2) / span
+    focal = frame[1] / 2 / np.tan(expected.fov / 2)
+    shift = ((low + high) / 2 - np.array(frame) / 2) / span
+    x, y = -shift[0], shift[1] / np.sin(elevation)
+    aspect = np.clip((high[1] - low[1]) / span / np.sin(elevation), 0.3, 1.2)
+    logs = [np.log(expected.fov), np.log(focal / span), np.log(aspect)]
     starts = []
     for azimuth in (0.0, 0.5, -0.5):
-        x, y = -shift[0], shift[1] / np.sin(elevation)
         c, s = np.cos(azimuth), np.sin(azimuth)
-        aspect = np.clip((high[1] - low[1]) / span / np.sin(elevation), 0.3, 1.2)
-        across = [c * x - s * y, s * x + c * y, np.log(focal / span)]
-        first = [azimuth, elevation, np.log(expected.fov), *across, np.log(aspect), -2.0]
-        starts.append(np.array(first))
+        target = [c * x - s * y, s * x + c * y]
+        starts.append(np.array([azimuth, elevation, logs[0], *target, *logs[1:], -2.0]))
     return starts
 
 
@@ -335,24 +319,16 @@ def fit_plane(
     """Find the camera and the tabletop that explain the outline of a whole top, in working pixels.
 
     ``factor`` is working pixels per picture pixel, ``size`` the picture's width and height, pixels;
-    ``expected`` the elevation and field of view that the picture suggests. What a text said of the
-    table, ``plan``, fixes its shape and proportions; its ``length``, metres, is the plan's, else
-    ``TABLE_LENGTH``. ``view`` is kept to if given.
+    ``expected`` the elevation and field of view that the picture suggests. ``plan``, ``length`` and
+    ``view`` are as in ``tabletop.find_tabletop``; the usual length is ``TABLE_LENGTH``.
     """
     frame = round(size[0] * factor), round(size[1] * factor)
     kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]
     fits = (_fit(outline, kind, frame, plan, expected, view) for kind in kinds)
     best = min(fits, key=lambda fit: fit.cost)
     metres = length or (plan.size[0] if plan else TABLE_LENGTH)
-    return _plane(best, metres, *size, factor)
-
-
-def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> TablePlane:
-    unit = _camera(fit.parameters, width, height)
-    view = View(float(fit.parameters[0]), float(fit.parameters[1]), unit.fov)
-    radius, size = fit.radius * length, (length, length * fit.aspect)
-    camera = Camera(unit.position * length, unit.rotation, unit.fov, width, height)
-    shape, flipped = fit.kind.shape, fit.kind.flipped
-    points = outline_points(shape, flipped, size, radius)
-    outline = camera.project(np.column_stack([points, np.zeros(len(points))]))
-    return TablePlane(view, camera, shape, flipped, size, radius, outline, fit.error / factor)
+    p, kind, unit = best.parameters, best.kind, _camera(best.parameters, *size)
+    camera = replace(unit, position=unit.position * metres)
+    view = View(float(p[0]), float(p[1]), unit.fov)
+    top, radius = (metres, metres * float(np.exp(p[6]))), _radius(p) * metres
+    return TablePlane(view, camera, kind.shape, kind.flipped, top, radius, best.error / factor)

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 from jaxtyping import Bool, Float
-from scipy import optimize
 
 from ....geometry import rotation_z
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart
-from .framing import frame_to_mask, proportion_gap, simplex
+from .framing import descend, frame_to_mask, proportion_gap
 from .solids import ConvexSolid, PosedSolid, box, heightfield
 
 Mask = Bool[np.ndarray, "_ _"]
@@ -52,16 +51,7 @@ def fit_box(
         for h in (0.07, 0.2, 0.45, 0.9, 1.7, 3.0)
     ]
     starts = sorted(grid, key=loss)[:3]
-    found = [
-        optimize.minimize(
-            loss,
-            s,
-            method="Nelder-Mead",
-            options={"maxfev": 90, "initial_simplex": simplex(s, (0.15, 0.2, 0.25))},
-        )
-        for s in starts
-    ]
-    best = min(found, key=lambda r: r.fun).x
+    best = min((descend(loss, start, (0.15, 0.2, 0.25), 90) for start in starts), key=loss)
     _, scale, shift = _box_at(best, projection, mask)
     width, height, yaw = float(np.exp(best[1])), float(np.exp(best[2])), float(best[0])
     if width < 1:
@@ -89,9 +79,8 @@ def fit_carved(
         return None
 
     def pose(grid: np.ndarray) -> PosedSolid:
-        return PosedSolid(
-            "carved", heightfield(grid, width, depth), bounding.yaw, bounding.position
-        )
+        solid = heightfield(grid, width, depth)
+        return PosedSolid("carved", solid, bounding.yaw, bounding.position)
 
     def score(grid: np.ndarray) -> float:
         candidate = pose(grid)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float
@@ -36,22 +34,11 @@ _SHEET = ([12.0, 30.0], [0.0, 0.06])
 _ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
 
 
-@dataclass(frozen=True)
-class FamilyCost:
-    """What a family costs against silhouette overlap; less if its outline is a regular one."""
+_PRICES = {"box": 0.0, "revolution": -0.02, "prism": 0.14, "upright": 0.08, "slices": 0.03,
+           "carved": 0.045}  # fmt: skip
+"""What each family costs against silhouette overlap."""
 
-    irregular: float
-    regular: float
-
-
-_PRICES = {
-    "box": FamilyCost(0.0, 0.0),
-    "revolution": FamilyCost(-0.02, -0.02),
-    "prism": FamilyCost(0.14, 0.05),
-    "upright": FamilyCost(0.08, 0.05),
-    "slices": FamilyCost(0.03, 0.03),
-    "carved": FamilyCost(0.045, 0.045),
-}
+_REGULAR = 0.05  # what extruded outlines cost that are regular
 
 
 def candidates(
@@ -106,8 +93,7 @@ def score(
     be the prior's.
     """
     overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
-    price = _PRICES[posed.kind]
-    cost = price.regular if is_regular(posed) else price.irregular
+    cost = _REGULAR if is_regular(posed) else _PRICES[posed.kind]
     if posed.kind == "box":
         cost += max(0.0, _STRICT - overlap)
     extent = np.ptp(posed.solid.vertices, axis=0)
@@ -129,10 +115,8 @@ def accident(posed: PosedSolid, small: Projection) -> float:
     price = _ACCIDENT * (ratio - 1.0) / 2.0 if ratio >= 1.3 and along > _STRAIGHT else 0.0
     if posed.kind == "prism" and not _rectangular(posed):
         spread, way = _drawn_out(posed)
-        towards = abs(way @ small.away[:2])
-        if towards > _STRAIGHT:
-            doubt = np.interp(spread, *_DRAWN_OUT)
-            price = max(price, float(doubt))
+        if abs(way @ small.away[:2]) > _STRAIGHT:
+            price = max(price, float(np.interp(spread, *_DRAWN_OUT)))
     return float(price)
 
 
@@ -170,8 +154,7 @@ def is_regular(posed: PosedSolid) -> bool:
     """
     if posed.kind not in ("prism", "upright"):
         return False
-    keep = [0, 1] if posed.kind == "prism" else [0, 2]
-    sweep = 2 if posed.kind == "prism" else 1
+    keep, sweep = ([0, 1], 2) if posed.kind == "prism" else ([0, 2], 1)
     points = posed.solid.vertices
     sides = np.ptp(points, axis=0)
     area = _area(posed, sweep)

@@ -53,8 +53,8 @@ def _trace(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
     if not outer:
         return None
     largest = max(outer, key=lambda k: areas[k])
-    inside = [k for k in range(len(rings)) if tree[0, k, 3] == largest]
-    holes = [k for k in inside if areas[k] > 0.02 * areas[largest]]
+    least = 0.02 * areas[largest]
+    holes = [k for k in range(len(rings)) if tree[0, k, 3] == largest and areas[k] > least]
     slack = 0.005 * max(free.shape)
     edge, *inner = (cv2.approxPolyDP(rings[k], slack, True)[:, 0] for k in (largest, *holes))
     if len(edge) < 3:
@@ -74,21 +74,34 @@ def _longest_side(outline: shapely.Polygon) -> float:
     return float(np.arctan2(long[1], long[0]))
 
 
+def _swept_outline(
+    mask: Mask, projection: Projection, axes: np.ndarray, sweep: np.ndarray, share: float
+) -> tuple[shapely.Polygon, float] | None:
+    """Return the outline in a plane through the origin, and the length it is swept over.
+
+    ``sweep`` are the shifts of a sweep of length 1; that of this one is ``share`` of the longer
+    side.
+    """
+    rough = plane_outline(mask, projection, np.zeros(3), axes, np.zeros((1, 3)), 60)
+    if rough is None:
+        return None
+    bounds = np.array(rough.bounds)
+    length = share * float((bounds[2:] - bounds[:2]).max())
+    outline = plane_outline(mask, projection, np.zeros(3), axes, sweep * length)
+    return None if outline is None else (outline, length)
+
+
 def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSolid | None:
     """Return the flat slab lying on the table that fills ``mask``.
 
     ``thickness`` is relative to the longest side.
     """
     axes = np.array([[1.0, 0, 0], [0, 1.0, 0]])
-    rough = plane_outline(mask, projection, np.zeros(3), axes, np.zeros((1, 3)), 60)
-    if rough is None:
+    sweep = np.linspace(0, 1, 3)[:, None] * [0, 0, 1.0]
+    found = _swept_outline(mask, projection, axes, sweep, thickness)
+    if found is None:
         return None
-    bounds = np.array(rough.bounds)
-    height = thickness * float((bounds[2:] - bounds[:2]).max())
-    sweep = np.linspace(0, 1, 3)[:, None] * [0, 0, height]
-    outline = plane_outline(mask, projection, np.zeros(3), axes, sweep)
-    if outline is None:
-        return None
+    outline, height = found
     yaw = _longest_side(outline)
     center = np.array([outline.centroid.x, outline.centroid.y])
     turned = shapely.affinity.rotate(
@@ -125,16 +138,11 @@ def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) ->
     flat and, where it would tip, widened to a foot.
     """
     axes = np.array([[np.cos(yaw), np.sin(yaw), 0.0], [0, 0, 1.0]])
-    normal = np.array([-np.sin(yaw), np.cos(yaw), 0.0])
-    rough = plane_outline(mask, projection, np.zeros(3), axes, np.zeros((1, 3)), 60)
-    if rough is None:
+    sweep = np.linspace(-0.5, 0.5, 3)[:, None] * [-np.sin(yaw), np.cos(yaw), 0.0]
+    found = _swept_outline(mask, projection, axes, sweep, depth)
+    if found is None:
         return None
-    bounds = np.array(rough.bounds)
-    thick = depth * float((bounds[2:] - bounds[:2]).max())
-    sweep = np.linspace(-0.5, 0.5, 3)[:, None] * normal * thick
-    outline = plane_outline(mask, projection, np.zeros(3), axes, sweep)
-    if outline is None:
-        return None
+    outline, thick = found
     standing = _stand(outline)
     x0, z0, x1, _ = standing.bounds
     middle = (x0 + x1) / 2

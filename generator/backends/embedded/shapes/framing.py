@@ -1,12 +1,17 @@
-"""Fitting a shape's picture to a mask: scale and shift, and how proportions compare."""
+"""Fitting a shape's picture to a mask: scale and shift, a descent, how proportions compare."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
+import cv2
 import numpy as np
 from jaxtyping import Bool, Float
+from scipy.optimize import minimize
 
 from ....geometry import mask_box
 from ....meshes.projection import Projection
+from ....scene import Instance
 
 Mask = Bool[np.ndarray, "_ _"]
 
@@ -36,9 +41,26 @@ def frame_to_mask(
     return scale, shift
 
 
-def simplex(start: np.ndarray, steps: tuple[float, ...]) -> np.ndarray:
-    """Return a starting simplex for Nelder-Mead: one step along each axis."""
-    return np.concatenate([start[None], start + np.diag(steps)])
+def small_mask(instance: Instance, small: Projection) -> Mask:
+    """Return the crop's silhouette at the size of ``small``."""
+    size = small.width, small.height
+    return cv2.resize(instance.crop[..., 3], size, interpolation=cv2.INTER_AREA) > 127
+
+
+def descend(
+    cost: Callable[[np.ndarray], float],
+    start: np.ndarray,
+    steps: Sequence[float] | np.ndarray,
+    tries: int,
+    near: float = 1e-4,
+) -> np.ndarray:
+    """Return where Nelder-Mead finds ``cost`` least: ``tries`` evaluations, to within ``near``.
+
+    Its first simplex has a step along each axis.
+    """
+    simplex = np.concatenate([start[None], start + np.diag(steps)])
+    options = {"initial_simplex": simplex, "maxfev": tries, "xatol": near}
+    return np.asarray(minimize(cost, start, method="Nelder-Mead", options=options).x)
 
 
 def proportion_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
-from scipy import optimize
 
 from ....catalogue import Category, build
 from ....geometry import hull_points, parts_to_unit_box, rotation_z, to_unit_box
@@ -22,7 +21,7 @@ from ....meshes import baking
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart, Mesh, Model
-from .framing import frame_to_mask, simplex
+from .framing import descend, frame_to_mask
 from .painting import explained_colors
 
 VARIANTS = 6
@@ -126,15 +125,10 @@ class _Search:
 
     def refine(self, yaw: float, rigid: bool) -> Likeness:
         """Return the best likeness near ``yaw``; a ``rigid`` one keeps its proportions."""
-        start = np.array([yaw, 0.0, 0.0])
         if rigid:
             near = yaw + np.deg2rad([-5.0, 0.0, 5.0])
             return max((self.pose(np.array([y, 0.0, 0.0])) for y in near), key=lambda c: c.iou)
-        found = optimize.minimize(
-            self.loss, start, method="Nelder-Mead",
-            options={"maxfev": 45, "initial_simplex": simplex(start, (0.12, 0.12, 0.12))},
-        )  # fmt: skip
-        return self.pose(found.x)
+        return self.pose(descend(self.loss, np.array([yaw, 0.0, 0.0]), (0.12, 0.12, 0.12), 45))
 
 
 def fit_likeness(
@@ -150,28 +144,22 @@ def fit_likeness(
     ``mask`` is the crop's silhouette at the size of ``small``. Of an occluded object the
     completed outline is a guess, so proportions stay the catalogue's.
     """
-    image = cv2.resize(
-        baking.opaque_colors(crop)[0], (small.width, small.height), interpolation=cv2.INTER_AREA
-    )
+    size = small.width, small.height
+    image = cv2.resize(baking.opaque_colors(crop)[0], size, interpolation=cv2.INTER_AREA)
+
+    def judge(found: Likeness) -> Likeness:
+        explained = explained_colors(found.model.mesh, found.world, image, mask, small)
+        return dataclasses.replace(found, explained=explained)
+
     round_ = "round" in category.roles
     drafts: list[tuple[float, _Search, float]] = []
     for variant in range(VARIANTS):
         search = _Search(build(category.key, seed + variant), mask, small, round_)
-        drafts += [
-            (_judge(p, image, mask, small).score, search, p.yaw) for p in search.standing_out()
-        ]
+        drafts += [(judge(pose).score, search, pose.yaw) for pose in search.standing_out()]
     drafts.sort(key=lambda d: -d[0])
     refined = [search.refine(yaw, occluded) for _, search, yaw in drafts[:_FINALISTS]]
-    best = max((_judge(c, image, mask, small) for c in refined), key=lambda c: c.score)
+    best = max(map(judge, refined), key=lambda c: c.score)
     return best if occluded else _with_profile(best, mask, small, round_)
-
-
-def _judge(
-    candidate: Likeness, image: UInt8[np.ndarray, "h w 3"], mask: np.ndarray, small: Projection
-) -> Likeness:
-    """Return the candidate with its share of explained colours."""
-    explained = explained_colors(candidate.model.mesh, candidate.world, image, mask, small)
-    return dataclasses.replace(candidate, explained=explained)
 
 
 def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: bool) -> Likeness:
@@ -189,12 +177,7 @@ def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: 
             return 2.0
         return 1 - bend(profile).iou + 0.02 * float(np.abs(profile).sum())
 
-    start = np.zeros(2)
-    tried = optimize.minimize(
-        loss, start, method="Nelder-Mead",
-        options={"maxfev": 24, "initial_simplex": simplex(start, (0.1, 0.1))},
-    )  # fmt: skip
-    better = bend(tried.x)
+    better = bend(descend(loss, np.zeros(2), (0.1, 0.1), 24))
     if better.iou < found.iou + _WORTH:
         return found
     return dataclasses.replace(better, explained=found.explained)

@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from jaxtyping import Bool
 
+from ....meshes.pixels import dilate
 from ....meshes.projection import Projection
 from .extrusions import plane_outline
 from .slices import best_stack, largest_slices, longest_run, reach_of
@@ -56,9 +57,9 @@ def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedS
 
 def _limb(piece: Mask, mask: Mask, body: PosedSolid, projection: Projection) -> ConvexSolid | None:
     """Return a piece of the silhouette beside the body as a flat solid that reaches into it."""
-    grown = cv2.dilate(piece.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
+    grown = dilate(piece, 7) & mask
     axes = np.array([projection.right, [0, 0, 1.0]])
-    outline = plane_outline(grown & mask, projection, body.position, axes, np.zeros((1, 3)))
+    outline = plane_outline(grown, projection, body.position, axes, np.zeros((1, 3)))
     if outline is None or outline.bounds[1] < 0:
         return None
     across = float(np.ptp(body.solid.vertices[:, 0]))

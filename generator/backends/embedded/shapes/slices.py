@@ -42,14 +42,10 @@ class EllipseStack:
         run = slice(start, stop)
         return EllipseStack(self.z[run], self.x[run], self.r[run], self.depth)
 
-    def rings(self, projection: Projection) -> Float[np.ndarray, "k 32 3"]:
-        """Return points around each slice, in the object frame."""
-        return _rings(projection, self.z, self.x, self.r, self.depth)
-
     def silhouette(self, projection: Projection) -> Mask:
         """Return which pixels the stack covers."""
         canvas = np.zeros((projection.height, projection.width), np.uint8)
-        rings = self.rings(projection)
+        rings = _rings(projection, self.z, self.x, self.r, self.depth)
         flat = projection.project(rings.reshape(-1, 3)).reshape(*rings.shape[:2], 2)
         for lower, upper in pairwise(flat):
             fill_hull(canvas, np.concatenate([lower, upper]))
@@ -84,9 +80,9 @@ def _rings(
 
 def reach_of(mask: Mask, projection: Projection) -> tuple[float, float]:
     """Return how far slices may reach sideways and upwards, in units of the object frame."""
-    unit = float(np.linalg.norm(projection.position)) / projection.focal
-    width = int(mask.any(0).sum()) * unit
-    tall = 1.3 * int(mask.any(1).sum()) * unit / max(np.sqrt(1 - projection.sine**2), 0.25)
+    width = int(mask.any(0).sum()) * projection.pixel
+    tall = int(mask.any(1).sum())
+    tall = 1.3 * tall * projection.pixel / max(np.sqrt(1 - projection.sine**2), 0.25)
     return width, tall
 
 
@@ -114,15 +110,14 @@ def with_stems(stack: EllipseStack, mask: Mask, projection: Projection) -> Ellip
 
     Such a slice is as wide as the mask's widest stretch at its height.
     """
-    unit = float(np.linalg.norm(projection.position)) / projection.focal
+    unit = projection.pixel
     axis = projection.project(stack.z[:, None] * np.array([0, 0, 1.0]))
     x, r = stack.x.copy(), stack.r.copy()
     for k in np.flatnonzero(stack.r <= 0):
         row = int(np.floor(axis[k, 1]))
         if not 0 <= row < len(mask) or not mask[row].any():
             continue
-        edges = np.flatnonzero(np.diff(np.pad(mask[row].astype(int), 1))).reshape(-1, 2)
-        start, stop = edges[np.argmax(np.diff(edges)[:, 0])]
+        start, stop = max(_runs(mask[row]), key=lambda run: run[1] - run[0])
         x[k] = ((start + stop) / 2 - axis[k, 0]) * unit
         r[k] = (stop - start) / 2 * unit
     return replace(stack, x=x, r=r)
@@ -130,13 +125,15 @@ def with_stems(stack: EllipseStack, mask: Mask, projection: Projection) -> Ellip
 
 def longest_run(stack: EllipseStack, minimum: float) -> EllipseStack | None:
     """Return the longest run of slices wider than ``minimum``, or None if it is short."""
-    flags = np.concatenate([[0], (stack.r > minimum).astype(int), [0]])
-    edges = np.flatnonzero(np.diff(flags))
-    runs = [(b - a, a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-    if not runs or max(runs)[0] < 4:
-        return None
-    _, start, stop = max(runs)
-    return stack.cut(start, stop)
+    runs = _runs(stack.r > minimum)
+    start, stop = max(runs, key=lambda run: (run[1] - run[0], run), default=(0, 0))
+    return stack.cut(start, stop) if stop - start >= 4 else None
+
+
+def _runs(flags: Bool[np.ndarray, "n"]) -> list[tuple[int, int]]:
+    """Return start and stop of each run of true values."""
+    edges = np.flatnonzero(np.diff(np.pad(flags.astype(int), 1))).tolist()
+    return list(zip(edges[::2], edges[1::2], strict=True))
 
 
 def trim(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStack:
@@ -166,7 +163,6 @@ def refine(stack: EllipseStack, mask: Mask, projection: Projection, free: bool) 
 
     ``free`` slices move sideways as well.
     """
-    unit = float(np.linalg.norm(projection.position)) / projection.focal
     rows = np.arange(projection.height)
     best, reached = stack, mask_iou(stack.silhouette(projection), mask)
     for _ in range(4):
@@ -180,7 +176,7 @@ def refine(stack: EllipseStack, mask: Mask, projection: Projection, free: bool) 
         moves = []
         for side in (_left_edges, _right):
             gap = np.interp(rows, rows[both], (side(mask) - side(drawn))[both].astype(float))
-            moves.append(np.interp(middle - 0.5, rows, gap) * unit * 0.8)
+            moves.append(np.interp(middle - 0.5, rows, gap) * projection.pixel * 0.8)
         left, right = (_smooth(m) for m in moves)
         wider = np.maximum(stack.r + (right - left) / 2, 0.3 * stack.r)
         aside = stack.x + (right + left) / 2 if free else stack.x

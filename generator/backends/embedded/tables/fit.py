@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
-import cv2
 import numpy as np
 from jaxtyping import Bool, Float
-from scipy.optimize import minimize
 
+from ....geometry import mask_box
+from ....meshes.pixels import dilate
 from ....meshes.projection import Projection, fill_hull
-from ..shapes.framing import simplex
+from ..shapes.framing import descend
 from .form import LegStyle, TableForm, at_height, corners_of
 
 _TALL = (0.2, 1.4)  # metres: what a table's height may be
@@ -120,23 +120,18 @@ def _settle(
         )
         return tried, float(scale * np.exp(p[0])), shift + moved(p[1:3])
 
-    def badness(p: np.ndarray) -> float:
+    def goodness(p: np.ndarray) -> float:
         tried, size, place = make(p)
         drawn = _Legs(tried, size, place, seen).silhouette(tried)
         rows = np.flatnonzero(drawn.any(1))
         low = abs(float(rows[-1]) - seen.bottom) if len(rows) and not seen.cut_below else 0.0
         return seen.overlap(drawn) - _EVEN * abs(p[3] - p[4]) - _REACHING * low / tall_rows
 
-    def search(begin: np.ndarray) -> np.ndarray:
-        options = {"initial_simplex": simplex(begin, tuple(steps)), "maxfev": _TRIES, "xatol": 1e-4}
-        return np.asarray(
-            minimize(lambda p: -badness(p), begin, method="Nelder-Mead", options=options).x
-        )
-
     deep = [d * width for d in _DEPTHS]
     places = [form.inset, *((form.inset[0], d) for d in deep), *((d, d) for d in deep)]
-    starts = sorted((start(place) for place in places), key=badness)
-    found = max((search(begin) for begin in starts[-_STARTS:]), key=badness)
+    starts = sorted((start(place) for place in places), key=goodness)[-_STARTS:]
+    searched = (descend(lambda p: -goodness(p), begin, steps, _TRIES) for begin in starts)
+    found = max(searched, key=goodness)
     tried, size, place = make(found)
     overlap = seen.overlap(_Legs(tried, size, place, seen).silhouette(tried))
     return Fitted(tried, size, place, overlap, True)
@@ -156,8 +151,7 @@ def _leaning(lean: float) -> float:
 
 def _pixel_moves(view: Projection) -> Callable[[np.ndarray], Float[np.ndarray, "3"]]:
     """Return what moves a point at the origin by so many pixels to the right and down."""
-    pixel = float(np.linalg.norm(view.position)) / view.focal
-    return lambda step: pixel * (step[0] * view.rotation[0] + step[1] * view.rotation[1])
+    return lambda step: view.pixel * (step[0] * view.rotation[0] + step[1] * view.rotation[1])
 
 
 def place_top(
@@ -169,15 +163,14 @@ def place_top(
     """
     view, mask = seen.projection, seen.mask & seen.shown
     flat = np.column_stack([outline, np.zeros(len(outline))])
-    pixel = float(np.linalg.norm(view.position)) / view.focal
-    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
-    wanted = np.array([(columns[0] + columns[-1] + 1) / 2, rows[0]])
-    scale, shift = (columns[-1] - columns[0]) * pixel / float(np.ptp(flat[:, 0])), np.zeros(3)
+    x0, y0, x1, _ = mask_box(mask)
+    wanted = np.array([(x0 + x1) / 2, y0])
+    scale, shift = (x1 - 1 - x0) * view.pixel / float(np.ptp(flat[:, 0])), np.zeros(3)
     moved = _pixel_moves(view)
 
     for _ in range(5):
         at = view.project(flat * scale + shift)
-        scale *= (columns[-1] + 1 - columns[0]) / float(np.ptp(at[:, 0]))
+        scale *= (x1 - x0) / float(np.ptp(at[:, 0]))
         at = view.project(flat * scale + shift)
         shift = shift + moved(wanted - [(at[:, 0].min() + at[:, 0].max()) / 2, at[:, 1].min()])
 
@@ -187,12 +180,8 @@ def place_top(
         wrong = (top & ~mask) | (mask & ~below)
         return float((wrong & seen.shown).sum() / mask.sum())
 
-    start = np.zeros(3)
-    found = minimize(
-        cost, start, method="Nelder-Mead",
-        options={"initial_simplex": simplex(start, (0.04, 3.0, 3.0)), "maxfev": 120},
-    )  # fmt: skip
-    return float(scale * np.exp(found.x[0])), shift + moved(found.x[1:])
+    found = descend(cost, np.zeros(3), (0.04, 3.0, 3.0), 120)
+    return float(scale * np.exp(found[0])), shift + moved(found[1:])
 
 
 def _draw(pieces: Iterable[Float[np.ndarray, "n 3"]], view: Projection) -> Mask:
@@ -216,8 +205,7 @@ class _Legs:
     @cached_property
     def _counted(self) -> Mask:
         """What shows, beside the top."""
-        over = cv2.dilate(self.top.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-        return self.seen.shown & ~over
+        return self.seen.shown & ~dilate(self.top, 3)
 
     @cached_property
     def _wanted(self) -> Mask:
@@ -300,11 +288,6 @@ class _Legs:
             return self.ground(raw, usual)
 
         start = np.array([*form.inset, form.lean, form.high, form.low]) / width
-        found = self._search(lambda p: -self.overlap(make(p)), start)
-        return make(found), self.overlap(make(found))
-
-    @staticmethod
-    def _search(cost: Callable[[np.ndarray], float], start: np.ndarray) -> np.ndarray:
         steps = (0.04, 0.04, 0.03, 0.015, -0.015)
-        options = {"initial_simplex": simplex(start, steps), "maxfev": 160, "xatol": 1e-3}
-        return np.asarray(minimize(cost, start, method="Nelder-Mead", options=options).x)
+        found = make(descend(lambda p: -self.overlap(make(p)), start, steps, 160, 1e-3))
+        return found, self.overlap(found)

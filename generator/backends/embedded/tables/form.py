@@ -72,8 +72,9 @@ class TableForm:
         What would stick out beyond the top's box is moved into it.
         """
         top = self.height - self.thickness
-        made = {"sled": self._sled, "trestle": self._trestle, "pedestal": self._pedestal}
-        rings = made[self.legs](top) if self.legs in made else self._posts(top)
+        made = {"posts": self._posts, "sled": self._sled, "trestle": self._trestle,
+                "pedestal": self._pedestal}  # fmt: skip
+        rings = made[self.legs](top)
         low, high = self.outline.min(0), self.outline.max(0)
         for ring in rings:
             flat = ring[..., :2]
@@ -130,18 +131,12 @@ class TableForm:
         grey = textures.plain((200, 200, 200))
         solids, parts = [(top, grey)], [hull_part(_thin(self.outline, top.bounds[:, 2]))]
         for ring in self.pieces():
-            solids.append((loft(ring, _unit(ring[0, :, :2])), grey))
+            foot = ring[0, :, :2]
+            solids.append((loft(ring, foot - foot.mean(0)), grey))
             parts.append(hull_part(ring.reshape(-1, 3)))
         mesh, center, extent = to_unit_box(mesh_of(shape(solids, parts)))
-        return Model(
-            TABLE,
-            TABLE,
-            mesh,
-            self.size,
-            Physics(600.0, 0.7),
-            parts_to_unit_box(tuple(parts), center, extent),
-            category=TABLE,
-        )
+        unit = parts_to_unit_box(tuple(parts), center, extent)
+        return Model(TABLE, TABLE, mesh, self.size, Physics(600.0, 0.7), unit, category=TABLE)
 
 
 def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
@@ -172,10 +167,7 @@ def _hits(
 def _piece(
     lower: Float[np.ndarray, "k 2"], z0: float, upper: Float[np.ndarray, "k 2"], z1: float
 ) -> Ring:
-    ring = np.empty((2, len(lower), 3))
-    ring[0, :, :2], ring[0, :, 2] = lower, z0
-    ring[1, :, :2], ring[1, :, 2] = upper, z1
-    return ring
+    return np.stack([at_height(lower, z0), at_height(upper, z1)])
 
 
 def at_height(ring: Float[np.ndarray, "k 2"], z: float) -> Float[np.ndarray, "k 3"]:
@@ -193,10 +185,6 @@ def _board(
     side = np.array([along[1], -along[0]]) * thick / 2
     ring = np.stack([a + side, b + side, b - side, a - side])
     return _piece(ring, z0, ring, z1)
-
-
-def _unit(ring: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "k 2"]:
-    return ring - ring.mean(0)
 
 
 def _thin(

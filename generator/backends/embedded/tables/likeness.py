@@ -11,7 +11,7 @@ import dataclasses
 import cv2
 import numpy as np
 import shapely
-from jaxtyping import Bool, Float, Int, UInt8
+from jaxtyping import Bool, Float, Int
 
 from ....catalogue.build.outlines import ellipse, rectangle, rounded_polygon
 from ....meshes import baking
@@ -19,6 +19,7 @@ from ....meshes.projection import Projection
 from ....meshes.unshading import estimate_shading
 from ....meshes.unwrap import unwrap
 from ....scene import Instance, Mesh, Model, SizePrior, View
+from ..shapes.framing import small_mask
 from .fit import Fitted, Silhouette, fit_table
 
 _COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels
@@ -38,7 +39,11 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
     picture does not show any.
     """
     projection = Projection.of_instance(instance, view)
-    seen = [_silhouette(instance, projection.resize(side)) for side in (_COARSE, _FINE)]
+    small = [projection.resize(side) for side in (_COARSE, _FINE)]
+    seen = [
+        Silhouette(small_mask(instance, p), _places(instance, p.width, p.height)[2], p)
+        for p in small
+    ]
     extent = np.clip(size.extent, 0.2, 4.0)
     tops = _usual_tops(*extent[:2]) if size.outline is None else [np.asarray(size.outline)]
     tops = [top * (extent[:2] / np.ptp(top, axis=0)) for top in tops]
@@ -46,12 +51,6 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
     best = max(fits, key=lambda fit: fit.overlap)
     model = best.form.build()
     return dataclasses.replace(model, mesh=_paint(best, model, instance, projection, texture))
-
-
-def _silhouette(instance: Instance, small: Projection) -> Silhouette:
-    size = small.width, small.height
-    alpha = cv2.resize(instance.crop[..., 3], size, interpolation=cv2.INTER_AREA)
-    return Silhouette(alpha > 127, _places(instance, *size)[2], small)
 
 
 def _places(
@@ -94,7 +93,7 @@ def _paint(
     surface = baking.surface_of(atlas, world)
     sight = baking.CropView.of(world, mesh.faces, projection)
     pixels = projection.project(surface.point)
-    bare = _bare(instance, mask)
+    bare = mask & ~_cover(instance, mask, _BESIDE)
     own = baking.sample(np.dstack([mask, bare]).astype(np.uint8), pixels) > 0.5
     visible = sight.sees(surface) & own[:, 0]
     colors = baking.sample(image, pixels)
@@ -106,7 +105,8 @@ def _paint(
     upper &= _within(surface.point[:, :2], on_top)
     texels = np.full(colors.shape, 200.0)
     if upper.sum() > 40:
-        near = baking.sample(_near_things(instance, mask)[..., None], pixels)[:, 0] > 0.5
+        shade = _cover(instance, mask, _SHADE).astype(np.uint8)
+        near = baking.sample(shade[..., None], pixels)[:, 0] > 0.5
         dark = colors.mean(1) < _DARK * np.median(colors[upper].mean(1))
         texels[:] = np.median(colors[upper], 0)
         texels[on_top] = top_colors(surface.point, colors, upper & ~(near & dark))[on_top]
@@ -125,16 +125,6 @@ def _within(
     low, high = points[on_top].min(0), points[on_top].max(0)
     inner = top.buffer(-_EDGE * float((high - low).max()))
     return np.asarray(shapely.contains_xy(inner, points))
-
-
-def _bare(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    """Return the crop's pixels that show the table itself, away from what stands on it."""
-    return mask & ~_cover(instance, mask, _BESIDE)
-
-
-def _near_things(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> UInt8[np.ndarray, "h w"]:
-    """Return the crop's pixels near enough to what stands on the table to lie in its shadow."""
-    return _cover(instance, mask, _SHADE).astype(np.uint8)
 
 
 def _cover(
