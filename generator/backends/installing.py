@@ -11,11 +11,7 @@ from ..errors import BackendError
 
 
 def module(name: str, backend: str, how: str) -> ModuleType:
-    """Import a module that a backend needs; ``how`` says in a sentence how to install it.
-
-    Raises:
-        BackendError: it is not installed, or something that it needs is not.
-    """
+    """Import what a backend needs (BackendError: it does not load; ``how`` says what to do)."""
     try:
         return importlib.import_module(name)
     except ImportError as error:

@@ -49,9 +49,5 @@ class Mix:
         return {"backend": self.default, **({"roles": others} if others else {})}
 
     def select(self, session: Session | None = None) -> Backends:
-        """Return the backends; see ``Backends.select``.
-
-        Raises:
-            BackendError: a name is unknown, or a question has nobody to answer it.
-        """
+        """Return the backends (BackendError: a name is unknown, or a question has no answer)."""
         return Backends.select(self.default, session=session, **self.roles())

@@ -103,9 +103,8 @@ class HuggingFaceSegmenter:
     ) -> tuple[Detection, ...]:
         """Return the table first, then the things, nearest to the viewer last.
 
-        Every instance of a label is told, however often the label was given. What was found as an
-        "object" is called as the catalogue's categories, where it looks like one. Depth is not
-        used.
+        Every instance of a label is told, however often the label was given. An "object" is called
+        as the catalogue's category that it looks like, if any. Depth is not used.
 
         Raises:
             BackendError: a model is not there, damaged, or fails.
@@ -163,11 +162,7 @@ class HuggingFaceSegmenter:
 def _table_and_things(
     detections: Sequence[BoxDetection],
 ) -> tuple[Bool[np.ndarray, "h w"], list[BoxDetection]]:
-    """Return the table's mask, and the finds that are other things and stand on it.
-
-    Raises:
-        SceneError: there is no table.
-    """
+    """Return the table's mask and the other finds that stand on it (SceneError: no table)."""
     tables = [f for f in detections if f.label == TABLE]
     if not tables:
         raise SceneError(

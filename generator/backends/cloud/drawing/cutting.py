@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
-from scipy import ndimage, signal
+from scipy import signal
 
 from ....geometry import mask_box
+from ....meshes.pixels import Mask, dilate, erode, nearest_inside
 from ....scene import TABLE, Detection, Instance, Reference
 from ..server.reading import Wrong
 from .pictures import RGBA, apart, thing_in
@@ -31,8 +32,6 @@ _HIDDEN = 0.02  # share of what was seen from which a thing counts as hidden in 
 _GROUNDS = {"white": (255, 255, 255), "grey": (128, 128, 128), "pure green": (0, 220, 60),
             "magenta": (225, 0, 200)}  # fmt: skip
 
-Mask = Bool[np.ndarray, "_ _"]
-
 
 @dataclass(frozen=True, eq=False)
 class Cutout:
@@ -53,9 +52,7 @@ class Cutout:
     @property
     def keep(self) -> UInt8[np.ndarray, "s s 4"]:
         """The mask of an edit: opaque where the picture must stay, clear where it is drawn."""
-        inner = cv2.erode(self.seen.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
-        alpha = np.where(inner, 255, 0).astype(np.uint8)
-        return np.dstack([self.picture, alpha])
+        return np.dstack([self.picture, np.where(erode(self.seen, 5), 255, 0).astype(np.uint8)])
 
 
 def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Cutout:
@@ -75,15 +72,12 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
     image = np.ascontiguousarray(reference.image)
     colors = cv2.warpAffine(image, warp, (SIDE, SIDE), flags=cv2.INTER_CUBIC)
     seen = move(np.asarray(detection.mask))
-    hiders = np.zeros(image.shape[:2], bool)
-    for other in others:
-        if other.label != TABLE:  # it hides nothing that stands on it
-            hiders |= np.asarray(other.mask)
-    outside = ~move(np.ones(image.shape[:2], bool))
+    everywhere = np.ones(image.shape[:2], bool)
+    hiders = (o.mask for o in others if o.label != TABLE)  # it hides nothing that stands on it
+    unknown = move(np.any([~everywhere, *hiders], axis=0)) | ~move(everywhere)
     name = _ground(colors[seen])
     picture = np.where(seen[..., None], colors, np.array(_GROUNDS[name], np.uint8))
-    unknown = (move(hiders) | outside) & ~seen
-    return Cutout(detection, box, picture.astype(np.uint8), seen, unknown, name)
+    return Cutout(detection, box, picture.astype(np.uint8), seen, unknown & ~seen, name)
 
 
 def _ground(colors: UInt8[np.ndarray, "n 3"]) -> str:
@@ -112,31 +106,20 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
     side = square.shape[0]
     low = np.clip(np.floor(box[:2] - margin), 0, side).astype(int)
     high = np.clip(np.ceil(box[2:] + margin), 0, side).astype(int)
-    rows, columns = slice(low[1], high[1]), slice(low[0], high[0])
-    crop = _clean(square[rows, columns], mask[rows, columns])
+    window = np.s_[low[1] : high[1], low[0] : high[0]]
+    crop = _clean(square[window], mask[window])
     pixel = (cutout.box[2] - cutout.box[0]) / side  # reference pixels in one of the redrawing
 
     def there(point: np.ndarray) -> np.ndarray:
         return cutout.box[:2] + (side / 2 + (point - side / 2) * scale + shift * side) * pixel
 
     found = cutout.detection
-    deep = cutout.unknown & ~_grow(cutout.seen, _EDGE / pixel * SIDE / side)
+    edge = 2 * max(1, round(_EDGE / pixel * SIDE / side)) + 1
+    deep = cutout.unknown & ~dilate(cutout.seen, edge)
     hidden = (_place(mask, scale, shift, SIDE) & deep).sum()
-    return Instance(
-        found.label,
-        found.label,
-        found.box,
-        found.mask,
-        crop,
-        np.concatenate([there(low), there(high)]),
-        bool(hidden > _HIDDEN * cutout.seen.sum()),
-        found.score,
-    )
-
-
-def _grow(mask: Mask, by: float) -> Mask:
-    width = 2 * max(1, round(by)) + 1
-    return cv2.dilate(mask.astype(np.uint8), np.ones((width, width), np.uint8)) > 0
+    crop_box, label = np.concatenate([there(low), there(high)]), found.label
+    occluded = bool(hidden > _HIDDEN * cutout.seen.sum())
+    return Instance(label, label, found.box, found.mask, crop, crop_box, occluded, found.score)
 
 
 def _square(picture: RGBA) -> RGBA:
@@ -207,8 +190,7 @@ def _clean(picture: RGBA, mask: Mask) -> RGBA:
     """Return a crop with a soft edge, and beyond it the colours of the thing, not the ground's."""
     core = cv2.erode(mask.astype(np.uint8), np.ones((5, 5), np.uint8), borderValue=0) > 0
     core = core if core.sum() > 9 else mask
-    nearest = ndimage.distance_transform_edt(~core, return_distances=False, return_indices=True)
-    colors = picture[..., :3][tuple(np.asarray(nearest))]
+    colors = picture[..., :3][nearest_inside(core)]
     soft = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.9)
     alpha = np.round(255 * np.clip((soft - 0.25) / 0.5, 0, 1)).astype(np.uint8)
     return np.dstack([colors, alpha])

@@ -217,12 +217,7 @@ class Painter:
                 f"the picture is at {host or 'no host'!r}, where none may be fetched from. If that "
                 "host is trusted, add it to TABLETOPGEN_CLOUD_IMAGE_HOSTS.",
             )
-        headers = {
-            "x-tabletopgen-question": question,
-            "x-tabletopgen-model": server.model,
-            "x-tabletopgen-memo": memo,
-            "x-tabletopgen-meant": used.keys[-1],
-        }
+        headers = server.headers(question, used.keys[-1], memo)
         with server.session.client(f"cloud/{server.name}", address, timeout=120.0) as http:
             response = http.get(address, headers=headers)
             status, data = response.status_code, response.content

@@ -32,11 +32,7 @@ class NotAPicture(ValueError):
 
 
 def decode(data: bytes) -> RGBA:
-    """Return an encoded picture (PNG, JPEG or WebP) as RGBA.
-
-    Raises:
-        NotAPicture: it is none, is damaged, or too large or small.
-    """
+    """Return a PNG, JPEG or WebP as RGBA (NotAPicture: none, damaged, or too large or small)."""
     from PIL import Image, UnidentifiedImageError
 
     try:

@@ -9,11 +9,7 @@ from ....errors import BackendError, choices
 
 
 def prompt(name: str, **variables: str) -> str:
-    """Return the prompt ``name`` with its ``$variables`` filled in.
-
-    Raises:
-        BackendError: no such prompt; a variable is missing, or there is one it does not name.
-    """
+    """Return the prompt ``name``, its ``$variables`` filled in (BackendError: they do not fit)."""
     folder = files(__name__)
     stored = {f.name.removesuffix(".md"): f for f in folder.iterdir() if f.name.endswith(".md")}
     if name not in stored:

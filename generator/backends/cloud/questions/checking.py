@@ -15,11 +15,7 @@ _SAME = 0.85  # overlap from which two boxes are one place
 
 
 def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> tuple[str, ...]:
-    """Return what is wrong with a drawn top view, in sentences; nothing if it is right.
-
-    Raises:
-        BackendError: the chat model gives no usable answer.
-    """
+    """Return what is wrong with a drawn top view, in sentences (BackendError: no usable answer)."""
 
     def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
         seen = things.match(answer.things, without=(0,)).values()

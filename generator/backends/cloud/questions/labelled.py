@@ -57,10 +57,7 @@ class Labelled:
         return {i.name: number for number, i in self.by_number.items()}
 
     def picture(self) -> UInt8[np.ndarray, "h w 3"]:
-        """Return the picture with a box around each thing, and its number on a tag at the box.
-
-        Tags are above their boxes where there is room, so that they cover nothing that is meant.
-        """
+        """Return the picture with a box around each thing, its number above if there is room."""
         boxes = {str(k): np.asarray(i.box, float) for k, i in self.by_number.items()}
         picture = Image.fromarray(draw_boxes(self.image, boxes))
         draw, size = ImageDraw.Draw(picture), max(14, self.image.shape[1] // 50)
@@ -103,11 +100,7 @@ class Labelled:
         return tuple(int(v) for v in np.clip(np.round(shares * GRID), 0, GRID))
 
     def match(self, answers: Sequence[N], without: Sequence[int] = ()) -> dict[str, N]:
-        """Return the answers by instance name, one for each number but ``without``.
-
-        Raises:
-            Wrong: a number is missing, unknown, or there twice.
-        """
+        """Return the answers by name, one for each number but ``without`` (Wrong: it is not so)."""
         wanted = [n for n in self.by_number if n not in without]
         given = [a.id for a in answers if a.id not in without]
         wrong = {

@@ -52,11 +52,7 @@ def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
-    """Return the steps that turn ``up`` upward, and then ``along`` to the x axis.
-
-    Raises:
-        Wrong: the two are the same axis.
-    """
+    """Return the steps that turn ``up`` upward, then ``along`` to x (Wrong: they are one axis)."""
     if answer.up[1] == answer.along[1]:
         raise Wrong(f'"along" is {answer.along}, but {answer.up} is up: they must be two axes.')
     steps = _UP[answer.up]

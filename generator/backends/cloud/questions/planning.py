@@ -17,11 +17,7 @@ _MOST = 2000  # characters of a text
 
 
 def checked_text(text: object) -> str:
-    """Return a user's text without space around it.
-
-    Raises:
-        InputError: it is no text, empty, or too long.
-    """
+    """Return a user's text without space around it (InputError: no text, empty, or too long)."""
     if not isinstance(text, str):
         raise InputError(f"A text or a ScenePlan is needed, got {type(text).__name__}.")
     if not any(c.isalpha() for c in text):
@@ -37,12 +33,7 @@ def checked_text(text: object) -> str:
 
 
 def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
-    """Return the plan of an answer.
-
-    Raises:
-        Wrong: numbers or relations that contradict one another.
-        InputError: likewise, as ``ScenePlan`` finds it.
-    """
+    """Return the plan of an answer (Wrong, InputError: it contradicts itself)."""
     names = _names(answer)
     objects = tuple(_thing(thing, names) for thing in answer.things)
     table = answer.table

@@ -75,21 +75,12 @@ class Server:
         """Return the text that a request is answered with, or why there is none."""
         asker = f"cloud ({self.model} at {self.name}): {question}"
         key = configuration.key(self.base_url, self.purpose, asker)
-        headers = {
-            "Authorization": f"Bearer {key}",
-            "x-tabletopgen-question": question,
-            "x-tabletopgen-model": self.model,
-            "x-tabletopgen-memo": memo,
-            "x-tabletopgen-meant": meant,
-        }
+        headers = {"Authorization": f"Bearer {key}", **self.headers(question, meant, memo)}
         try:
             with self.session.client(
-                f"cloud/{self.name}",
-                self.base_url,
-                timeout=_TIMEOUT[self.purpose],
-                secrets=(key,),
-                headers=configuration.own_headers(self.base_url),
-            ) as http:
+                f"cloud/{self.name}", self.base_url, timeout=_TIMEOUT[self.purpose],
+                secrets=(key,), headers=configuration.own_headers(self.base_url),
+            ) as http:  # fmt: skip
                 client = openai.OpenAI(
                     api_key=key, base_url=self.base_url, http_client=http, max_retries=0
                 )
@@ -104,6 +95,13 @@ class Server:
             return self._connection_error(question, error)
         except openai.OpenAIError as error:
             return self.failure(question, str(error))
+
+    def headers(self, question: str, meant: str, memo: str) -> dict[str, str]:
+        """Return the headers that tell the session about a call; see ``call``."""
+        return {
+            "x-tabletopgen-question": question, "x-tabletopgen-model": self.model,
+            "x-tabletopgen-memo": memo, "x-tabletopgen-meant": meant,
+        }  # fmt: skip
 
     def unusable(self, question: str, what: str) -> UnusableError:
         """Return the error that says who answered which question in a way that is of no use."""

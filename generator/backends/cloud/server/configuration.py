@@ -58,11 +58,7 @@ def image_base_url() -> str:
 
 
 def chat_model() -> str:
-    """Return the chat model of the environment.
-
-    Raises:
-        BackendError: none is named, and the server is not OpenAI's.
-    """
+    """Return the chat model of the environment (BackendError: none, and not OpenAI's server)."""
     return _model("chat", chat_base_url())
 
 
@@ -84,11 +80,7 @@ def _model(purpose: Purpose, url: str) -> str:
 
 
 def checked_url(url: str) -> str:
-    """Return a server's base URL without a slash at its end.
-
-    Raises:
-        BackendError: it is no http(s) URL, or holds a user name or a password.
-    """
+    """Return a base URL without a slash at its end (BackendError: no http(s), or with a secret)."""
     variables = "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
     url = checked_address(
         url, "cloud: the base URL",
@@ -117,11 +109,7 @@ def server_name(url: str) -> str:
 
 
 def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
-    """Return the key that goes to a server; ``what`` names who needs it, and what for.
-
-    Raises:
-        BackendError: there is none; the message names the variables.
-    """
+    """Return a server's key; ``what`` needs it (BackendError: none; it names the variables)."""
     if found := keys(url, purpose):
         return found[0]
     if local(host(url)):

@@ -32,15 +32,11 @@ class Wrong(ValueError):
 
 
 def read_object(text: str) -> dict[str, Any]:
-    """Return the JSON object in an answer.
+    """Return the JSON object in an answer (Wrong: there is none).
 
     Tried in this order: the whole text, fenced blocks (the last first), stretches in braces (the
     last first); each as it is, then mended: no comments, no trailing commas, straight quotes,
-    Python's literals, brackets closed that were left open. Numbers that are NaN or infinite are no
-    JSON.
-
-    Raises:
-        Wrong: there is none.
+    Python's literals, open brackets closed. NaN and infinite numbers are no JSON.
     """
     text = _without_thoughts(text).strip().lstrip("\ufeff")
     for piece in _pieces(text):
@@ -68,10 +64,7 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return where the brace at ``start`` is closed, strings minded; the text's end if it is not.
-
-    An apostrophe opens no string: JSON's are in double quotes.
-    """
+    """Return where the brace at ``start`` is closed outside strings, else the text's end."""
     depth, inside, skip = 0, False, False
     for at in range(start, len(text)):
         letter = text[at]

@@ -150,12 +150,12 @@ class Chat:
         seed: bool,
         used: Used,
     ) -> dict[str, Any]:
+        strict = {"name": question, "schema": schema, "strict": True}
         body: dict[str, Any] = {"seed": self.seed} if seed else {}
-        if _FORMS[form] != "words":
-            body["response_format"] = {"type": _FORMS[form]}
         if _FORMS[form] == "json_schema":
-            strict = {"name": question, "schema": schema, "strict": True}
-            body["response_format"]["json_schema"] = strict
+            body["response_format"] = {"type": "json_schema", "json_schema": strict}
+        elif _FORMS[form] == "json_object":
+            body["response_format"] = {"type": "json_object"}
         asked = json.dumps([messages, schema, self.seed])
         meant = hashlib.sha256(asked.encode()).hexdigest()
         bound = self.manners.bound
@@ -184,11 +184,7 @@ class Chat:
             return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
-        """Return the text of a chat completion.
-
-        Raises:
-            UnusableError: it is none; the model refused, or was cut off.
-        """
+        """Return the text of a chat completion (UnusableError: it is none, refused, or cut off)."""
         try:
             choice = data["choices"][0]
             message = choice["message"]

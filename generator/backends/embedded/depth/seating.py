@@ -31,10 +31,9 @@ def seat(
 ) -> Body:
     """Stand a model of its own size where the middle of what shows of it is where depth saw it.
 
-    Both middles are of visible surface alone, so the hidden back of a thing does no harm; what
-    ``others`` cover is left out. (To look within the thing's own mask alone would not do: there a
-    model that is a little too large fills the mask from any place.) ``floor`` is the height above
-    the tabletop of what it stands on, metres.
+    Both middles are of visible surface alone; what ``others`` cover is left out. (Within the
+    thing's own mask alone, a model a little too large would fit anywhere.) ``floor`` is the height
+    above the tabletop of what it stands on, metres.
     """
     camera = plane.camera
     factor = max(1.0, _span(solid, plane) / _ACROSS)

@@ -11,17 +11,15 @@ from dataclasses import replace
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from ....geometry import mask_box
 from ....language.naming import shape_word
-from ....meshes.pixels import dilate, erode, hull_of
+from ....meshes.pixels import Mask, dilate, erode, hull_of
 from ....scene import Detection
 from ..plane.plane import TablePlane, outline_distance
 from .measure import ObservedSolid, holds, measure_solid, steady, table_points
 from .plane import TALLEST, noise
-
-Mask = Bool[np.ndarray, "_ _"]
 
 _BESIDE = 0.03  # metres: something may stick out over the table's edge so far
 _LEAST = 3e-4  # of the picture: the least that counts as a thing
@@ -69,10 +67,7 @@ def heights_above(
 
 
 def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
-    """Return pieces parted at saddles well below both sides, a little grown, largest first.
-
-    Things that touch at their full height, or stand on one another, come out as one.
-    """
+    """Return pieces parted at saddles well below both sides, a little grown, largest first."""
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
     masks = [part for piece in pieces for part in _part(piece, known, least)]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
@@ -246,10 +241,7 @@ def _grow(
 def _find_missed(
     things: Sequence[Detection], regions: Sequence[Mask], height: Float[np.ndarray, "h w"]
 ) -> list[Detection]:
-    """Return what stands on the table and is none of ``things``, named after its shape.
-
-    ``regions`` are looked at in their order; what an earlier one covers is no other thing.
-    """
+    """Return what stands on the table and is none of ``things``, named after its shape."""
     seen = np.any([np.zeros(height.shape, bool), *(t.mask for t in things)], axis=0)
     added = []
     shred = max(3, round(_SHREDS * max(height.shape)))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float, UInt8
+from jaxtyping import Float, UInt8
 from scipy import ndimage
 
 from ....geometry import mask_box
 from ....meshes.pixels import (
+    Mask,
     dilate,
     erode,
     hull_of,
@@ -24,8 +25,6 @@ _MARGIN = 0.04
 _MIRRORED = 0.15  # least share of a symmetric outline that must be seen on both sides
 _SYMMETRIC = 0.93  # share of a symmetric outline that its mirror image covers
 _ALIKE = 20.0  # grey levels by which mirrored places of a symmetric object usually differ
-
-Mask = Bool[np.ndarray, "_ _"]
 
 
 def complete(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Instance:
@@ -59,8 +58,7 @@ def complete(reference: Reference, detection: Detection, others: tuple[Detection
 def complete_mask(mask: Mask, hider: Mask) -> Mask:
     """Return ``mask`` grown into ``hider`` where the object probably goes on behind it.
 
-    Two guesses are joined: the object's mirror image about a vertical line, if its outline has
-    such an axis, and the convex hull of what is visible; both only inside the hider.
+    That is within its mirror image about a vertical axis, if it has one, or its convex hull.
     """
     x0, y0, x1, y1 = mask_box(mask).astype(int)
     reach = max(x1 - x0, y1 - y0)
@@ -81,8 +79,7 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
 def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
     """Return the mask reflected about the vertical axis of its outline, or None if it has none.
 
-    The outline against the background must fall onto itself or behind the hider; the axis where
-    most of it does, and next to none falls elsewhere, is taken.
+    There most of the free outline falls onto itself or behind the hider, and next to none astray.
     """
     brush = np.ones((3, 3), np.uint8)
     rim = mask & (cv2.erode(mask.astype(np.uint8), brush, borderValue=0) == 0)
@@ -112,10 +109,9 @@ def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
 def mirror_colors(
     image: UInt8[np.ndarray, "h w 3"], seen: Mask, full: Mask
 ) -> tuple[UInt8[np.ndarray, "h w 3"], Mask]:
-    """Colour hidden places like their mirror images about the upright axis of a whole outline.
+    """Colour hidden places like their mirror images; return the picture and what is known of it.
 
-    Returns the picture and what of it is known now: no more than ``seen`` if the outline has no
-    such axis, or if places seen on both sides of it differ.
+    That is ``seen`` alone if the outline has no upright axis, or what shows on both sides differs.
     """
     x0, _, x1, _ = mask_box(full).astype(int)
     ys, xs = np.nonzero(full)

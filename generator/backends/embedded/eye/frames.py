@@ -71,10 +71,9 @@ class Frame:
     def carry(
         self, mask: Float[np.ndarray, "h w"], factor: float, stride: int, cell: int
     ) -> Float[np.ndarray, "c c"]:
-        """Carry a map into the cells of this look, each of ``cell`` of its pixels.
+        """Carry a map into this look's cells of ``cell`` pixels.
 
-        ``mask`` is of a picture scaled by ``factor`` over this one's scale, in cells of ``stride``
-        pixels of it.
+        ``mask`` is of a picture scaled by ``factor`` over this one's scale, in cells of ``stride``.
         """
         zoom = self.scale / factor * stride / cell
         shift = -np.array(self.corner) * self.scale / cell + 0.5 * zoom - 0.5

@@ -65,11 +65,7 @@ class EyeReading:
 
 
 def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
-    """Read a picture; things less certain than ``minimum`` are left out.
-
-    Raises:
-        BackendError: the weights are missing or damaged.
-    """
+    """Read a picture without things less certain than ``minimum`` (BackendError: no weights)."""
     glance = glance_at(load_weights(), image)
     with single_thread(), torch.inference_mode():
         chosen = load_judge().choose(clues_of(glance.things, glance.region), minimum)
@@ -144,9 +140,9 @@ def _enlarge(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.ndar
 def _closer(
     eye: Eye, image: UInt8[np.ndarray, "h w 3"], detections: Detections, factor: float
 ) -> list[EyeDetection]:
-    """Look at all finds again from near; where that shows nothing surer, the first look stands.
+    """Look at all finds again from near, and at what else shows within them.
 
-    What else shows within them is a find too: what lies in a bowl, or a part.
+    Where that shows nothing surer, the first look stands.
     """
     if not len(detections.score):
         return []

@@ -62,11 +62,7 @@ def load_weights(path: Path = PATH) -> Weights:
 
 @cache
 def load_judge(path: Path = JUDGE_PATH) -> DetectionJudge:
-    """Read the judge's weights; the last read stay loaded.
-
-    Raises:
-        BackendError: the file is missing, damaged or of another network.
-    """
+    """Read the judge's weights as ``load_weights`` does."""
     restore = _RESTORE.format("judging")
     state, _ = _read(path, restore)
     judge = DetectionJudge()

@@ -43,13 +43,10 @@ def survey(
     length: float | None = None,
     view: View | None = None,
 ) -> Survey:
-    """Return the tabletop's plane and the things' solids.
+    """Return the tabletop's plane and the things' solids (SceneError: no tabletop).
 
     ``length`` and ``view`` are for references without depth, as in ``tabletop.find_tabletop``;
     ``instances`` may hold the table alone.
-
-    Raises:
-        SceneError: no tabletop in the picture or its depth map.
     """
     if reference.depth is None or reference.intrinsics is None:
         plan = reference.plan.table if reference.plan else None

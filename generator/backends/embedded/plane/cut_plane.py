@@ -42,7 +42,7 @@ _RIVAL = 0.7  # an ellipse or triangle must beat the rectangle's error by this f
 
 @dataclass(frozen=True, eq=False)
 class _Rim:
-    """Points of a region's hull: ``places`` on the plane, ``pixel`` size there in plane units.
+    """Points of a region's hull: ``places``, and ``pixel`` size there, in plane units.
 
     ``true`` tells the points of real edges; ``weights`` how far each counts.
     """
@@ -196,8 +196,7 @@ def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
 class _Top:
     """A fitted outline on the plane: turned by ``turn`` about ``center``.
 
-    ``error`` is the root of the mean squared distance of true edge points, pixels, large ones
-    counted less.
+    ``error`` is the robust root mean squared distance of true edge points, pixels.
     """
 
     shape: OutlineShape

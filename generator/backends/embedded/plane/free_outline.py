@@ -21,9 +21,8 @@ _BLUNT = 0.02  # of the length: radius of its sharpest corners
 def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
     """Return the tabletop with the outline that was seen if its shape is none of ours.
 
-    Its frame and size are then those of the outline itself; its length stays. What things hide of
-    the tabletop or of the ground says nothing about its shape. ``factor`` is working pixels per
-    picture pixel.
+    Frame and size are then the outline's, the length stays. What things hide says nothing about the
+    shape. ``factor`` is working pixels per picture pixel.
     """
     least = _LIKELY if plane.error * factor < _CLOSE else _EXPLAINED
     if _agreement(plane, outline, factor) > least:

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from ....geometry import rotation_z
-from ....meshes.pixels import mask_iou
+from ....meshes.pixels import Mask, mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart
 from .framing import descend, frame_to_mask, proportion_gap
 from .solids import ConvexSolid, PosedSolid, box, heightfield
-
-Mask = Bool[np.ndarray, "_ _"]
 
 _UNIT_BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
 
@@ -29,10 +27,7 @@ def _box_at(
 def fit_box(
     mask: Mask, projection: Projection, expected: Float[np.ndarray, "3"] | None = None
 ) -> PosedSolid:
-    """Return the upright box, any yaw, whose silhouette agrees best with ``mask``.
-
-    ``expected`` are proportions (length, width, height) that break ties.
-    """
+    """Return the upright box most like ``mask``; ``expected`` proportions (l, w, h) break ties."""
 
     def loss(parameters: np.ndarray) -> float:
         if not (-1.6 < parameters[1] < 3 and -4 < parameters[2] < 3):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 from scipy import spatial
 
-from ....meshes.pixels import mask_iou
+from ....meshes.pixels import Mask, mask_iou
 from ....meshes.projection import Projection
 from ....scene.triangles import scaled_normals
 from .boxes import fit_box, fit_carved
@@ -16,8 +16,6 @@ from .framing import proportion_gap
 from .rounds import fit_revolution
 from .slices import fit_slices
 from .solids import PosedSolid
-
-Mask = Bool[np.ndarray, "_ _"]
 
 _STRICT = 0.94  # a real box is met at least that well
 _PRIOR = 0.03  # weight of the size prior's proportions
@@ -68,10 +66,7 @@ def candidates(
 
 
 def stroke_share(mask: Mask) -> float:
-    """Return how wide a silhouette's strokes are over its longer side.
-
-    Thin things stay thin: nothing is made thicker than it is wide.
-    """
+    """Return how wide a silhouette's strokes are over its longer side: nothing is made thicker."""
     inside = cv2.distanceTransform(np.pad(mask, 1).astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inside >= cv2.dilate(inside, np.ones((5, 5)))
     width = 2 * float(np.median(inside[ridge & (inside > 0)]))
@@ -88,9 +83,8 @@ def score(
 ) -> float:
     """Return how well a solid explains the picture: silhouette overlap less what it costs.
 
-    A family that can take on any outline is cheap only where the outline is regular, a box must
-    fit well; things that happen to point straight at the camera are unlikely; proportions should
-    be the prior's.
+    Any-outline families are cheap only where the outline is regular, a box must fit well, things
+    rarely point straight at the camera, and proportions should be the prior's.
     """
     overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
     cost = _REGULAR if is_regular(posed) else _PRICES[posed.kind]

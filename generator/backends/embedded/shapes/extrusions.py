@@ -8,10 +8,9 @@ import shapely
 import shapely.affinity
 from jaxtyping import Bool, Float
 
+from ....meshes.pixels import Mask
 from ....meshes.projection import Projection
 from .solids import PosedSolid, largest_polygon, prism, upright
-
-Mask = Bool[np.ndarray, "_ _"]
 
 
 def plane_outline(
@@ -79,8 +78,7 @@ def _swept_outline(
 ) -> tuple[shapely.Polygon, float] | None:
     """Return the outline in a plane through the origin, and the length it is swept over.
 
-    ``sweep`` are the shifts of a sweep of length 1; that of this one is ``share`` of the longer
-    side.
+    That is ``share`` of its longer side; ``sweep`` are the shifts for a length of 1.
     """
     rough = plane_outline(mask, projection, np.zeros(3), axes, np.zeros((1, 3)), 60)
     if rough is None:
@@ -92,10 +90,7 @@ def _swept_outline(
 
 
 def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSolid | None:
-    """Return the flat slab lying on the table that fills ``mask``.
-
-    ``thickness`` is relative to the longest side.
-    """
+    """Return the slab on the table that fills ``mask``, so thick relative to its longest side."""
     axes = np.array([[1.0, 0, 0], [0, 1.0, 0]])
     sweep = np.linspace(0, 1, 3)[:, None] * [0, 0, 1.0]
     found = _swept_outline(mask, projection, axes, sweep, thickness)
@@ -111,10 +106,7 @@ def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSoli
 
 
 def base_line(mask: Mask, projection: Projection) -> float | None:
-    """Return the yaw of the straight lower edge of a standing object, or None without one.
-
-    The lowest pixels of the columns are taken as the edge where the object meets the table.
-    """
+    """Return the yaw of the straight line on which an object's lowest pixels lie, or None."""
     columns = np.flatnonzero(mask.any(0))
     if len(columns) < 12:
         return None

@@ -6,14 +6,13 @@ from collections.abc import Callable, Sequence
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 from scipy.optimize import minimize
 
 from ....geometry import mask_box
+from ....meshes.pixels import Mask
 from ....meshes.projection import Projection
 from ....scene import Instance
-
-Mask = Bool[np.ndarray, "_ _"]
 
 
 def _image_box(pixels: Float[np.ndarray, "n 2"]) -> tuple[np.ndarray, np.ndarray]:

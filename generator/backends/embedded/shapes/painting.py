@@ -106,10 +106,9 @@ def _mirror(
     planes: list[Float[np.ndarray, "4"]],
     size: float,
 ) -> None:
-    """Give hidden texels, in place, the colours of seen ones where they have a twin among them.
+    """Give hidden texels, in place, the colours of their twins among the seen ones.
 
-    The twin is the nearest texel to the mirrored place, facing the mirrored way, and has the same
-    base colour.
+    A twin is nearest to the mirrored place, faces the mirrored way, and has the same base colour.
     """
     known = np.flatnonzero(seen)
     if len(known) < 100:

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from jaxtyping import Bool
 
-from ....meshes.pixels import dilate
+from ....meshes.pixels import Mask, dilate
 from ....meshes.projection import Projection
 from .extrusions import plane_outline
 from .slices import best_stack, largest_slices, longest_run, reach_of
 from .solids import ConvexSolid, PosedSolid, join, upright
-
-Mask = Bool[np.ndarray, "_ _"]
 
 _LIMB = 0.015  # least share of the silhouette that a handle or a spout takes
 _LIMBS = 3
@@ -35,10 +32,7 @@ def fit_revolution(mask: Mask, projection: Projection) -> PosedSolid | None:
 
 
 def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedSolid:
-    """Add what sticks out of a round body as flat pieces in the plane facing the camera.
-
-    A handle and a spout are such pieces; the largest few are taken.
-    """
+    """Add what sticks out of a round body, the largest few, as flat pieces that face the camera."""
     covered = projection.silhouette(body.world, body.solid.faces)
     rest = cv2.morphologyEx(
         (mask & ~covered).astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)

@@ -12,11 +12,9 @@ from itertools import pairwise
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ....meshes.pixels import mask_iou
+from ....meshes.pixels import Mask, mask_iou
 from ....meshes.projection import Projection, fill_hull
 from .solids import PosedSolid, simplify_profile, stack_of_ellipses
-
-Mask = Bool[np.ndarray, "_ _"]
 
 _ANGLES = np.arange(32) * np.pi / 16
 _FEW = slice(None, None, 3)  # of the angles, while slices are searched for

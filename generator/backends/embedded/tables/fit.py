@@ -8,10 +8,10 @@ from functools import cached_property
 from itertools import product
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from ....geometry import mask_box
-from ....meshes.pixels import dilate
+from ....meshes.pixels import Mask, dilate, mask_iou
 from ....meshes.projection import Projection, fill_hull
 from ..shapes.framing import descend
 from .form import LegStyle, TableForm, at_height, corners_of
@@ -26,8 +26,6 @@ _EVEN = 0.03  # overlap worth a difference of one width between how far in legs 
 _REACHING = 0.2  # overlap worth feet that end a whole silhouette's height too high or low
 _DEPTHS = (0.03, 0.06, 0.1, 0.15, 0.2)  # of the legs behind the rim, in widths of the top
 _STARTS, _TRIES = 3, 400  # searches for the measures of a table, and steps of each
-
-Mask = Bool[np.ndarray, "_ _"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,22 +48,17 @@ class Silhouette:
 
     def overlap(self, drawn: Mask) -> float:
         """Return the intersection over union with what is drawn, where the frame shows it."""
-        mask, drawn = self.mask & self.shown, drawn & self.shown
-        return np.count_nonzero(drawn & mask) / max(np.count_nonzero(drawn | mask), 1)
+        return mask_iou(self.mask & self.shown, drawn & self.shown)
 
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
-    """A form under a picture: metres times ``scale`` plus ``shift``, from the top's middle.
-
-    ``overlap`` is that of the whole silhouettes, ``legs`` whether legs show.
-    """
+    """A form under a picture: metres times ``scale`` plus ``shift``; ``overlap`` of silhouettes."""
 
     form: TableForm
     scale: float
     shift: Float[np.ndarray, "3"]
     overlap: float
-    legs: bool
 
     def world(self, canonical: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
         """Return canonical vertices of the built form in the object frame."""
@@ -85,7 +78,7 @@ def fit_table(
     best, rival = _Legs(usual, scale, shift, seen).fit(height)
     if max(best[1], rival[1]) < _SHOWN:
         overlap = fine.overlap(_Legs(usual, scale, shift, fine).silhouette(usual))
-        return Fitted(usual, scale, shift, overlap, False)
+        return Fitted(usual, scale, shift, overlap)
     first, other = (_settle(form, scale, shift, fine, height) for form, _ in (best, rival))
     return other if other.overlap > first.overlap + _CLEAR else first
 
@@ -108,16 +101,10 @@ def _settle(
     def start(inset: tuple[float, float]) -> np.ndarray:
         raw = replace(form, inset=inset)
         tried = _Legs(raw, scale, shift, seen).ground(raw, usual)
-        measures = np.array([*tried.inset, tried.lean, tried.high, tried.low]) / width
-        return np.array([0.0, 0.0, 0.0, *measures, tried.height])
+        return np.array([0.0, 0.0, 0.0, *_leg_measures(tried), tried.height])
 
     def make(p: np.ndarray) -> tuple[TableForm, float, Float[np.ndarray, "3"]]:
-        inset = (float(np.clip(p[3], 0, 0.6)) * width, float(np.clip(p[4], 0, 0.6)) * width)
-        high, low = (v * width for v in _leg_widths(form, p[6], p[7], width))
-        tall = float(np.clip(p[8], *_TALL))
-        tried = replace(
-            form, inset=inset, lean=_leaning(p[5]) * width, high=high, low=low, height=tall
-        )
+        tried = replace(_with_legs(form, p[3:8]), height=float(np.clip(p[8], *_TALL)))
         return tried, float(scale * np.exp(p[0])), shift + moved(p[1:3])
 
     def goodness(p: np.ndarray) -> float:
@@ -134,19 +121,25 @@ def _settle(
     found = max(searched, key=goodness)
     tried, size, place = make(found)
     overlap = seen.overlap(_Legs(tried, size, place, seen).silhouette(tried))
-    return Fitted(tried, size, place, overlap, True)
+    return Fitted(tried, size, place, overlap)
 
 
-def _leg_widths(form: TableForm, high: float, low: float, width: float) -> tuple[float, float]:
-    """Return how thick legs are above and below, in widths of the top, as legs may be."""
+def _leg_measures(form: TableForm) -> np.ndarray:
+    """Return inset along x and y, lean, upper and lower width of legs, in widths of the top."""
+    width = float(min(form.size[:2]))
+    return np.array([*form.inset, form.lean, form.high, form.low]) / width
+
+
+def _with_legs(form: TableForm, measures: np.ndarray) -> TableForm:
+    """Return a form with the legs of ``_leg_measures``, as far as legs may be like that."""
+    width = float(min(form.size[:2]))
     least = 0.012 / width
     most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.3)
-    high = float(np.clip(high, least, most))
-    return high, float(np.clip(low, max(least, slimmest * high), most))
-
-
-def _leaning(lean: float) -> float:
-    return float(np.clip(lean, -0.1, 0.3))
+    x, y = (float(v) * width for v in np.clip(measures[:2], 0, 0.6))
+    lean = float(np.clip(measures[2], -0.1, 0.3)) * width
+    high = float(np.clip(measures[3], least, most))
+    low = float(np.clip(measures[4], max(least, slimmest * high), most)) * width
+    return replace(form, inset=(x, y), lean=lean, high=high * width, low=low)
 
 
 def _pixel_moves(view: Projection) -> Callable[[np.ndarray], Float[np.ndarray, "3"]]:
@@ -227,9 +220,7 @@ class _Legs:
 
     def overlap(self, form: TableForm) -> float:
         """Return the intersection over union of what lies below the top."""
-        drawn = self.draw(form) & self._counted
-        union = np.count_nonzero(drawn | self._wanted)
-        return np.count_nonzero(drawn & self._wanted) / union if union else 0.0
+        return mask_iou(self.draw(form) & self._counted, self._wanted)
 
     def ground(self, form: TableForm, usual: float) -> TableForm:
         """Return a form as high as brings its feet down to the silhouette's lowest row.
@@ -279,15 +270,10 @@ class _Legs:
 
     def _refine(self, form: TableForm, usual: float) -> tuple[TableForm, float]:
         """Return the form with its legs' measures improved, and its overlap below the top."""
-        width = float(min(form.size[:2]))
 
         def make(p: np.ndarray) -> TableForm:
-            x, y = (float(np.clip(v, 0.0, 0.6)) * width for v in p[:2])
-            high, low = (v * width for v in _leg_widths(form, p[3], p[4], width))
-            raw = replace(form, inset=(x, y), lean=_leaning(p[2]) * width, high=high, low=low)
-            return self.ground(raw, usual)
+            return self.ground(_with_legs(form, p), usual)
 
-        start = np.array([*form.inset, form.lean, form.high, form.low]) / width
-        steps = (0.04, 0.04, 0.03, 0.015, -0.015)
+        start, steps = _leg_measures(form), (0.04, 0.04, 0.03, 0.015, -0.015)
         found = make(descend(lambda p: -self.overlap(make(p)), start, steps, 160, 1e-3))
         return found, self.overlap(found)

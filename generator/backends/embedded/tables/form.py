@@ -67,10 +67,7 @@ class TableForm:
         return np.sign(corners) * np.maximum(np.abs(corners) - self.inset, self.high / 2)
 
     def pieces(self) -> list[Ring]:
-        """Return the legs' convex pieces: lower and upper ring, the floor at z = 0.
-
-        What would stick out beyond the top's box is moved into it.
-        """
+        """Return the legs' convex pieces, two rings each from z = 0, moved into the top's box."""
         top = self.height - self.thickness
         made = {"posts": self._posts, "sled": self._sled, "trestle": self._trestle,
                 "pedestal": self._pedestal}  # fmt: skip

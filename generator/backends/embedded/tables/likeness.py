@@ -56,10 +56,7 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
 def _places(
     instance: Instance, width: int, height: int
 ) -> tuple[Int[np.ndarray, "h w"], Int[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
-    """Return the row and column in the picture of each pixel of a crop, and which the frame holds.
-
-    Rows and columns are those of the nearest pixel of the picture.
-    """
+    """Return each crop pixel's nearest row and column in the picture, and which the frame holds."""
     x0, y0, x1, y1 = instance.crop_box
     columns = np.floor(x0 + (np.arange(width) + 0.5) * (x1 - x0) / width).astype(int)
     rows = np.floor(y0 + (np.arange(height) + 0.5) * (y1 - y0) / height).astype(int)

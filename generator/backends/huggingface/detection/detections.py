@@ -31,10 +31,7 @@ class Finder(Protocol):
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return what each part of the picture shows of ``words``.
-
-        What a part's own border cuts is left out.
-        """
+        """Return what each part of the picture shows of ``words``, but for what its border cuts."""
         ...
 
 

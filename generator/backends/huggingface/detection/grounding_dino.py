@@ -34,7 +34,7 @@ class GroundingDino:
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return what each tile shows of ``words``; see ``finds.Finder``."""
+        """Return what each tile shows of ``words``."""
         asked = questions(words, self.tokenizer, self.words, self.network.config.max_text_len)
         return [f for tile in tiles for question in asked for f in self._ask(image, tile, question)]
 
@@ -54,11 +54,8 @@ class GroundingDino:
                 attention_mask=torch.ones_like(ids),
             )
         scores, best = best_words(answer.logits[0], question)
-        middles = answer.pred_boxes[0].double().cpu().numpy()
-        shares = np.hstack(
-            [middles[:, :2] - middles[:, 2:] / 2, middles[:, :2] + middles[:, 2:] / 2]
-        )
-        boxes = tile.to_picture(shares)
+        middles, sides = np.split(answer.pred_boxes[0].double().cpu().numpy(), 2, axis=1)
+        boxes = tile.to_picture(np.hstack([middles - sides / 2, middles + sides / 2]))
         kept = tile.told_by(boxes, scores, self.threshold)
         return [
             BoxDetection(question.words[best[k]], float(scores[k]), boxes[k])

@@ -73,54 +73,38 @@ def separate(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDete
     """Return each thing once, the surest first; no pixel belongs to two of them.
 
     Gone are masks that a surer one has already, masks of several things of one word together, and
-    parts of a thing that has the same word. A pixel of several masks is the smallest one's, which
-    stands in front or inside. Of a mask less than ``minimum`` pixels, or than ``_LEFT`` of it, is
-    nothing.
+    parts of a thing of the same word. A pixel of several masks is the smallest one's, which stands
+    in front or inside. What keeps less than ``minimum`` pixels, or ``_LEFT`` of its mask, is gone.
     """
     kept: list[BoxDetection] = []
     for detection in sorted(detections, key=lambda f: -f.score):
         if all(mask_iou(detection.mask, k.mask) <= ALIKE for k in kept):
             kept.append(detection)
     kept = [f for f in kept if not _is_group(f, kept)]
-    kept = [f for f in kept if not _is_part(f, kept)]
-    return _assign_pixels(kept, minimum)
-
-
-def _assign_pixels(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDetection]:
-    if not detections:
+    kept = [f for f in kept if not any(_holds(other, f) for other in kept)]
+    if not kept:
         return []
-    areas = [int(f.mask.sum()) for f in detections]
-    taken = np.zeros_like(detections[0].mask)
+    areas, taken = [int(f.mask.sum()) for f in kept], np.zeros_like(kept[0].mask)
     made: dict[int, BoxDetection] = {}
-    for k in sorted(range(len(detections)), key=lambda k: areas[k]):
-        mask = detections[k].mask & ~taken
+    for k in sorted(range(len(kept)), key=lambda k: areas[k]):
+        mask = kept[k].mask & ~taken
         if mask.sum() >= max(minimum, _LEFT * areas[k], 1):
-            made[k] = dataclasses.replace(detections[k], mask=mask, box=mask_box(mask))
+            made[k] = dataclasses.replace(kept[k], mask=mask, box=mask_box(mask))
             taken |= mask
     return [made[k] for k in sorted(made)]
 
 
 def _is_group(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bool:
     """Tell whether a mask is that of two or more smaller ones of the same word."""
-    inside = [
-        f
-        for f in detections
-        if f is not detection and f.label == detection.label and _holds(detection, f)
-    ]
+    inside = [f.mask for f in detections if _holds(detection, f)]
     if len(inside) < 2:
         return False
-    together = np.any([f.mask for f in inside], axis=0)
+    together = np.any(inside, axis=0)
     return bool((together & detection.mask).sum() > _WITHIN * detection.mask.sum())
 
 
-def _is_part(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bool:
-    return any(
-        f is not detection and f.label == detection.label and _holds(f, detection)
-        for f in detections
-    )
-
-
 def _holds(outer: BoxDetection, part: BoxDetection) -> bool:
-    """Tell whether a mask lies in a larger one."""
+    """Tell whether a mask lies in a larger one of the same word."""
     area = part.mask.sum()
-    return bool(area < outer.mask.sum() and (outer.mask & part.mask).sum() > _WITHIN * area)
+    smaller = outer.label == part.label and area < outer.mask.sum()
+    return bool(smaller and (outer.mask & part.mask).sum() > _WITHIN * area)

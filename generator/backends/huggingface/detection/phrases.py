@@ -38,15 +38,15 @@ def questions(
     much of it as fits; one without any letters is not asked about.
     """
     made: list[PhraseQuestion] = []
-    group: list[str] = []
-    for word in (w for w in words if any(_question((w,), tokenizer).tokens)):
-        longer = _question((*group, word), tokenizer)
-        if group and (len(group) == most_words or len(longer.ids) > most_tokens):
-            made.append(_question(tuple(group), tokenizer))
-            group = []
-        group.append(word)
-    if group:
-        made.append(_question(tuple(group), tokenizer))
+    for word in words:
+        alone = _question((word,), tokenizer)
+        if not any(alone.tokens):
+            continue
+        longer = _question((*made[-1].words, word), tokenizer) if made else alone
+        if made and len(longer.words) <= most_words and len(longer.ids) <= most_tokens:
+            made[-1] = longer
+        else:
+            made.append(alone)
     return tuple(_cut(q, most_tokens) for q in made)
 
 

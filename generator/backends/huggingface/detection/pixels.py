@@ -45,9 +45,7 @@ def bound_size(width: int, height: int, shorter: int, longer: int) -> tuple[int,
 
     Rounded as Grounding DINO's processor does.
     """
-    low, high = min(width, height), max(width, height)
-    near = float(shorter)
-    if high / low * shorter > longer:
-        near = longer * low / high
+    low, high = sorted((width, height))
+    near = longer * low / high if high / low * shorter > longer else float(shorter)
     close, far = round(near), int(near * high / low)
     return (far, close) if width >= height else (close, far)

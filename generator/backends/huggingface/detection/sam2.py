@@ -33,7 +33,7 @@ class Sam2:
         detections: Sequence[BoxDetection],
         tiles: Sequence[Tile],
     ) -> list[BoxDetection]:
-        """Return the finds with masks; see ``detections.Masker``."""
+        """Return the finds with masks."""
         chosen = [closest(tiles, detection.box, _MARGIN) for detection in detections]
         made: dict[int, BoxDetection] = {}
         for tile in dict.fromkeys(chosen):
@@ -70,9 +70,6 @@ def enlarge(
     """Return where maps, stretched to (width, height), are above a threshold."""
     from torch.nn import functional
 
-    width, height = size
-    return [
-        (functional.interpolate(m[None, None].float(), (height, width), mode="bilinear")[0, 0]
-         > threshold).cpu().numpy()
-        for m in logits
-    ]  # fmt: skip
+    shape = size[::-1]
+    maps = (functional.interpolate(m[None, None].float(), shape, mode="bilinear") for m in logits)
+    return [(stretched[0, 0] > threshold).cpu().numpy() for stretched in maps]

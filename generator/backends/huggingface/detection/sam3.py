@@ -32,7 +32,7 @@ class Sam3:
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return what each tile shows of ``words``, with masks; see ``finds.Finder``."""
+        """Return what each tile shows of ``words``, with masks."""
         import torch
 
         found: list[BoxDetection] = []

@@ -33,15 +33,12 @@ class Tile:
 
     def to_picture(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
         """Return boxes given as shares of the part's sides in the picture's pixels, inside it."""
-        wide, high = self.size
-        moved = boxes * [wide, high, wide, high] + [self.x0, self.y0, self.x0, self.y0]
-        low, top = [self.x0, self.y0] * 2, [self.x1, self.y1] * 2
-        return np.clip(moved, low, top)
+        low, high = [self.x0, self.y0] * 2, [self.x1, self.y1] * 2
+        return np.clip(boxes * np.tile(self.size, 2) + low, low, high)
 
     def to_part(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
         """Return boxes in the picture's pixels as shares of the part's sides."""
-        wide, high = self.size
-        return (boxes - [self.x0, self.y0, self.x0, self.y0]) / [wide, high, wide, high]
+        return (boxes - [self.x0, self.y0] * 2) / np.tile(self.size, 2)
 
     def whole(self, mask: Bool[np.ndarray, "th tw"]) -> Bool[np.ndarray, "h w"]:
         """Return a mask of the part as one of the picture."""
@@ -51,8 +48,7 @@ class Tile:
 
     def cuts(self, boxes: Float[np.ndarray, "n 4"]) -> Bool[np.ndarray, "n"]:
         """Tell which boxes touch a side of the part that is not one of the picture's."""
-        wide, high = self.size
-        near = np.array([wide, high, wide, high]) * _NEAR
+        near = np.tile(self.size, 2) * _NEAR
         sides = np.array([self.x0, self.y0, self.x1, self.y1])
         inner = sides != [0, 0, self.width, self.height]
         return ((np.abs(boxes - sides) <= near) & inner).any(1)
@@ -71,8 +67,7 @@ class Tile:
         """
         wide, high = (box[2:] - box[:2]) * margin
         margins = np.array([-wide, -high, wide, high])
-        low, top = np.zeros(4), np.array([self.width, self.height] * 2)
-        x0, y0, x1, y1 = np.clip(box + margins, low, top)
+        x0, y0, x1, y1 = np.clip(box + margins, 0, [self.width, self.height] * 2)
         return bool(x0 >= self.x0 and y0 >= self.y0 and x1 <= self.x1 and y1 <= self.y1)
 
 

@@ -63,11 +63,8 @@ def download(model: Pin, folder: Path) -> None:
 def download_apart(model: Pin, folder: Path) -> None:
     """Do what ``download`` does in a process of its own, by plain HTTP, and watch it.
 
-    Hugging Face's own transport (hf_xet) has no limits of time; it is left aside.
-
-    Raises:
-        BackendError: as ``download``, or nothing comes any more.
-        StorageError: as ``download``.
+    Hugging Face's own transport (hf_xet) has no limits of time; it is left aside. Raises as
+    ``download``, and a BackendError where nothing comes any more.
     """
     command = [sys.executable, "-c", _CHILD, json.dumps(vars(model)), str(folder)]
     watch(command, folder / f"models--{model.repository.replace('/', '--')}", model.name)

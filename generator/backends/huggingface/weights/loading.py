@@ -81,11 +81,7 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
 
 
 def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
-    """Read a model's tokenizer, which tells where in the text each token stands.
-
-    Raises:
-        BackendError: it is not there, or damaged.
-    """
+    """Read a model's tokenizer (BackendError: it is not there, or damaged)."""
     transformers = module("transformers", "huggingface", _HOW)
     file = find_model(pin, folder, what) / "tokenizer.json"
     try:

@@ -6,13 +6,10 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 
 from ....errors import BackendError, choices
 
 WEIGHTS = "model.safetensors"
-
-_TABLE = Path(__file__).with_name("models.toml")
 
 
 @dataclass(frozen=True)
@@ -49,18 +46,12 @@ class Pin:
 
 def pins() -> Mapping[str, Pin]:
     """Return all models by name."""
-    table = tomllib.loads(_TABLE.read_text(encoding="utf-8"))
-    made = {n: Pin(**(entry | {"name": n, "files": tuple(entry["files"])}))
-            for n, entry in table.items()}  # fmt: skip
-    return MappingProxyType(made)
+    table = tomllib.loads(Path(__file__).with_name("models.toml").read_text(encoding="utf-8"))
+    return {n: Pin(**(e | {"name": n, "files": tuple(e["files"])})) for n, e in table.items()}
 
 
 def pin(name: str, *kinds: str) -> Pin:
-    """Return a model by its name in the table, of one of the ``kinds`` of classes; none for any.
-
-    Raises:
-        BackendError: there is no such model, or it is of another kind.
-    """
+    """Return a model by its name, of one of ``kinds`` if given (BackendError: there is none)."""
     known = {n: p for n, p in pins().items() if not kinds or p.kind in kinds}
     if name not in known:
         fitting = f" of kind {' or '.join(kinds)}" if kinds else ""

@@ -30,7 +30,12 @@ def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_a
     module("huggingface_hub", "huggingface", HOW)
     if any(Path(name).suffix in PICKLES for name in pin.files):
         raise BackendError(f"{what} its files name a pickle; only safetensors are fetched.")
-    _writable(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StorageError(
+            f"{folder} cannot be made: {error.strerror or error}. Choose another --folder."
+        ) from error
     fetch(pin, folder)
     home = snapshot(pin, folder)
     if absent := missing(pin, folder):
@@ -39,32 +44,21 @@ def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_a
     return home
 
 
-def _writable(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise StorageError(
-            f"{folder} cannot be made: {error.strerror or error}. Choose another --folder."
-        ) from error
-
-
 def _check(pin: Pin, home: Path, what: str) -> None:
     """Hold the weights against the table; what is not the pinned file is removed."""
     file = home / WEIGHTS
-    if pin.sha256 and (got := _sha256(file)) != pin.sha256:
-        file.resolve().unlink()
-        file.unlink(missing_ok=True)  # where it was a link to what has just been removed
-        raise BackendError(
-            f"{what} {WEIGHTS} has SHA-256 {got}, not {pin.sha256}; it was removed. Run it again, "
-            "without a mirror if one is set (HF_ENDPOINT)."
-        )
+    if pin.sha256:
+        with file.open("rb") as opened:
+            got = hashlib.file_digest(opened, "sha256").hexdigest()
+        if got != pin.sha256:
+            file.resolve().unlink()
+            file.unlink(missing_ok=True)  # where it was a link to what has just been removed
+            raise BackendError(
+                f"{what} {WEIGHTS} has SHA-256 {got}, not {pin.sha256}; it was removed. Run it "
+                "again, without a mirror if one is set (HF_ENDPOINT)."
+            )
     try:
         with safetensors.safe_open(file, framework="numpy"):
             pass
     except (OSError, safetensors.SafetensorError) as error:
         raise BackendError(f"{what} {WEIGHTS} is no safetensors file ({error}).") from error
-
-
-def _sha256(file: Path) -> str:
-    with file.open("rb") as opened:
-        return hashlib.file_digest(opened, "sha256").hexdigest()
