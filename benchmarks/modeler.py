@@ -22,10 +22,10 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from generator.backends.embedded.drawing.completion import complete
-from generator.backends.embedded.modeler import EmbeddedModeler, small_mask
+from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.plane.measure import measured_extent
 from generator.backends.embedded.plane.plane import TablePlane
-from generator.backends.embedded.shapes.framing import frame_to_mask
+from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
 from generator.catalogue import CATEGORIES, build
 from generator.catalogue.surfaces.look import WOODS
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion

@@ -10,9 +10,9 @@ import shapely
 import trimesh
 
 from generator.backends.embedded.drawing.completion import complete
-from generator.backends.embedded.modeler import EmbeddedModeler, small_mask
+from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.shapes import choosing, solids
-from generator.backends.embedded.shapes.framing import frame_to_mask
+from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
 from generator.catalogue import build
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
 from generator.meshes.baking import sample

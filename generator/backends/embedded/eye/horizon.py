@@ -13,7 +13,8 @@ _DOUBT = np.deg2rad(3.0)  # usual error of the map, radians
 def fit_view(latitude: Float[np.ndarray, "h w"]) -> tuple[float, float]:
     """Return elevation and vertical field of view (radians) of a level camera.
 
-    ``latitude`` is each pixel's angle below the horizon, radians; the principal point is central.
+    ``latitude`` is each pixel's angle below the horizon, radians; pixels are square, the principal
+    point is central.
     """
     height, width = latitude.shape
     step = max(height, width) / _GRID

@@ -1,6 +1,6 @@
-"""What stands on or in what, from visible and whole masks alone (Fig. 25).
+"""What stands on or in what: by depth, else from visible and whole masks (Fig. 25).
 
-Where two things overlap in the picture, the one on top shows. What stands *on* another shows with
+Where two masks overlap in the picture, the one on top shows. What stands *on* another shows with
 its foot inside the other's outline. What stands *in* another shows in part: its lower end is behind
 the front wall, its upper end before the back wall. What stands *behind* shows nowhere in the
 overlap, and what stands *in front* has its foot below the other's.
