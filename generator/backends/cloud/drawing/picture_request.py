@@ -204,7 +204,10 @@ class Painter:
             raise _Unusable(f"{error}.") from None
 
     def _fetch(self, question: str, address: str, used: Used, memo: str) -> bytes:
-        """Return what is at the address of a picture, kept by its drawing; no key is sent there."""
+        """Return what is at the address of a picture; the key is not sent there.
+
+        It is kept by the drawing that ``used`` noted last: a server may give each the same address.
+        """
         server = self.server
         try:
             check_link(address, "the picture's address", UnusableError)

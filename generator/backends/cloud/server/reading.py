@@ -64,7 +64,10 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return where the brace at ``start`` is closed outside strings, else the text's end."""
+    """Return where the brace at ``start`` is closed, strings minded; the text's end if it is not.
+
+    An apostrophe opens no string: JSON's are in double quotes.
+    """
     depth, inside, skip = 0, False, False
     for at in range(start, len(text)):
         letter = text[at]

@@ -184,9 +184,11 @@ def cut_out(
     long = max(x1 - x0, y1 - y0)
     zoom = float(np.clip(_LONG / long, 1.0 if long <= _MOST else _MOST / long, None))
     size = max(1, round((x1 - x0) * zoom)), max(1, round((y1 - y0) * zoom))
-    how = (cv2.INTER_CUBIC, cv2.INTER_LINEAR) if zoom > 1 else (cv2.INTER_AREA, cv2.INTER_AREA)
-    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=how[1])
+    how, alpha_how = cv2.INTER_AREA, cv2.INTER_AREA
+    if zoom > 1:
+        how, alpha_how = cv2.INTER_CUBIC, cv2.INTER_LINEAR
+    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=alpha_how)
     alpha = cv2.GaussianBlur(alpha, (0, 0), max(0.6, 0.5 * zoom))
     soft = np.clip((alpha - 0.5) * max(zoom, 1.0) * 1.5 + 0.5, 0, 1)
-    clean = cv2.resize(clean, size, interpolation=how[0])
+    clean = cv2.resize(clean, size, interpolation=how)
     return np.dstack([clean, np.round(soft * 255).astype(np.uint8)])

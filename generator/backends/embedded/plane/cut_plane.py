@@ -55,7 +55,8 @@ class _Rim:
 
 def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
     """Return which share of the outline (convex hull) of ``mask`` lies on the picture's frame."""
-    return float(_at_frame(_sample(hull_corners(_region(mask)), _POINTS), mask.shape).mean())
+    points = _sample(hull_corners(_region(mask)), _POINTS)
+    return float(_at_frame(points, mask.shape).mean())
 
 
 def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:

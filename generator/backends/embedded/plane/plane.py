@@ -298,12 +298,12 @@ def _starts(
     shift = ((low + high) / 2 - np.array(frame) / 2) / span
     x, y = -shift[0], shift[1] / np.sin(elevation)
     aspect = np.clip((high[1] - low[1]) / span / np.sin(elevation), 0.3, 1.2)
-    logs = [np.log(expected.fov), np.log(focal / span), np.log(aspect)]
     starts = []
     for azimuth in (0.0, 0.5, -0.5):
         c, s = np.cos(azimuth), np.sin(azimuth)
-        target = [c * x - s * y, s * x + c * y]
-        starts.append(np.array([azimuth, elevation, logs[0], *target, *logs[1:], -2.0]))
+        across = [c * x - s * y, s * x + c * y, np.log(focal / span)]
+        first = [azimuth, elevation, np.log(expected.fov), *across, np.log(aspect), -2.0]
+        starts.append(np.array(first))
     return starts
 
 
