@@ -1,8 +1,7 @@
 """Bounded readers of foreign input: JSON, URLs, regular files, printable text.
 
-Whatever comes from outside the process (a bundle, a server's answer, a record in a shared folder,
-a file the user names) is hostile until it has passed one of these. Each takes the error to raise,
-a child of ``TabletopError``, so that a caller's message fits what it was reading.
+What comes from outside the process (a bundle, a server's answer, a record in a shared folder, a
+file the user names) is hostile until it has passed one of these. Each takes the error to raise.
 """
 
 from __future__ import annotations
@@ -51,13 +50,11 @@ def parse_json(
     *,
     max_bytes: int = MAX_JSON_BYTES,
     max_depth: int = MAX_DEPTH,
-    unique: bool = False,
 ) -> Any:
     """Parse a foreign JSON text; every number in it is finite, every string is valid Unicode.
 
     ``what`` begins the message of an error: "The answer of the server". ``max_bytes`` bounds the
-    text, ``max_depth`` the nesting of lists and objects. ``unique`` refuses objects that repeat a
-    key (otherwise the last one counts, as usual).
+    text, ``max_depth`` the nesting of lists and objects.
 
     Raises:
         TabletopError: ``error``, if the text is too long, too deep, or not such JSON.
@@ -75,10 +72,7 @@ def parse_json(
         raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
     try:
         payload = json.loads(
-            data.decode("utf-8-sig"),
-            parse_constant=_not_finite,
-            parse_float=_finite,
-            object_pairs_hook=_unique if unique else None,
+            data.decode("utf-8-sig"), parse_constant=_not_finite, parse_float=_finite
         )
         if rb"\u" in data:  # an escape may spell half a surrogate pair, which is no text
             json.dumps(payload, ensure_ascii=False).encode()
@@ -94,14 +88,13 @@ def parse_object(
     *,
     max_bytes: int = MAX_JSON_BYTES,
     max_depth: int = MAX_DEPTH,
-    unique: bool = False,
 ) -> dict[str, Any]:
     """Parse a foreign JSON text that is one object; see :func:`parse_json`.
 
     Raises:
         TabletopError: ``error``, if it is not.
     """
-    payload = parse_json(raw, what, error, max_bytes=max_bytes, max_depth=max_depth, unique=unique)
+    payload = parse_json(raw, what, error, max_bytes=max_bytes, max_depth=max_depth)
     if not isinstance(payload, dict):
         raise error(f"{what} must be one JSON object, not {type(payload).__name__}.")
     return payload
@@ -138,9 +131,8 @@ def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult
         raise error(f"{what} has {len(url)} characters; at most {MAX_URL_LENGTH} are read.")
     try:
         parts = urlsplit(url)
-        host, port = parts.hostname, parts.port
-        fine = parts.scheme in ("http", "https") and bool(_HOST.fullmatch(host or ""))
-        fine = fine and port != 0
+        fine = parts.scheme in ("http", "https") and _HOST.fullmatch(parts.hostname or "")
+        fine = parts.port != 0 and fine
         fine = fine and url.isascii() and url.isprintable() and " " not in url
     except ValueError:
         fine = False
@@ -169,7 +161,10 @@ def read_regular(
         try:
             status = os.fstat(descriptor)
             regular, large = stat.S_ISREG(status.st_mode), status.st_size > max_bytes
-            content = _read(descriptor, max_bytes + 1) if regular and not large else b""
+            content = b""
+            if regular and not large:
+                with open(descriptor, "rb", closefd=False) as file:
+                    content = file.read(max_bytes + 1)
         finally:
             os.close(descriptor)
     except (OSError, ValueError) as failure:
@@ -209,11 +204,6 @@ def is_count(value: object, *, maximum: float = 1e12) -> bool:
     return type(value) is int and is_number(value, maximum=maximum)
 
 
-def _read(descriptor: int, count: int) -> bytes:
-    with open(descriptor, "rb", closefd=False) as file:
-        return file.read(count)
-
-
 def _not_json(what: str, error: type[TabletopError], failure: Exception) -> TabletopError:
     reason = str(failure)[:200] or type(failure).__name__
     return error(f"{what} is not valid JSON ({reason}).")
@@ -232,10 +222,3 @@ def _finite(text: str) -> float:
 
 def _not_finite(constant: str) -> NoReturn:
     raise ValueError(f"{constant} is not a finite number")
-
-
-def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) != len(pairs):
-        raise ValueError("a key is repeated")
-    return found

@@ -15,7 +15,7 @@ from ..calls.money.prices import Prices
 from ..errors import BackendError, InputError, StorageError, require
 from ..threads import threads
 from .prompts import Job
-from .records import key_of
+from .records import key_of, place_of
 
 if TYPE_CHECKING:
     from ..calls import Session
@@ -47,8 +47,7 @@ class Generating:
     Attributes:
         mix: who answers the stages' questions.
         config: settings of the stages; None for the usual ones.
-        calls: folder where answers of servers are kept, so that nothing is paid for twice; None
-            keeps nothing.
+        calls: folder where answers are kept, so that nothing is paid for twice; None keeps nothing.
         prices: what calls of servers cost; None: the table that comes with the package.
         shared_budget: what all scenes are paid from, see ``shared_budget``; None adds up nothing.
         budget: what all scenes may cost together, those of earlier runs too, in the currency of
@@ -157,6 +156,16 @@ class Generating:
             except InputError as error:  # of another currency: no fault of the scene's
                 raise StorageError(str(error)) from error
             yield session
+
+
+def shared_budget(folder: str | Path, prices: Prices | None = None) -> SharedBudget:
+    """Return the budget that all batches in a folder spend from, begun if there is none.
+
+    Raises:
+        InputError: what was spent there is in another currency than ``prices``.
+        StorageError: it cannot be read, or the folder not be written.
+    """
+    return SharedBudget.open(place_of(Path(folder)), (prices or Prices.default()).currency)
 
 
 def _share() -> None:

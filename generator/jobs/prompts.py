@@ -1,4 +1,4 @@
-"""Which scenes are asked for: texts and seeds, from a file or a list."""
+"""Which scenes are asked for, by texts and seeds from a file or a list, and what makes them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from ..errors import InputError, require_number, require_seed
 from ..io.reading import parse_json, read_regular
@@ -40,10 +40,26 @@ class Job:
         object.__setattr__(self, "seed", int(self.seed))  # also of NumPy's
 
 
-def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
-    """Return the jobs of texts: each with ``variants`` seeds, from ``seed`` on.
+class Maker(Protocol):
+    """Makes scenes in any process; must be picklable and reproducible to the byte."""
 
-    A ``Job`` has a seed of its own to begin with. What is asked for twice is one job.
+    def identity(self) -> dict[str, Any]:
+        """Return what decides its scenes, as JSON values."""
+        ...
+
+    def __call__(self, job: Job, folder: Path) -> Path:
+        """Publish a job's scene as a bundle in ``folder``; return the bundle's path.
+
+        Raises:
+            TabletopError: it cannot be made.
+        """
+        ...
+
+
+def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
+    """Return the jobs of texts, each with ``variants`` seeds from ``seed``, or its own, on.
+
+    What is asked for twice is one job.
 
     Raises:
         InputError: none, too many, or a number out of range.
@@ -85,7 +101,9 @@ def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:
     raw = read_regular(path, "The file of prompts", InputError, max_bytes=_MOST_BYTES)
     if path.suffix.lower() == ".json":
         entries = parse_json(raw, f"The file of prompts {path}", InputError, max_bytes=_MOST_BYTES)
-        return _jobs(entries, seed, path)
+        if not isinstance(entries, list):
+            raise InputError(f"{path} must be an array of texts, or of objects with a text.")
+        return [_job(entry, seed, path) for entry in entries]
     try:
         lines = (line.strip() for line in raw.decode("utf-8-sig").splitlines())
     except UnicodeDecodeError as error:
@@ -101,12 +119,6 @@ def key(job: Job, maker: dict[str, Any], picture: bytes | None) -> str:
     seen = None if picture is None else hashlib.sha256(picture).hexdigest()
     told = {"text": job.text, "seed": job.seed, "maker": maker, "picture": seen}
     return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:24]
-
-
-def _jobs(entries: Any, seed: int, path: Path) -> list[Job]:
-    if not isinstance(entries, list):
-        raise InputError(f"{path} must be an array of texts, or of objects with a text.")
-    return [_job(entry, seed, path) for entry in entries]
 
 
 def _job(entry: Any, seed: int, path: Path) -> Job:
