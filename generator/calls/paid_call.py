@@ -5,59 +5,24 @@ from __future__ import annotations
 import dataclasses
 import time
 from collections.abc import Callable, Mapping
+from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import httpx2
 import tenacity
 
 from ..errors import BackendError, DryRunError, StorageError, TabletopError, UnusableError
 from .http.exchange import Reply, Trouble
-from .http.pending import PendingCall
 from .http.redaction import redact
-from .http.retries import Breaker, Breakers, RetryPolicy, retry_after
+from .http.retries import Breaker, retry_after
 from .money.entries import Entry, Outcome
-from .money.ledger import Account
-from .money.prices import Prices
 from .question import NOTHING, Question, Usage, failed, usage
-from .store import CallStore
+from .state import SessionState
 
 _LATE = 1  # how often a call is sent again that was waited for in vain: each may have been paid for
 
 Sign = Callable[[httpx2.Request], Mapping[str, str]]
-
-
-class SessionState(Protocol):
-    """What the calls of a session share, as one call sees it; see ``Session``."""
-
-    @property
-    def store(self) -> CallStore | None: ...  # noqa: D102
-    @property
-    def account(self) -> Account: ...  # noqa: D102
-    @property
-    def prices(self) -> Prices: ...  # noqa: D102
-    @property
-    def budget(self) -> float | None: ...  # noqa: D102
-    @property
-    def attempts(self) -> int: ...  # noqa: D102
-    @property
-    def dry(self) -> bool: ...  # noqa: D102
-    @property
-    def retry_policy(self) -> RetryPolicy: ...  # noqa: D102
-    @property
-    def breakers(self) -> Breakers: ...  # noqa: D102
-
-    def check(self) -> None:
-        """Raise StoppedError if there is a reason to stop."""
-        ...
-
-    def pause(self, seconds: float) -> None:
-        """Wait, unless there is a reason to stop."""
-        ...
-
-    def wait_for(self, call: PendingCall[Any]) -> BaseException | None:
-        """Wait for a pending call; return what interrupted it."""
-        ...
 
 
 @dataclass(eq=False, repr=False)
@@ -80,7 +45,7 @@ class PaidCall:
     request: httpx2.Request
     asked: Question
     secrets: tuple[str, ...]
-    send: Callable[[httpx2.Request, tuple[str, ...]], PendingCall[Reply | Trouble]]
+    send: Callable[[httpx2.Request, tuple[str, ...]], Future[Reply | Trouble]]
     sign: Sign | None = None
     interrupt: BaseException | None = None
 

@@ -9,6 +9,7 @@ import threading
 import time
 import urllib.request
 from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import wait
 from importlib.util import find_spec
 from typing import Any
 from urllib.parse import unquote
@@ -18,7 +19,7 @@ import httpx2
 
 from ...errors import BackendError
 from ...io.reading import split_url
-from .pending import PendingCall
+from .pending import begin
 
 _PROXIES = ("http", "https", "socks5", "socks5h")
 
@@ -49,8 +50,8 @@ class Dialer(httpcore2.NetworkBackend):
         """Return a connection to the first of a host's addresses that takes it."""
         now = time.monotonic()
         until = self._until if timeout is None else min(self._until, now + timeout)
-        found = PendingCall(lambda: socket.getaddrinfo(host, port, type=socket.SOCK_STREAM))
-        if not found.is_done(until - now):
+        found = begin(lambda: socket.getaddrinfo(host, port, type=socket.SOCK_STREAM))
+        if not wait([found], until - now).done:
             raise httpcore2.ConnectTimeout("The address of the host was not found in time.")
         try:
             places = [str(place[4][0]) for place in found.result()]

@@ -136,16 +136,3 @@ class Breaker:
             self._failures = max(self._failures, line.length)
             self._reason = reason
             self._closed_again = self._clock() + self._policy.rest
-
-
-class Breakers:
-    """The breakers of one session, made as servers are first called."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._made: dict[tuple[str, str], Breaker] = {}
-
-    def of(self, server: str, origin: str, policy: RetryPolicy) -> Breaker:
-        """Return the breaker of the server of that name at ``origin``."""
-        with self._lock:
-            return self._made.setdefault((server, origin), Breaker(server, policy))

@@ -31,8 +31,7 @@ class Account:
 
     def __init__(self, shared: SharedBudget | None = None) -> None:
         self._shared = shared
-        self._lock = threading.Lock()
-        self._ended = threading.Condition(self._lock)
+        self._ended = threading.Condition()
         self._entries: list[Entry] = []
         self._notes: list[str] = []
         self._reserved: dict[int, float] = {}
@@ -51,7 +50,7 @@ class Account:
             InputError: what was spent was in another currency.
         """
         entries = [_price(entry, prices) for entry in spending.earlier()]
-        with self._lock:
+        with self._ended:
             self._spending = spending
             self._entries[:0] = entries
         if entries:
@@ -88,25 +87,25 @@ class Account:
 
     def add(self, entry: Entry) -> None:
         """Enter a call."""
-        with self._lock:
+        with self._ended:
             self._entries.append(entry)
 
     def note(self, text: str) -> None:
         """Keep a remark that the summary ends with; the same one is kept once."""
-        with self._lock:
+        with self._ended:
             if text not in self._notes:
                 self._notes.append(text)
 
     @property
     def entries(self) -> tuple[Entry, ...]:
         """All calls, in the order they ended."""
-        with self._lock:
+        with self._ended:
             return tuple(self._entries)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """The remarks."""
-        with self._lock:
+        with self._ended:
             return tuple(self._notes)
 
     @property
@@ -185,7 +184,7 @@ class Account:
         """Set aside what a call may cost, if it may be sent now; else others have to end first."""
         if self._shared is not None:
             return self._shared.reserve(maximum, budget, what)
-        asked, spent = maximum or 0.0, sum(entry.money or 0.0 for entry in self._entries)
+        asked, spent = maximum or 0.0, self.money
         if budget is None or not asked or spent + sum(self._reserved.values()) + asked <= budget:
             self._calls += 1
             self._reserved[self._calls] = asked
@@ -204,8 +203,7 @@ class Account:
             try:
                 self._shared.settle(reservation, money)
             except StorageError as error:  # it stays reserved; the answer must not be lost
-                if str(error) not in self._notes:
-                    self._notes.append(str(error))
+                self.note(str(error))
 
     def summary(self) -> tuple[LedgerRow, ...]:
         """Return a row for each question, server and model, in the order first asked."""
