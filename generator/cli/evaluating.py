@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 from tyro.conf import Positional
 
+from ..backends import Backends
 from ..errors import DryRunError, InputError, escape
 from .paying import NO_CALLS, Calls, answering, print_dry_run, scene_key
 from .printing import emit
 from .store import find, one, some
 
 if TYPE_CHECKING:
-    from ..backends import Backends
-    from ..calls import Session
     from ..evaluation import Evaluation
     from ..evaluation.judged import Picture
     from ..evaluation.perceptual import Available
+    from ..evaluation.surfaces.collisions import Rates
     from ..scene import Scene
 
 
@@ -53,13 +53,16 @@ def evaluate(
     """
     from ..bundle import load
     from ..evaluation import rates
+    from ..evaluation.external import TRANSFORMS
+    from ..evaluation.judged import as_judge
     from ..evaluation.perceptual import available
     from ..method.reference import read_image
 
     session, asked, who = None, None, None
     if judge is not None:
         session = calls.session()
-        backends = _ask_judge(judge, session)
+        backends = Backends.select(reasoner=judge, session=session)
+        as_judge(backends.reasoner)  # refused before anything is measured
         asked, who = backends.reasoner, backends.identity()["reasoner"]
     elif calls != NO_CALLS:
         raise InputError(
@@ -69,12 +72,15 @@ def evaluate(
     given = None if picture is None else read_image(picture)
     true = None if truth is None else load(one(truth))
     metrics = available() if sweep else None
-    paths = _paths(bundles)
+    paths: list[Path] = []
+    for wanted in some(bundles):
+        folder = Path(wanted)
+        paths += [folder] if (folder / TRANSFORMS).is_file() else find(wanted)
     scene = scene_key("evaluate", who, [str(path.resolve()) for path in paths], picture)
     with answering(session, scene) if session is not None else contextlib.nullcontext():
         found, order, would = _measure(paths, given, true, metrics, asked)
     if calls.dry_run:
-        return print_dry_run(DryRunError("\n".join(would)), None, json)
+        return print_dry_run(DryRunError("\n".join(would)), json)
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
@@ -85,27 +91,12 @@ def evaluate(
             facts["ledger"] = session.account.facts(session.prices)
         emit(facts, True, list)
     else:
-        _print(found)
-        print(
-            f"{summary.scenes} scenes, {sum(e.flawless for _, e in found)} without a defect; "
-            f"Col_O {100 * summary.col_o:.2f} % of {summary.pairs} pairs, "
-            f"Col_S {100 * summary.col_s:.1f} %"
-        )
+        _print(found, summary)
         if order:
             print(f"ranked by {judge}, the best first: {', '.join(map(escape, order))}")
         if session is not None and (spent := session.account.text(session.prices.currency)):
             print(escape(spent))
     return 0 if all(e.flawless for _, e in found) else 1
-
-
-def _ask_judge(judge: str, session: Session) -> Backends:
-    """Return backends whose reasoner judges, before anything is measured."""
-    from ..backends import Backends
-    from ..evaluation.judged import as_judge
-
-    backends = Backends.select(reasoner=judge, session=session)
-    as_judge(backends.reasoner)
-    return backends
 
 
 def _measure(
@@ -138,17 +129,7 @@ def _measure(
     return found, order, would
 
 
-def _paths(bundles: tuple[str, ...]) -> list[Path]:
-    from ..evaluation.external import TRANSFORMS
-
-    paths: list[Path] = []
-    for wanted in some(bundles):
-        folder = Path(wanted)
-        paths += [folder] if (folder / TRANSFORMS).is_file() else find(wanted)
-    return paths
-
-
-def _print(found: list[tuple[str, Evaluation]]) -> None:
+def _print(found: list[tuple[str, Evaluation]], summary: Rates) -> None:
     from rich.console import Console
     from rich.table import Table
 
@@ -166,6 +147,11 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
             limit = "" if f.limit is None else f"{f.limit:.3g} {f.unit}"
             table.add_row(escape(f.name), f.kind, escape(f.text), value, limit, f.evidence)
         console.print(table)
+    print(
+        f"{summary.scenes} scenes, {sum(e.flawless for _, e in found)} without a defect; "
+        f"Col_O {100 * summary.col_o:.2f} % of {summary.pairs} pairs, "
+        f"Col_S {100 * summary.col_s:.1f} %"
+    )
 
 
 def _lines(facts: dict[str, Any]) -> list[str]:

@@ -18,6 +18,7 @@ from ..backends import Mix
 from ..errors import DryRunError, InputError, escape
 from ..io.reading import read_regular
 from ..scene.provenance import plain
+from .printing import emit
 
 if TYPE_CHECKING:
     from ..backends import Backends
@@ -159,23 +160,25 @@ def answering(session: Session, scene: str) -> Iterator[None]:
         raise
 
 
-def paid(session: Session, made: Path) -> bool:
-    """Return whether the bundle ``made`` is to get a ledger: one that has none, or has to grow."""
+def save_ledger(session: Session, made: Path) -> None:
+    """Write the ledger of the bundle ``made``: one that has none, or has to grow."""
     from ..calls.money.ledger import LEDGER
 
     entries = session.account.entries
     now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)
-    return now or (any(e.earlier for e in entries) and not (made / LEDGER).exists())
+    if now or (any(e.earlier for e in entries) and not (made / LEDGER).exists()):
+        session.account.save(made, session.prices)
 
 
-def print_dry_run(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
+def print_dry_run(
+    error: DryRunError, as_json: bool, mix: Mix = USUAL, backends: Backends | None = None
+) -> int:
     """Print who answers, and what a dry run came to; return the exit code of success."""
-    from .printing import emit
-
+    roles = {} if backends is None else roles_of(mix, backends)
     calls = str(error).splitlines()
     rest = "Nothing was sent; what comes after depends on the answers."
     if not calls:
         rest = "No server would be asked. Nothing was made; leave out --dry-run for that."
     facts = {"dry_run": calls} | ({"backends": roles} if roles else {})
-    emit(facts, as_json, lambda: [*lines_of(roles or {}), *calls, rest])
+    emit(facts, as_json, lambda: [*lines_of(roles), *calls, rest])
     return 0

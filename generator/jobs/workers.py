@@ -108,7 +108,7 @@ class WorkerPool:
         try:
             self._state.cancel()
             for process in busy:
-                with contextlib.suppress(OSError, ValueError):  # ValueError: Windows
+                with contextlib.suppress(OSError):
                     process.send_signal(signal.SIGINT)
             _wait(busy, grace)
         finally:
@@ -216,9 +216,8 @@ class _Worker:
         if process is None:
             return 0
         if process.poll() is None:
-            if hasattr(os, "killpg"):
-                with contextlib.suppress(OSError):
-                    os.killpg(process.pid, signal.SIGKILL)
+            with contextlib.suppress(OSError):
+                os.killpg(process.pid, signal.SIGKILL)
             process.kill()
         code = process.wait()
         _hang_up(process)
