@@ -56,7 +56,10 @@ class PaidCall:
             BackendError: there is none; BudgetError, DryRunError and StoppedError are such.
         """
         if self.session.dry:
-            raise DryRunError(_would(self.asked, self.session.prices.currency))
+            most, currency = self.asked.most, self.session.prices.currency
+            price = "at a price that is not known"
+            price = price if most is None else f"for at most {most:.4f} {currency}"
+            raise DryRunError(f"Would ask {self.asked}, {price}.")
         self._line, self._late = self.breaker.line(), 0
         told = tenacity.Retrying(
             retry=tenacity.retry_if_result(lambda told: isinstance(told, Trouble)),
@@ -171,10 +174,3 @@ def entry_of(
         asked.server, asked.name, asked.model, outcome, seconds,
         spent.tokens_in, spent.tokens_out, spent.images, money, at=asked.at,
     )  # fmt: skip
-
-
-def _would(asked: Question, currency: str) -> str:
-    """Return what a dry run says of a call."""
-    if asked.most is None:
-        return f"Would ask {asked}, at a price that is not known."
-    return f"Would ask {asked}, for at most {asked.most:.4f} {currency}."

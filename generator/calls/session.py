@@ -166,17 +166,13 @@ class Session(SessionState):
                 wait(futures)
             except BaseException:  # an interrupt, or the end of what this is part of
                 halted.set()
-                self._wait_for_pending(futures, deadline)
+                deadline.bring_forward(self._announce_grace())
+                try:
+                    wait(futures)
+                finally:  # also of a second interrupt
+                    deadline.bring_forward(time.monotonic())
                 raise
         return _results(futures)
-
-    def _wait_for_pending(self, futures: Sequence[Future[R]], deadline: Deadline) -> None:
-        """Wait for work under way for ``grace``; no longer after a second interrupt."""
-        deadline.bring_forward(self._announce_grace())
-        try:
-            wait(futures)
-        finally:
-            deadline.bring_forward(time.monotonic())
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:

@@ -130,17 +130,17 @@ class CallStore:
         ``check`` is called now and then while another holds it, and may raise. Where no lock can be
         had, nothing is held.
         """
+        path = self.folder / "locks" / f"{key[:3]}.lock"  # a few keys of 4096 share one
         with contextlib.ExitStack() as held:
-            lock = self._lock(key)
-            while lock is not None:
-                try:
-                    held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
-                    self._clear(key)
-                    break
-                except Timeout:
-                    check()
-                except OSError:
-                    break
+            with contextlib.suppress(OSError):
+                make_private(path.parent)
+                lock = FileLock(path, mode=0o600)
+                while not lock.is_locked:
+                    try:
+                        held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
+                        self._clear(key)
+                    except Timeout:
+                        check()
             yield
 
     def __len__(self) -> int:
@@ -149,21 +149,12 @@ class CallStore:
 
     def size(self) -> int:
         """Return how many bytes the answers take up."""
-        return sum(entry.bytes for entry in self._list_kept())
+        return sum(size for _, size, _ in self._list_kept())
 
     def _path(self, key: str) -> Path:
         if not _KEY.fullmatch(key):
             raise StorageError(f"A key is a sha256 in 64 hexadecimal digits, got {key!r}.")
         return self.folder / "answers" / key[:2] / key
-
-    def _lock(self, key: str) -> FileLock | None:
-        """Return the lock of a key; a few keys of 4096 share one."""
-        path = self.folder / "locks" / f"{key[:3]}.lock"
-        try:
-            make_private(path.parent)
-        except OSError:
-            return None
-        return FileLock(path, mode=0o600)
 
     def _write(self, path: Path, raw: bytes) -> None:
         make_private(path.parent)
@@ -200,19 +191,19 @@ class CallStore:
 
         ``newest`` stays. More goes than has to, so that the next answers find room.
         """
-        kept = sorted(self._list_kept(), key=lambda entry: entry.used)
-        size = sum(entry.bytes for entry in kept)
-        wanted = size if size <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
-        for entry in kept:
-            if size <= wanted:
+        kept = sorted(self._list_kept(), key=lambda entry: entry[0])
+        total = sum(size for _, size, _ in kept)
+        wanted = total if total <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
+        for _, size, path in kept:
+            if total <= wanted:
                 break
-            if entry.path != newest:
-                remove_file(entry.path.parent, entry.path.name)
-                size -= entry.bytes
-        return size
+            if path != newest:
+                remove_file(path.parent, path.name)
+                total -= size
+        return total
 
-    def _list_kept(self) -> list[_Kept]:
-        """Return the answers that are there; what dead writers left half done is removed.
+    def _list_kept(self) -> list[tuple[float, int, Path]]:
+        """Return when each answer was used last, its bytes and path; remove what dead writers left.
 
         What has no answer's name, or is a link or in a linked folder, is somebody else's.
         """
@@ -223,17 +214,10 @@ class CallStore:
                 if not stat.S_ISREG(status.st_mode) or path.parent.is_symlink():
                     continue
                 if _KEY.fullmatch(path.name):
-                    kept.append(_Kept(path, status.st_size, status.st_mtime))
+                    kept.append((status.st_mtime, status.st_size, path))
                 elif path.name.startswith(_PARTIAL) and time.time() - status.st_mtime > _STALE:
                     remove_file(path.parent, path.name)
         return kept
-
-
-@dataclass(frozen=True)
-class _Kept:
-    path: Path
-    bytes: int
-    used: float
 
 
 def _encode(key: str, answer: StoredAnswer) -> bytes:
@@ -254,11 +238,11 @@ def _decode(key: str, raw: bytes) -> StoredAnswer | None:
     head, _, body = content.partition(b"\n")
     facts = parse_object(head, "An answer's head", StorageError, max_bytes=_MOST_HEAD)
     status, kind = facts.get("status"), facts.get("content_type")
-    if not isinstance(status, int) or isinstance(status, bool) or not 100 <= status <= 599:
+    if type(status) is not int or not 100 <= status <= 599:
         return None
-    return (
-        StoredAnswer(status, kind, body) if isinstance(kind, str) and kind.isprintable() else None
-    )
+    if not isinstance(kind, str) or not kind.isprintable():
+        return None
+    return StoredAnswer(status, kind, body)
 
 
 def _checksum(key: str, content: bytes) -> bytes:

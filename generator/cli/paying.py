@@ -10,20 +10,19 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from tyro.conf import OmitArgPrefixes, arg
 
-from ..backends import Mix
+from ..backends import Backends, Mix
+from ..calls import Session
+from ..calls.money.ledger import LEDGER
+from ..calls.money.prices import Prices
+from ..calls.store import CallStore
 from ..errors import DryRunError, InputError, escape
 from ..io.reading import read_regular
 from ..scene.provenance import plain
 from .printing import emit
-
-if TYPE_CHECKING:
-    from ..backends import Backends
-    from ..calls import Session
-    from ..calls.money.prices import Prices
 
 VARIABLE = "TABLETOPGEN_CALLS"
 """Environment variable naming the folder of cached responses."""
@@ -90,21 +89,12 @@ class CallOptions:
         Raises:
             InputError: the file cannot be used.
         """
-        from ..calls.money.prices import Prices
-
         return Prices.default() if self.prices is None else Prices.load(self.prices)
 
     def session(self) -> Session:
         """Return a session with these settings."""
-        from ..calls import Session
-        from ..calls.store import CallStore
-
-        return Session(
-            store=CallStore(self.folder()),
-            prices=self.table(),
-            budget=self.budget,
-            dry=self.dry_run,
-        )
+        store = CallStore(self.folder())
+        return Session(store, prices=self.table(), budget=self.budget, dry=self.dry_run)
 
 
 Calls = OmitArgPrefixes[CallOptions]
@@ -162,8 +152,6 @@ def answering(session: Session, scene: str) -> Iterator[None]:
 
 def save_ledger(session: Session, made: Path) -> None:
     """Write the ledger of the bundle ``made``: one that has none, or has to grow."""
-    from ..calls.money.ledger import LEDGER
-
     entries = session.account.entries
     now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)
     if now or (any(e.earlier for e in entries) and not (made / LEDGER).exists()):

@@ -9,16 +9,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..backends import Backends, Mix
+from ..calls import Session
 from ..calls.money.budget import SharedBudget
 from ..calls.money.database import LOCAL, Keeper
+from ..calls.money.ledger import Account
 from ..calls.money.prices import Prices
+from ..calls.store import CallStore
 from ..errors import BackendError, InputError, StorageError, require
+from ..scene.provenance import plain
 from ..threads import threads
 from .prompts import Job
 from .records import key_of, place_of
 
 if TYPE_CHECKING:
-    from ..calls import Session
     from ..generation import Config
 
 
@@ -72,8 +75,6 @@ class Generating:
     """Who answers, as of where this was made; a process elsewhere has to agree."""
 
     def __post_init__(self) -> None:
-        from ..scene.provenance import plain
-
         told = self.mix.identity()
         if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
             told["answering"] = plain(self.mix.select().identity())
@@ -95,7 +96,6 @@ class Generating:
     def identity(self) -> dict[str, Any]:
         """Return backends, their settings unless all are embedded, and the stages' settings."""
         from ..generation import Config
-        from ..scene.provenance import plain
 
         config = plain(self.config or Config())
         return {"route": "generate", **self._answering, "config": config}
@@ -120,8 +120,6 @@ class Generating:
         return path
 
     def _check_answering(self, backends: Backends) -> None:
-        from ..scene.provenance import plain
-
         expected = self._answering.get("answering")
         if expected is None:
             return
@@ -137,10 +135,6 @@ class Generating:
     @contextlib.contextmanager
     def _session(self, job: Job) -> Iterator[Session]:
         """Return what the calls of one scene share; it knows what earlier runs spent on it."""
-        from ..calls import Session
-        from ..calls.money.ledger import Account
-        from ..calls.store import CallStore
-
         with contextlib.ExitStack() as open_:
             shared = self.shared_budget
             spending = None if shared is None else open_.enter_context(shared.spending())

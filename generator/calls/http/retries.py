@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import email.utils
 import random
 import threading
@@ -56,11 +57,8 @@ def retry_after(text: str | None, now: datetime | None = None) -> float | None:
     """
     if text is None:
         return None
-    try:
+    with contextlib.suppress(ValueError):
         seconds = float(text)
-    except ValueError:
-        pass
-    else:
         return seconds if 0 <= seconds < float("inf") else None
     try:
         date = email.utils.parsedate_to_datetime(text)

@@ -116,12 +116,10 @@ def _read(facts: Any, path: Path) -> tuple[str, Entry]:
     return fine["currency"], dataclasses.replace(entry, earlier=True)
 
 
-def _is_text(value: Any) -> bool:
-    return isinstance(value, str)
-
-
 _FITS: Mapping[str, Callable[[Any], bool]] = MappingProxyType({
-    **dict.fromkeys(("currency", "server", "question", "model", "at"), _is_text),
+    **dict.fromkeys(
+        ("currency", "server", "question", "model", "at"), lambda value: isinstance(value, str)
+    ),
     **dict.fromkeys(("tokens_in", "tokens_out", "images"), is_count),
     "seconds": is_number,
     "money": lambda value: value is None or is_number(value),
