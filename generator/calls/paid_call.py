@@ -29,15 +29,9 @@ Sign = Callable[[httpx2.Request], Mapping[str, str]]
 class PaidCall:
     """One question, sent until it is answered.
 
-    Attributes:
-        session: what the calls of a session share.
-        breaker: that of the server.
-        request: what is sent.
-        asked: what it asks.
-        secrets: what no message may hold.
-        send: begins one attempt.
-        sign: gives the headers that sign a request, for each attempt anew.
-        interrupt: came while the answer was waited for; to be raised once that is kept.
+    ``request`` asks what ``asked`` says; no message may hold ``secrets``. ``send`` begins one
+    attempt; ``sign`` gives the headers that sign a request, for each attempt anew. ``interrupt``
+    came while the answer was waited for, and is to be raised once that is kept.
     """
 
     session: SessionState
@@ -72,11 +66,7 @@ class PaidCall:
         return told
 
     def _attempt(self) -> Reply | Trouble:
-        """Send the request once, unless there is a reason not to.
-
-        Returns:
-            The answer, or why there is none, and another attempt may help.
-        """
+        """Send the request once; return the answer, or why there is none, if another may help."""
         self.session.check()
         self.breaker.check(str(self.asked))
         told = self._pay()

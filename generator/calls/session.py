@@ -68,11 +68,9 @@ class Session(SessionState):
         are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
         ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
         the kept answer is of no use any more. ``x-tabletopgen-meant`` stands for the body where
-        requests that differ ask the same, or that are alike do not: what is kept, is kept by it.
-        ``x-tabletopgen-free``: "yes" for what costs nothing (a look at a job), whatever the price
-        table has.
-        Other headers than those of HTTP itself are not sent either, whatever a library that makes
-        the request finds in the environment. Answers of status 2xx, and 4xx that no wait would
+        requests that differ ask the same, or that are alike do not. ``x-tabletopgen-free`` is "yes"
+        for what costs nothing (a look at a job), whatever the price table has. Other headers than
+        those of HTTP itself are not sent either. Answers of status 2xx, and 4xx that no wait would
         mend, are returned, with the key that they are kept under (``used.KEY``); everything else
         raises BackendError.
 
@@ -110,14 +108,8 @@ class Session(SessionState):
     def resume(self, scene: str, keeper: Keeper = LOCAL) -> Spending | None:
         """Know what earlier runs of a scene spent, and write this one's calls down with theirs.
 
-        To be called before any call.
-
-        Args:
-            scene: names it.
-            keeper: who works on the database of what was spent.
-
-        Returns:
-            Where that is: beside the answers; None if none are kept.
+        To be called before any call. Returns where that is: in the database, on which ``keeper``
+        works, beside the answers; None if none are kept.
 
         Raises:
             StorageError: what was spent cannot be read.

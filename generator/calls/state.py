@@ -49,7 +49,7 @@ class SessionState:
             StoppedError: there is reason to stop, and it did not end within ``grace``.
             KeyboardInterrupt: the same for the main thread, or the second one.
         """
-        own, stopping = Deadline(), False
+        own = Deadline()
         interrupt: BaseException | None = None
         while True:
             try:
@@ -60,8 +60,7 @@ class SessionState:
                     raise
                 interrupt = error
                 own.bring_forward(self._announce_grace())
-            if self.stop.is_set() and not stopping:
-                stopping = True
+            if self.stop.is_set():
                 own.bring_forward(time.monotonic() + self.grace)
             deadlines = (own, *self._deadlines())
             if any(d.until is not None and time.monotonic() >= d.until for d in deadlines):

@@ -56,10 +56,8 @@ class CallStore:
     def __init__(self, folder: str | Path, most_bytes: int = MOST_BYTES) -> None:
         """Use ``folder``, which is made, for its owner alone, when the first answer is kept.
 
-        Args:
-            folder: where the answers are.
-            most_bytes: what they may take up; those not asked for the longest go first. Where
-                several write, each may be off by a 32nd of it.
+        ``most_bytes`` is what answers may take up; those not asked for the longest go first. Where
+        several write, each may be off by a 32nd of it.
 
         Raises:
             InputError: ``most_bytes`` is no positive whole number.
@@ -90,9 +88,7 @@ class CallStore:
         return answer
 
     def put(self, key: str, answer: StoredAnswer) -> None:
-        """Keep an answer; whoever reads sees it whole or not at all.
-
-        Call it while ``holding`` the question, where others may do so.
+        """Keep an answer, while ``holding`` the question; who reads sees it whole or not at all.
 
         Raises:
             StorageError: it is larger than the store, or than any answer. Or the disk refuses: that
@@ -176,10 +172,7 @@ class CallStore:
             remove_file(left.parent, left.name)
 
     def _make_room(self, newest: Path, size: int) -> None:
-        """See to it that all answers fit, now that one of ``size`` bytes is there, too.
-
-        The folder is looked at only after so many bytes that it may be full.
-        """
+        """See to it that all answers fit; look only after so many bytes that it may be full."""
         with self._lock_room:
             self._room -= size
             if self._room < 0:
@@ -187,10 +180,7 @@ class CallStore:
                 self._room = min(self.most_bytes - kept, spare)
 
     def _evict(self, newest: Path) -> int:
-        """Drop what was not asked for the longest if it is too much; return the size of the rest.
-
-        ``newest`` stays. More goes than has to, so that the next answers find room.
-        """
+        """Drop what is oldest if it is too much, and some more, but ``newest``; return the size."""
         kept = sorted(self._list_kept(), key=lambda entry: entry[0])
         total = sum(size for _, size, _ in kept)
         wanted = total if total <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
@@ -227,11 +217,7 @@ def _encode(key: str, answer: StoredAnswer) -> bytes:
 
 
 def _decode(key: str, raw: bytes) -> StoredAnswer | None:
-    """Return the answer that ``raw`` holds, or None if it is not whole or another key's.
-
-    Raises:
-        StorageError: it was not written by a store.
-    """
+    """Return the answer that ``raw`` holds, or None if it is not whole or another key's."""
     first, _, content = raw.partition(b"\n")
     if first != b"%s %s" % (_MAGIC, _checksum(key, content)):
         return None

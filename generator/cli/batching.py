@@ -14,7 +14,7 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import InputError, escape, require_number, require_seed
 from ..io.files import check_folder
-from .paying import NO_CALLS, USUAL, Calls, Chosen, lines_of, roles_of
+from .paying import NO_CALLS, USUAL, Calls, Chosen, calls_folder, lines_of, roles_of
 from .printing import emit
 
 if TYPE_CHECKING:
@@ -82,7 +82,8 @@ def batch(
     asks: Backends | None = None
     if route == "generate":
         asks = mix.select()  # one that cannot answer is refused before anything is made
-        make = batches.Generating(mix, calls=str(calls.folder().absolute()), prices=calls.table())
+        folder = calls_folder(calls.calls).absolute()
+        make = batches.Generating(mix, calls=str(folder), prices=calls.table())
     elif mix != USUAL or calls.budget is not None or calls.dry_run:
         raise InputError(
             "--route compose asks nobody; leave out --backend, the roles, --budget and --dry-run."

@@ -148,11 +148,7 @@ def compose(
 
 
 def _intrinsics(text: str) -> Intrinsics:
-    """Read ``fx,fy,cx,cy``.
-
-    Raises:
-        InputError: not four numbers.
-    """
+    """Read ``fx,fy,cx,cy``; InputError if it is not four numbers."""
     try:
         fx, fy, cx, cy = (float(part) for part in text.split(","))
     except ValueError as error:

@@ -35,11 +35,8 @@ Chosen = OmitArgPrefixes[Annotated[Mix, arg(name="backend")]]
 Roles = Mapping[str, Mapping[str, Any]]
 """Who each role is: its name, and its settings."""
 
-USUAL = Mix()
-"""What generating commands use unless told otherwise."""
-
-NOBODY = Mix(backend=None)
-"""What commands use that can do without backends."""
+USUAL, NOBODY = Mix(), Mix(backend=None)
+"""What commands use unless told otherwise: those that generate, and that can do without."""
 
 
 def roles_of(mix: Mix, backends: Backends) -> Roles:
@@ -79,21 +76,13 @@ class CallOptions:
     calls: Path | None = None
     prices: Path | None = None
 
-    def folder(self) -> Path:
-        """Return the folder of cached responses."""
-        return calls_folder(self.calls)
-
     def table(self) -> Prices:
-        """Return the price table.
-
-        Raises:
-            InputError: the file cannot be used.
-        """
+        """Return the price table; InputError if the file cannot be used."""
         return Prices.default() if self.prices is None else Prices.load(self.prices)
 
     def session(self) -> Session:
         """Return a session with these settings."""
-        store = CallStore(self.folder())
+        store = CallStore(calls_folder(self.calls))
         return Session(store, prices=self.table(), budget=self.budget, dry=self.dry_run)
 
 
@@ -130,12 +119,7 @@ def _content(path: Path) -> str:
 def answering(session: Session, scene: str) -> Iterator[None]:
     """Have a session know what earlier runs of a scene spent, and end its calls with the command.
 
-    Where the command fails, what it cost is told on standard error. A dry run that came to a call
-    is no failure of its own, but ends the command likewise.
-
-    Raises:
-        StorageError: what was spent cannot be read.
-        InputError: it was in another currency than that of the price table.
+    Where the command fails, what it cost is told on standard error; see ``Session.resume``.
     """
     spending = session.resume(scene)
     assert spending is not None

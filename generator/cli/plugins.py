@@ -24,15 +24,13 @@ CHECKOUT = Path(__file__).parents[2]
 def find_commands() -> Mapping[str, EntryPoint]:
     """Return the commands of other packages by name; none of them is imported."""
     installed = {entry.name: entry for entry in entry_points(group=GROUP)}
-    return dict(sorted((installed | _of_checkout()).items()))
+    declared = project().get("entry-points", {}).get(GROUP, {})
+    own = {name: EntryPoint(name, value, GROUP) for name, value in declared.items()}
+    return dict(sorted((installed | own).items()))
 
 
 def load(entry: EntryPoint, needed: bool) -> Callable[..., Any] | None:
-    """Import a command; return None if it cannot be imported and is not needed, and say so.
-
-    Raises:
-        InputError: it is needed.
-    """
+    """Import a command; if it cannot be, InputError if it is needed, else say so: return None."""
     try:
         return entry.load()
     except Exception as error:  # it is not ours
@@ -55,8 +53,3 @@ def project() -> Mapping[str, Any]:
         return {}
     ours = isinstance(found, dict) and found.get("name") == "tabletopgen"
     return found if ours else {}
-
-
-def _of_checkout() -> dict[str, EntryPoint]:
-    declared = project().get("entry-points", {}).get(GROUP, {})
-    return {name: EntryPoint(name, value, GROUP) for name, value in declared.items()}

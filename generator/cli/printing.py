@@ -67,10 +67,7 @@ def print_scene(
     seconds: Mapping[str, Seconds] | None = None,
     session: Session | None = None,
 ) -> int:
-    """Print what a bundle holds, how long its stages took, and the calls that servers answered.
-
-    Returns the exit code of success.
-    """
+    """Print a bundle, how long its stages took, and the calls; return the exit code of success."""
     facts = describe(path, scene)
     if session is not None and session.account.entries:
         facts["ledger"] = session.account.facts(session.prices)
@@ -87,12 +84,9 @@ def print_scene(
             + f" cm  {o['mass_kg']:.3f} kg  on {o['on']}"
             for o in facts["objects"]
         ]
-        report = scene.report
-        gate = (
-            "no report"
-            if report is None
-            else ("passed" if report.passed else "FAILED: " + "; ".join(report.failures))
-        )
+        gate = "no report"
+        if report := scene.report:
+            gate = "passed" if report.passed else "FAILED: " + "; ".join(report.failures)
         notes = [f"  note: {w}" for w in facts["warnings"]]
         spent = [*_timings(seconds or {}), *_ledger(session)]
         return [str(path), *rows, f"  gate: {gate}", *notes, *spent]

@@ -82,19 +82,14 @@ def parse_json(
 
 
 def parse_object(
-    raw: bytes | str,
-    what: str,
-    error: type[TabletopError],
-    *,
-    max_bytes: int = MAX_JSON_BYTES,
-    max_depth: int = MAX_DEPTH,
+    raw: bytes | str, what: str, error: type[TabletopError], **bounds: int
 ) -> dict[str, Any]:
-    """Parse a foreign JSON text that is one object; see :func:`parse_json`.
+    """Parse a foreign JSON text that is one object; see :func:`parse_json`, also for ``bounds``.
 
     Raises:
         TabletopError: ``error``, if it is not.
     """
-    payload = parse_json(raw, what, error, max_bytes=max_bytes, max_depth=max_depth)
+    payload = parse_json(raw, what, error, **bounds)
     if not isinstance(payload, dict):
         raise error(f"{what} must be one JSON object, not {type(payload).__name__}.")
     return payload
@@ -199,9 +194,9 @@ def is_number(value: object, *, minimum: float = 0.0, maximum: float = 1e12) -> 
     return type(value) in (int, float) and minimum <= value <= maximum  # type: ignore[operator]
 
 
-def is_count(value: object, *, maximum: float = 1e12) -> bool:
-    """Return whether a value of a foreign JSON text is an integer from 0 to ``maximum``."""
-    return type(value) is int and is_number(value, maximum=maximum)
+def is_count(value: object) -> bool:
+    """Return whether a value of a foreign JSON text is an integer from 0 to 1e12."""
+    return type(value) is int and is_number(value)
 
 
 def _not_json(what: str, error: type[TabletopError], failure: Exception) -> TabletopError:

@@ -56,6 +56,7 @@ class Generating:
         budget: what all scenes may cost together, those of earlier runs too, in the currency of
             ``prices``; needs ``shared_budget``. A call that might exceed it is not sent.
         dry: nothing is sent: the first call that is not kept raises DryRunError.
+        keeper: who works on the databases of money: over several machines, a process owning them.
 
     Raises:
         BackendError: the backends cannot be selected here.
@@ -70,23 +71,20 @@ class Generating:
     budget: float | None = None
     dry: bool = False
     keeper: Keeper = field(default=LOCAL, repr=False, compare=False)
-    """Who works on the databases of money: over several machines, a process that owns them."""
-    _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
-    """Who answers, as of where this was made; a process elsewhere has to agree."""
+    _answering: dict[str, Any] = field(init=False, repr=False, compare=False)  # where it was made
 
     def __post_init__(self) -> None:
         told = self.mix.identity()
         if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
             told["answering"] = plain(self.mix.select().identity())
         object.__setattr__(self, "_answering", told)
-        if self.budget is None:
-            return
-        require(self, "budget", minimum=0)
-        if self.shared_budget is None:
-            raise InputError(
-                "Generating needs a shared budget, which processes spend together. Give "
-                "shared_budget=shared_budget(FOLDER) of the batch's folder."
-            )
+        if self.budget is not None:
+            require(self, "budget", minimum=0)
+            if self.shared_budget is None:
+                raise InputError(
+                    "Generating needs a shared budget, which processes spend together. Give "
+                    "shared_budget=shared_budget(FOLDER) of the batch's folder."
+                )
 
     def kept_by(self, keeper: Keeper) -> Generating:
         """Return this maker, its databases of money worked on by ``keeper``."""
@@ -134,7 +132,7 @@ class Generating:
 
     @contextlib.contextmanager
     def _session(self, job: Job) -> Iterator[Session]:
-        """Return what the calls of one scene share; it knows what earlier runs spent on it."""
+        """Yield the session of one scene, which knows what earlier runs spent on it."""
         with contextlib.ExitStack() as open_:
             shared = self.shared_budget
             spending = None if shared is None else open_.enter_context(shared.spending())

@@ -75,11 +75,7 @@ def place_of(folder: Path) -> Path:
 def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
     """Make a job's scene in ``folder``, unless that is done, or someone else is at it.
 
-    Args:
-        job: what to make.
-        folder: where the bundle goes; it is there.
-        make: how it is made.
-        retry: try again what failed in a way that was kept.
+    ``retry`` tries again what failed in a way that was kept.
 
     Raises:
         StorageError: the folder cannot be written, or the disk is full.
@@ -153,8 +149,7 @@ def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
 def _put_in_place(job: Job, folder: Path, name: str) -> None:
     """Put a recorded bundle that lies where it was made among the others.
 
-    What lies in its place makes way only if the new one has the digest that its name ends with, so
-    that it is the same bundle, damaged.
+    What lies in its place makes way only if it is the same bundle, by its digest, damaged.
     """
     own = folder / PLACE / name
     found = None if own.is_symlink() or not own.is_dir() else read(job, folder / PLACE, name)

@@ -109,13 +109,7 @@ def try_out(
 
     Those that are still to be made are begun by processes of this machine, elsewhere: one that
     would ask is "unpaid", with its calls as the error; one whose answers are all kept is "made".
-
-    Args:
-        prompts: texts, paths of pictures, or jobs, as ``run`` takes them.
-        folder: where the bundles would go; need not be there.
-        make: how they would be made.
-        workers: how many are tried at a time.
-        retry: also what failed before.
+    ``folder``, where the bundles would go, need not be there; the arguments are those of ``run``.
     """
     jobs, folder = jobs_of(prompts), Path(folder)
     known = {job: find_outcome(job, folder, key_of(job, make), retry) for job in jobs}

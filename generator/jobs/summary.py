@@ -68,13 +68,14 @@ class Summary:
         }
 
 
-def write_summary(summary: Summary, folder: Path) -> Path:
-    """Write a summary into a batch's folder; return the file.
+def write_summary(summary: Summary, folder: Path) -> None:
+    """Write a summary into a batch's folder.
 
     Raises:
         StorageError: it cannot be written.
     """
-    path = folder / FILE
-    text = json.dumps(summary.facts(), indent=1) + "\n"
-    write_whole(path, text, "The batch's summary", "Free space there, or choose another folder.")
-    return path
+    text, advice = (
+        json.dumps(summary.facts(), indent=1),
+        "Free space there, or choose another folder.",
+    )
+    write_whole(folder / FILE, text + "\n", "The batch's summary", advice)

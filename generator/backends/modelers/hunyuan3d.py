@@ -74,7 +74,7 @@ class Hunyuan3D:
                 f"hunyuan3d has no version {self.version!r}." + choices(self.version, _BODIES)
             )
         if self.url:
-            _check_url(self.url)
+            self._address()
         require(self, "octree", minimum=64, maximum=512, integer=True)
         require(self, "steps", minimum=1, maximum=20, integer=True)
         require(self, "asked_faces", minimum=1000, maximum=100_000, integer=True)
@@ -115,7 +115,9 @@ class Hunyuan3D:
         }
 
     def _address(self) -> str:
-        return _check_url(self.url or os.environ.get(ADDRESS, "") or USUAL)
+        url = self.url or os.environ.get(ADDRESS, "") or USUAL
+        hint = f"Correct Hunyuan3D.url or {ADDRESS}."
+        return checked_address(url, "hunyuan3d: its address", hint)
 
     def _ask(self, body: Mapping[str, Any], what: str, memo: str, used: Used) -> bytes:
         headers = {
@@ -158,7 +160,3 @@ _BODIES: Mapping[str, Mapping[str, Any]] = {
     "2.0": {"type": "glb"},
     "2.1": {"remove_background": False, "num_chunks": 8000},
 }
-
-
-def _check_url(url: str) -> str:
-    return checked_address(url, "hunyuan3d: its address", f"Correct Hunyuan3D.url or {ADDRESS}.")

@@ -15,7 +15,6 @@ from ...calls.session import Session
 from ...calls.used import Used
 from ...errors import BackendError, choices, require
 from ...io.png import encode_png
-from ...io.reading import split_url
 from ...meshes.normalising import Normal, foreign_model, normal_mesh
 from ...meshes.reading.inspection import inspect_glb
 from ...scene import Instance, Model, SizePrior, View
@@ -110,10 +109,7 @@ class Tencent:
         return foreign_model(mesh, instance, size)
 
     def _result(self, service: Service, job: str) -> bytes:
-        """Return a job's GLB, once it is done.
-
-        The last look at a job is kept with its answer: what is downloaded once needs no network
-        again.
+        """Return a job's GLB, once it is done; the last look at it is kept, as what it leads to is.
 
         Raises:
             LostJob: it was over before this look at it, and nothing can be had of it.
@@ -152,12 +148,12 @@ class Tencent:
         if "GLB" not in files:
             service.used.drop()
             raise BackendError(f"{what} the result has no GLB." + choices("GLB", files))
+        url = files["GLB"]
         try:
-            url = check_link(files["GLB"], f"{what} the result's address", BackendError)
+            parts = check_link(url, f"{what} the result's address", BackendError)
         except BackendError:
             service.used.drop(last=True)  # the job is paid for: the next run looks at it again
             raise
-        parts = split_url(url, f"{what} the result's address", BackendError)
         if not self._trusted(parts.scheme, parts.hostname or ""):
             raise BackendError(
                 f"{what} the result lies at {parts.scheme}://{parts.hostname}, not below "

@@ -53,8 +53,7 @@ def redact(text: str, secrets: Iterable[str] = ()) -> str:
 def excerpt(said: bytes | str, most: int, secrets: Iterable[str] = ()) -> str:
     """Return how a server's words begin: at most ``most`` characters, without secrets.
 
-    What a terminal would obey is left out.
-    However long they are, this takes no longer than for a page.
+    Terminal controls are replaced. However long the words are, a page of them is looked at.
     """
     secrets = tuple(secrets)
     text = said[:_READ] if isinstance(said, str) else said[:_READ].decode("utf-8", "replace")

@@ -19,10 +19,9 @@ class RetryPolicy:
     """How calls are tried again; all in seconds but ``factor`` and ``failures``.
 
     The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
-    A server that says how long to wait (Retry-After) is obeyed up to ``obeyed``; one that asks for
-    more is not waited for. After ``failures`` in a row a server is left alone for ``rest``; then
-    one call tries it. Calls that fail beside each other count as one of them: see
-    ``FailureStreak``.
+    A Retry-After is obeyed up to ``obeyed``; a server that asks for more is not waited for. After
+    ``failures`` in a row, see ``FailureStreak``, a server is left alone for ``rest``; then one call
+    tries it.
 
     Raises:
         InputError: a number is out of range.
@@ -51,10 +50,7 @@ class RetryPolicy:
 
 
 def retry_after(text: str | None, now: datetime | None = None) -> float | None:
-    """Return the seconds that a Retry-After header asks for: a number, or a date still to come.
-
-    None where there is no header, or none that can be read.
-    """
+    """Return the seconds that a Retry-After header asks for, a number or a date, if it has one."""
     if text is None:
         return None
     with contextlib.suppress(ValueError):
@@ -72,8 +68,7 @@ def retry_after(text: str | None, now: datetime | None = None) -> float | None:
 class FailureStreak:
     """The failures in a row that one call stands at the end of: earlier calls' and its own.
 
-    Of calls at once each has a line of its own, so that one bad moment of a server, which befalls
-    all of them, counts once.
+    Calls at once have one each, so that a server's bad moment, which befalls all, counts once.
     """
 
     turn: int
@@ -81,12 +76,11 @@ class FailureStreak:
 
 
 class Breaker:
-    """Keeps calls from a server that does not work: one for each server, shared by all threads."""
+    """Keeps the calls of all threads from one server that does not work; ``clock`` in seconds."""
 
     def __init__(
         self, server: str, policy: RetryPolicy, clock: Callable[[], float] = time.monotonic
     ) -> None:
-        """``server`` is its name in messages; ``clock`` tells seconds."""
         self._server = server
         self._policy = policy
         self._clock = clock

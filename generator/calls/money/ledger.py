@@ -41,9 +41,8 @@ class Account:
     def resume(self, spending: Spending, prices: Prices | None = None) -> None:
         """Enter what earlier runs of this scene spent, and write there what this one does.
 
-        To be called before any call. What was spent earlier counts for a budget, too. Answers whose
-        price was not known are priced by ``prices``, if their models are there now; a budget cannot
-        be kept while there are others.
+        To be called before any call. What was spent earlier counts for a budget, too. Answers of
+        unknown price are priced by ``prices`` if they can be; else no budget can be kept.
 
         Raises:
             StorageError: the file is there, and cannot be read.
@@ -62,13 +61,11 @@ class Account:
     def record(self, sent: Entry, key: str, *, must: bool = False) -> Callable[[Entry], None]:
         """Write down a call that is about to be sent; returns what writes down how it ended.
 
-        Args:
-            sent: the call, as it counts if nobody says how it ended.
-            key: its question's.
-            must: whether it may only be sent where it is written down: with a budget.
+        ``sent`` is how the call of that question's ``key`` counts if nobody says how it ended.
 
         Raises:
-            StorageError: with ``must``, the disk refuses. Else, and at its end, it is noted.
+            StorageError: the disk refuses, and ``must`` says that the call may not be sent then, as
+                with a budget. Else, and at its end, that is noted.
         """
         spending, calls = self._spending, list[int]()
 
@@ -129,13 +126,9 @@ class Account:
         """Set aside what a call may cost while it runs; yields what enters the call instead.
 
         Where the budget would do but for calls under way, they are waited for: most cost less
-        than they might.
-
-        Args:
-            maximum: the most it can cost; None where that is not known.
-            budget: what all calls may cost; None for no limit.
-            what: names the call in the message.
-            check: called now and then while it waits; may raise.
+        than they might. ``check`` is called now and then meanwhile, and may raise. ``maximum`` is
+        None where it is not known, ``budget`` None for no limit; ``what`` names the call in the
+        message.
 
         Raises:
             BudgetError: it might exceed the budget, or nobody knows.
@@ -181,7 +174,7 @@ class Account:
             )
 
     def _reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:
-        """Set aside what a call may cost, if it may be sent now; else others have to end first."""
+        """Set aside what a call may cost; None if others have to end first."""
         if self._shared is not None:
             return self._shared.reserve(maximum, budget, what)
         asked, spent = maximum or 0.0, self.money
@@ -227,9 +220,7 @@ class Account:
         }
 
     def save(self, folder: str | Path, prices: Prices) -> Path:
-        """Write ``ledger.json`` into ``folder``, whole or not at all; return its path.
-
-        A bundle's folder may hold it: what the bundle lists does not change.
+        """Write ``ledger.json`` into a folder, whole or not at all; return its path.
 
         Raises:
             StorageError: it cannot be written.

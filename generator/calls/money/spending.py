@@ -70,10 +70,8 @@ class Spending:
     def write(self, key: str, entry: Entry, call: int | None = None) -> int:
         """Write down what a call costs; return its number.
 
-        Args:
-            key: its question's, under which the answer is kept.
-            entry: what is known of it.
-            call: its number, once it has ended; None for one that is about to be sent.
+        ``key`` is its question's, under which the answer is kept. ``call`` is its number, once it
+        has ended; None for one that is about to be sent.
 
         Raises:
             StorageError: the disk refuses.
@@ -97,12 +95,9 @@ def _write(database: sqlite3.Connection, scene: str, facts: str, call: int | Non
 
 
 def _read(facts: Any, path: Path) -> tuple[str, Entry]:
-    """Return the currency and the call of a row.
+    """Return the currency and the call of a row; StorageError if it does not say what was spent.
 
     What else is of the wrong kind is left out, so that the money counts.
-
-    Raises:
-        StorageError: it does not say what was spent.
     """
     try:
         told = parse_object(str(facts).encode(), "A call", StorageError)
