@@ -85,11 +85,10 @@ class SessionState:
 
     def pause(self, seconds: float) -> None:
         """Wait, unless there is a reason to stop: see ``check``."""
-        left = seconds
-        while left > 0:
+        while seconds > 0:
             self.check()
-            self.stop.wait(min(left, _SLICE))
-            left -= _SLICE
+            self.stop.wait(min(seconds, _SLICE))
+            seconds -= _SLICE
         self.check()
 
     def _halts(self) -> tuple[threading.Event, ...]:

@@ -26,12 +26,10 @@ from ..errors import StorageError, require_number
 from ..io.files import make_private, remove_file
 from ..io.reading import parse_object, read_regular
 
-MOST_BYTES = 4 * 2**30
-"""Size of a store unless its owner says otherwise."""
-
 MOST_ANSWER_BYTES = 257 * 2**20
 """Size of one kept answer: more than the largest that a server is read for."""
 
+_MOST_BYTES = 4 * 2**30  # of a store unless its owner says otherwise
 _MAGIC = b"tabletopgen call 1"
 _KEY = re.compile(r"[0-9a-f]{64}")
 _PARTIAL = ".partial-"
@@ -53,7 +51,7 @@ class StoredAnswer:
 class CallStore:
     """A folder of answers that several threads and processes may use at once."""
 
-    def __init__(self, folder: str | Path, most_bytes: int = MOST_BYTES) -> None:
+    def __init__(self, folder: str | Path, most_bytes: int = _MOST_BYTES) -> None:
         """Use ``folder``, which is made, for its owner alone, when the first answer is kept.
 
         ``most_bytes`` is what answers may take up; those not asked for the longest go first. Where

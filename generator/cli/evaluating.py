@@ -5,7 +5,8 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,9 +21,7 @@ from .store import find, one, some
 if TYPE_CHECKING:
     from ..evaluation import Evaluation
     from ..evaluation.judged import Picture
-    from ..evaluation.perceptual import Available
     from ..evaluation.surfaces.collisions import Rates
-    from ..scene import Scene
 
 
 def evaluate(
@@ -52,7 +51,7 @@ def evaluate(
         json: Print one JSON object instead of tables.
     """
     from ..bundle import load
-    from ..evaluation import rates
+    from ..evaluation import evaluate_bundle, rates
     from ..evaluation.external import TRANSFORMS
     from ..evaluation.judged import as_judge
     from ..evaluation.perceptual import available
@@ -78,7 +77,8 @@ def evaluate(
         paths += [folder] if (folder / TRANSFORMS).is_file() else find(wanted)
     scene = scene_key("evaluate", who, [str(path.resolve()) for path in paths], picture)
     with answering(session, scene) if session is not None else contextlib.nullcontext():
-        found, order, would = _measure(paths, given, true, metrics, asked)
+        measure = partial(evaluate_bundle, picture=given, truth=true, metrics=metrics, judge=asked)
+        found, order, would = _measure(paths, measure, given, asked)
     if calls.dry_run:
         return print_dry_run(DryRunError("\n".join(would)), json)
     summary = rates(e.collisions for _, e in found)
@@ -101,29 +101,24 @@ def evaluate(
 
 def _measure(
     paths: Sequence[Path],
+    measure: Callable[[Path], Evaluation],
     picture: Picture | None,
-    true: Scene | None,
-    metrics: Available | None,
     judge: object | None,
 ) -> tuple[list[tuple[str, Evaluation]], tuple[str, ...], list[str]]:
     """Return the scenes' measures, how they rank, and what a dry run would have asked the judge."""
-    from ..evaluation import report
+    from ..evaluation import ranking
 
     found: list[tuple[str, Evaluation]] = []
     order: tuple[str, ...] = ()
     would: list[str] = []
     for path in paths:
         try:
-            evaluation = report.evaluate_bundle(
-                path, picture=picture, truth=true, metrics=metrics, judge=judge
-            )
+            found.append((str(path), measure(path)))
         except DryRunError as error:  # the others are asked about all the same
             would.append(str(error))
-        else:
-            found.append((str(path), evaluation))
     if judge is not None and picture is not None and 1 < len(found) == len(paths):
         try:
-            order = report.ranking(dict(found), picture, judge)
+            order = ranking(dict(found), picture, judge)
         except DryRunError as error:
             would.append(str(error))
     return found, order, would

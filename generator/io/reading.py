@@ -19,24 +19,18 @@ from urllib.parse import SplitResult, urlsplit
 
 from ..errors import TabletopError
 
-MAX_DEPTH = 64
-"""Lists and objects of a JSON text may be nested this deep."""
-
-MAX_JSON_BYTES = 64 * 2**20
-"""A JSON text may be this long unless the caller says otherwise."""
-
-MAX_VALUES = 4_000_000
-"""A JSON text may hold this many lists, objects and commas; read, each takes up to 72 bytes."""
-
 MAX_URL_LENGTH = 8192
 
 MAX_NAME_LENGTH = 200
 """Characters of a name or a label."""
 
+_MAX_DEPTH = 64  # of lists and objects in a JSON text
+_MAX_JSON_BYTES = 64 * 2**20  # unless the caller says otherwise
+_MAX_VALUES = 4_000_000  # lists, objects and commas of a JSON text; each takes up to 72 bytes
 _STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)  # possessive: linear in time
 _PART = rb'(?:[\w-]++|"[^"\n]*+"|\'[^\'\n]*+\')[ \t]*+'  # of a dotted key
 _DOTTED = re.compile(
-    rb"(?m:^|[\[{,])[ \t]*+" + _PART + rb"(?:\.[ \t]*+" + _PART + rb"){%d}" % MAX_DEPTH
+    rb"(?m:^|[\[{,])[ \t]*+" + _PART + rb"(?:\.[ \t]*+" + _PART + rb"){%d}" % _MAX_DEPTH
 )
 _HOST = re.compile(r"[\w.:%-]+", re.ASCII)  # of an IPv6 address the colons, too
 _NOT_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
@@ -48,8 +42,8 @@ def parse_json(
     what: str,
     error: type[TabletopError],
     *,
-    max_bytes: int = MAX_JSON_BYTES,
-    max_depth: int = MAX_DEPTH,
+    max_bytes: int = _MAX_JSON_BYTES,
+    max_depth: int = _MAX_DEPTH,
 ) -> Any:
     """Parse a foreign JSON text; every number in it is finite, every string is valid Unicode.
 
@@ -66,8 +60,8 @@ def parse_json(
     if len(data) > max_bytes:
         raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
     bare = _STRING.sub(b"", data)
-    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > MAX_VALUES:
-        raise error(f"{what} holds more than the {MAX_VALUES} values that are read.")
+    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > _MAX_VALUES:
+        raise error(f"{what} holds more than the {_MAX_VALUES} values that are read.")
     if _depth(bare) > max_depth:
         raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
     try:
@@ -103,8 +97,8 @@ def parse_toml(raw: bytes, what: str, error: type[TabletopError]) -> dict[str, A
     Raises:
         TabletopError: ``error``, if it is too deep, by brackets or by dotted keys, or no TOML.
     """
-    if _depth(raw) > MAX_DEPTH or _DOTTED.search(raw):
-        raise error(f"{what} nests tables deeper than {MAX_DEPTH} levels.")
+    if _depth(raw) > _MAX_DEPTH or _DOTTED.search(raw):
+        raise error(f"{what} nests tables deeper than {_MAX_DEPTH} levels.")
     try:
         return tomllib.loads(raw.decode("utf-8-sig"))
     except (ValueError, RecursionError) as failure:

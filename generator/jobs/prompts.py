@@ -13,9 +13,7 @@ from typing import Any, Protocol
 from ..errors import InputError, require_number, require_seed
 from ..io.reading import parse_json, read_regular
 
-MOST = 100_000
-"""No batch has more scenes."""
-
+_MOST = 100_000  # scenes of a batch
 _MOST_TEXT = 20_000  # letters of a prompt
 _MOST_BYTES = 64 * 2**20  # of a file of prompts
 
@@ -64,14 +62,14 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
     Raises:
         InputError: none, too many, or a number out of range.
     """
-    require_number("A batch needs variants", variants, minimum=1, maximum=MOST, integer=True)
+    require_number("A batch needs variants", variants, minimum=1, maximum=_MOST, integer=True)
     first = dict.fromkeys(p if isinstance(p, Job) else Job(p, seed) for p in prompts)
     seeds: dict[str, list[int]] = {}
     for job in first:
         seeds.setdefault(job.text, []).append(job.seed)
     count = sum(_count_seeds(sorted(firsts), variants) for firsts in seeds.values())
-    if not 0 < count <= MOST:
-        raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {count:,}.")
+    if not 0 < count <= _MOST:
+        raise InputError(f"A batch needs 1 to {_MOST:,} scenes, got {count:,}.")
     jobs: dict[Job, None] = {}
     for job in first:
         for k in range(variants):

@@ -31,8 +31,7 @@ from ..io.files import remove_file, remove_tree, write_whole
 from .facts import Outcome, read
 from .prompts import Job, Maker, key
 
-KEPT = frozenset({"InputError", "SceneError"})
-"""Failures that the same job meets again: they are not tried anew unless asked for."""
+_KEPT = frozenset({"InputError", "SceneError"})  # failures that recur: not retried unless asked
 
 CRASH = "Crash"
 """The kind of failure of a job whose process died."""
@@ -101,10 +100,8 @@ def find_outcome(job: Job, folder: Path, name: str, retry: bool = False) -> Outc
     found = read(job, folder / PLACE, name)
     if found is None:
         return None
-    if found.bundle is None:
-        done = found.kind in KEPT and not retry
-    else:
-        done = _sound(folder / found.bundle)
+    kept = found.kind in _KEPT and not retry
+    done = kept if found.bundle is None else _sound(folder / found.bundle)
     return found if done else None
 
 

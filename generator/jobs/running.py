@@ -25,11 +25,9 @@ if TYPE_CHECKING:
 Progress = Callable[[Outcome, int, int], None]
 """Called as a job is done, with what came of it, how many are done, and how many there are."""
 
-PAUSE = 0.5
-"""Seconds between two looks at jobs that another batch is at."""
+_PAUSE = 0.5  # seconds between two looks at jobs that another batch is at
 
-GRACE = 10.0
-"""Seconds that interrupted workers have to end: more than a session's ``grace``."""
+_GRACE = 10.0  # seconds that interrupted workers have to end: more than a session's ``grace``
 
 
 def run(
@@ -86,7 +84,7 @@ def run(
             report(outcome)
     if missing:
         pool, make = _pool(min(workers, len(missing)), ray, make)
-        grace = GRACE
+        grace = _GRACE
         try:
             _run_all(missing, pool, folder, make, retry, report)
             grace = 0.0
@@ -149,7 +147,7 @@ def _run_all(
     crashed, busy = deque[Job](), deque[Job]()
     while waiting or crashed or busy or running:
         if not (waiting or crashed or running):
-            time.sleep(PAUSE)
+            time.sleep(_PAUSE)
             waiting, busy = busy, deque()
         alone = not waiting and not running and bool(crashed)
         source = crashed if alone else waiting

@@ -23,9 +23,7 @@ from .cutout import cutout
 ADDRESS = "TABLETOPGEN_HUNYUAN3D_URL"
 """The environment's name for the server's address, where ``Hunyuan3D.url`` is empty."""
 
-USUAL = "http://127.0.0.1:8081"
-"""Where the server listens unless told otherwise."""
-
+_USUAL = "http://127.0.0.1:8081"  # where the server listens unless told otherwise
 _MOST_BYTES = 128 * 2**20
 _ROUTE = "generate"  # the only one that tells of failures
 
@@ -115,7 +113,7 @@ class Hunyuan3D:
         }
 
     def _address(self) -> str:
-        url = self.url or os.environ.get(ADDRESS, "") or USUAL
+        url = self.url or os.environ.get(ADDRESS, "") or _USUAL
         hint = f"Correct Hunyuan3D.url or {ADDRESS}."
         return checked_address(url, "hunyuan3d: its address", hint)
 

@@ -7,8 +7,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 
-LIMIT = 60.0
-"""Seconds that a probe may take."""
+_LIMIT = 60.0  # seconds that a probe may take
 
 GL_BACKENDS = ("egl", "osmesa", "glfw")
 """What ``MUJOCO_GL`` may name."""
@@ -48,12 +47,12 @@ class Probe:
 
 def draw(backend: str) -> Probe:
     """Tell whether MuJoCo can draw a picture with one of ``GL_BACKENDS``."""
-    return run(_DRAW, LIMIT, MUJOCO_GL=backend)
+    return run(_DRAW, _LIMIT, MUJOCO_GL=backend)
 
 
 def cuda() -> Probe:
     """Tell whether torch can use a CUDA device."""
-    return run(_CUDA, LIMIT)
+    return run(_CUDA, _LIMIT)
 
 
 def run(code: str, limit: float, **environment: str) -> Probe:
