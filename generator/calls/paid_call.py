@@ -52,7 +52,8 @@ class PaidCall:
         if self.session.dry:
             most, currency = self.asked.most, self.session.prices.currency
             price = "at a price that is not known"
-            price = price if most is None else f"for at most {most:.4f} {currency}"
+            if most is not None:
+                price = f"for at most {most:.4f} {currency}"
             raise DryRunError(f"Would ask {self.asked}, {price}.")
         self._line, self._late = self.breaker.line(), 0
         told = tenacity.Retrying(

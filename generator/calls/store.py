@@ -178,7 +178,10 @@ class CallStore:
                 self._room = min(self.most_bytes - kept, spare)
 
     def _evict(self, newest: Path) -> int:
-        """Drop what is oldest if it is too much, and some more, but ``newest``; return the size."""
+        """Drop what was not asked for the longest if all is too much; return the size of the rest.
+
+        ``newest`` stays. More goes than has to, so that the next answers find room.
+        """
         kept = sorted(self._list_kept(), key=lambda entry: entry[0])
         total = sum(size for _, size, _ in kept)
         wanted = total if total <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE

@@ -32,14 +32,11 @@ _MOST_BYTES = 2**30  # of a file that decides a scene
 Chosen = OmitArgPrefixes[Annotated[Mix, arg(name="backend")]]
 """The type of a command's argument that makes these options."""
 
-Roles = Mapping[str, Mapping[str, Any]]
-"""Who each role is: its name, and its settings."""
-
 USUAL, NOBODY = Mix(), Mix(backend=None)
 """What commands use unless told otherwise: those that generate, and that can do without."""
 
 
-def roles_of(mix: Mix, backends: Backends) -> Roles:
+def roles_of(mix: Mix, backends: Backends) -> dict[str, dict[str, Any]]:
     """Return for each role who it is by name, and the settings that decide its answers."""
     names, settings = mix.roles(), backends.identity()
     return {
@@ -48,7 +45,7 @@ def roles_of(mix: Mix, backends: Backends) -> Roles:
     }
 
 
-def lines_of(roles: Roles) -> list[str]:
+def lines_of(roles: Mapping[str, Mapping[str, Any]]) -> list[str]:
     """Return ``roles_of`` as a line for each role."""
     lines = []
     for role, facts in roles.items():

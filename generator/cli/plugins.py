@@ -30,7 +30,11 @@ def find_commands() -> Mapping[str, EntryPoint]:
 
 
 def load(entry: EntryPoint, needed: bool) -> Callable[..., Any] | None:
-    """Import a command; if it cannot be, InputError if it is needed, else say so: return None."""
+    """Import a command; return None if it cannot be imported and is not needed, and say so.
+
+    Raises:
+        InputError: it is needed.
+    """
     try:
         return entry.load()
     except Exception as error:  # it is not ours

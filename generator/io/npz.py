@@ -18,8 +18,6 @@ from ..errors import TabletopError
 from .reading import read_regular
 
 _MAX_ARRAYS = 4096  # of a file
-
-
 _COMPRESSIONS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 
 

@@ -71,7 +71,8 @@ class Generating:
     budget: float | None = None
     dry: bool = False
     keeper: Keeper = field(default=LOCAL, repr=False, compare=False)
-    _answering: dict[str, Any] = field(init=False, repr=False, compare=False)  # where it was made
+    # who answers as of where this was made; a process elsewhere has to agree
+    _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         told = self.mix.identity()

@@ -22,9 +22,6 @@ from .workers import WorkerDied, WorkerPool
 if TYPE_CHECKING:
     from .on_ray import RayPool
 
-Progress = Callable[[Outcome, int, int], None]
-"""Called as a job is done, with what came of it, how many are done, and how many there are."""
-
 _PAUSE = 0.5  # seconds between two looks at jobs that another batch is at
 
 _GRACE = 10.0  # seconds that interrupted workers have to end: more than a session's ``grace``
@@ -40,7 +37,7 @@ def run(
     seed: int = 0,
     variants: int = 1,
     retry: bool = False,
-    progress: Progress | None = None,
+    progress: Callable[[Outcome, int, int], None] | None = None,
 ) -> Summary:
     """Make many scenes into one folder; what is there already is not made again.
 
@@ -56,7 +53,8 @@ def run(
         seed: of each text.
         variants: how many seeds each text is made with, from its own on.
         retry: try again what failed as its gate or its text had it. Other failures always are.
-        progress: called as each job is done.
+        progress: called as a job is done: with what came of it, how many are done, and how many
+            there are.
 
     Returns:
         What came of each job, in their order, and the figures of their gates.

@@ -74,8 +74,6 @@ def write_summary(summary: Summary, folder: Path) -> None:
     Raises:
         StorageError: it cannot be written.
     """
-    text, advice = (
-        json.dumps(summary.facts(), indent=1),
-        "Free space there, or choose another folder.",
-    )
-    write_whole(folder / FILE, text + "\n", "The batch's summary", advice)
+    text = json.dumps(summary.facts(), indent=1) + "\n"
+    advice = "Free space there, or choose another folder."
+    write_whole(folder / FILE, text, "The batch's summary", advice)

@@ -141,7 +141,7 @@ class _Worker:
     proven: bool = False
 
     def start(self) -> None:
-        """Start the process in a session of its own, with this process's modules, or OSError."""
+        """Start the process in a session of its own, with this process's modules."""
         path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
         alone = {name: os.environ.get(name, "1") for name in _SINGLE_THREAD}
         folder = self.state.folder

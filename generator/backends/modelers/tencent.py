@@ -109,7 +109,7 @@ class Tencent:
         return foreign_model(mesh, instance, size)
 
     def _result(self, service: Service, job: str) -> bytes:
-        """Return a job's GLB, once it is done; the last look at it is kept, as what it leads to is.
+        """Return a job's GLB, once it is done; what is downloaded once needs no network again.
 
         Raises:
             LostJob: it was over before this look at it, and nothing can be had of it.

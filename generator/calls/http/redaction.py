@@ -40,7 +40,7 @@ def redact(text: str, secrets: Iterable[str] = ()) -> str:
     """Return ``text`` without the secrets given, and without what is shaped like a key.
 
     A secret is found as it is, quoted for a URL, escaped in JSON, or in base64 by itself; one of
-    fewer than ``_SHORT`` characters only where it is a word by itself, or it would garble others.
+    fewer than 8 characters only where it is a word by itself, or it would garble others.
     """
     for secret in sorted(set(secrets), key=len, reverse=True):
         text = _pattern_of(secret).sub(REDACTED, text)
@@ -52,7 +52,7 @@ def redact(text: str, secrets: Iterable[str] = ()) -> str:
 def excerpt(said: bytes | str, most: int, secrets: Iterable[str] = ()) -> str:
     """Return how a server's words begin: at most ``most`` characters, without secrets.
 
-    Terminal controls are replaced. However long the words are, a page of them is looked at.
+    Terminal controls are replaced. However long it is, no more than 64 KiB are looked at.
     """
     secrets = tuple(secrets)
     text = said[:_READ] if isinstance(said, str) else said[:_READ].decode("utf-8", "replace")

@@ -59,7 +59,10 @@ class Keeper(Protocol):
         ...
 
     def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
-        """Return ``operation(connection, *args)``, done in one transaction; it can be pickled."""
+        """Return ``operation(connection, *args)``, done in one transaction.
+
+        The operation is a function of a module, so that it can be pickled.
+        """
         ...
 
     def owning(self, folder: Path) -> contextlib.AbstractContextManager[str]:
