@@ -5,74 +5,33 @@ from __future__ import annotations
 import dataclasses
 import time
 from collections.abc import Callable, Mapping
+from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import httpx2
 import tenacity
 
 from ..errors import BackendError, DryRunError, StorageError, TabletopError, UnusableError
 from .http.exchange import Reply, Trouble
-from .http.pending import PendingCall
 from .http.redaction import redact
-from .http.retries import Breaker, Breakers, RetryPolicy, retry_after
+from .http.retries import Breaker, retry_after
 from .money.entries import Entry, Outcome
-from .money.ledger import Account
-from .money.prices import Prices
 from .question import NOTHING, Question, Usage, failed, usage
-from .store import CallStore
+from .state import SessionState
 
 _LATE = 1  # how often a call is sent again that was waited for in vain: each may have been paid for
 
 Sign = Callable[[httpx2.Request], Mapping[str, str]]
 
 
-class SessionState(Protocol):
-    """What the calls of a session share, as one call sees it; see ``Session``."""
-
-    @property
-    def store(self) -> CallStore | None: ...  # noqa: D102
-    @property
-    def account(self) -> Account: ...  # noqa: D102
-    @property
-    def prices(self) -> Prices: ...  # noqa: D102
-    @property
-    def budget(self) -> float | None: ...  # noqa: D102
-    @property
-    def attempts(self) -> int: ...  # noqa: D102
-    @property
-    def dry(self) -> bool: ...  # noqa: D102
-    @property
-    def retry_policy(self) -> RetryPolicy: ...  # noqa: D102
-    @property
-    def breakers(self) -> Breakers: ...  # noqa: D102
-
-    def check(self) -> None:
-        """Raise StoppedError if there is a reason to stop."""
-        ...
-
-    def pause(self, seconds: float) -> None:
-        """Wait, unless there is a reason to stop."""
-        ...
-
-    def wait_for(self, call: PendingCall[Any]) -> BaseException | None:
-        """Wait for a pending call; return what interrupted it."""
-        ...
-
-
 @dataclass(eq=False, repr=False)
 class PaidCall:
     """One question, sent until it is answered.
 
-    Attributes:
-        session: what the calls of a session share.
-        breaker: that of the server.
-        request: what is sent.
-        asked: what it asks.
-        secrets: what no message may hold.
-        send: begins one attempt.
-        sign: gives the headers that sign a request, for each attempt anew.
-        interrupt: came while the answer was waited for; to be raised once that is kept.
+    ``request`` asks what ``asked`` says; no message may hold ``secrets``. ``send`` begins one
+    attempt; ``sign`` gives the headers that sign a request, for each attempt anew. ``interrupt``
+    came while the answer was waited for, and is to be raised once that is kept.
     """
 
     session: SessionState
@@ -80,7 +39,7 @@ class PaidCall:
     request: httpx2.Request
     asked: Question
     secrets: tuple[str, ...]
-    send: Callable[[httpx2.Request, tuple[str, ...]], PendingCall[Reply | Trouble]]
+    send: Callable[[httpx2.Request, tuple[str, ...]], Future[Reply | Trouble]]
     sign: Sign | None = None
     interrupt: BaseException | None = None
 
@@ -91,7 +50,11 @@ class PaidCall:
             BackendError: there is none; BudgetError, DryRunError and StoppedError are such.
         """
         if self.session.dry:
-            raise DryRunError(_would(self.asked, self.session.prices.currency))
+            most, currency = self.asked.most, self.session.prices.currency
+            price = "at a price that is not known"
+            if most is not None:
+                price = f"for at most {most:.4f} {currency}"
+            raise DryRunError(f"Would ask {self.asked}, {price}.")
         self._line, self._late = self.breaker.line(), 0
         told = tenacity.Retrying(
             retry=tenacity.retry_if_result(lambda told: isinstance(told, Trouble)),
@@ -104,11 +67,7 @@ class PaidCall:
         return told
 
     def _attempt(self) -> Reply | Trouble:
-        """Send the request once, unless there is a reason not to.
-
-        Returns:
-            The answer, or why there is none, and another attempt may help.
-        """
+        """Send the request once; return the answer, or why there is none, if another may help."""
         self.session.check()
         self.breaker.check(str(self.asked))
         told = self._pay()
@@ -206,10 +165,3 @@ def entry_of(
         asked.server, asked.name, asked.model, outcome, seconds,
         spent.tokens_in, spent.tokens_out, spent.images, money, at=asked.at,
     )  # fmt: skip
-
-
-def _would(asked: Question, currency: str) -> str:
-    """Return what a dry run says of a call."""
-    if asked.most is None:
-        return f"Would ask {asked}, at a price that is not known."
-    return f"Would ask {asked}, for at most {asked.most:.4f} {currency}."

@@ -154,9 +154,9 @@ def _payload(request: httpx2.Request, body: bytes) -> Mapping[str, Any]:
 def _price(
     request: httpx2.Request, payload: Mapping[str, Any], body: bytes, price: Price | None
 ) -> tuple[Price | None, float | None]:
-    """Return what a call costs and the most it can: nothing to look, or on this machine unlisted.
+    """Return what a call costs and the most it can, None where that is not known.
 
-    A call whose price is not known has None for both.
+    To look costs nothing, and so does what is not listed on this machine.
     """
     if request.method in ("GET", "HEAD") or (price is None and local(request.url.host)):
         return Price(), 0.0

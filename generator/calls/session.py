@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import functools
-import logging
 import ssl
 import threading
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
-from ..errors import BackendError, DryRunError, StoppedError, require
+from ..errors import BackendError, DryRunError, StoppedError
 from .http.address import checked_address
-from .http.pending import Deadline, PendingCall
-from .http.retries import Breakers, RetryPolicy
+from .http.pending import Deadline
 from .money.database import LOCAL, Keeper
-from .money.ledger import Account
-from .money.prices import Prices
 from .money.spending import Spending
-from .store import CallStore
+from .state import SessionState
 
 if TYPE_CHECKING:
     import httpx2
@@ -31,11 +27,10 @@ T = TypeVar("T")
 R = TypeVar("R")
 
 EXTRA = "pip install 'tabletopgen[cloud]'"
-_SLICE = 0.05  # seconds between two looks at whether to stop
 
 
 @dataclass(frozen=True, eq=False)
-class Session:
+class Session(SessionState):
     """Keeps, counts, bounds and repeats the calls of one generation; safe for threads.
 
     ``store``: where answers are kept; None keeps nothing.
@@ -56,25 +51,6 @@ class Session:
         InputError: a number is out of range.
     """
 
-    store: CallStore | None = None
-    account: Account = field(default_factory=Account)
-    prices: Prices = field(default_factory=Prices.default)
-    budget: float | None = None
-    workers: int = 8
-    attempts: int = 5
-    dry: bool = False
-    stop: threading.Event = field(default_factory=threading.Event, repr=False)
-    retry_policy: RetryPolicy = field(default_factory=RetryPolicy)
-    grace: float = 5.0
-    breakers: Breakers = field(default_factory=Breakers, init=False, repr=False)
-    _scope: threading.local = field(default_factory=threading.local, init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        require(self, "workers", "attempts", minimum=1, integer=True)
-        if self.budget is not None:
-            require(self, "budget", minimum=0)
-        require(self, "grace", minimum=0)
-
     def client(
         self,
         server: str,
@@ -92,11 +68,9 @@ class Session:
         are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
         ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
         the kept answer is of no use any more. ``x-tabletopgen-meant`` stands for the body where
-        requests that differ ask the same, or that are alike do not: what is kept, is kept by it.
-        ``x-tabletopgen-free``: "yes" for what costs nothing (a look at a job), whatever the price
-        table has.
-        Other headers than those of HTTP itself are not sent either, whatever a library that makes
-        the request finds in the environment. Answers of status 2xx, and 4xx that no wait would
+        requests that differ ask the same, or that are alike do not. ``x-tabletopgen-free`` is "yes"
+        for what costs nothing (a look at a job), whatever the price table has. Other headers than
+        those of HTTP itself are not sent either. Answers of status 2xx, and 4xx that no wait would
         mend, are returned, with the key that they are kept under (``used.KEY``); everything else
         raises BackendError.
 
@@ -134,14 +108,8 @@ class Session:
     def resume(self, scene: str, keeper: Keeper = LOCAL) -> Spending | None:
         """Know what earlier runs of a scene spent, and write this one's calls down with theirs.
 
-        To be called before any call.
-
-        Args:
-            scene: names it.
-            keeper: who works on the database of what was spent.
-
-        Returns:
-            Where that is: beside the answers; None if none are kept.
+        To be called before any call. Returns where that is: in the database, on which ``keeper``
+        works, beside the answers; None if none are kept.
 
         Raises:
             StorageError: what was spent cannot be read.
@@ -190,74 +158,13 @@ class Session:
                 wait(futures)
             except BaseException:  # an interrupt, or the end of what this is part of
                 halted.set()
-                self._wait_for_pending(futures, deadline)
+                deadline.bring_forward(self._announce_grace())
+                try:
+                    wait(futures)
+                finally:  # also of a second interrupt
+                    deadline.bring_forward(time.monotonic())
                 raise
         return _results(futures)
-
-    def _wait_for_pending(self, futures: Sequence[Future[R]], deadline: Deadline) -> None:
-        """Wait for work under way for ``grace``; no longer after a second interrupt."""
-        deadline.bring_forward(self._announce_grace())
-        try:
-            wait(futures)
-        finally:
-            deadline.bring_forward(time.monotonic())
-
-    def wait_for(self, call: PendingCall[T]) -> BaseException | None:
-        """Wait for a pending call; return the interrupt that came meanwhile, to raise it later.
-
-        Raises:
-            StoppedError: there is reason to stop, and it did not end within ``grace``.
-            KeyboardInterrupt: the same for the main thread, or the second one.
-        """
-        own, stopping = Deadline(), False
-        interrupt: BaseException | None = None
-        while True:
-            try:
-                if call.is_done(_SLICE):
-                    return interrupt
-            except KeyboardInterrupt as error:
-                if interrupt is not None:
-                    raise
-                interrupt = error
-                own.bring_forward(self._announce_grace())
-            if self.stop.is_set() and not stopping:
-                stopping = True
-                own.bring_forward(time.monotonic() + self.grace)
-            deadlines = (own, *self._deadlines())
-            if any(d.until is not None and time.monotonic() >= d.until for d in deadlines):
-                raise interrupt or StoppedError(
-                    "Stopped; a call under way had no answer yet. What was answered is kept."
-                )
-
-    def _announce_grace(self) -> float:
-        """Tell an interrupted user what is waited for; return until when."""
-        logging.getLogger(__name__).warning(
-            "Interrupted: calls under way have %g s to be answered, so that what is paid for is "
-            "kept. Interrupt again to end at once.", self.grace,
-        )  # fmt: skip
-        return time.monotonic() + self.grace
-
-    def check(self) -> None:
-        """Raise StoppedError if this session, or the work that this thread is part of, is over."""
-        if self.stop.is_set():
-            raise StoppedError("Stopped before all calls were made; what was answered is kept.")
-        if any(halt.is_set() for halt in self._halts()):
-            raise StoppedError("Given up, for a call beside this one failed.")
-
-    def pause(self, seconds: float) -> None:
-        """Wait, unless there is a reason to stop: see ``check``."""
-        left = seconds
-        while left > 0:
-            self.check()
-            self.stop.wait(min(left, _SLICE))
-            left -= _SLICE
-        self.check()
-
-    def _halts(self) -> tuple[threading.Event, ...]:
-        return getattr(self._scope, "halts", ())
-
-    def _deadlines(self) -> tuple[Deadline, ...]:
-        return getattr(self._scope, "deadlines", ())
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:

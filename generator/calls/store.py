@@ -26,12 +26,10 @@ from ..errors import StorageError, require_number
 from ..io.files import make_private, remove_file
 from ..io.reading import parse_object, read_regular
 
-MOST_BYTES = 4 * 2**30
-"""Size of a store unless its owner says otherwise."""
-
 MOST_ANSWER_BYTES = 257 * 2**20
 """Size of one kept answer: more than the largest that a server is read for."""
 
+_MOST_BYTES = 4 * 2**30  # of a store unless its owner says otherwise
 _MAGIC = b"tabletopgen call 1"
 _KEY = re.compile(r"[0-9a-f]{64}")
 _PARTIAL = ".partial-"
@@ -53,13 +51,11 @@ class StoredAnswer:
 class CallStore:
     """A folder of answers that several threads and processes may use at once."""
 
-    def __init__(self, folder: str | Path, most_bytes: int = MOST_BYTES) -> None:
+    def __init__(self, folder: str | Path, most_bytes: int = _MOST_BYTES) -> None:
         """Use ``folder``, which is made, for its owner alone, when the first answer is kept.
 
-        Args:
-            folder: where the answers are.
-            most_bytes: what they may take up; those not asked for the longest go first. Where
-                several write, each may be off by a 32nd of it.
+        ``most_bytes`` is what answers may take up; those not asked for the longest go first. Where
+        several write, each may be off by a 32nd of it.
 
         Raises:
             InputError: ``most_bytes`` is no positive whole number.
@@ -90,9 +86,7 @@ class CallStore:
         return answer
 
     def put(self, key: str, answer: StoredAnswer) -> None:
-        """Keep an answer; whoever reads sees it whole or not at all.
-
-        Call it while ``holding`` the question, where others may do so.
+        """Keep an answer, while ``holding`` the question; who reads sees it whole or not at all.
 
         Raises:
             StorageError: it is larger than the store, or than any answer. Or the disk refuses: that
@@ -130,17 +124,17 @@ class CallStore:
         ``check`` is called now and then while another holds it, and may raise. Where no lock can be
         had, nothing is held.
         """
+        path = self.folder / "locks" / f"{key[:3]}.lock"  # a few keys of 4096 share one
         with contextlib.ExitStack() as held:
-            lock = self._lock(key)
-            while lock is not None:
-                try:
-                    held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
-                    self._clear(key)
-                    break
-                except Timeout:
-                    check()
-                except OSError:
-                    break
+            with contextlib.suppress(OSError):
+                make_private(path.parent)
+                lock = FileLock(path, mode=0o600)
+                while not lock.is_locked:
+                    try:
+                        held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
+                        self._clear(key)
+                    except Timeout:
+                        check()
             yield
 
     def __len__(self) -> int:
@@ -149,21 +143,12 @@ class CallStore:
 
     def size(self) -> int:
         """Return how many bytes the answers take up."""
-        return sum(entry.bytes for entry in self._list_kept())
+        return sum(size for _, size, _ in self._list_kept())
 
     def _path(self, key: str) -> Path:
         if not _KEY.fullmatch(key):
             raise StorageError(f"A key is a sha256 in 64 hexadecimal digits, got {key!r}.")
         return self.folder / "answers" / key[:2] / key
-
-    def _lock(self, key: str) -> FileLock | None:
-        """Return the lock of a key; a few keys of 4096 share one."""
-        path = self.folder / "locks" / f"{key[:3]}.lock"
-        try:
-            make_private(path.parent)
-        except OSError:
-            return None
-        return FileLock(path, mode=0o600)
 
     def _write(self, path: Path, raw: bytes) -> None:
         make_private(path.parent)
@@ -185,10 +170,7 @@ class CallStore:
             remove_file(left.parent, left.name)
 
     def _make_room(self, newest: Path, size: int) -> None:
-        """See to it that all answers fit, now that one of ``size`` bytes is there, too.
-
-        The folder is looked at only after so many bytes that it may be full.
-        """
+        """See to it that all answers fit; look only after so many bytes that it may be full."""
         with self._lock_room:
             self._room -= size
             if self._room < 0:
@@ -196,23 +178,23 @@ class CallStore:
                 self._room = min(self.most_bytes - kept, spare)
 
     def _evict(self, newest: Path) -> int:
-        """Drop what was not asked for the longest if it is too much; return the size of the rest.
+        """Drop what was not asked for the longest if all is too much; return the size of the rest.
 
         ``newest`` stays. More goes than has to, so that the next answers find room.
         """
-        kept = sorted(self._list_kept(), key=lambda entry: entry.used)
-        size = sum(entry.bytes for entry in kept)
-        wanted = size if size <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
-        for entry in kept:
-            if size <= wanted:
+        kept = sorted(self._list_kept(), key=lambda entry: entry[0])
+        total = sum(size for _, size, _ in kept)
+        wanted = total if total <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
+        for _, size, path in kept:
+            if total <= wanted:
                 break
-            if entry.path != newest:
-                remove_file(entry.path.parent, entry.path.name)
-                size -= entry.bytes
-        return size
+            if path != newest:
+                remove_file(path.parent, path.name)
+                total -= size
+        return total
 
-    def _list_kept(self) -> list[_Kept]:
-        """Return the answers that are there; what dead writers left half done is removed.
+    def _list_kept(self) -> list[tuple[float, int, Path]]:
+        """Return when each answer was used last, its bytes and path; remove what dead writers left.
 
         What has no answer's name, or is a link or in a linked folder, is somebody else's.
         """
@@ -223,17 +205,10 @@ class CallStore:
                 if not stat.S_ISREG(status.st_mode) or path.parent.is_symlink():
                     continue
                 if _KEY.fullmatch(path.name):
-                    kept.append(_Kept(path, status.st_size, status.st_mtime))
+                    kept.append((status.st_mtime, status.st_size, path))
                 elif path.name.startswith(_PARTIAL) and time.time() - status.st_mtime > _STALE:
                     remove_file(path.parent, path.name)
         return kept
-
-
-@dataclass(frozen=True)
-class _Kept:
-    path: Path
-    bytes: int
-    used: float
 
 
 def _encode(key: str, answer: StoredAnswer) -> bytes:
@@ -243,22 +218,18 @@ def _encode(key: str, answer: StoredAnswer) -> bytes:
 
 
 def _decode(key: str, raw: bytes) -> StoredAnswer | None:
-    """Return the answer that ``raw`` holds, or None if it is not whole or another key's.
-
-    Raises:
-        StorageError: it was not written by a store.
-    """
+    """Return the answer that ``raw`` holds, or None if it is not whole or another key's."""
     first, _, content = raw.partition(b"\n")
     if first != b"%s %s" % (_MAGIC, _checksum(key, content)):
         return None
     head, _, body = content.partition(b"\n")
     facts = parse_object(head, "An answer's head", StorageError, max_bytes=_MOST_HEAD)
     status, kind = facts.get("status"), facts.get("content_type")
-    if not isinstance(status, int) or isinstance(status, bool) or not 100 <= status <= 599:
+    if type(status) is not int or not 100 <= status <= 599:
         return None
-    return (
-        StoredAnswer(status, kind, body) if isinstance(kind, str) and kind.isprintable() else None
-    )
+    if not isinstance(kind, str) or not kind.isprintable():
+        return None
+    return StoredAnswer(status, kind, body)
 
 
 def _checksum(key: str, content: bytes) -> bytes:

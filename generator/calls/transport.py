@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-import functools
 import logging
 import re
 import ssl
-from collections.abc import Mapping
+from concurrent.futures import Future
+from dataclasses import dataclass, replace
 
 import httpx2
 
@@ -15,10 +15,12 @@ from ..errors import BackendError, StorageError
 from .http.address import local, near
 from .http.dialing import Wire, proxy_for
 from .http.exchange import UNPACKED, Reply, Trouble, exchange
-from .http.pending import PendingCall
+from .http.pending import begin
 from .http.redaction import excerpt, holds
-from .paid_call import PaidCall, SessionState, Sign, entry_of
+from .http.retries import Breaker
+from .paid_call import PaidCall, Sign, entry_of
 from .question import Question, failed, question
+from .state import SessionState
 from .store import StoredAnswer
 from .used import KEY
 
@@ -34,47 +36,33 @@ _KIND = re.compile(r"[\w.+-]{1,99}/[\w.+-]{1,99}", re.ASCII)
 _LEAST = 6  # characters: shorter ones are no keys, and would redact words
 
 
+@dataclass(eq=False, repr=False)
 class PaidTransport(httpx2.BaseTransport):
-    """Sends the requests of one client to one server; see ``Session.client``."""
+    """Sends the requests of one client to the origin of ``base_url``; see ``Session.client``."""
 
-    def __init__(
-        self,
-        session: SessionState,
-        server: str,
-        base_url: str,
-        timeout: float,
-        most_bytes: int,
-        secrets: tuple[str, ...],
-        headers: tuple[str, ...] = (),
-        sign: Sign | None = None,
-        *,
-        trust: ssl.SSLContext,
-    ) -> None:
-        """Speak to the origin of ``base_url``; the rest is as in ``Session.client``."""
-        self._session = session
-        self._server = server
-        self._base = httpx2.URL(base_url)
-        self._timeout = timeout
-        self._most_bytes = most_bytes
-        self._secrets = secrets
-        self._headers = _SENT | set(headers)
-        self._sign = sign
-        self._warn_of_open_keys()
-        origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
-        self._breaker = session.breakers.of(server, origin, session.retry_policy)
-        self._trust = trust
-        here = local(self._base.host)
-        self._proxy = None if here else proxy_for(self._base.scheme, self._base.host)
+    session: SessionState
+    server: str
+    base_url: str
+    timeout: float
+    most_bytes: int
+    secrets: tuple[str, ...]
+    headers: tuple[str, ...]
+    sign: Sign | None
+    trust: ssl.SSLContext
 
-    def _warn_of_open_keys(self) -> None:
-        if self._secrets and self._base.scheme == "http" and not near(self._base.host):
+    def __post_init__(self) -> None:
+        self._base = base = httpx2.URL(self.base_url)
+        if self.secrets and base.scheme == "http" and not near(base.host):
             told = (
-                f"{self._server}: its key goes to {self._base.host} unencrypted, where everyone on "
+                f"{self.server}: its key goes to {base.host} unencrypted, where everyone on "
                 "the way can read it. Use an https address."
             )
-            if told not in self._session.account.notes:
-                self._session.account.note(told)
-                logging.getLogger(__name__).warning("%s", told)
+            if told not in self.session.account.notes:
+                self._warn(told)
+        origin = f"{base.scheme}://{base.netloc.decode()}"
+        breaker = Breaker(self.server, self.session.retry_policy)
+        self._breaker = self.session.breakers.setdefault((self.server, origin), breaker)
+        self._proxy = None if local(base.host) else proxy_for(base.scheme, base.host)
 
     def handle_request(self, request: httpx2.Request) -> httpx2.Response:
         """Answer a request from the store, else from the server.
@@ -82,52 +70,62 @@ class PaidTransport(httpx2.BaseTransport):
         Raises:
             BackendError: there is no answer; BudgetError, DryRunError and StoppedError are such.
         """
-        asked = question(request, self._server, self._session.prices)
-        secrets = (*self._secrets, *_keys(request))
+        asked = question(request, self.server, self.session.prices)
+        secrets = (*self.secrets, *_keys(request))
         self._check_address(request, asked, secrets)
-        store = None if asked.memo == "no" else self._session.store
+        store = None if asked.memo == "no" else self.session.store
         with contextlib.ExitStack() as held:
             if store is not None:
-                held.enter_context(store.holding(asked.key, self._session.check))
+                held.enter_context(store.holding(asked.key, self.session.check))
             kept = store.get(asked.key) if store is not None and asked.memo == "yes" else None
             if kept is not None:
-                self._session.account.add(entry_of(asked, "cached", 0.0, 0.0))
-                return _response(kept.status, kept.content_type, kept.body, request, asked.key)
+                self.session.account.add(entry_of(asked, "cached", 0.0, 0.0))
+                return _response(kept, request, asked.key)
             call = PaidCall(
-                self._session, self._breaker, self._sendable(request), asked, secrets, self._send,
-                self._sign,
+                self.session, self._breaker, self._sendable(request), asked, secrets, self._send,
+                self.sign,
             )  # fmt: skip
             reply = call.answer()
+            answer = StoredAnswer(reply.status, reply.content_type, reply.body)
             if store is not None and reply.good and not failed(reply.payload):
-                self._keep(asked, reply)
+                try:
+                    store.put(asked.key, answer)
+                except StorageError as error:  # a disk that refuses must not lose the answer
+                    self._warn(str(error))
             if call.interrupt is not None:
                 raise call.interrupt
-        body = reply.body if reply.good else _clean(reply.body, secrets)
-        return _response(reply.status, reply.content_type, body, request, asked.key)
+        if not reply.good:  # a refusal may repeat the key
+            answer = replace(answer, body=excerpt(reply.body, _SAID, secrets).encode())
+        return _response(answer, request, asked.key)
 
-    def _send(
-        self, request: httpx2.Request, secrets: tuple[str, ...]
-    ) -> PendingCall[Reply | Trouble]:
+    def _warn(self, told: str) -> None:
+        self.session.account.note(told)
+        logging.getLogger(__name__).warning("%s", told)
+
+    def _send(self, request: httpx2.Request, secrets: tuple[str, ...]) -> Future[Reply | Trouble]:
         """Begin one attempt."""
 
         def dial(until: float) -> Wire:
-            return Wire(until, self._trust, self._proxy)
+            return Wire(until, self.trust, self._proxy)
 
-        sending = (dial, request, self._timeout, self._most_bytes, secrets)
-        return PendingCall(functools.partial(exchange, *sending))
+        return begin(lambda: exchange(dial, request, self.timeout, self.most_bytes, secrets))
 
     def _sendable(self, request: httpx2.Request) -> httpx2.Request:
-        """Return a request with no more headers than this server is to see, and its time bounded.
+        """Return a request with no more headers and time than this server is to have.
 
         Whoever made the request reads in his own what he asked for.
         """
+        sent = _SENT | set(self.headers)
         headers = [
             (name, value)
             for name, value in request.headers.multi_items()
-            if (name in self._headers or name.startswith(_SIGNED_BY))
-            and (name != "authorization" or not self._secrets or holds(value, self._secrets))
+            if (name in sent or name.startswith(_SIGNED_BY))
+            and (name != "authorization" or not self.secrets or holds(value, self.secrets))
         ] + [("accept-encoding", UNPACKED)]
-        times = _bound(request.extensions.get("timeout", {}), self._timeout)
+        given = request.extensions.get("timeout", {})
+        most = dict.fromkeys(("connect", "read", "write", "pool"), self.timeout)
+        most["connect"] = min(self.timeout, _CONNECT)
+        times = {part: min(bound, given.get(part) or self.timeout) for part, bound in most.items()}
         return httpx2.Request(
             request.method, request.url, headers=headers, content=request.content,
             extensions={**request.extensions, "timeout": times},
@@ -148,28 +146,15 @@ class PaidTransport(httpx2.BaseTransport):
                 "Send it in a header."
             )
 
-    def _keep(self, asked: Question, reply: Reply) -> None:
-        """Keep an answer; a disk that refuses must not lose it."""
-        assert self._session.store is not None
-        try:
-            self._session.store.put(
-                asked.key, StoredAnswer(reply.status, reply.content_type, reply.body)
-            )
-        except StorageError as error:
-            self._session.account.note(str(error))
-            logging.getLogger(__name__).warning("%s", error)
 
-
-def _response(
-    status: int, content_type: str, body: bytes, request: httpx2.Request, key: str
-) -> httpx2.Response:
+def _response(answer: StoredAnswer, request: httpx2.Request, key: str) -> httpx2.Response:
     """Return a response as a client gets it, the same from the store as from the server.
 
     Text is UTF-8, as JSON's is: what else a server may call it would choose how it is decoded.
     """
-    kind = content_type.partition(";")[0].strip()
+    kind = answer.content_type.partition(";")[0].strip()
     headers = {KEY: key, **({"content-type": kind} if _KIND.fullmatch(kind) else {})}
-    return httpx2.Response(status, headers=headers, content=body, request=request)
+    return httpx2.Response(answer.status, headers=headers, content=answer.body, request=request)
 
 
 def _keys(request: httpx2.Request) -> tuple[str, ...]:
@@ -177,14 +162,3 @@ def _keys(request: httpx2.Request) -> tuple[str, ...]:
     values = [request.headers.get(name, "") for name in _KEYS]
     words = (word for value in values for word in value.replace(",", " ").split())
     return tuple(word for word in words if len(word) >= _LEAST and word.lower() != "bearer")
-
-
-def _clean(body: bytes, secrets: tuple[str, ...]) -> bytes:
-    """Return the body of a refusal without the key that it may repeat."""
-    return excerpt(body, _SAID, secrets).encode()
-
-
-def _bound(given: Mapping[str, float | None], timeout: float) -> dict[str, float]:
-    """Return the times of a request's parts: none above ``timeout``, whatever its maker allows."""
-    most = {"connect": min(timeout, _CONNECT), "read": timeout, "write": timeout, "pool": timeout}
-    return {part: min(most[part], given.get(part) or timeout) for part in most}

@@ -17,9 +17,8 @@ KEY = "x-tabletopgen-key"
 class Used:
     """The keys of the answers that a question has had so far; ``store`` is where they are kept.
 
-    A question that goes well leaves them there, also those that had to be asked again: a run that
-    goes on finds all of them. One that ends in an error for what they say must drop them, or it
-    would end so for ever.
+    A question that goes well leaves them there, for a run that resumes. One that ends in an error
+    for what they say must drop them, or it would end so for ever.
     """
 
     store: CallStore | None
@@ -30,10 +29,7 @@ class Used:
         self.keys.append(headers[KEY])
 
     def drop(self, *, last: bool = False) -> None:
-        """Drop the answers, or only the last one: the next run asks for new ones.
-
-        What they cost stays in the ledger.
-        """
+        """Drop the answers, or the last one, but not their cost: the next run asks for new ones."""
         if self.store is not None:
             for key in self.keys[-1:] if last else self.keys:
                 self.store.forget(key)

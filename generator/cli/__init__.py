@@ -24,26 +24,16 @@ Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle,
 130 interrupted.
 """
 
-GROUPS: Mapping[str, tuple[tyro.extras.SubcommandApp, str]] = MappingProxyType(
-    {
-        "cache": (cache.app, "List, check and remove the finished tables of the store."),
-        "models": (models.app, "List, fetch and remove the open models."),
-    }
-)
+GROUPS: Mapping[str, tuple[tyro.extras.SubcommandApp, str]] = MappingProxyType({
+    "cache": (cache.app, "List, check and remove the finished tables of the store."),
+    "models": (models.app, "List, fetch and remove the open models."),
+})  # fmt: skip
 """Commands with commands of their own, and what they are for."""
 
 COMMANDS: tuple[Callable[..., int], ...] = (
-    making.generate,
-    making.compose,
-    batching.batch,
-    editing.edit,
-    looking.inspect,
-    looking.verify,
-    looking.view,
-    looking.compare,
-    evaluating.evaluate,
-    doctor,
-)
+    making.generate, making.compose, batching.batch, editing.edit,
+    looking.inspect, looking.verify, looking.view, looking.compare, evaluating.evaluate, doctor,
+)  # fmt: skip
 
 
 def app(name: str) -> tyro.extras.SubcommandApp:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -13,12 +14,12 @@ from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import InputError, escape, require_number, require_seed
 from ..io.files import check_folder
-from .paying import NO_CALLS, USUAL, CallOptions, Calls, Chosen, lines_of, roles_of
+from .paying import NO_CALLS, USUAL, Calls, Chosen, calls_folder, lines_of, roles_of
 from .printing import emit
 
 if TYPE_CHECKING:
-    from ..backends import Backends, Mix
-    from ..jobs import Generating, Job, Maker, Outcome, Summary
+    from ..backends import Backends
+    from ..jobs import Generating, Maker, Outcome, Summary
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,8 @@ def batch(
     asks: Backends | None = None
     if route == "generate":
         asks = mix.select()  # one that cannot answer is refused before anything is made
-        make = _generating(mix, calls)
+        folder = calls_folder(calls.calls).absolute()
+        make = batches.Generating(mix, calls=str(folder), prices=calls.table())
     elif mix != USUAL or calls.budget is not None or calls.dry_run:
         raise InputError(
             "--route compose asks nobody; leave out --backend, the roles, --budget and --dry-run."
@@ -90,7 +92,8 @@ def batch(
         require_number("batch needs --budget", calls.budget, minimum=0)
     jobs = batches.jobs_of(batches.read_prompts(prompts, seed), variants=variants)
     if calls.dry_run and isinstance(make, batches.Generating) and asks is not None:
-        return _try(jobs, out, make, asks, pool.workers, retry, json)
+        tried = partial(batches.try_out, jobs, out, make, workers=pool.workers, retry=retry)
+        return _try(make, asks, tried, json)
     if isinstance(make, batches.Generating) and asks is not None and asks.asks_servers():
         shared = batches.shared_budget(out, make.prices)
         make = replace(make, shared_budget=shared, budget=calls.budget)
@@ -112,55 +115,33 @@ def batch(
     return 3 if summary.unpaid else 0
 
 
-def _generating(mix: Mix, calls: CallOptions) -> Generating:
-    from ..jobs import Generating
-
-    return Generating(mix, calls=str(calls.folder().absolute()), prices=calls.table())
-
-
 def _spending(make: Maker) -> dict[str, Any]:
     """Return what was spent of a maker's shared budget in all runs, nothing where it has none."""
-    shared, budget = getattr(make, "shared_budget", None), getattr(make, "budget", None)
+    shared = getattr(make, "shared_budget", None)
     if shared is None:
         return {}
-    shown = shared.total()
-    return {
-        "spent": {
-            "money": round(shown.money, 6),
-            "currency": shown.currency,
-            "unpriced": shown.unpriced,
-            "budget": budget,
-        }
-    }
+    total, budget = shared.total(), getattr(make, "budget", None)
+    facts = {"currency": total.currency, "unpriced": total.unpriced, "budget": budget}
+    return {"spent": {"money": round(total.money, 6), **facts}}
 
 
-def _try(
-    jobs: Sequence[Job],
-    out: Path,
-    make: Generating,
-    backends: Backends,
-    workers: int,
-    retry: bool,
-    as_json: bool,
-) -> int:
+def _try(make: Generating, backends: Backends, tried: Callable[[], Summary], as_json: bool) -> int:
     """Print who answers, and what each scene would ask first; return the exit code."""
-    from .. import jobs as batches
-
     roles = roles_of(make.mix, backends)
     rows: list[dict[str, Any]] = []
     if backends.asks_servers():
-        summary = batches.try_out(jobs, out, make, workers=workers, retry=retry)
-        for o in summary.outcomes:
+        for o in tried().outcomes:
             shown = (o.error or "").splitlines() if o.state in ("unpaid", "failed") else []
             state = {"unpaid": "to ask", "made": "nothing to ask"}.get(o.state, o.state)
             rows.append({"text": o.job.text, "seed": o.job.seed, "state": state, "calls": shown})
 
     def lines() -> list[str]:
-        shown = [f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}" for r in rows]
-        scenes = [part for r, line in zip(rows, shown, strict=True)
-                  for part in (line, *(f"  {call}" for call in r["calls"]))]  # fmt: skip
+        shown = lines_of(roles)
+        for r in rows:
+            shown.append(f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}")
+            shown += [f"  {call}" for call in r["calls"]]
         rest = "Nothing was sent; what comes after depends on the answers."
-        return [*lines_of(roles), *scenes, rest if rows else "No server is asked."]
+        return [*shown, rest if rows else "No server is asked."]
 
     emit({"backends": roles, "dry_run": rows}, as_json, lines)
     return 0

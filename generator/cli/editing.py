@@ -11,17 +11,8 @@ from tyro import conf
 from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import DryRunError, InputError, require_seed
-from .paying import (
-    NO_CALLS,
-    NOBODY,
-    Calls,
-    Chosen,
-    answering,
-    paid,
-    print_dry_run,
-    roles_of,
-    scene_key,
-)
+from . import paying
+from .paying import NO_CALLS, NOBODY, Calls, Chosen
 from .printing import print_scene, progress
 from .store import one, store
 
@@ -31,14 +22,15 @@ if TYPE_CHECKING:
 
 Action = Literal["swap", "add", "remove", "move", "restyle"]
 
-FORMS = {
-    "swap": 'swap NAME "a banjo"',
-    "add": 'add "a red mug left of the laptop"',
-    "remove": "remove NAME",
-    "move": 'move NAME "left of the laptop", or move NAME --to X Y, or move NAME --turn DEGREES',
-    "restyle": "restyle STYLE [NAME ...]",
+_MOVES = 'move NAME "left of the laptop", or move NAME --to X Y, or move NAME --turn DEGREES'
+FORMS: dict[Action, tuple[int, int, str]] = {
+    "swap": (2, 2, 'swap NAME "a banjo"'),
+    "add": (1, 1, 'add "a red mug left of the laptop"'),
+    "remove": (1, 1, "remove NAME"),
+    "move": (1, 2, _MOVES),
+    "restyle": (1, 99, "restyle STYLE [NAME ...]"),
 }
-"""What each action is given."""
+"""The fewest and the most words that each action is given, and what they are."""
 
 
 @dataclass(frozen=True)
@@ -97,59 +89,48 @@ def edit(
 
     require_seed(seed)
     path, folder = one(bundle), store(out)
-    to, turn = target.to, target.turn
-    _check_form(action, words, to, turn)
+    _check_form(action, words, target)
     if replace:
         if out is not None:
             raise InputError("--replace puts the bundle where the old one is; leave out --out.")
         assets_cache.check_removable(path, path.parent)
     session = calls.session()
     chosen = mix.select(session) if mix.given else None
-    roles = roles_of(mix, chosen) if calls.dry_run and chosen is not None else None
-    yaw = 0.0 if turn is None else float(np.deg2rad(turn))
     who = None if chosen is None else chosen.identity()
-    scene = scene_key("edit", path.name, action, words, to, turn, seed, who)
+    scene = paying.scene_key("edit", path.name, action, words, target.to, target.turn, seed, who)
     try:
-        with answering(session, scene), progress(quiet=json) as shown:
+        with paying.answering(session, scene), progress(quiet=json) as shown:
             if shown is not None:
                 shown(action, 1, 1)
-            edited = _edit(path, action, words, to, yaw, seed, chosen)
+            edited = _edit(path, action, words, target, seed, chosen)
             if calls.dry_run:  # it came to no call
                 raise DryRunError("")
             made = edited.save(path.parent if replace else folder)
     except DryRunError as error:
-        return print_dry_run(error, roles, json)
-    if paid(session, made):
-        session.account.save(made, session.prices)
+        return paying.print_dry_run(error, json, mix, chosen)
+    paying.save_ledger(session, made)
     if replace and made.resolve() != path.resolve():
         assets_cache.remove(path, path.parent)
     return print_scene(made, edited.scene, json, session=session)
 
 
-def _check_form(
-    action: Action,
-    words: tuple[str, ...],
-    to: tuple[float, float] | None,
-    turn: float | None,
-) -> None:
-    counts = {"swap": (2, 2), "add": (1, 1), "remove": (1, 1), "move": (1, 2), "restyle": (1, 99)}
-    fewest, most = counts[action]
+def _check_form(action: Action, words: tuple[str, ...], target: MoveOptions) -> None:
+    fewest, most, form = FORMS[action]
     fits = fewest <= len(words) <= most
     if action == "move":
-        fits = fits and (len(words) == 2) + (to is not None) <= 1
-        fits = fits and (len(words) == 2 or to is not None or turn is not None)
-    elif to is not None or turn is not None:
+        ways = (len(words) == 2) + (target.to is not None)
+        fits = fits and (ways == 1 or (ways == 0 and target.turn is not None))
+    elif target != _MOVE:
         raise InputError(f"--to and --turn go with move, not with {action}.")
     if not fits:
-        raise InputError(f"Say tabletopgen edit BUNDLE {FORMS[action]}; got {' '.join(words)!r}.")
+        raise InputError(f"Say tabletopgen edit BUNDLE {form}; got {' '.join(words)!r}.")
 
 
 def _edit(
     path: Path,
     action: Action,
     words: tuple[str, ...],
-    to: tuple[float, float] | None,
-    yaw: float,
+    target: MoveOptions,
     seed: int,
     backends: Backends | None,
 ) -> Edited:
@@ -162,6 +143,7 @@ def _edit(
     if action == "remove":
         return editing.remove(path, words[0])
     if action == "move":
-        where = words[1] if len(words) == 2 else to
+        where = words[1] if len(words) == 2 else target.to
+        yaw = 0.0 if target.turn is None else float(np.deg2rad(target.turn))
         return editing.move(path, words[0], where, yaw, seed, backends)
     return editing.restyle(path, words[0], words[1:], seed, backends)

@@ -5,24 +5,23 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tyro.conf import Positional
 
+from ..backends import Backends
 from ..errors import DryRunError, InputError, escape
 from .paying import NO_CALLS, Calls, answering, print_dry_run, scene_key
 from .printing import emit
 from .store import find, one, some
 
 if TYPE_CHECKING:
-    from ..backends import Backends
-    from ..calls import Session
     from ..evaluation import Evaluation
     from ..evaluation.judged import Picture
-    from ..evaluation.perceptual import Available
-    from ..scene import Scene
+    from ..evaluation.surfaces.collisions import Rates
 
 
 def evaluate(
@@ -52,14 +51,17 @@ def evaluate(
         json: Print one JSON object instead of tables.
     """
     from ..bundle import load
-    from ..evaluation import rates
+    from ..evaluation import evaluate_bundle, rates
+    from ..evaluation.external import TRANSFORMS
+    from ..evaluation.judged import as_judge
     from ..evaluation.perceptual import available
     from ..method.reference import read_image
 
     session, asked, who = None, None, None
     if judge is not None:
         session = calls.session()
-        backends = _ask_judge(judge, session)
+        backends = Backends.select(reasoner=judge, session=session)
+        as_judge(backends.reasoner)  # refused before anything is measured
         asked, who = backends.reasoner, backends.identity()["reasoner"]
     elif calls != NO_CALLS:
         raise InputError(
@@ -69,12 +71,16 @@ def evaluate(
     given = None if picture is None else read_image(picture)
     true = None if truth is None else load(one(truth))
     metrics = available() if sweep else None
-    paths = _paths(bundles)
+    paths: list[Path] = []
+    for wanted in some(bundles):
+        folder = Path(wanted)
+        paths += [folder] if (folder / TRANSFORMS).is_file() else find(wanted)
     scene = scene_key("evaluate", who, [str(path.resolve()) for path in paths], picture)
     with answering(session, scene) if session is not None else contextlib.nullcontext():
-        found, order, would = _measure(paths, given, true, metrics, asked)
+        measure = partial(evaluate_bundle, picture=given, truth=true, metrics=metrics, judge=asked)
+        found, order, would = _measure(paths, measure, given, asked)
     if calls.dry_run:
-        return print_dry_run(DryRunError("\n".join(would)), None, json)
+        return print_dry_run(DryRunError("\n".join(would)), json)
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
@@ -85,12 +91,7 @@ def evaluate(
             facts["ledger"] = session.account.facts(session.prices)
         emit(facts, True, list)
     else:
-        _print(found)
-        print(
-            f"{summary.scenes} scenes, {sum(e.flawless for _, e in found)} without a defect; "
-            f"Col_O {100 * summary.col_o:.2f} % of {summary.pairs} pairs, "
-            f"Col_S {100 * summary.col_s:.1f} %"
-        )
+        _print(found, summary)
         if order:
             print(f"ranked by {judge}, the best first: {', '.join(map(escape, order))}")
         if session is not None and (spent := session.account.text(session.prices.currency)):
@@ -98,57 +99,32 @@ def evaluate(
     return 0 if all(e.flawless for _, e in found) else 1
 
 
-def _ask_judge(judge: str, session: Session) -> Backends:
-    """Return backends whose reasoner judges, before anything is measured."""
-    from ..backends import Backends
-    from ..evaluation.judged import as_judge
-
-    backends = Backends.select(reasoner=judge, session=session)
-    as_judge(backends.reasoner)
-    return backends
-
-
 def _measure(
     paths: Sequence[Path],
+    measure: Callable[[Path], Evaluation],
     picture: Picture | None,
-    true: Scene | None,
-    metrics: Available | None,
     judge: object | None,
 ) -> tuple[list[tuple[str, Evaluation]], tuple[str, ...], list[str]]:
     """Return the scenes' measures, how they rank, and what a dry run would have asked the judge."""
-    from ..evaluation import report
+    from ..evaluation import ranking
 
     found: list[tuple[str, Evaluation]] = []
     order: tuple[str, ...] = ()
     would: list[str] = []
     for path in paths:
         try:
-            evaluation = report.evaluate_bundle(
-                path, picture=picture, truth=true, metrics=metrics, judge=judge
-            )
+            found.append((str(path), measure(path)))
         except DryRunError as error:  # the others are asked about all the same
             would.append(str(error))
-        else:
-            found.append((str(path), evaluation))
     if judge is not None and picture is not None and 1 < len(found) == len(paths):
         try:
-            order = report.ranking(dict(found), picture, judge)
+            order = ranking(dict(found), picture, judge)
         except DryRunError as error:
             would.append(str(error))
     return found, order, would
 
 
-def _paths(bundles: tuple[str, ...]) -> list[Path]:
-    from ..evaluation.external import TRANSFORMS
-
-    paths: list[Path] = []
-    for wanted in some(bundles):
-        folder = Path(wanted)
-        paths += [folder] if (folder / TRANSFORMS).is_file() else find(wanted)
-    return paths
-
-
-def _print(found: list[tuple[str, Evaluation]]) -> None:
+def _print(found: list[tuple[str, Evaluation]], summary: Rates) -> None:
     from rich.console import Console
     from rich.table import Table
 
@@ -166,6 +142,11 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
             limit = "" if f.limit is None else f"{f.limit:.3g} {f.unit}"
             table.add_row(escape(f.name), f.kind, escape(f.text), value, limit, f.evidence)
         console.print(table)
+    print(
+        f"{summary.scenes} scenes, {sum(e.flawless for _, e in found)} without a defect; "
+        f"Col_O {100 * summary.col_o:.2f} % of {summary.pairs} pairs, "
+        f"Col_S {100 * summary.col_s:.1f} %"
+    )
 
 
 def _lines(facts: dict[str, Any]) -> list[str]:

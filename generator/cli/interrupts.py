@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import _thread
 import signal
 import sys
 import threading
@@ -22,20 +21,12 @@ def heed() -> None:
         if ignored.exc_type is not KeyboardInterrupt:
             others(ignored)
             return
-        timer = threading.Timer(AGAIN, _interrupt)
+        main = threading.main_thread().ident
+        timer = threading.Timer(AGAIN, signal.pthread_kill, (main, signal.SIGINT))
         timer.daemon = True
         timer.start()
 
     sys.unraisablehook = hook
-
-
-def _interrupt() -> None:
-    """Interrupt the main thread, also while it waits in the system where that can be done."""
-    main = threading.main_thread().ident
-    if main is not None and hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(main, signal.SIGINT)
-    else:
-        _thread.interrupt_main()
 
 
 def ignore() -> None:

@@ -4,29 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import DryRunError, InputError, require_seed
 from ..io.files import check_folder
 from ..scene import Intrinsics
-from .paying import (
-    NO_CALLS,
-    USUAL,
-    Calls,
-    Chosen,
-    answering,
-    paid,
-    print_dry_run,
-    roles_of,
-    scene_key,
-)
+from . import paying
+from .paying import NO_CALLS, USUAL, Calls, Chosen
 from .printing import print_scene, progress
 from .store import store
-
-if TYPE_CHECKING:
-    from ..generation import Ablation
 
 
 @dataclass(frozen=True)
@@ -97,25 +85,24 @@ def generate(
     from ..pipeline import generate as run
 
     require_seed(seed)
-    folder = store(output.out)
-    name, figures = output.name, output.figures
+    folder, figures = store(output.out), output.figures
     if figures is not None:
         check_folder(figures, "--figures")
-    if name is not None:
-        check_name(name)
+    if output.name is not None:
+        check_name(output.name)
     depth, intrinsics = camera.depth, camera.intrinsics
     lens = None if intrinsics is None else _intrinsics(intrinsics)
+    left_out = ("dro", "tsa") if without == "both" else (without,) if without else ()
     session = calls.session()
     chosen = mix.select(session)
     what = Path(source) if is_picture_name(source) else source
-    scene = scene_key("generate", what, depth, intrinsics, seed, without, chosen.identity())
-    roles = roles_of(mix, chosen) if calls.dry_run else None
+    scene = paying.scene_key("generate", what, depth, intrinsics, seed, without, chosen.identity())
     try:
-        with answering(session, scene), progress(quiet=json) as shown:
+        with paying.answering(session, scene), progress(quiet=json) as shown:
             if calls.dry_run and not chosen.asks_servers():
                 raise DryRunError("")
             generation = run(
-                source, chosen, Config(without=_left_out(without)), seed, name=name,
+                source, chosen, Config(without=left_out), seed, name=output.name,
                 progress=shown, depth=depth, intrinsics=lens,
             )  # fmt: skip
             if calls.dry_run:  # all answers are kept
@@ -124,9 +111,8 @@ def generate(
                 generation.save_figures(figures)
             path = generation.save(folder, allow_failed=output.allow_failed)
     except DryRunError as error:
-        return print_dry_run(error, roles, json)
-    if paid(session, path):
-        session.account.save(path, session.prices)
+        return paying.print_dry_run(error, json, mix, chosen)
+    paying.save_ledger(session, path)
     seconds = generation.seconds if timings else None
     return print_scene(path, generation.scene, json, seconds, session)
 
@@ -161,18 +147,8 @@ def compose(
     return print_scene(path, scene, json)
 
 
-def _left_out(word: Literal["dro", "tsa", "both"] | None) -> tuple[Ablation, ...]:
-    if word is None:
-        return ()
-    return ("dro", "tsa") if word == "both" else (word,)
-
-
 def _intrinsics(text: str) -> Intrinsics:
-    """Read ``fx,fy,cx,cy``.
-
-    Raises:
-        InputError: not four numbers.
-    """
+    """Read ``fx,fy,cx,cy``; InputError if it is not four numbers."""
     try:
         fx, fy, cx, cy = (float(part) for part in text.split(","))
     except ValueError as error:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import tyro
 from tyro.conf import Positional
 
 from ..backends.huggingface.weights.folder import missing, models_folder, snapshot
-from ..backends.huggingface.weights.pins import Pin, pin, pins
+from ..backends.huggingface.weights.pins import pin, pins
 from ..errors import InputError, escape
 from .printing import emit
 
@@ -25,7 +24,19 @@ def list_models(*, folder: Path | None = None, json: bool = False) -> int:
         json: Print one JSON array instead of lines.
     """
     home = models_folder(folder)
-    facts = [_facts(p, home) for p in pins().values()]
+    facts = [
+        {
+            "name": model.name,
+            "repository": model.repository,
+            "revision": model.revision,
+            "bytes": model.bytes or None,
+            "licence": model.licence,
+            "gated": model.gated,
+            "here": not missing(model, home),
+            "path": str(snapshot(model, home)),
+        }
+        for model in pins().values()
+    ]
 
     def lines() -> list[str]:
         rows = [
@@ -58,19 +69,6 @@ def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) 
     for model in [pin(name) for name in names]:
         print(escape(f"{model.name}: {pull(model, home)}"))
     return 0
-
-
-def _facts(model: Pin, folder: Path) -> dict[str, Any]:
-    return {
-        "name": model.name,
-        "repository": model.repository,
-        "revision": model.revision,
-        "bytes": model.bytes or None,
-        "licence": model.licence,
-        "gated": model.gated,
-        "here": not missing(model, folder),
-        "path": str(snapshot(model, folder)),
-    }
 
 
 def _size(count: int | None) -> str:

@@ -10,19 +10,19 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from tyro.conf import OmitArgPrefixes, arg
 
-from ..backends import Mix
+from ..backends import Backends, Mix
+from ..calls import Session
+from ..calls.money.ledger import LEDGER
+from ..calls.money.prices import Prices
+from ..calls.store import CallStore
 from ..errors import DryRunError, InputError, escape
 from ..io.reading import read_regular
 from ..scene.provenance import plain
-
-if TYPE_CHECKING:
-    from ..backends import Backends
-    from ..calls import Session
-    from ..calls.money.prices import Prices
+from .printing import emit
 
 VARIABLE = "TABLETOPGEN_CALLS"
 """Environment variable naming the folder of cached responses."""
@@ -32,17 +32,11 @@ _MOST_BYTES = 2**30  # of a file that decides a scene
 Chosen = OmitArgPrefixes[Annotated[Mix, arg(name="backend")]]
 """The type of a command's argument that makes these options."""
 
-Roles = Mapping[str, Mapping[str, Any]]
-"""Who each role is: its name, and its settings."""
-
-USUAL = Mix()
-"""What generating commands use unless told otherwise."""
-
-NOBODY = Mix(backend=None)
-"""What commands use that can do without backends."""
+USUAL, NOBODY = Mix(), Mix(backend=None)
+"""What commands use unless told otherwise: those that generate, and that can do without."""
 
 
-def roles_of(mix: Mix, backends: Backends) -> Roles:
+def roles_of(mix: Mix, backends: Backends) -> dict[str, dict[str, Any]]:
     """Return for each role who it is by name, and the settings that decide its answers."""
     names, settings = mix.roles(), backends.identity()
     return {
@@ -51,7 +45,7 @@ def roles_of(mix: Mix, backends: Backends) -> Roles:
     }
 
 
-def lines_of(roles: Roles) -> list[str]:
+def lines_of(roles: Mapping[str, Mapping[str, Any]]) -> list[str]:
     """Return ``roles_of`` as a line for each role."""
     lines = []
     for role, facts in roles.items():
@@ -79,31 +73,14 @@ class CallOptions:
     calls: Path | None = None
     prices: Path | None = None
 
-    def folder(self) -> Path:
-        """Return the folder of cached responses."""
-        return calls_folder(self.calls)
-
     def table(self) -> Prices:
-        """Return the price table.
-
-        Raises:
-            InputError: the file cannot be used.
-        """
-        from ..calls.money.prices import Prices
-
+        """Return the price table; InputError if the file cannot be used."""
         return Prices.default() if self.prices is None else Prices.load(self.prices)
 
     def session(self) -> Session:
         """Return a session with these settings."""
-        from ..calls import Session
-        from ..calls.store import CallStore
-
-        return Session(
-            store=CallStore(self.folder()),
-            prices=self.table(),
-            budget=self.budget,
-            dry=self.dry_run,
-        )
+        store = CallStore(calls_folder(self.calls))
+        return Session(store, prices=self.table(), budget=self.budget, dry=self.dry_run)
 
 
 Calls = OmitArgPrefixes[CallOptions]
@@ -139,12 +116,7 @@ def _content(path: Path) -> str:
 def answering(session: Session, scene: str) -> Iterator[None]:
     """Have a session know what earlier runs of a scene spent, and end its calls with the command.
 
-    Where the command fails, what it cost is told on standard error. A dry run that came to a call
-    is no failure of its own, but ends the command likewise.
-
-    Raises:
-        StorageError: what was spent cannot be read.
-        InputError: it was in another currency than that of the price table.
+    Where the command fails, what it cost is told on standard error; see ``Session.resume``.
     """
     spending = session.resume(scene)
     assert spending is not None
@@ -159,23 +131,23 @@ def answering(session: Session, scene: str) -> Iterator[None]:
         raise
 
 
-def paid(session: Session, made: Path) -> bool:
-    """Return whether the bundle ``made`` is to get a ledger: one that has none, or has to grow."""
-    from ..calls.money.ledger import LEDGER
-
+def save_ledger(session: Session, made: Path) -> None:
+    """Write the ledger of the bundle ``made``: one that has none, or has to grow."""
     entries = session.account.entries
     now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)
-    return now or (any(e.earlier for e in entries) and not (made / LEDGER).exists())
+    if now or (any(e.earlier for e in entries) and not (made / LEDGER).exists()):
+        session.account.save(made, session.prices)
 
 
-def print_dry_run(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
+def print_dry_run(
+    error: DryRunError, as_json: bool, mix: Mix = USUAL, backends: Backends | None = None
+) -> int:
     """Print who answers, and what a dry run came to; return the exit code of success."""
-    from .printing import emit
-
+    roles = {} if backends is None else roles_of(mix, backends)
     calls = str(error).splitlines()
     rest = "Nothing was sent; what comes after depends on the answers."
     if not calls:
         rest = "No server would be asked. Nothing was made; leave out --dry-run for that."
     facts = {"dry_run": calls} | ({"backends": roles} if roles else {})
-    emit(facts, as_json, lambda: [*lines_of(roles or {}), *calls, rest])
+    emit(facts, as_json, lambda: [*lines_of(roles), *calls, rest])
     return 0

@@ -24,7 +24,9 @@ CHECKOUT = Path(__file__).parents[2]
 def find_commands() -> Mapping[str, EntryPoint]:
     """Return the commands of other packages by name; none of them is imported."""
     installed = {entry.name: entry for entry in entry_points(group=GROUP)}
-    return dict(sorted((installed | _of_checkout()).items()))
+    declared = project().get("entry-points", {}).get(GROUP, {})
+    own = {name: EntryPoint(name, value, GROUP) for name, value in declared.items()}
+    return dict(sorted((installed | own).items()))
 
 
 def load(entry: EntryPoint, needed: bool) -> Callable[..., Any] | None:
@@ -55,8 +57,3 @@ def project() -> Mapping[str, Any]:
         return {}
     ours = isinstance(found, dict) and found.get("name") == "tabletopgen"
     return found if ours else {}
-
-
-def _of_checkout() -> dict[str, EntryPoint]:
-    declared = project().get("entry-points", {}).get(GROUP, {})
-    return {name: EntryPoint(name, value, GROUP) for name, value in declared.items()}

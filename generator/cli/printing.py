@@ -67,10 +67,7 @@ def print_scene(
     seconds: Mapping[str, Seconds] | None = None,
     session: Session | None = None,
 ) -> int:
-    """Print what a bundle holds, how long its stages took, and the calls that servers answered.
-
-    Returns the exit code of success.
-    """
+    """Print a bundle, how long its stages took, and the calls; return the exit code of success."""
     facts = describe(path, scene)
     if session is not None and session.account.entries:
         facts["ledger"] = session.account.facts(session.prices)
@@ -87,15 +84,13 @@ def print_scene(
             + f" cm  {o['mass_kg']:.3f} kg  on {o['on']}"
             for o in facts["objects"]
         ]
-        report = scene.report
-        gate = (
-            "no report"
-            if report is None
-            else ("passed" if report.passed else "FAILED: " + "; ".join(report.failures))
-        )
+        gate = "no report"
+        if report := scene.report:
+            gate = "passed" if report.passed else "FAILED: " + "; ".join(report.failures)
         notes = [f"  note: {w}" for w in facts["warnings"]]
-        spent = [*_timings(seconds or {}), *_ledger(session)]
-        return [str(path), *rows, f"  gate: {gate}", *notes, *spent]
+        spent = "" if session is None else session.account.text(session.prices.currency)
+        calls = ["  calls:", *(f"    {line}" for line in spent.splitlines())] if spent else []
+        return [str(path), *rows, f"  gate: {gate}", *notes, *_timings(seconds or {}), *calls]
 
     emit(facts, as_json, lines)
     return 0
@@ -108,12 +103,6 @@ def _timings(seconds: Mapping[str, Seconds]) -> list[str]:
     rows = [(stage, s.wall, s.cpu) for stage, s in seconds.items()]
     rows.append(("total", sum(r[1] for r in rows), sum(r[2] for r in rows)))
     return ["  seconds:", *(f"    {n:<16}{wall:8.1f}  (CPU {cpu:.1f})" for n, wall, cpu in rows)]
-
-
-def _ledger(session: Session | None) -> list[str]:
-    """Return the ledger's lines, none if nothing was asked of a server."""
-    text = "" if session is None else session.account.text(session.prices.currency)
-    return ["  calls:", *(f"    {line}" for line in text.splitlines())] if text else []
 
 
 def emit(value: Any, as_json: bool, lines: Callable[[], list[str]]) -> None:

@@ -5,17 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..errors import InputError
+from ..io.files import check_folder
 
 
 def store(out: Path | None) -> Path:
-    """Return the folder that new bundles go into: ``out``, else the user cache.
-
-    Raises:
-        StorageError: there is a file, or it may not be written.
-    """
+    """Return the folder that new bundles go into, checked: ``out``, else the user cache."""
     import assets_cache
-
-    from ..io.files import check_folder
 
     if out is None:
         return assets_cache.user_root()

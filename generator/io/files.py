@@ -1,10 +1,16 @@
-"""Files that are written in one go, and files and folders that are removed by a plain name."""
+"""Files that are written in one go, and files and folders that are removed by a plain name.
+
+``remove_tree`` and ``remove_file`` are the only ways in which what is named by a file's content is
+removed: by the name of an entry of a folder that the caller owns, never by a path.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 from ..errors import StorageError
@@ -104,47 +110,39 @@ def is_plain_name(name: object) -> bool:
 
 
 def remove_tree(parent: Path, name: str) -> None:
-    """Remove a folder inside ``parent``, which the caller owns; nothing happens if there is none.
-
-    It is the only way in which folders named by a file's content are removed: ``name`` is that of
-    an entry, never a path, never a link.
+    """Remove a folder inside ``parent``; nothing happens if there is none.
 
     Raises:
         StorageError: the name is not plain, is that of no folder, or the folder cannot be removed.
     """
-    place = _inside(parent, name)
-    try:
-        shutil.rmtree(place)  # refuses links, and follows none inside
-    except FileNotFoundError:
-        if os.path.lexists(place):  # somebody else was removing it, too
-            shutil.rmtree(place, ignore_errors=True)
-    except OSError as error:
-        raise StorageError(
-            f"{place} cannot be removed: {error.strerror or error}. Remove it by hand."
-        ) from error
+    with _removing(parent, name) as place:
+        try:
+            shutil.rmtree(place)  # refuses links, and follows none inside
+        except FileNotFoundError:
+            if os.path.lexists(place):  # somebody else was removing it, too
+                shutil.rmtree(place, ignore_errors=True)
 
 
 def remove_file(parent: Path, name: str) -> None:
     """Remove a file or a link inside ``parent``; nothing happens if there is none.
 
-    It is the only way in which files named by a file's content are removed: ``name`` is that of an
-    entry, never a path.
-
     Raises:
         StorageError: the name is not plain, is that of a folder, or the file cannot be removed.
     """
-    place = _inside(parent, name)
-    try:
+    with _removing(parent, name) as place:
         place.unlink(missing_ok=True)
-    except OSError as error:
-        raise StorageError(
-            f"{place} cannot be removed: {error.strerror or error}. Remove it by hand."
-        ) from error
 
 
-def _inside(parent: Path, name: str) -> Path:
+@contextlib.contextmanager
+def _removing(parent: Path, name: str) -> Iterator[Path]:
     if not is_plain_name(name):
         raise StorageError(
             f"{name!r} is not the plain name of an entry of {parent}; nothing was removed."
         )
-    return parent / name
+    place = parent / name
+    try:
+        yield place
+    except OSError as error:
+        raise StorageError(
+            f"{place} cannot be removed: {error.strerror or error}. Remove it by hand."
+        ) from error

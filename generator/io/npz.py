@@ -17,10 +17,7 @@ import numpy as np
 from ..errors import TabletopError
 from .reading import read_regular
 
-MAX_ARRAYS = 4096
-"""A file has no more."""
-
-
+_MAX_ARRAYS = 4096  # of a file
 _COMPRESSIONS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 
 
@@ -41,7 +38,7 @@ def read_arrays(
             members = [m for m in packed.infolist() if m.filename.endswith(".npy")]
             if not {m.compress_type for m in members} <= _COMPRESSIONS:
                 raise error(f"{what} {str(path)!r} is compressed in a way that NumPy never does.")
-            if len(members) > MAX_ARRAYS or sum(m.file_size for m in members) > max_bytes:
+            if len(members) > _MAX_ARRAYS or sum(m.file_size for m in members) > max_bytes:
                 raise error(f"{what} {str(path)!r} holds more than {max_bytes} bytes of arrays.")
             return {m.filename.removesuffix(".npy"): _array(packed.read(m)) for m in members}
     except (

@@ -1,8 +1,7 @@
 """Bounded readers of foreign input: JSON, URLs, regular files, printable text.
 
-Whatever comes from outside the process (a bundle, a server's answer, a record in a shared folder,
-a file the user names) is hostile until it has passed one of these. Each takes the error to raise,
-a child of ``TabletopError``, so that a caller's message fits what it was reading.
+What comes from outside the process (a bundle, a server's answer, a record in a shared folder, a
+file the user names) is hostile until it has passed one of these. Each takes the error to raise.
 """
 
 from __future__ import annotations
@@ -20,24 +19,18 @@ from urllib.parse import SplitResult, urlsplit
 
 from ..errors import TabletopError
 
-MAX_DEPTH = 64
-"""Lists and objects of a JSON text may be nested this deep."""
-
-MAX_JSON_BYTES = 64 * 2**20
-"""A JSON text may be this long unless the caller says otherwise."""
-
-MAX_VALUES = 4_000_000
-"""A JSON text may hold this many lists, objects and commas; read, each takes up to 72 bytes."""
-
 MAX_URL_LENGTH = 8192
 
 MAX_NAME_LENGTH = 200
 """Characters of a name or a label."""
 
+_MAX_DEPTH = 64  # of lists and objects in a JSON text
+_MAX_JSON_BYTES = 64 * 2**20  # unless the caller says otherwise
+_MAX_VALUES = 4_000_000  # lists, objects and commas of a JSON text; each takes up to 72 bytes
 _STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)  # possessive: linear in time
 _PART = rb'(?:[\w-]++|"[^"\n]*+"|\'[^\'\n]*+\')[ \t]*+'  # of a dotted key
 _DOTTED = re.compile(
-    rb"(?m:^|[\[{,])[ \t]*+" + _PART + rb"(?:\.[ \t]*+" + _PART + rb"){%d}" % MAX_DEPTH
+    rb"(?m:^|[\[{,])[ \t]*+" + _PART + rb"(?:\.[ \t]*+" + _PART + rb"){%d}" % _MAX_DEPTH
 )
 _HOST = re.compile(r"[\w.:%-]+", re.ASCII)  # of an IPv6 address the colons, too
 _NOT_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
@@ -49,15 +42,13 @@ def parse_json(
     what: str,
     error: type[TabletopError],
     *,
-    max_bytes: int = MAX_JSON_BYTES,
-    max_depth: int = MAX_DEPTH,
-    unique: bool = False,
+    max_bytes: int = _MAX_JSON_BYTES,
+    max_depth: int = _MAX_DEPTH,
 ) -> Any:
     """Parse a foreign JSON text; every number in it is finite, every string is valid Unicode.
 
     ``what`` begins the message of an error: "The answer of the server". ``max_bytes`` bounds the
-    text, ``max_depth`` the nesting of lists and objects. ``unique`` refuses objects that repeat a
-    key (otherwise the last one counts, as usual).
+    text, ``max_depth`` the nesting of lists and objects.
 
     Raises:
         TabletopError: ``error``, if the text is too long, too deep, or not such JSON.
@@ -69,16 +60,13 @@ def parse_json(
     if len(data) > max_bytes:
         raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
     bare = _STRING.sub(b"", data)
-    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > MAX_VALUES:
-        raise error(f"{what} holds more than the {MAX_VALUES} values that are read.")
+    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > _MAX_VALUES:
+        raise error(f"{what} holds more than the {_MAX_VALUES} values that are read.")
     if _depth(bare) > max_depth:
         raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
     try:
         payload = json.loads(
-            data.decode("utf-8-sig"),
-            parse_constant=_not_finite,
-            parse_float=_finite,
-            object_pairs_hook=_unique if unique else None,
+            data.decode("utf-8-sig"), parse_constant=_not_finite, parse_float=_finite
         )
         if rb"\u" in data:  # an escape may spell half a surrogate pair, which is no text
             json.dumps(payload, ensure_ascii=False).encode()
@@ -88,20 +76,14 @@ def parse_json(
 
 
 def parse_object(
-    raw: bytes | str,
-    what: str,
-    error: type[TabletopError],
-    *,
-    max_bytes: int = MAX_JSON_BYTES,
-    max_depth: int = MAX_DEPTH,
-    unique: bool = False,
+    raw: bytes | str, what: str, error: type[TabletopError], **bounds: int
 ) -> dict[str, Any]:
-    """Parse a foreign JSON text that is one object; see :func:`parse_json`.
+    """Parse a foreign JSON text that is one object; see :func:`parse_json`, also for ``bounds``.
 
     Raises:
         TabletopError: ``error``, if it is not.
     """
-    payload = parse_json(raw, what, error, max_bytes=max_bytes, max_depth=max_depth, unique=unique)
+    payload = parse_json(raw, what, error, **bounds)
     if not isinstance(payload, dict):
         raise error(f"{what} must be one JSON object, not {type(payload).__name__}.")
     return payload
@@ -115,8 +97,8 @@ def parse_toml(raw: bytes, what: str, error: type[TabletopError]) -> dict[str, A
     Raises:
         TabletopError: ``error``, if it is too deep, by brackets or by dotted keys, or no TOML.
     """
-    if _depth(raw) > MAX_DEPTH or _DOTTED.search(raw):
-        raise error(f"{what} nests tables deeper than {MAX_DEPTH} levels.")
+    if _depth(raw) > _MAX_DEPTH or _DOTTED.search(raw):
+        raise error(f"{what} nests tables deeper than {_MAX_DEPTH} levels.")
     try:
         return tomllib.loads(raw.decode("utf-8-sig"))
     except (ValueError, RecursionError) as failure:
@@ -138,9 +120,8 @@ def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult
         raise error(f"{what} has {len(url)} characters; at most {MAX_URL_LENGTH} are read.")
     try:
         parts = urlsplit(url)
-        host, port = parts.hostname, parts.port
-        fine = parts.scheme in ("http", "https") and bool(_HOST.fullmatch(host or ""))
-        fine = fine and port != 0
+        fine = parts.scheme in ("http", "https") and _HOST.fullmatch(parts.hostname or "")
+        fine = parts.port != 0 and fine
         fine = fine and url.isascii() and url.isprintable() and " " not in url
     except ValueError:
         fine = False
@@ -169,7 +150,10 @@ def read_regular(
         try:
             status = os.fstat(descriptor)
             regular, large = stat.S_ISREG(status.st_mode), status.st_size > max_bytes
-            content = _read(descriptor, max_bytes + 1) if regular and not large else b""
+            content = b""
+            if regular and not large:
+                with open(descriptor, "rb", closefd=False) as file:
+                    content = file.read(max_bytes + 1)
         finally:
             os.close(descriptor)
     except (OSError, ValueError) as failure:
@@ -204,14 +188,9 @@ def is_number(value: object, *, minimum: float = 0.0, maximum: float = 1e12) -> 
     return type(value) in (int, float) and minimum <= value <= maximum  # type: ignore[operator]
 
 
-def is_count(value: object, *, maximum: float = 1e12) -> bool:
-    """Return whether a value of a foreign JSON text is an integer from 0 to ``maximum``."""
-    return type(value) is int and is_number(value, maximum=maximum)
-
-
-def _read(descriptor: int, count: int) -> bytes:
-    with open(descriptor, "rb", closefd=False) as file:
-        return file.read(count)
+def is_count(value: object) -> bool:
+    """Return whether a value of a foreign JSON text is an integer from 0 to 1e12."""
+    return type(value) is int and is_number(value)
 
 
 def _not_json(what: str, error: type[TabletopError], failure: Exception) -> TabletopError:
@@ -232,10 +211,3 @@ def _finite(text: str) -> float:
 
 def _not_finite(constant: str) -> NoReturn:
     raise ValueError(f"{constant} is not a finite number")
-
-
-def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) != len(pairs):
-        raise ValueError("a key is repeated")
-    return found

@@ -15,8 +15,8 @@ _UNWRITTEN = 5  # as of a StorageError
 def run_piped(run: Callable[[], int]) -> int:
     """Run a command; return its exit code, or one for what it printed and could not.
 
-    It ends quietly where nobody reads on, as ``| head`` does, and says so where what it prints
-    finds no room. Any other trouble is as ``run`` raises it.
+    It ends quietly where nobody reads on, as ``| head`` does, and says so where the disk is full.
+    Any other error is as ``run`` raises it.
     """
     try:
         try:
@@ -25,9 +25,10 @@ def run_piped(run: Callable[[], int]) -> int:
             if sys.stdout is not None:
                 sys.stdout.flush()
     except OSError as error:
+        if sys.stdout is None:
+            raise
         unread = isinstance(error, BrokenPipeError) and _is_unread()
-        full = error.errno == errno.ENOSPC and error.filename is None
-        if sys.stdout is None or not (unread or full):
+        if not unread and (error.errno != errno.ENOSPC or error.filename is not None):
             raise
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())  # for the flush at the end of the process
@@ -40,8 +41,6 @@ def run_piped(run: Callable[[], int]) -> int:
 
 def _is_unread() -> bool:
     """Return whether standard output is a pipe that nobody reads any more."""
-    if sys.stdout is None:
-        return False
     try:
         watched = select.poll()
         watched.register(sys.stdout.fileno(), 0)

@@ -5,14 +5,14 @@ is done or absent: the process that holds its lock makes it in a folder of its o
 record, and only then publishes it. So several batches may share a folder.
 """
 
-from .maker import Maker as Maker
+from .facts import Outcome as Outcome
 from .making import Composing as Composing
 from .making import Generating as Generating
-from .place import shared_budget as shared_budget
+from .making import shared_budget as shared_budget
 from .prompts import Job as Job
+from .prompts import Maker as Maker
 from .prompts import jobs_of as jobs_of
 from .prompts import read_prompts as read_prompts
-from .records import Outcome as Outcome
 from .running import run as run
+from .running import try_out as try_out
 from .summary import Summary as Summary
-from .trying import try_out as try_out

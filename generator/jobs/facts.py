@@ -1,30 +1,42 @@
-"""What a record of a batch says, read as something that anyone may have written."""
+"""What came of a job; its record is read as something that anyone may have written."""
 
 from __future__ import annotations
 
-import dataclasses
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Literal
 
 from ..errors import StorageError
 from ..io.files import is_plain_name
 from ..io.reading import is_number, parse_object, read_regular
+from .prompts import Job
 
 _MOST_BYTES = 2**20  # of a record; the error in it may be long
 _BUNDLE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*-[0-9a-f]{12}")  # as ``bundle.save`` names them
+_RECORDED = ("bundle", "kind", "error", "seconds", "gate")
+
+State = Literal["made", "there", "failed", "unpaid", "busy"]
 
 
 @dataclass(frozen=True)
-class Facts:
-    """What came of a job, as its record has it: fields of ``Outcome``, checked.
+class Outcome:
+    """What came of a job.
 
-    ``bundle`` is the plain name of a bundle's folder. ``gate`` is empty if the record has figures
-    that are none.
+    Attributes:
+        job: the job.
+        state: "made" now, "there" already, "failed", "unpaid": a call that it needs was not sent,
+            for want of money or in a dry run, or "busy": someone else is at it.
+        bundle: the name of its bundle, if there is one.
+        kind: the class of the error, if it failed or is unpaid.
+        error: what it says.
+        seconds: how long it took whoever made it.
+        gate: figures of the recorded gate: see ``summary``.
     """
 
+    job: Job
+    state: State
     bundle: str | None = None
     kind: str | None = None
     error: str | None = None
@@ -32,28 +44,27 @@ class Facts:
     gate: Mapping[str, float] = field(default_factory=dict)
 
 
-def read(place: Path, name: str) -> Facts | None:
-    """Return what the record ``name`` says; None if there is none, or none that can be read."""
+def read(job: Job, place: Path, name: str) -> Outcome | None:
+    """Return what the record ``name`` says of a job; None if there is none that can be read.
+
+    ``bundle`` is then the plain name of a bundle's folder. ``gate`` is empty if what is recorded
+    is no figures.
+    """
     path = place / f"{name}.json"
     try:
         raw = read_regular(path, "The record", StorageError, max_bytes=_MOST_BYTES)
         told = parse_object(raw, f"The record {path}", StorageError)
     except StorageError:
         return None
-    known = {f.name for f in dataclasses.fields(Facts)}
-    facts = Facts(**{key: value for key, value in told.items() if key in known})
-    if not _is_sound(facts):
-        return None
-    return facts if _are_figures(facts.gate) else dataclasses.replace(facts, gate={})
-
-
-def _is_sound(facts: Facts) -> bool:
-    texts = all(text is None or isinstance(text, str) for text in (facts.kind, facts.error))
-    named = facts.bundle is None or (
-        is_plain_name(facts.bundle) and _BUNDLE.fullmatch(facts.bundle) is not None
+    facts = {key: told[key] for key in _RECORDED if key in told}
+    found = Outcome(job, "failed" if facts.get("bundle") is None else "there", **facts)
+    texts = all(text is None or isinstance(text, str) for text in (found.kind, found.error))
+    named = found.bundle is None or (
+        is_plain_name(found.bundle) and _BUNDLE.fullmatch(found.bundle)
     )
-    return texts and named and is_number(facts.seconds)
-
-
-def _are_figures(gate: Any) -> bool:
-    return isinstance(gate, dict) and all(is_number(v, minimum=-1e12) for v in gate.values())
+    if not (texts and named and is_number(found.seconds)):
+        return None
+    figures = isinstance(found.gate, dict) and all(
+        is_number(value, minimum=-1e12) for value in found.gate.values()
+    )
+    return found if figures else replace(found, gate={})

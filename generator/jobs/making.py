@@ -9,16 +9,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..backends import Backends, Mix
+from ..calls import Session
 from ..calls.money.budget import SharedBudget
 from ..calls.money.database import LOCAL, Keeper
+from ..calls.money.ledger import Account
 from ..calls.money.prices import Prices
+from ..calls.store import CallStore
 from ..errors import BackendError, InputError, StorageError, require
+from ..scene.provenance import plain
 from ..threads import threads
 from .prompts import Job
-from .records import key_of
+from .records import key_of, place_of
 
 if TYPE_CHECKING:
-    from ..calls import Session
     from ..generation import Config
 
 
@@ -47,13 +50,13 @@ class Generating:
     Attributes:
         mix: who answers the stages' questions.
         config: settings of the stages; None for the usual ones.
-        calls: folder where answers of servers are kept, so that nothing is paid for twice; None
-            keeps nothing.
+        calls: folder where answers are kept, so that nothing is paid for twice; None keeps nothing.
         prices: what calls of servers cost; None: the table that comes with the package.
         shared_budget: what all scenes are paid from, see ``shared_budget``; None adds up nothing.
         budget: what all scenes may cost together, those of earlier runs too, in the currency of
             ``prices``; needs ``shared_budget``. A call that might exceed it is not sent.
         dry: nothing is sent: the first call that is not kept raises DryRunError.
+        keeper: who works on the databases of money: over several machines, a process owning them.
 
     Raises:
         BackendError: the backends cannot be selected here.
@@ -68,25 +71,21 @@ class Generating:
     budget: float | None = None
     dry: bool = False
     keeper: Keeper = field(default=LOCAL, repr=False, compare=False)
-    """Who works on the databases of money: over several machines, a process that owns them."""
+    # who answers as of where this was made; a process elsewhere has to agree
     _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
-    """Who answers, as of where this was made; a process elsewhere has to agree."""
 
     def __post_init__(self) -> None:
-        from ..scene.provenance import plain
-
         told = self.mix.identity()
         if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
             told["answering"] = plain(self.mix.select().identity())
         object.__setattr__(self, "_answering", told)
-        if self.budget is None:
-            return
-        require(self, "budget", minimum=0)
-        if self.shared_budget is None:
-            raise InputError(
-                "Generating needs a shared budget, which processes spend together. Give "
-                "shared_budget=shared_budget(FOLDER) of the batch's folder."
-            )
+        if self.budget is not None:
+            require(self, "budget", minimum=0)
+            if self.shared_budget is None:
+                raise InputError(
+                    "Generating needs a shared budget, which processes spend together. Give "
+                    "shared_budget=shared_budget(FOLDER) of the batch's folder."
+                )
 
     def kept_by(self, keeper: Keeper) -> Generating:
         """Return this maker, its databases of money worked on by ``keeper``."""
@@ -96,7 +95,6 @@ class Generating:
     def identity(self) -> dict[str, Any]:
         """Return backends, their settings unless all are embedded, and the stages' settings."""
         from ..generation import Config
-        from ..scene.provenance import plain
 
         config = plain(self.config or Config())
         return {"route": "generate", **self._answering, "config": config}
@@ -121,8 +119,6 @@ class Generating:
         return path
 
     def _check_answering(self, backends: Backends) -> None:
-        from ..scene.provenance import plain
-
         expected = self._answering.get("answering")
         if expected is None:
             return
@@ -137,11 +133,7 @@ class Generating:
 
     @contextlib.contextmanager
     def _session(self, job: Job) -> Iterator[Session]:
-        """Return what the calls of one scene share; it knows what earlier runs spent on it."""
-        from ..calls import Session
-        from ..calls.money.ledger import Account
-        from ..calls.store import CallStore
-
+        """Yield the session of one scene, which knows what earlier runs spent on it."""
         with contextlib.ExitStack() as open_:
             shared = self.shared_budget
             spending = None if shared is None else open_.enter_context(shared.spending())
@@ -157,6 +149,16 @@ class Generating:
             except InputError as error:  # of another currency: no fault of the scene's
                 raise StorageError(str(error)) from error
             yield session
+
+
+def shared_budget(folder: str | Path, prices: Prices | None = None) -> SharedBudget:
+    """Return the budget that all batches in a folder spend from, begun if there is none.
+
+    Raises:
+        InputError: what was spent there is in another currency than ``prices``.
+        StorageError: it cannot be read, or the folder not be written.
+    """
+    return SharedBudget.open(place_of(Path(folder)), (prices or Prices.default()).currency)
 
 
 def _share() -> None:

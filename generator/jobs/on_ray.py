@@ -19,11 +19,9 @@ _USAGE = "RAY_USAGE_STATS_ENABLED"  # else Ray tells its makers that it was star
 
 
 class RayPool:
-    """Tasks of a Ray cluster, a CPU each; its machines share the batch's folder.
+    """At most ``width`` tasks of a Ray cluster, a CPU each; its machines share the batch's folder.
 
-    Args:
-        address: as ``ray.init`` takes it; "local" starts Ray here, with ``width`` CPUs.
-        width: number of tasks at a time.
+    ``address`` is as ``ray.init`` takes it; "local" starts Ray here, with ``width`` CPUs.
 
     Raises:
         BackendError: Ray is not installed, or there is none at the address.

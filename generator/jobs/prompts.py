@@ -1,4 +1,4 @@
-"""Which scenes are asked for: texts and seeds, from a file or a list."""
+"""Which scenes are asked for, by texts and seeds from a file or a list, and what makes them."""
 
 from __future__ import annotations
 
@@ -8,14 +8,12 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from ..errors import InputError, require_number, require_seed
 from ..io.reading import parse_json, read_regular
 
-MOST = 100_000
-"""No batch has more scenes."""
-
+_MOST = 100_000  # scenes of a batch
 _MOST_TEXT = 20_000  # letters of a prompt
 _MOST_BYTES = 64 * 2**20  # of a file of prompts
 
@@ -40,22 +38,38 @@ class Job:
         object.__setattr__(self, "seed", int(self.seed))  # also of NumPy's
 
 
-def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
-    """Return the jobs of texts: each with ``variants`` seeds, from ``seed`` on.
+class Maker(Protocol):
+    """Makes scenes in any process; must be picklable and reproducible to the byte."""
 
-    A ``Job`` has a seed of its own to begin with. What is asked for twice is one job.
+    def identity(self) -> dict[str, Any]:
+        """Return what decides its scenes, as JSON values."""
+        ...
+
+    def __call__(self, job: Job, folder: Path) -> Path:
+        """Publish a job's scene as a bundle in ``folder``; return the bundle's path.
+
+        Raises:
+            TabletopError: it cannot be made.
+        """
+        ...
+
+
+def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
+    """Return the jobs of texts, each with ``variants`` seeds from ``seed``, or its own, on.
+
+    What is asked for twice is one job.
 
     Raises:
         InputError: none, too many, or a number out of range.
     """
-    require_number("A batch needs variants", variants, minimum=1, maximum=MOST, integer=True)
+    require_number("A batch needs variants", variants, minimum=1, maximum=_MOST, integer=True)
     first = dict.fromkeys(p if isinstance(p, Job) else Job(p, seed) for p in prompts)
     seeds: dict[str, list[int]] = {}
     for job in first:
         seeds.setdefault(job.text, []).append(job.seed)
     count = sum(_count_seeds(sorted(firsts), variants) for firsts in seeds.values())
-    if not 0 < count <= MOST:
-        raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {count:,}.")
+    if not 0 < count <= _MOST:
+        raise InputError(f"A batch needs 1 to {_MOST:,} scenes, got {count:,}.")
     jobs: dict[Job, None] = {}
     for job in first:
         for k in range(variants):
@@ -85,7 +99,9 @@ def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:
     raw = read_regular(path, "The file of prompts", InputError, max_bytes=_MOST_BYTES)
     if path.suffix.lower() == ".json":
         entries = parse_json(raw, f"The file of prompts {path}", InputError, max_bytes=_MOST_BYTES)
-        return _jobs(entries, seed, path)
+        if not isinstance(entries, list):
+            raise InputError(f"{path} must be an array of texts, or of objects with a text.")
+        return [_job(entry, seed, path) for entry in entries]
     try:
         lines = (line.strip() for line in raw.decode("utf-8-sig").splitlines())
     except UnicodeDecodeError as error:
@@ -101,12 +117,6 @@ def key(job: Job, maker: dict[str, Any], picture: bytes | None) -> str:
     seen = None if picture is None else hashlib.sha256(picture).hexdigest()
     told = {"text": job.text, "seed": job.seed, "maker": maker, "picture": seen}
     return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:24]
-
-
-def _jobs(entries: Any, seed: int, path: Path) -> list[Job]:
-    if not isinstance(entries, list):
-        raise InputError(f"{path} must be an array of texts, or of objects with a text.")
-    return [_job(entry, seed, path) for entry in entries]
 
 
 def _job(entry: Any, seed: int, path: Path) -> Job:

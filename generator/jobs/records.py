@@ -12,9 +12,8 @@ import dataclasses
 import json
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any
 
 import numpy as np
 from filelock import FileLock, Timeout
@@ -27,47 +26,18 @@ from ..errors import (
     DryRunError,
     InputError,
     StorageError,
-    TabletopError,
 )
 from ..io.files import remove_file, remove_tree, write_whole
-from .facts import read
-from .place import PLACE, place_of
-from .prompts import Job, key
+from .facts import Outcome, read
+from .prompts import Job, Maker, key
 
-if TYPE_CHECKING:
-    from .maker import Maker
-
-KEPT = frozenset({"InputError", "SceneError"})
-"""Failures that the same job meets again: they are not tried anew unless asked for."""
+_KEPT = frozenset({"InputError", "SceneError"})  # failures that recur: not retried unless asked
 
 CRASH = "Crash"
 """The kind of failure of a job whose process died."""
 
-State = Literal["made", "there", "failed", "unpaid", "busy"]
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What came of a job.
-
-    Attributes:
-        job: the job.
-        state: "made" now, "there" already, "failed", "unpaid": a call that it needs was not sent,
-            for want of money or in a dry run, or "busy": someone else is at it.
-        bundle: the name of its bundle, if there is one.
-        kind: the class of the error, if it failed or is unpaid.
-        error: what it says.
-        seconds: how long it took whoever made it.
-        gate: figures of the recorded gate: see ``summary``.
-    """
-
-    job: Job
-    state: State
-    bundle: str | None = None
-    kind: str | None = None
-    error: str | None = None
-    seconds: float = 0.0
-    gate: Mapping[str, float] = field(default_factory=dict)
+PLACE = ".batch"
+"""The folder, within a batch's folder, of what is no bundle: its records, and what it has spent."""
 
 
 def key_of(job: Job, make: Maker) -> str:
@@ -82,14 +52,29 @@ def key_of(job: Job, make: Maker) -> str:
     return key(job, make.identity(), picture)
 
 
+def place_of(folder: Path) -> Path:
+    """Return where a batch's folder keeps its records; both are made if missing.
+
+    Raises:
+        StorageError: they cannot be made, or the records are a link to elsewhere.
+    """
+    place = folder / PLACE
+    if place.is_symlink():
+        raise StorageError(f"{place} is a link; a batch keeps its records in its own folder.")
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StorageError(
+            f"The batch's folder {folder} cannot be made: {error.strerror or error}. Choose "
+            "another folder."
+        ) from error
+    return place
+
+
 def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
     """Make a job's scene in ``folder``, unless that is done, or someone else is at it.
 
-    Args:
-        job: what to make.
-        folder: where the bundle goes; it is there.
-        make: how it is made.
-        retry: try again what failed in a way that was kept.
+    ``retry`` tries again what failed in a way that was kept.
 
     Raises:
         StorageError: the folder cannot be written, or the disk is full.
@@ -97,7 +82,7 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
     name, place = key_of(job, make), place_of(folder)
     try:
         with FileLock(place / f"{name}.lock", timeout=0):
-            _put_in_place(folder, name)
+            _put_in_place(job, folder, name)
             return find_outcome(job, folder, name, retry) or _make(job, folder, name, make)
     except Timeout:
         return Outcome(job, "busy")
@@ -112,14 +97,12 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
 
 def find_outcome(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
     """Return what came of a job before, its bundle in place; None if it is to be made."""
-    facts = read(folder / PLACE, name)
-    if facts is None:
+    found = read(job, folder / PLACE, name)
+    if found is None:
         return None
-    if facts.bundle is None:
-        kept = facts.kind in KEPT and not retry
-        return Outcome(job, "failed", **dataclasses.asdict(facts)) if kept else None
-    there = _sound(folder / facts.bundle)
-    return Outcome(job, "there", **dataclasses.asdict(facts)) if there else None
+    kept = found.kind in _KEPT and not retry
+    done = kept if found.bundle is None else _sound(folder / found.bundle)
+    return found if done else None
 
 
 def record_failure(
@@ -142,19 +125,16 @@ def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
         report = load_report(made)
     except StorageError:
         raise
-    except (BudgetError, DryRunError) as error:  # nothing is written down: it is no fault of it
-        spent = round(time.perf_counter() - start, 2)
-        return Outcome(job, "unpaid", None, type(error).__name__, str(error), spent)
-    except TabletopError as error:
-        kind = "BackendError" if isinstance(error, BackendError) else type(error).__name__
-        return record_failure(job, folder, name, str(error), kind, time.perf_counter() - start)
     except Exception as error:  # one scene must not end the batch
-        spent = time.perf_counter() - start
-        return record_failure(job, folder, name, str(error), type(error).__name__, spent)
+        spent, kind = time.perf_counter() - start, type(error).__name__
+        if isinstance(error, BudgetError | DryRunError):  # not written down: no fault of the scene
+            return Outcome(job, "unpaid", None, kind, str(error), round(spent, 2))
+        kind = "BackendError" if isinstance(error, BackendError) else kind
+        return record_failure(job, folder, name, str(error), kind, spent)
     spent = round(time.perf_counter() - start, 2)
     outcome = Outcome(job, "made", made.name, seconds=spent, gate=_figures(report))
     _write(outcome, folder, name)
-    _put_in_place(folder, name)
+    _put_in_place(job, folder, name)
     if not _sound(folder / made.name):
         raise StorageError(
             f"The scene of {job.text!r:.80} was made, but its record or its bundle "
@@ -163,16 +143,15 @@ def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
     return outcome
 
 
-def _put_in_place(folder: Path, name: str) -> None:
+def _put_in_place(job: Job, folder: Path, name: str) -> None:
     """Put a recorded bundle that lies where it was made among the others.
 
-    What lies in its place makes way only if the new one has the digest that its name ends with, so
-    that it is the same bundle, damaged.
+    What lies in its place makes way only if it is the same bundle, by its digest, damaged.
     """
     own = folder / PLACE / name
-    facts = None if own.is_symlink() or not own.is_dir() else read(folder / PLACE, name)
-    if facts is not None and facts.bundle is not None:
-        made, target = own / facts.bundle, folder / facts.bundle
+    found = None if own.is_symlink() or not own.is_dir() else read(job, folder / PLACE, name)
+    if found is not None and found.bundle is not None:
+        made, target = own / found.bundle, folder / found.bundle
         if not made.is_symlink() and _sound(made) and not _sound(target):
             put_in_place(made, target, lambda: _sound(target))
     _clear(folder / PLACE, name)
@@ -209,7 +188,7 @@ def _figures(report: Mapping[str, Any]) -> dict[str, float]:
 
 def _write(outcome: Outcome, folder: Path, name: str) -> None:
     facts = dataclasses.asdict(outcome)
-    told = {**facts.pop("job"), **{k: v for k, v in facts.items() if k != "state"}}
-    text = json.dumps(told, indent=1, sort_keys=True) + "\n"
+    del facts["state"]
+    text = json.dumps({**facts.pop("job"), **facts}, indent=1, sort_keys=True) + "\n"
     path = folder / PLACE / f"{name}.json"
     write_whole(path, text, "The record of a scene", "Free space there, or choose another folder.")

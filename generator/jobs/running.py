@@ -1,47 +1,30 @@
-"""The loop of a batch: survives worker crashes, waits for scenes locked by other runs."""
+"""The loop of a batch: survives worker crashes, waits for scenes locked by other runs; dry runs."""
 
 from __future__ import annotations
 
+import tempfile
 import time
 from collections import deque
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING
 
 from ..errors import require_number
-from .maker import Maker
+from .facts import Outcome
 from .making import Generating
-from .place import place_of
-from .prompts import Job, jobs_of
-from .records import CRASH, Outcome, find_outcome, key_of, record_failure, work
+from .prompts import Job, Maker, jobs_of
+from .records import CRASH, find_outcome, key_of, place_of, record_failure, work
 from .summary import Summary, write_summary
 from .workers import WorkerDied, WorkerPool
 
-Progress = Callable[[Outcome, int, int], None]
-"""Called as a job is done, with what came of it, how many are done, and how many there are."""
+if TYPE_CHECKING:
+    from .on_ray import RayPool
 
-PAUSE = 0.5
-"""Seconds between two looks at jobs that another batch is at."""
+_PAUSE = 0.5  # seconds between two looks at jobs that another batch is at
 
-GRACE = 10.0
-"""Seconds that interrupted workers have to end: more than a session's ``grace``."""
-
-
-class Pool(Protocol):
-    """Runs tasks elsewhere: a ``WorkerPool``, or Ray."""
-
-    width: int
-    """Number of tasks at a time."""
-
-    def submit(self, function: Callable[..., Any], *args: Any) -> Future[Any]:
-        """Have a function called; ``WorkerDied`` says that its process ended."""
-        ...
-
-    def close(self, grace: float = 0.0) -> None:
-        """End, whatever is running; ``grace`` is for tasks to end by themselves, in seconds."""
-        ...
+_GRACE = 10.0  # seconds that interrupted workers have to end: more than a session's ``grace``
 
 
 def run(
@@ -54,7 +37,7 @@ def run(
     seed: int = 0,
     variants: int = 1,
     retry: bool = False,
-    progress: Progress | None = None,
+    progress: Callable[[Outcome, int, int], None] | None = None,
 ) -> Summary:
     """Make many scenes into one folder; what is there already is not made again.
 
@@ -70,7 +53,8 @@ def run(
         seed: of each text.
         variants: how many seeds each text is made with, from its own on.
         retry: try again what failed as its gate or its text had it. Other failures always are.
-        progress: called as each job is done.
+        progress: called as a job is done: with what came of it, how many are done, and how many
+            there are.
 
     Returns:
         What came of each job, in their order, and the figures of their gates.
@@ -90,12 +74,17 @@ def run(
         if progress is not None:
             progress(outcome, len(done), len(jobs))
 
-    missing = [job for job in jobs if not _known(job, folder, make, retry, report)]
+    missing = deque[Job]()
+    for job in jobs:
+        if (outcome := find_outcome(job, folder, key_of(job, make), retry)) is None:
+            missing.append(job)
+        else:
+            report(outcome)
     if missing:
         pool, make = _pool(min(workers, len(missing)), ray, make)
-        grace = GRACE
+        grace = _GRACE
         try:
-            _run_all(deque(missing), pool, folder, make, retry, report)
+            _run_all(missing, pool, folder, make, retry, report)
             grace = 0.0
         finally:
             pool.close(grace)
@@ -104,17 +93,31 @@ def run(
     return summary
 
 
-def _known(
-    job: Job, folder: Path, make: Maker, retry: bool, told: Callable[[Outcome], None]
-) -> bool:
-    """Tell what came of a job before, if it is done; return whether it is."""
-    outcome = find_outcome(job, folder, key_of(job, make), retry)
-    if outcome is not None:
-        told(outcome)
-    return outcome is not None
+def try_out(
+    prompts: Iterable[str | Job],
+    folder: str | Path,
+    make: Generating,
+    *,
+    workers: int = 1,
+    retry: bool = False,
+) -> Summary:
+    """Return what each scene would ask of servers first; nothing is sent, nor put into the folder.
+
+    Those that are still to be made are begun by processes of this machine, elsewhere: one that
+    would ask is "unpaid", with its calls as the error; one whose answers are all kept is "made".
+    ``folder``, where the bundles would go, need not be there; the arguments are those of ``run``.
+    """
+    jobs, folder = jobs_of(prompts), Path(folder)
+    known = {job: find_outcome(job, folder, key_of(job, make), retry) for job in jobs}
+    left = [job for job, outcome in known.items() if outcome is None]
+    if left:
+        dry = replace(make, dry=True, shared_budget=None, budget=None)
+        with tempfile.TemporaryDirectory(prefix="tabletopgen-dry-") as elsewhere:
+            known |= {o.job: o for o in run(left, elsewhere, dry, workers=workers).outcomes}
+    return Summary(tuple(outcome for job in jobs if (outcome := known[job]) is not None))
 
 
-def _pool(width: int, ray: str | None, make: Maker) -> tuple[Pool, Maker]:
+def _pool(width: int, ray: str | None, make: Maker) -> tuple[WorkerPool | RayPool, Maker]:
     """Return who runs the tasks, and the maker, whose money one process of several keeps."""
     if ray is None:
         return WorkerPool(width), make
@@ -127,7 +130,7 @@ def _pool(width: int, ray: str | None, make: Maker) -> tuple[Pool, Maker]:
 
 def _run_all(
     waiting: deque[Job],
-    pool: Pool,
+    pool: WorkerPool | RayPool,
     folder: Path,
     make: Maker,
     retry: bool,
@@ -142,7 +145,7 @@ def _run_all(
     crashed, busy = deque[Job](), deque[Job]()
     while waiting or crashed or busy or running:
         if not (waiting or crashed or running):
-            time.sleep(PAUSE)
+            time.sleep(_PAUSE)
             waiting, busy = busy, deque()
         alone = not waiting and not running and bool(crashed)
         source = crashed if alone else waiting

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections import Counter
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..io.files import write_whole
-from .records import Outcome
+from .facts import Outcome
 
 FILE = "summary.json"
 """Where a batch's folder keeps it."""
@@ -59,27 +58,22 @@ class Summary:
 
     def facts(self) -> dict[str, Any]:
         """Return everything as JSON values."""
+        rows = map(dataclasses.asdict, self.outcomes)
         return {
             **self.counts(),
             "failures": self.kinds(),
             "gate": self.gate(),
             "seconds": round(sum(o.seconds for o in self.outcomes if o.state == "made"), 2),
-            "scenes": [_row(o) for o in self.outcomes],
+            "scenes": [{**row.pop("job"), **row} for row in rows],
         }
 
 
-def write_summary(summary: Summary, folder: Path) -> Path:
-    """Write a summary into a batch's folder; return the file.
+def write_summary(summary: Summary, folder: Path) -> None:
+    """Write a summary into a batch's folder.
 
     Raises:
         StorageError: it cannot be written.
     """
-    path = folder / FILE
     text = json.dumps(summary.facts(), indent=1) + "\n"
-    write_whole(path, text, "The batch's summary", "Free space there, or choose another folder.")
-    return path
-
-
-def _row(outcome: Outcome) -> Mapping[str, Any]:
-    facts = dataclasses.asdict(outcome)
-    return {**facts.pop("job"), **facts}
+    advice = "Free space there, or choose another folder."
+    write_whole(folder / FILE, text, "The batch's summary", advice)

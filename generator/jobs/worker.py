@@ -77,9 +77,8 @@ def _listen(given: BinaryIO, tasks: _Tasks, busy: threading.Event, folder: Path 
     if not busy.is_set():
         time.sleep(_EXIT_TIME)
     _remove(folder)
-    if hasattr(os, "killpg"):
-        with contextlib.suppress(OSError):
-            os.killpg(os.getpid(), signal.SIGKILL)
+    with contextlib.suppress(OSError):
+        os.killpg(os.getpid(), signal.SIGKILL)
     os._exit(0)
 
 

@@ -48,12 +48,8 @@ class WorkerPool:
 
     Each computes on one thread, unless OMP_NUM_THREADS and its like say otherwise. Ctrl-C is only
     for the process that owns the pool: see ``close``. A forked copy of a pool owns nothing and must
-    not be used.
-
-    Args:
-        width: number of tasks at a time.
-        begin: called once in each process, before its first task; picklable.
-        folder: a temporary folder that ends with the pool; the workers' standard error goes there.
+    not be used. ``begin``, picklable, is called once in each process, before its first task.
+    ``folder`` is a temporary one that ends with the pool; the workers' standard error goes there.
     """
 
     def __init__(
@@ -74,13 +70,8 @@ class WorkerPool:
     ) -> Future[T]:
         """Have a worker call a function; both, and what it returns, must be picklable.
 
-        Args:
-            function: what to call.
-            args: its arguments.
-            timeout: seconds after which the worker is killed.
-
-        Returns:
-            The pending result: what the function returns or raises, or ``WorkerDied``.
+        The pending result is what the function returns or raises, or ``WorkerDied``; ``timeout``
+        are the seconds after which the worker is killed.
         """
         state, task = self._state, _Task(cloudpickle.dumps((function, args)), timeout)
         if len(state.workers) < self.width:
@@ -100,15 +91,14 @@ class WorkerPool:
     def close(self, grace: float = 0.0) -> None:
         """End the processes and remove the folder; may be called twice.
 
-        Args:
-            grace: seconds that running tasks have to end, once they are interrupted as by Ctrl-C;
-                0 kills them. An interrupt of this call ends the wait.
+        ``grace`` are the seconds that running tasks have to end, once they are interrupted as by
+        Ctrl-C; 0 kills them. An interrupt of this call ends the wait.
         """
         busy = [w.process for w in self._state.workers if w.busy and w.process] if grace else []
         try:
             self._state.cancel()
             for process in busy:
-                with contextlib.suppress(OSError, ValueError):  # ValueError: Windows
+                with contextlib.suppress(OSError):
                     process.send_signal(signal.SIGINT)
             _wait(busy, grace)
         finally:
@@ -151,11 +141,7 @@ class _Worker:
     proven: bool = False
 
     def start(self) -> None:
-        """Start the process: in a session of its own, with this process's modules.
-
-        Raises:
-            OSError: it cannot be started.
-        """
+        """Start the process in a session of its own, with this process's modules."""
         path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
         alone = {name: os.environ.get(name, "1") for name in _SINGLE_THREAD}
         folder = self.state.folder
@@ -173,11 +159,7 @@ class _Worker:
         _send(self.process, self.state.begin)
 
     def run(self, task: _Task) -> Any:
-        """Return what the task returns, or raise what it raises.
-
-        Raises:
-            WorkerDied: the process did not answer, or could not be started.
-        """
+        """Return what the task returns, or raise what it raises, or ``WorkerDied``."""
         if self.process is None or (self.proven and self.process.poll() is not None):
             self.kill()  # it died without a task
             try:
@@ -206,9 +188,9 @@ class _Worker:
             timer.cancel()
         self.proven = True
         well, value = pickle.loads(packed)  # by our own process
-        if well:
-            return value
-        raise value
+        if not well:
+            raise value
+        return value
 
     def kill(self) -> int:
         """Kill the process and what it has started, which are a session; return its exit code."""
@@ -216,9 +198,8 @@ class _Worker:
         if process is None:
             return 0
         if process.poll() is None:
-            if hasattr(os, "killpg"):
-                with contextlib.suppress(OSError):
-                    os.killpg(process.pid, signal.SIGKILL)
+            with contextlib.suppress(OSError):
+                os.killpg(process.pid, signal.SIGKILL)
             process.kill()
         code = process.wait()
         _hang_up(process)

@@ -36,7 +36,7 @@ def test_what_is_no_address_is_told(url: object) -> None:
 
 def test_links_hold_no_user_and_stay_as_they_are() -> None:
     link = "https://a.example/b?Signature=x%2Fy&e=1"
-    assert check_link(link, "It", BackendError) == link
+    assert check_link(link, "It", BackendError).geturl() == link
     for user in ("me@", "me:pw@", "@"):
         with pytest.raises(BackendError, match="a user name or a password") as told:
             check_link(link.replace("//", "//" + user), "It", BackendError)

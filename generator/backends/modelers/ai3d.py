@@ -72,14 +72,10 @@ class Service:
             BackendError: the service refuses, or names no job.
         """
         job = self._call(_SUBMIT, body, memo).get("JobId")
-        if not isinstance(job, str) or not job:
-            self.used.drop()
-            raise BackendError(f"{self.what} the submission was answered without a JobId.")
-        try:
+        with self.used.dropped_on(BackendError):
+            if not isinstance(job, str) or not job:
+                raise BackendError(f"{self.what} the submission was answered without a JobId.")
             return printable(job, f"{self.what} the JobId", BackendError)
-        except BackendError:
-            self.used.drop()
-            raise
 
     def look(self, job: str, memo: str) -> Mapping[str, Any]:
         """Return the state of a job; with ``memo`` "yes" as it was seen last, if it ever was.

@@ -14,7 +14,7 @@ from ...meshes.normalising import Normal, foreign_model, normal_mesh
 from ...meshes.reading.bounds import MOST_BYTES
 from ...meshes.reading.companions import companions
 from ...meshes.reading.surface import Axis
-from ...scene import Instance, Mesh, Model, SizePrior, View
+from ...scene import Instance, Model, SizePrior, View
 from ..protocols import Modeler
 
 ASSETS = "TABLETOPGEN_ASSETS"
@@ -63,7 +63,13 @@ class Folder:
                 f"folder, model of {instance.name!r}: {self.home()} has no {tried}."
                 + choices(_plain(instance.name), files)
             )
-        return foreign_model(self._mesh(file, instance), instance, size)
+        what = f"folder, model of {instance.name!r}: {file.name}"
+        raw = read_regular(file, f"{what}:", BackendError, max_bytes=MOST_BYTES)
+        kind = "obj" if file.suffix.lower() == ".obj" else "glb"
+        beside = companions(raw, what, file.parent) if kind == "obj" else {}
+        to = Normal(self.faces, self.texture)
+        mesh = normal_mesh(raw, what, kind=kind, up=self.up, to=to, beside=beside)
+        return foreign_model(mesh, instance, size)
 
     def home(self) -> Path:
         """Return the folder.
@@ -90,14 +96,6 @@ class Folder:
                 if file.suffix.lower() == kind and file.is_file():
                     found.setdefault(_plain(file.stem), file)
         return found
-
-    def _mesh(self, file: Path, instance: Instance) -> Mesh:
-        what = f"folder, model of {instance.name!r}: {file.name}"
-        raw = read_regular(file, f"{what}:", BackendError, max_bytes=MOST_BYTES)
-        kind = "obj" if file.suffix.lower() == ".obj" else "glb"
-        beside = companions(raw, what, file.parent) if kind == "obj" else {}
-        to = Normal(self.faces, self.texture)
-        return normal_mesh(raw, what, kind=kind, up=self.up, to=to, beside=beside)
 
 
 def _plain(word: str) -> str:

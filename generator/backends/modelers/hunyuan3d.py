@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -22,12 +23,9 @@ from .cutout import cutout
 ADDRESS = "TABLETOPGEN_HUNYUAN3D_URL"
 """The environment's name for the server's address, where ``Hunyuan3D.url`` is empty."""
 
-USUAL = "http://127.0.0.1:8081"
-"""Where the server listens unless told otherwise."""
-
+_USUAL = "http://127.0.0.1:8081"  # where the server listens unless told otherwise
 _MOST_BYTES = 128 * 2**20
 _ROUTE = "generate"  # the only one that tells of failures
-_HEALTH_SECONDS = 10.0
 
 Version = Literal["2.0", "2.1"]
 
@@ -74,7 +72,7 @@ class Hunyuan3D:
                 f"hunyuan3d has no version {self.version!r}." + choices(self.version, _BODIES)
             )
         if self.url:
-            _check_url(self.url)
+            self._address()
         require(self, "octree", minimum=64, maximum=512, integer=True)
         require(self, "steps", minimum=1, maximum=20, integer=True)
         require(self, "asked_faces", minimum=1000, maximum=100_000, integer=True)
@@ -114,37 +112,20 @@ class Hunyuan3D:
             **_BODIES[self.version],
         }
 
-    def health(self) -> str:
-        """Return what the server calls itself; it does not answer while it works.
-
-        Raises:
-            BackendError: nothing answers, or 2.1's route is not there (2.0's server has none).
-        """
-        client = self.session.client("hunyuan3d", self._address(), timeout=_HEALTH_SECONDS)
-        headers = {"x-tabletopgen-question": "health", "x-tabletopgen-memo": "no"}
-        with client:
-            answer = client.get("health", headers=headers)
-        reply = _object(answer.content)
-        if answer.status_code != 200 or reply.get("status") != "healthy":
-            raise BackendError(
-                f"hunyuan3d, health: {self._address()} answers {answer.status_code}, "
-                f"{answer.content[:80]!r}. Is it Hunyuan3D-2.1's api_server.py?"
-            )
-        return str(reply.get("worker_id", ""))
-
     def _address(self) -> str:
-        return _check_url(self.url or os.environ.get(ADDRESS, "") or USUAL)
+        url = self.url or os.environ.get(ADDRESS, "") or _USUAL
+        hint = f"Correct Hunyuan3D.url or {ADDRESS}."
+        return checked_address(url, "hunyuan3d: its address", hint)
 
     def _ask(self, body: Mapping[str, Any], what: str, memo: str, used: Used) -> bytes:
-        client = self.session.client(
-            "hunyuan3d", self._address(), timeout=self.timeout, most_bytes=_MOST_BYTES
-        )
         headers = {
             "x-tabletopgen-question": "model",
             "x-tabletopgen-model": f"hunyuan3d-{self.version}",
             "x-tabletopgen-memo": memo,
         }
-        with client:
+        with self.session.client(
+            "hunyuan3d", self._address(), timeout=self.timeout, most_bytes=_MOST_BYTES
+        ) as client:
             answer = client.post(_ROUTE, json=body, headers=headers)
         used.add(answer.headers)
         if answer.status_code == 200:
@@ -153,7 +134,9 @@ class Hunyuan3D:
 
     def _refusal(self, status: int, content: bytes) -> str:
         """Return what an answer that is no mesh says: the server tells of failures by 404."""
-        reply = _object(content)
+        reply = {}
+        with contextlib.suppress(BackendError):
+            reply = parse_object(content, "The answer", BackendError)
         if "error_code" in reply:
             hint = " (2.0 needs --enable_tex for textures)" if self.version == "2.0" else ""
             return (
@@ -175,15 +158,3 @@ _BODIES: Mapping[str, Mapping[str, Any]] = {
     "2.0": {"type": "glb"},
     "2.1": {"remove_background": False, "num_chunks": 8000},
 }
-
-
-def _check_url(url: str) -> str:
-    return checked_address(url, "hunyuan3d: its address", f"Correct Hunyuan3D.url or {ADDRESS}.")
-
-
-def _object(content: bytes) -> Mapping[str, Any]:
-    """Return a JSON object, or an empty one where there is none."""
-    try:
-        return parse_object(content, "The answer", BackendError)
-    except BackendError:
-        return {}

@@ -3,12 +3,26 @@
 from __future__ import annotations
 
 import inspect
+import threading
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any
 
 import trimesh
 
 from ...errors import BackendError
+from ...meshes.normalising import Normal, foreign_model, normal_trimesh
+from ...meshes.reading.surface import Axis
+from ...scene import Instance, Model, SizePrior
+
+
+@dataclass(frozen=True)
+class Installed:
+    """A model in this process, which works on one instance at a time."""
+
+    _turn: threading.Lock = field(
+        default_factory=threading.Lock, init=False, repr=False, compare=False
+    )
 
 
 def call(function: Callable[..., Any], backend: str, *given: Any, **named: Any) -> Any:
@@ -28,12 +42,14 @@ def call(function: Callable[..., Any], backend: str, *given: Any, **named: Any) 
     return function(*given, **named)
 
 
-def only_mesh(made: Any, what: str) -> trimesh.Trimesh:
-    """Return a model's answer if it is a mesh.
+def as_model(
+    made: Any, what: str, instance: Instance, size: SizePrior, *, up: Axis, to: Normal
+) -> Model:
+    """Return a model's answer about an instance; ``what`` begins the message of an error.
 
     Raises:
-        BackendError: it is something else.
+        BackendError: it is no mesh, or one that cannot be used.
     """
     if not isinstance(made, trimesh.Trimesh):
         raise BackendError(f"{what} it made {type(made).__name__}, not a trimesh.Trimesh.")
-    return made
+    return foreign_model(normal_trimesh(made, what, up=up, to=to), instance, size)

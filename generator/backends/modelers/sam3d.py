@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import dataclasses
 import importlib.util
 import logging
 import os
-import threading
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -17,10 +15,10 @@ from jaxtyping import Float
 
 from ...errors import BackendError
 from ...geometry import quaternion_matrix, view_rotation
-from ...meshes.normalising import Normal, foreign_model, normal_trimesh
+from ...meshes.normalising import Normal
 from ...scene import Instance, Model, SizePrior, View
 from ..installing import working
-from .installed import call, only_mesh
+from .installed import Installed, as_model, call
 
 HOME = "TABLETOPGEN_SAM3D"
 """The environment's name for the checkout, where ``Sam3D.home`` is empty."""
@@ -29,7 +27,7 @@ _UNIT = 1e-2  # by how much a quaternion's length may miss 1
 
 
 @dataclass(frozen=True)
-class Sam3D:
+class Sam3D(Installed):
     """Runs SAM 3D Objects where it is installed, one instance at a time; needs 32 GB of CUDA.
 
     Of its answer the mesh is used, and the rotation as a hint to the rotation stage
@@ -50,9 +48,6 @@ class Sam3D:
     seed: int = 42
     faces: int = Normal.faces
     texture: int = Normal.texture
-    _turn: threading.Lock = field(
-        default_factory=threading.Lock, init=False, repr=False, compare=False
-    )
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return its mesh of one instance; see ``protocols.Modeler``.
@@ -69,9 +64,8 @@ class Sam3D:
             image = np.ascontiguousarray(instance.crop[..., :3])
             output = call(self._inference, "sam3d", image, mask, seed=self.seed)
             made = output["glb"]
-        mesh = normal_trimesh(only_mesh(made, what), what, up="y", to=to)
-        seen = orientation(output.get("rotation"), view, what)
-        return dataclasses.replace(foreign_model(mesh, instance, size), orientation=seen)
+        model = as_model(made, what, instance, size, up="y", to=to)
+        return replace(model, orientation=orientation(output.get("rotation"), view, what))
 
     @cached_property
     def _inference(self) -> Any:

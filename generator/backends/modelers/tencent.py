@@ -15,7 +15,6 @@ from ...calls.session import Session
 from ...calls.used import Used
 from ...errors import BackendError, choices, require
 from ...io.png import encode_png
-from ...io.reading import split_url
 from ...meshes.normalising import Normal, foreign_model, normal_mesh
 from ...meshes.reading.inspection import inspect_glb
 from ...scene import Instance, Model, SizePrior, View
@@ -90,8 +89,14 @@ class Tencent:
             "EnablePBR": self.pbr,
             "FaceCount": self.asked_faces,
         }
-        used = Used(self.session.store)
-        with self._service(what, used) as service:
+        used, keys = Used(self.session.store), read_keys(what)
+        with self.session.client(
+            "tencent", self.endpoint, secrets=keys, sign=lambda request: signature(request, *keys)
+        ) as client:
+            service = Service(
+                client, keys, self.endpoint, self.region, what, self.session, self.interval,
+                self.timeout, used,
+            )  # fmt: skip
             try:
                 raw = self._result(service, service.submit(body, "yes"))
             except LostJob:
@@ -103,22 +108,8 @@ class Tencent:
             mesh = normal_mesh(raw, f"{what} the answer", to=to)
         return foreign_model(mesh, instance, size)
 
-    @contextlib.contextmanager
-    def _service(self, what: str, used: Used) -> Iterator[Service]:
-        keys = read_keys(what)
-        with self.session.client(
-            "tencent", self.endpoint, secrets=keys, sign=lambda request: signature(request, *keys)
-        ) as client:
-            yield Service(
-                client, keys, self.endpoint, self.region, what, self.session, self.interval,
-                self.timeout, used,
-            )  # fmt: skip
-
     def _result(self, service: Service, job: str) -> bytes:
-        """Return a job's GLB, once it is done.
-
-        The last look at a job is kept with its answer: what is downloaded once needs no network
-        again.
+        """Return a job's GLB, once it is done; what is downloaded once needs no network again.
 
         Raises:
             LostJob: it was over before this look at it, and nothing can be had of it.
@@ -135,7 +126,12 @@ class Tencent:
             self.session.pause(self.interval)
             reply = service.look(job, "renew")
         if reply.get("Status") != "DONE":
-            _raise_failure(reply, job, service, new)
+            said = f"{reply.get('ErrorCode', '')} {reply.get('ErrorMessage', '')}".strip()
+            said = excerpt(said, 300, service.keys)
+            reason = f"job {job} ended as {str(reply.get('Status'))[:40]!r} ({said})."
+            if not new:
+                raise LostJob(reason)
+            raise BackendError(f"{what} {reason} Run it again to submit it anew.")
         raw = self._download(reply, service)
         if raw is None:  # its address has expired: another look gives another
             raw = self._download(service.look(job, "renew"), service)
@@ -152,21 +148,20 @@ class Tencent:
         if "GLB" not in files:
             service.used.drop()
             raise BackendError(f"{what} the result has no GLB." + choices("GLB", files))
+        url = files["GLB"]
         try:
-            url = check_link(files["GLB"], f"{what} the result's address", BackendError)
+            parts = check_link(url, f"{what} the result's address", BackendError)
         except BackendError:
             service.used.drop(last=True)  # the job is paid for: the next run looks at it again
             raise
-        parts = split_url(url, f"{what} the result's address", BackendError)
         if not self._trusted(parts.scheme, parts.hostname or ""):
             raise BackendError(
                 f"{what} the result lies at {parts.scheme}://{parts.hostname}, not below "
                 f"{', '.join(self.hosts)}. If that is right, add the host to Tencent.hosts."
             )
-        client = self.session.client(
+        with self.session.client(
             "tencent", f"{parts.scheme}://{parts.netloc}", most_bytes=_MOST_BYTES
-        )
-        with client:
+        ) as client:
             for memo in ("yes", "renew"):  # a kept answer that is damaged is fetched once more
                 headers = {"x-tabletopgen-question": "model", "x-tabletopgen-memo": memo}
                 answer = client.get(url, headers=headers)
@@ -183,15 +178,6 @@ class Tencent:
         ends = tuple("." + end.lstrip(".") for end in self.hosts)
         safe = scheme == "https" or (scheme == "http" and local(host))
         return safe and f".{host}".endswith(ends)
-
-
-def _raise_failure(reply: Mapping[str, Any], job: str, service: Service, new: bool) -> None:
-    said = f"{reply.get('ErrorCode', '')} {reply.get('ErrorMessage', '')}".strip()
-    said = excerpt(said, 300, service.keys)
-    reason = f"job {job} ended as {str(reply.get('Status'))[:40]!r} ({said})."
-    if not new:
-        raise LostJob(reason)
-    raise BackendError(f"{service.what} {reason} Run it again to submit it anew.")
 
 
 def _files(reply: Mapping[str, Any]) -> Iterator[tuple[str, str]]:

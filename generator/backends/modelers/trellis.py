@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
@@ -12,11 +11,11 @@ import numpy as np
 from PIL import Image
 
 from ...errors import BackendError, choices, require
-from ...meshes.normalising import Normal, foreign_model, normal_trimesh
+from ...meshes.normalising import Normal
 from ...scene import Instance, Model, SizePrior, View
 from ..installing import module, working
 from .cutout import cutout
-from .installed import call, only_mesh
+from .installed import Installed, as_model, call
 
 _HOW = "Install github.com/microsoft/TRELLIS (16 GB of GPU memory) or TRELLIS.2 (24 GB)."
 _WEIGHTS: Mapping[str, str] = {
@@ -29,7 +28,7 @@ Version = Literal["1", "2"]
 
 
 @dataclass(frozen=True)
-class Trellis:
+class Trellis(Installed):
     """Runs TRELLIS where it is installed, one instance at a time; needs CUDA.
 
     Attributes:
@@ -47,9 +46,6 @@ class Trellis:
     steps: int = 12
     faces: int = Normal.faces
     texture: int = Normal.texture
-    _turn: threading.Lock = field(
-        default_factory=threading.Lock, init=False, repr=False, compare=False
-    )
 
     def __post_init__(self) -> None:
         if self.version not in _WEIGHTS:
@@ -69,8 +65,7 @@ class Trellis:
         picture = Image.fromarray(cutout(instance, "trellis"))
         with self._turn, working(what):
             made = self._first(picture) if self.version == "1" else self._second(picture)
-        mesh = normal_trimesh(only_mesh(made, what), what, up="y", to=to)
-        return foreign_model(mesh, instance, size)
+        return as_model(made, what, instance, size, up="y", to=to)
 
     @cached_property
     def _pipeline(self) -> Any:

@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import inspect
-import threading
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from PIL import Image
 
 from ...errors import require
-from ...meshes.normalising import Normal, foreign_model, normal_trimesh
+from ...meshes.normalising import Normal
 from ...scene import Instance, Model, SizePrior, View
 from ..installing import module, working
 from .cutout import cutout, on_grey
-from .installed import call, only_mesh
+from .installed import Installed, as_model, call
 
 _HOW = "Install github.com/VAST-AI-Research/TripoSR and put it on the path."
 _CHUNK = 8192  # points of its renderer worked on at once
 
 
 @dataclass(frozen=True)
-class TripoSR:
+class TripoSR(Installed):
     """Runs TripoSR where it is installed, one instance at a time.
 
     Attributes:
@@ -38,9 +37,6 @@ class TripoSR:
     resolution: int = 256
     faces: int = Normal.faces
     texture: int = Normal.texture
-    _turn: threading.Lock = field(
-        default_factory=threading.Lock, init=False, repr=False, compare=False
-    )
 
     def __post_init__(self) -> None:
         require(self, "resolution", minimum=32, maximum=512, integer=True)
@@ -56,8 +52,7 @@ class TripoSR:
         picture = Image.fromarray(on_grey(cutout(instance, "triposr")))
         with self._turn, working(what):
             made = self._run(picture)
-        mesh = normal_trimesh(only_mesh(made, what), what, up="z", to=to)
-        return foreign_model(mesh, instance, size)
+        return as_model(made, what, instance, size, up="z", to=to)
 
     @cached_property
     def _network(self) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ipaddress
 import re
+from urllib.parse import SplitResult
 
 from ...errors import BackendError, TabletopError
 from ...io.reading import MAX_URL_LENGTH, split_url
@@ -15,21 +16,19 @@ _NEAR = (".local", ".lan", ".internal", ".home.arpa")  # names that only a netwo
 def checked_address(url: str, what: str, hint: str = "") -> str:
     """Return a server's address without a slash at its end.
 
-    Args:
-        url: the address.
-        what: begins the message, such as "cloud: the base URL".
-        hint: ends it: where to correct the address, or where keys belong.
+    ``what`` begins the message of an error ("cloud: the base URL"), ``hint`` ends it: where to
+    correct the address, or where keys belong.
 
     Raises:
-        BackendError: it is no http(s) address, or holds a user name or a password. Those would be
+        BackendError: it is no http(s) address, or holds a user name or a password, which would be
             in every message, and in what is kept of a scene.
     """
     try:
         parts = split_url(url, what, BackendError)
-        fine, named = _resolvable(url), "@" in parts.netloc
+        fine, named = _resolvable(url, parts.hostname), "@" in parts.netloc
     except BackendError:
         fine = named = False
-    hint = f" {hint}" * bool(hint)
+    hint = hint and f" {hint}"
     if not isinstance(url, str):
         raise BackendError(f"{what} must be a text, not {type(url).__name__}.{hint}")
     shown = _USER.sub(r"\1[redacted]@", url[:MAX_URL_LENGTH])
@@ -43,15 +42,11 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
     return url.rstrip("/")
 
 
-def check_link(url: object, what: str, error: type[TabletopError]) -> str:
-    """Return the address of a file that a server's answer names: http(s), with no user in it.
+def check_link(url: object, what: str, error: type[TabletopError]) -> SplitResult:
+    """Check and split the address of a file that a server's answer names: http(s), without a user.
 
-    Whether the host may be asked is for the caller to say.
-
-    Args:
-        url: the address, of any type.
-        what: begins the message, which does not repeat the address: it may be signed.
-        error: what is raised.
+    Whether the host may be asked is for the caller to say. ``what`` begins the message, which does
+    not repeat the address: it may be signed.
 
     Raises:
         TabletopError: ``error``, if it is none.
@@ -59,12 +54,12 @@ def check_link(url: object, what: str, error: type[TabletopError]) -> str:
     parts = split_url(url, what, error)
     if "@" in parts.netloc:
         raise error(f"{what} holds a user name or a password.")
-    if not _resolvable(str(url)):
+    if not _resolvable(str(url), parts.hostname):
         raise error(f"{what} has a host that is no name.")
-    return str(url)
+    return parts
 
 
-def _resolvable(url: str) -> bool:
+def _resolvable(url: str, host: str | None) -> bool:
     """Return whether the HTTP library, where it is installed, takes an address as one."""
     try:
         import httpx2
@@ -73,8 +68,8 @@ def _resolvable(url: str) -> bool:
     try:
         found = httpx2.URL(url)
         named = found.raw_host.decode() if found.host else ""  # the one it shows, one that is sent
-        return named.lower() == split_url(url, "It", BackendError).hostname
-    except (httpx2.InvalidURL, ValueError, BackendError):
+        return named.lower() == host
+    except (httpx2.InvalidURL, ValueError):
         return False
 
 

@@ -9,6 +9,7 @@ import threading
 import time
 import urllib.request
 from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import wait
 from importlib.util import find_spec
 from typing import Any
 from urllib.parse import unquote
@@ -18,20 +19,19 @@ import httpx2
 
 from ...errors import BackendError
 from ...io.reading import split_url
-from .pending import PendingCall
+from .pending import begin
 
 _PROXIES = ("http", "https", "socks5", "socks5h")
 
 
 class Dialer(httpcore2.NetworkBackend):
-    """Makes connections that are all shut down at a deadline, whatever they are at.
+    """Makes connections that are all shut down at a deadline, by ``time.monotonic``.
 
     The time limits of an HTTP library hold for one read each, so that a server which sends a byte
     now and then would be waited for without end.
     """
 
     def __init__(self, until: float) -> None:
-        """``until`` is the deadline, by ``time.monotonic``."""
         self._until = until
         self._sockets: list[socket.socket] = []
         self._watch = threading.Timer(max(0.0, until - time.monotonic()), self._shut_down)
@@ -49,8 +49,8 @@ class Dialer(httpcore2.NetworkBackend):
         """Return a connection to the first of a host's addresses that takes it."""
         now = time.monotonic()
         until = self._until if timeout is None else min(self._until, now + timeout)
-        found = PendingCall(lambda: socket.getaddrinfo(host, port, type=socket.SOCK_STREAM))
-        if not found.is_done(until - now):
+        found = begin(lambda: socket.getaddrinfo(host, port, type=socket.SOCK_STREAM))
+        if not wait([found], until - now).done:
             raise httpcore2.ConnectTimeout("The address of the host was not found in time.")
         try:
             places = [str(place[4][0]) for place in found.result()]
@@ -76,9 +76,7 @@ class Dialer(httpcore2.NetworkBackend):
 
 
 def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.NetworkStream:
-    """Return a connection to the first of some addresses that takes it.
-
-    One that takes no call leaves the others time to.
+    """Return a connection to the first of some addresses that takes it; each has its share of time.
 
     Raises:
         httpcore2.ConnectTimeout: none did until then.
@@ -97,16 +95,15 @@ def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.Net
 
 
 class Wire(httpx2.BaseTransport):
-    """The connections of one call, redirects included, to be closed after it."""
+    """The connections of one call, redirects included, to be closed after it.
+
+    Args:
+        until: when all of it must be over, by ``time.monotonic``.
+        trust: the certificates that servers are held against.
+        proxy: the address of a proxy; see ``proxy_for``.
+    """
 
     def __init__(self, until: float, trust: ssl.SSLContext, proxy: str | None = None) -> None:
-        """Connect as soon as something is sent.
-
-        Args:
-            until: when all of it must be over, by ``time.monotonic``.
-            trust: the certificates that servers are held against.
-            proxy: the address of a proxy; see ``proxy_for``.
-        """
         self._dialer = Dialer(until)
         self._pool = httpcore2.ConnectionPool(
             ssl_context=trust, max_keepalive_connections=0, network_backend=self._dialer,
@@ -175,9 +172,8 @@ def proxy_for(scheme: str, host: str) -> str | None:
 def _proxy(address: str, trust: ssl.SSLContext) -> httpcore2.Proxy:
     kind, _, rest = address.partition("://")
     parts = split_url(f"http://{rest}", "The proxy that the environment names", BackendError)
-    auth = None
-    if parts.username is not None:
-        auth = unquote(parts.username), unquote(parts.password or "")
+    named = parts.username is not None
+    auth = (unquote(parts.username or ""), unquote(parts.password or "")) if named else None
     kind, host = kind.lower(), (parts.hostname or "").encode()
     usual = {"http": 80, "https": 443}.get(kind, 1080)
     url = httpcore2.URL(scheme=kind.encode(), host=host, port=parts.port or usual, target=b"/")

@@ -25,9 +25,6 @@ _PIECE = 2**18  # bytes that are unpacked at once
 UNPACKED = "gzip, deflate"
 """How an answer's body may be packed, as a request says it; it is packed once, or not at all."""
 
-Dial = Callable[[float], httpx2.BaseTransport]
-"""Gives the connections of one call, by when it must be over."""
-
 
 @dataclass(frozen=True)
 class Reply:
@@ -64,7 +61,7 @@ class Trouble:
 
 
 def exchange(
-    dial: Dial,
+    dial: Callable[[float], httpx2.BaseTransport],
     request: httpx2.Request,
     timeout: float,
     most_bytes: int,
@@ -72,9 +69,9 @@ def exchange(
 ) -> Reply | Trouble:
     """Send a request once and read its answer; what is quoted of it holds none of ``secrets``.
 
-    All of it ends within ``timeout``: connecting, hints, headers, redirects, and the body. Nothing
-    is raised for what servers and networks do: errors of the library hold the request, and with it
-    the key.
+    ``dial`` gives the connections of one call, by when it must be over, by ``time.monotonic``.
+    All of it, redirects and body included, ends within ``timeout``. What servers and networks do
+    raises nothing: errors of the library hold the request, and with it the key.
     """
     until = time.monotonic() + timeout
     paid = request.method not in ("GET", "HEAD")
@@ -96,9 +93,7 @@ def exchange(
             return Trouble(f"The request cannot be sent ({error}).", again=False)
         told = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
         return Trouble(told, again=True, charged=paid)
-    if isinstance(reply, Trouble):
-        return reply
-    return _judge(reply, paid, secrets)
+    return reply if isinstance(reply, Trouble) else _judge(reply, paid, secrets)
 
 
 class _TooSlow(Exception):

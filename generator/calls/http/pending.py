@@ -4,34 +4,24 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from concurrent.futures import Future, wait
-from typing import Generic, TypeVar
+from concurrent.futures import Future
+from typing import TypeVar
 
 T = TypeVar("T")
 
 
-class PendingCall(Generic[T]):
-    """Work that has begun; the end of the process does not wait for it."""
+def begin(work: Callable[[], T]) -> Future[T]:
+    """Begin ``work`` and return its pending result; the end of the process does not wait for it."""
+    pending: Future[T] = Future()
 
-    def __init__(self, work: Callable[[], T]) -> None:
-        """Begin ``work``."""
-        self._future: Future[T] = Future()
+    def run() -> None:
+        try:
+            pending.set_result(work())
+        except BaseException as error:
+            pending.set_exception(error)
 
-        def run() -> None:
-            try:
-                self._future.set_result(work())
-            except BaseException as error:
-                self._future.set_exception(error)
-
-        threading.Thread(target=run, name="call", daemon=True).start()
-
-    def is_done(self, seconds: float) -> bool:
-        """Return whether the work is done, after at most so many seconds."""
-        return bool(wait([self._future], seconds).done)
-
-    def result(self) -> T:
-        """Return the result, or raise the error, once it is done."""
-        return self._future.result()
+    threading.Thread(target=run, name="call", daemon=True).start()
+    return pending
 
 
 class Deadline:

@@ -13,8 +13,7 @@ from ...io.reading import split_url
 
 REDACTED = "[redacted]"
 
-SHORT = 8
-"""Characters: a key has more, a word in its place ("EMPTY") need not."""
+_SHORT = 8  # characters: a key has more, a word in its place ("EMPTY") need not
 
 _READ = 2**16  # bytes of an answer that are looked through for what of it is shown
 _CUT = 256  # of them at its end may be part of a key that is cut in two
@@ -41,7 +40,7 @@ def redact(text: str, secrets: Iterable[str] = ()) -> str:
     """Return ``text`` without the secrets given, and without what is shaped like a key.
 
     A secret is found as it is, quoted for a URL, escaped in JSON, or in base64 by itself; one of
-    fewer than ``SHORT`` characters only where it is a word by itself, or it would garble others.
+    fewer than 8 characters only where it is a word by itself, or it would garble others.
     """
     for secret in sorted(set(secrets), key=len, reverse=True):
         text = _pattern_of(secret).sub(REDACTED, text)
@@ -53,8 +52,7 @@ def redact(text: str, secrets: Iterable[str] = ()) -> str:
 def excerpt(said: bytes | str, most: int, secrets: Iterable[str] = ()) -> str:
     """Return how a server's words begin: at most ``most`` characters, without secrets.
 
-    What a terminal would obey is left out.
-    However long they are, this takes no longer than for a page.
+    Terminal controls are replaced. However long it is, no more than 64 KiB are looked at.
     """
     secrets = tuple(secrets)
     text = said[:_READ] if isinstance(said, str) else said[:_READ].decode("utf-8", "replace")
@@ -91,4 +89,4 @@ def _pattern_of(secret: str) -> re.Pattern[str]:
     forms = (secret, quote(secret, safe=""), json.dumps(secret)[1:-1], encoded)
     # the longest first, or what is left of it would stay
     found = "|".join(re.escape(form) for form in sorted(set(forms), key=len, reverse=True))
-    return re.compile(rf"(?<!\w)(?:{found})(?!\w)" if len(secret) < SHORT else found)
+    return re.compile(rf"(?<!\w)(?:{found})(?!\w)" if len(secret) < _SHORT else found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import email.utils
 import random
 import threading
@@ -18,10 +19,9 @@ class RetryPolicy:
     """How calls are tried again; all in seconds but ``factor`` and ``failures``.
 
     The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
-    A server that says how long to wait (Retry-After) is obeyed up to ``obeyed``; one that asks for
-    more is not waited for. After ``failures`` in a row a server is left alone for ``rest``; then
-    one call tries it. Calls that fail beside each other count as one of them: see
-    ``FailureStreak``.
+    A Retry-After is obeyed up to ``obeyed``; a server that asks for more is not waited for. After
+    ``failures`` in a row, see ``FailureStreak``, a server is left alone for ``rest``; then one call
+    tries it.
 
     Raises:
         InputError: a number is out of range.
@@ -50,17 +50,11 @@ class RetryPolicy:
 
 
 def retry_after(text: str | None, now: datetime | None = None) -> float | None:
-    """Return the seconds that a Retry-After header asks for: a number, or a date still to come.
-
-    None where there is no header, or none that can be read.
-    """
+    """Return the seconds that a Retry-After header asks for, a number or a date, if it has one."""
     if text is None:
         return None
-    try:
+    with contextlib.suppress(ValueError):
         seconds = float(text)
-    except ValueError:
-        pass
-    else:
         return seconds if 0 <= seconds < float("inf") else None
     try:
         date = email.utils.parsedate_to_datetime(text)
@@ -74,8 +68,7 @@ def retry_after(text: str | None, now: datetime | None = None) -> float | None:
 class FailureStreak:
     """The failures in a row that one call stands at the end of: earlier calls' and its own.
 
-    Of calls at once each has a line of its own, so that one bad moment of a server, which befalls
-    all of them, counts once.
+    Calls at once have one each, so that a server's bad moment, which befalls all, counts once.
     """
 
     turn: int
@@ -83,12 +76,11 @@ class FailureStreak:
 
 
 class Breaker:
-    """Keeps calls from a server that does not work: one for each server, shared by all threads."""
+    """Keeps the calls of all threads from one server that does not work; ``clock`` in seconds."""
 
     def __init__(
         self, server: str, policy: RetryPolicy, clock: Callable[[], float] = time.monotonic
     ) -> None:
-        """``server`` is its name in messages; ``clock`` tells seconds."""
         self._server = server
         self._policy = policy
         self._clock = clock
@@ -136,16 +128,3 @@ class Breaker:
             self._failures = max(self._failures, line.length)
             self._reason = reason
             self._closed_again = self._clock() + self._policy.rest
-
-
-class Breakers:
-    """The breakers of one session, made as servers are first called."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._made: dict[tuple[str, str], Breaker] = {}
-
-    def of(self, server: str, origin: str, policy: RetryPolicy) -> Breaker:
-        """Return the breaker of the server of that name at ``origin``."""
-        with self._lock:
-            return self._made.setdefault((server, origin), Breaker(server, policy))

@@ -19,10 +19,10 @@ _MAX_HELD = 10_000  # calls under way at once
 
 @dataclass(frozen=True)
 class Spent:
-    """What was spent of a budget.
+    """What was spent of the budget ``mark``.
 
     ``money`` is of the calls whose price is known, ``unpriced`` counts the others, and ``held`` is
-    the most that calls under way may cost. ``mark`` tells this budget from all others.
+    the most that calls under way may cost.
     """
 
     mark: str
@@ -90,10 +90,8 @@ class SharedBudget:
 
         None means: wait until other calls have ended. A call that is free gets the number 0.
 
-        Args:
-            maximum: what it may cost; None where nobody knows.
-            budget: what all calls of all processes may cost; None for no limit.
-            what: names the call in the message.
+        ``maximum`` is None where nobody knows; ``budget`` is for all calls of all processes, None
+        for no limit; ``what`` names the call in the message.
 
         Raises:
             BudgetError: it might exceed the budget.
@@ -178,11 +176,7 @@ def _spend(database: sqlite3.Connection, call: int, money: float | None) -> None
 
 
 def _read(database: sqlite3.Connection, folder: Path) -> Spent:
-    """Return what a database says of its budget, checked.
-
-    Raises:
-        StorageError: it was never written so.
-    """
+    """Return what a database says of its budget; StorageError if it was never written so."""
     rows = database.execute("SELECT * FROM spent LIMIT 2").fetchall()
     held = database.execute("SELECT owner, money FROM held LIMIT ?", (_MAX_HELD + 1,)).fetchall()
     if not rows:

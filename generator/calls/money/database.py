@@ -59,7 +59,7 @@ class Keeper(Protocol):
         ...
 
     def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
-        """Return ``operation(connection, *args)``, done to a folder's database in one transaction.
+        """Return ``operation(connection, *args)``, done in one transaction.
 
         The operation is a function of a module, so that it can be pickled.
         """

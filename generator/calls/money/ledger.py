@@ -31,8 +31,7 @@ class Account:
 
     def __init__(self, shared: SharedBudget | None = None) -> None:
         self._shared = shared
-        self._lock = threading.Lock()
-        self._ended = threading.Condition(self._lock)
+        self._ended = threading.Condition()
         self._entries: list[Entry] = []
         self._notes: list[str] = []
         self._reserved: dict[int, float] = {}
@@ -42,16 +41,15 @@ class Account:
     def resume(self, spending: Spending, prices: Prices | None = None) -> None:
         """Enter what earlier runs of this scene spent, and write there what this one does.
 
-        To be called before any call. What was spent earlier counts for a budget, too. Answers whose
-        price was not known are priced by ``prices``, if their models are there now; a budget cannot
-        be kept while there are others.
+        To be called before any call. What was spent earlier counts for a budget, too. Answers of
+        unknown price are priced by ``prices`` if they can be; else no budget can be kept.
 
         Raises:
             StorageError: the file is there, and cannot be read.
             InputError: what was spent was in another currency.
         """
         entries = [_price(entry, prices) for entry in spending.earlier()]
-        with self._lock:
+        with self._ended:
             self._spending = spending
             self._entries[:0] = entries
         if entries:
@@ -63,13 +61,11 @@ class Account:
     def record(self, sent: Entry, key: str, *, must: bool = False) -> Callable[[Entry], None]:
         """Write down a call that is about to be sent; returns what writes down how it ended.
 
-        Args:
-            sent: the call, as it counts if nobody says how it ended.
-            key: its question's.
-            must: whether it may only be sent where it is written down: with a budget.
+        ``sent`` is how the call of that question's ``key`` counts if nobody says how it ended.
 
         Raises:
-            StorageError: with ``must``, the disk refuses. Else, and at its end, it is noted.
+            StorageError: the disk refuses, and ``must`` says that the call may not be sent then, as
+                with a budget. Else, and at its end, that is noted.
         """
         spending, calls = self._spending, list[int]()
 
@@ -88,25 +84,25 @@ class Account:
 
     def add(self, entry: Entry) -> None:
         """Enter a call."""
-        with self._lock:
+        with self._ended:
             self._entries.append(entry)
 
     def note(self, text: str) -> None:
         """Keep a remark that the summary ends with; the same one is kept once."""
-        with self._lock:
+        with self._ended:
             if text not in self._notes:
                 self._notes.append(text)
 
     @property
     def entries(self) -> tuple[Entry, ...]:
         """All calls, in the order they ended."""
-        with self._lock:
+        with self._ended:
             return tuple(self._entries)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """The remarks."""
-        with self._lock:
+        with self._ended:
             return tuple(self._notes)
 
     @property
@@ -130,13 +126,9 @@ class Account:
         """Set aside what a call may cost while it runs; yields what enters the call instead.
 
         Where the budget would do but for calls under way, they are waited for: most cost less
-        than they might.
-
-        Args:
-            maximum: the most it can cost; None where that is not known.
-            budget: what all calls may cost; None for no limit.
-            what: names the call in the message.
-            check: called now and then while it waits; may raise.
+        than they might. ``check`` is called now and then meanwhile, and may raise. ``maximum`` is
+        None where it is not known, ``budget`` None for no limit; ``what`` names the call in the
+        message.
 
         Raises:
             BudgetError: it might exceed the budget, or nobody knows.
@@ -182,10 +174,10 @@ class Account:
             )
 
     def _reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:
-        """Set aside what a call may cost, if it may be sent now; else others have to end first."""
+        """Set aside what a call may cost; None if others have to end first."""
         if self._shared is not None:
             return self._shared.reserve(maximum, budget, what)
-        asked, spent = maximum or 0.0, sum(entry.money or 0.0 for entry in self._entries)
+        asked, spent = maximum or 0.0, self.money
         if budget is None or not asked or spent + sum(self._reserved.values()) + asked <= budget:
             self._calls += 1
             self._reserved[self._calls] = asked
@@ -204,8 +196,7 @@ class Account:
             try:
                 self._shared.settle(reservation, money)
             except StorageError as error:  # it stays reserved; the answer must not be lost
-                if str(error) not in self._notes:
-                    self._notes.append(str(error))
+                self.note(str(error))
 
     def summary(self) -> tuple[LedgerRow, ...]:
         """Return a row for each question, server and model, in the order first asked."""
@@ -229,9 +220,7 @@ class Account:
         }
 
     def save(self, folder: str | Path, prices: Prices) -> Path:
-        """Write ``ledger.json`` into ``folder``, whole or not at all; return its path.
-
-        A bundle's folder may hold it: what the bundle lists does not change.
+        """Write ``ledger.json`` into a folder, whole or not at all; return its path.
 
         Raises:
             StorageError: it cannot be written.

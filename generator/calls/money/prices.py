@@ -16,7 +16,6 @@ from ...io.reading import parse_toml, printable, read_regular
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
 _PORT = re.compile(r":\d+$")
 _MOST_BYTES = 2**20  # of a table
-_MILLION = 1e6
 _MOST = 1e12  # of a price
 _SHIPPED = Path(__file__).with_name("prices.toml")
 
@@ -26,8 +25,8 @@ class Price:
     """What one model costs, in the table's currency.
 
     ``input`` and ``output`` are per million tokens, ``image`` per image answered, ``call`` per
-    call. ``picture`` is no price: it is how many tokens a picture that is shown counts for at most,
-    for what a call may cost before it is sent. Where it is not said, it is more than most take.
+    call. ``picture`` is no price, but the most tokens that a picture shown is taken to count for
+    before a call is sent; the default is more than most take.
 
     Raises:
         InputError: one is no number from 0.
@@ -45,7 +44,7 @@ class Price:
     def of(self, tokens_in: int, tokens_out: int, images: int) -> float:
         """Return what one call costs."""
         tokens = self.input * tokens_in + self.output * tokens_out
-        return tokens / _MILLION + self.image * images + self.call
+        return tokens / 1e6 + self.image * images + self.call
 
     def told(self, tokens_in: int, tokens_out: int) -> bool:
         """Return whether an answer says how many tokens it took, of those that cost anything."""

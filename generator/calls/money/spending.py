@@ -70,10 +70,8 @@ class Spending:
     def write(self, key: str, entry: Entry, call: int | None = None) -> int:
         """Write down what a call costs; return its number.
 
-        Args:
-            key: its question's, under which the answer is kept.
-            entry: what is known of it.
-            call: its number, once it has ended; None for one that is about to be sent.
+        ``key`` is its question's, under which the answer is kept. ``call`` is its number, once it
+        has ended; None for one that is about to be sent.
 
         Raises:
             StorageError: the disk refuses.
@@ -97,12 +95,9 @@ def _write(database: sqlite3.Connection, scene: str, facts: str, call: int | Non
 
 
 def _read(facts: Any, path: Path) -> tuple[str, Entry]:
-    """Return the currency and the call of a row.
+    """Return the currency and the call of a row; StorageError if it does not say what was spent.
 
     What else is of the wrong kind is left out, so that the money counts.
-
-    Raises:
-        StorageError: it does not say what was spent.
     """
     try:
         told = parse_object(str(facts).encode(), "A call", StorageError)
@@ -116,12 +111,10 @@ def _read(facts: Any, path: Path) -> tuple[str, Entry]:
     return fine["currency"], dataclasses.replace(entry, earlier=True)
 
 
-def _is_text(value: Any) -> bool:
-    return isinstance(value, str)
-
-
 _FITS: Mapping[str, Callable[[Any], bool]] = MappingProxyType({
-    **dict.fromkeys(("currency", "server", "question", "model", "at"), _is_text),
+    **dict.fromkeys(
+        ("currency", "server", "question", "model", "at"), lambda value: isinstance(value, str)
+    ),
     **dict.fromkeys(("tokens_in", "tokens_out", "images"), is_count),
     "seconds": is_number,
     "money": lambda value: value is None or is_number(value),

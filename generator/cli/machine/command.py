@@ -41,14 +41,14 @@ def describe(found: Mapping[str, Any]) -> list[str]:
             for name, facts in found["extras"].items()
         ],
         "Models": [
-            *(f"{name}: {_there(here)}" for name, here in models["embedded"].items()),
-            *(f"{name}: {_there(here)}, see tabletopgen models pull" if not here
-              else f"{name}: {_there(here)}"
+            *(f"{name}: {'here' if here else 'not here'}"
+              for name, here in models["embedded"].items()),
+            *(f"{name}: {'here' if here else 'not here, see tabletopgen models pull'}"
               for name, here in models["huggingface"]["models"].items()),
         ],
         "API keys": [f"{name}: {'set' if here else 'not set'}"
                      for name, here in found["keys"].items()],
-        "Caches": [f"{name}: {_megabytes(facts['bytes'])} in {facts['folder']}"
+        "Caches": [f"{name}: {facts['bytes'] / 1e6:,.1f} MB in {facts['folder']}"
                    for name, facts in found["caches"].items()],
     }  # fmt: skip
     sections["Verdict"] = verdict(found)
@@ -60,13 +60,12 @@ def verdict(found: Mapping[str, Any]) -> list[str]:
     missing = [name for name, version in found["packages"].items() if version is None]
     drawing = next((name for name, probe in found["rendering"].items() if probe["works"]), None)
     embedded = all(found["models"]["embedded"].values())
-    extras = found["extras"]
-    trains = not extras["train"]["missing"]
+    train = found["extras"]["train"]
     return [
         f"compose, environments: {'no, packages are missing' if missing else 'yes'}",
         f"generate without a key: {'yes' if embedded and not missing else 'no'}",
         f"pictures: {f'by OpenGL ({drawing})' if drawing else 'in software (slower)'}",
-        f"training: {'yes' if trains else 'no, ' + extras['train']['install']}, "
+        f"training: {'no, ' + train['install'] if train['missing'] else 'yes'}, "
         f"on {'a GPU' if found['cuda']['works'] else 'the CPU'}",
         f"models by API: {'yes' if any(found['keys'].values()) else 'no key is set'}",
     ]
@@ -74,11 +73,3 @@ def verdict(found: Mapping[str, Any]) -> list[str]:
 
 def _probe(name: str, facts: Mapping[str, Any]) -> str:
     return f"{name}: {'works' if facts['works'] else 'does not work'} ({facts['said']})"
-
-
-def _there(here: bool) -> str:
-    return "here" if here else "not here"
-
-
-def _megabytes(count: int) -> str:
-    return f"{count / 1e6:,.1f} MB"

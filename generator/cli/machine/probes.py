@@ -7,8 +7,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 
-LIMIT = 60.0
-"""Seconds that a probe may take."""
+_LIMIT = 60.0  # seconds that a probe may take
 
 GL_BACKENDS = ("egl", "osmesa", "glfw")
 """What ``MUJOCO_GL`` may name."""
@@ -46,24 +45,20 @@ class Probe:
     said: str
 
 
-def draw(backend: str, limit: float = LIMIT) -> Probe:
+def draw(backend: str) -> Probe:
     """Tell whether MuJoCo can draw a picture with one of ``GL_BACKENDS``."""
-    return run(_DRAW, limit, MUJOCO_GL=backend)
+    return run(_DRAW, _LIMIT, MUJOCO_GL=backend)
 
 
-def cuda(limit: float = LIMIT) -> Probe:
+def cuda() -> Probe:
     """Tell whether torch can use a CUDA device."""
-    return run(_CUDA, limit)
+    return run(_CUDA, _LIMIT)
 
 
 def run(code: str, limit: float, **environment: str) -> Probe:
-    """Run Python code in a process of its own.
+    """Run Python code in a process of its own, which is killed after ``limit`` seconds.
 
-    Args:
-        code: says what it found in its last line; what fails says why in the last line of its
-            errors.
-        limit: seconds after which it is killed.
-        environment: variables set beside this process's own.
+    It says what it found in its last line; what fails says why in the last line of its errors.
     """
     try:
         done = subprocess.run(

@@ -28,8 +28,7 @@ from generator.calls.money.spending import Spending
 from generator.calls.store import CallStore, StoredAnswer
 from generator.errors import InputError, TabletopError
 from generator.jobs import running as batch_running
-from generator.jobs.place import PLACE
-from generator.jobs.records import key_of
+from generator.jobs.records import PLACE, key_of
 from generator.physics.gate import judge
 from generator.scene import Provenance, Scene
 
