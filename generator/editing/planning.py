@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from ..method.supplement import retarget
 from ..scene import TABLE, PlannedObject, Relation, Scene
 
 
@@ -16,7 +17,7 @@ def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
     if old not in known:
         return add_to_plan(scene, new)
     took = replace(new, relations=known[old].relations)
-    objects = [took if o.name == old else _rename(o, {old: new.name}) for o in known.values()]
+    objects = [took if o.name == old else retarget(o, {old: new.name}) for o in known.values()]
     return _with(scene, objects)
 
 
@@ -57,11 +58,6 @@ def restyle_plan(scene: Scene, names: Collection[str], style: str) -> Scene:
 def _held(relation: Relation, name: str) -> bool:
     """Whether a relation is still told as ``name`` moves: what it carries comes along."""
     return relation.target != name or relation.kind in ("on", "in")
-
-
-def _rename(planned: PlannedObject, names: dict[str, str]) -> PlannedObject:
-    relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
-    return replace(planned, relations=relations)
 
 
 def _with(scene: Scene, objects: Sequence[PlannedObject]) -> Scene:
