@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import InputError
-from ...scene import TABLE, Object, Scene
+from ...scene import TABLE, Scene
 from .shells import SurfaceShell, shells
 from .triangles import bisect, nearest_on_triangles
 
@@ -98,8 +98,12 @@ def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
     """
     if not (np.isfinite(threshold) and threshold > 0):
         raise InputError(f"The threshold of collisions is a positive length, got {threshold!r} m.")
-    bodies = [(o.name, body(o)) for o in scene.objects]
-    table = table_body(scene)
+    bodies = [
+        (o.name, shells(o.model.mesh, o.scale, o.pose.position, o.pose.quaternion))
+        for o in scene.objects
+    ]
+    middle = np.array([0, 0, scene.table.height / 2])
+    table = shells(scene.table.model.mesh, scene.table.scale, middle, _UPRIGHT)
     overlaps, sunk = [], []
     for k, (name, own) in enumerate(bodies):
         if depth := overlap_depth(own, table, threshold):
@@ -123,17 +127,6 @@ def rates(found: Iterable[Collisions]) -> Rates:
     pairs = sum(c.pairs for c in every)
     col_o = sum(len(c.overlaps) for c in every) / pairs if pairs else 0.0
     return Rates(len(every), pairs, col_o, sum(c.col_s for c in every) / len(every))
-
-
-def body(thing: Object) -> Body:
-    """Return the drawn surface of an object at its settled pose, in the world."""
-    return shells(thing.model.mesh, thing.scale, thing.pose.position, thing.pose.quaternion)
-
-
-def table_body(scene: Scene) -> Body:
-    """Return the drawn surface of the table, in the world."""
-    table = scene.table
-    return shells(table.model.mesh, table.scale, np.array([0, 0, table.height / 2]), _UPRIGHT)
 
 
 def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
