@@ -94,7 +94,8 @@ def _subject(plan: ScenePlan, text: str) -> PlannedObject:
     place = {o.name: text.lower().find(o.noun.lower()) for o in plan.objects}
     subject = min(plan.objects, key=lambda o: place[o.name] if place[o.name] >= 0 else len(text))
     targets = {r.target for r in subject.relations}
-    kinds = {(o.category, o.noun) for o in plan.objects if o.name in targets}  # "the two books"
+    # Others of a target's kind go with it: "behind the two books".
+    kinds = {(o.category, o.noun) for o in plan.objects if o.name in targets}
     others = [o for o in plan.objects if o is not subject and (o.category, o.noun) not in kinds]
     if others:
         raise InputError(
