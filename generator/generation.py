@@ -21,7 +21,6 @@ from .scene import Instance, Model, Reference, Rotation, Scene, SizePrior, View
 STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "alignment",
           "refinement", "assembly")  # fmt: skip
 
-
 Ablation = Literal["dro", "tsa"]
 """A stage that can be left out (Sec. 4.3)."""
 
@@ -30,17 +29,15 @@ Ablation = Literal["dro", "tsa"]
 class Config:
     """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
 
-    ``supplement``: put what a text asks for and no drawing shows where the plan has it; False
-    leaves it out.
-
-    ``leave_out``: the largest share of what was found that may be left out of a scene that would
-    not pass its gate otherwise, in [0, 1]: one of two or more at least, never all. 0 leaves
-    nothing out.
-
-    ``without``: stages left out as in the paper's ablations (Sec. 4.3, Table 3): the reasoner is
-    asked for what "dro" (rotations) or "tsa" (places and sizes) would have found. The joint
-    refinement, which would repair what was left out, is then off too. By itself it is turned off
-    by ``RefinementConfig(steps=0)``.
+    Attributes:
+        supplement: put what a text asks for and no drawing shows where the plan has it, or not.
+        leave_out: the largest share of what was found that may be left out of a scene that would
+            not pass its gate otherwise, in [0, 1]: one of two or more at least, never all. 0
+            leaves nothing out.
+        without: stages left out as in the paper's ablations (Sec. 4.3, Table 3): the reasoner is
+            asked for what "dro" (rotations) or "tsa" (places and sizes) would have found. The
+            joint refinement, which would repair that, is then off too (by itself it is turned
+            off by ``RefinementConfig(steps=0)``).
 
     Raises:
         InputError: ``without`` names another stage, or ``leave_out`` is no share.
@@ -95,12 +92,14 @@ class Generation:
         """Publish the scene as a bundle under ``folder``; return the bundle's path."""
         from .bundle import Segments, save
 
-        found = Segments.of(self.instances)
         return save(
-            self.scene, folder, images=bundle_images(self), segments=found,
-            allow_failed=allow_failed,
+            self.scene, folder, segments=Segments.of(self.instances), allow_failed=allow_failed,
+            images=bundle_images(self.reference, self.alignment.top_view, self.scene),
         )  # fmt: skip
 
     def save_figures(self, folder: str | Path) -> tuple[Path, ...]:
         """Write the pictures and JSON of the paper's Sec. 6.1 (Figs. 8-14) into ``folder``."""
-        return save_figures(self, Path(folder))
+        return save_figures(
+            Path(folder), self.reference, self.instances, self.view, self.models, self.rotations,
+            self.alignment, self.scene,
+        )  # fmt: skip

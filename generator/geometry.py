@@ -10,7 +10,8 @@ from jaxtyping import Bool, Float, Real
 from numpy.typing import ArrayLike
 
 from .errors import InputError
-from .scene import ConvexPart, Mesh, View, frozen_array
+from .scene import ConvexPart, Mesh, View
+from .scene.arrays import freeze, frozen_array
 
 # ------------------------------------------------------------------------------------ rotations
 
@@ -143,12 +144,9 @@ class Camera:
     offset: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        object.__setattr__(
-            self, "position", frozen_array(self.position, np.float64, (3,), "Camera.position")
-        )
-        object.__setattr__(
-            self, "rotation", frozen_array(self.rotation, np.float64, (3, 3), "Camera.rotation")
-        )
+        position = frozen_array(self.position, np.float64, (3,), "Camera.position")
+        rotation = frozen_array(self.rotation, np.float64, (3, 3), "Camera.rotation")
+        freeze(self, position=position, rotation=rotation)
         if self.width < 1 or self.height < 1 or not 0 < self.fov < np.pi:
             raise InputError(f"Camera needs a size of at least 1 and fov in (0, pi): {self}.")
 
@@ -167,14 +165,8 @@ class Camera:
         cls, target: ArrayLike, view: View, distance: float, width: int, height: int
     ) -> Camera:
         """Return the camera ``distance`` metres from ``target`` in the direction of ``view``."""
-        back = view_direction(view)
-        return cls(
-            np.asarray(target, float) + distance * back,
-            view_rotation(view),
-            view.fov,
-            width,
-            height,
-        )
+        position = np.asarray(target, float) + distance * view_direction(view)
+        return cls(position, view_rotation(view), view.fov, width, height)
 
     def to_camera(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
         """Return world points in camera axes; z is the depth in metres."""

@@ -6,26 +6,18 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from .backends import Backends
-from .errors import InputError, require_seed
+from .errors import require_seed
 from .generation import STAGES, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
 from .method.alignment import align, ask_layout
 from .method.extraction import extract
 from .method.modeling import make_models
 from .method.publish import Reconstruction, publish
-from .method.reference import (
-    DepthSource,
-    Source,
-    depth_digest,
-    fetch,
-    fetch_depth,
-    refer,
-    source_digest,
-)
+from .method.reference import DepthSource, Source, fetch, fetch_depth, refer, source_digest
 from .method.refinement import refine_scene
 from .method.rotation import estimate_rotations
 from .method.stopwatch import Stopwatch
-from .scene import TABLE, Instance, Intrinsics, Provenance, Reference
+from .scene import Instance, Intrinsics, Provenance, Reference
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
@@ -84,7 +76,7 @@ def generate(
     )  # fmt: skip
 
     step()  # Sec. 3.3: the camera's azimuth and elevation; Fig. 22: commonsense sizes
-    view = b.reasoner.estimate_view(reference, _table(instances))
+    view = b.reasoner.estimate_view(reference, instances[0])
     sizes = b.reasoner.estimate_sizes(reference, instances, view)
 
     step()  # Sec. 3.2: image to 3D, canonical alignment
@@ -136,13 +128,6 @@ def generate(
     )  # fmt: skip
 
 
-def _table(instances: tuple[Instance, ...]) -> Instance:
-    for instance in instances:
-        if instance.name == TABLE:
-            return instance
-    raise InputError("No table was found in the picture. Show the whole tabletop.")
-
-
 def _warn_hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:
     """Return a warning if fewer things were found than planned."""
     planned = len(reference.plan.objects) if reference.plan else 0
@@ -165,7 +150,7 @@ def _provenance(
     planned = reference.plan.warnings if reference.plan else ()
     settings = plain(config)
     if depth is not None:
-        settings["depth"] = {"sha256": depth_digest(depth), "intrinsics": plain(intrinsics)}
+        settings["depth"] = {"sha256": source_digest(depth), "intrinsics": plain(intrinsics)}
     return Provenance(
         kind="image" if reference.plan is None else "text",
         seed=seed,

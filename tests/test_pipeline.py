@@ -74,7 +74,8 @@ def test_figures_and_bundle(from_text: Generation, tmp_path: Path) -> None:
     assert all(p.stat().st_size > 0 for p in written)
     bundle = from_text.save(tmp_path / "scenes")
     assert (bundle / "scene.xml").is_file()
-    assert {p.name for p in bundle.glob("*.png")} == {f"{k}.png" for k in bundle_images(from_text)}
+    kept = bundle_images(from_text.reference, from_text.alignment.top_view, from_text.scene)
+    assert {p.name for p in bundle.glob("*.png")} == {f"{k}.png" for k in kept}
 
 
 @pytest.mark.slow

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import cv2
@@ -143,12 +143,5 @@ def _mean_lab(
 
 
 def _fact(score: Score) -> dict[str, Any]:
-    difference = score.color_difference
-    return {
-        "name": score.name,
-        "label": score.label,
-        "iou": round(score.iou, 4),
-        "color_difference": None if difference is None else round(difference, 2),
-        "built": score.built,
-        "found": score.found,
-    }
+    difference = None if score.color_difference is None else round(score.color_difference, 2)
+    return asdict(replace(score, iou=round(score.iou, 4), color_difference=difference))

@@ -41,18 +41,17 @@ def comparison_sheet(comparison: Comparison) -> UInt8[np.ndarray, "h w 3"]:
     masks = {name: c.segments.mask(name) for name in [TABLE, *names]}
     bodies = {name: c.silhouette(name) for name in [TABLE, *names]}
     blend = (c.picture.astype(np.uint16) + c.rendered.image) // 2
-    things = {name: masks[name] for name in names}
+    feet = _feet({name: masks[name] for name in names})
     panels = [
         ("picture", c.picture),
-        ("masks found", _label(_outline(c.picture, masks, colors), _feet(things), colors)),
+        ("masks found", _label(_outline(c.picture, masks, colors), feet, colors)),
         ("scene, from the picture's camera", c.rendered.image),
         ("both, scene outlined", _outline(blend.astype(np.uint8), bodies, colors)),
         ("scene from above", _from_above(c, colors)),
     ]
     height = round(PANEL * min(_TALLEST, c.picture.shape[0] / c.picture.shape[1]))
-    sheet = Image.new(
-        "RGB", (3 * PANEL + 4 * _GAP, 2 * (height + _LINE) + 3 * _GAP + _LINE), "white"
-    )
+    size = 3 * PANEL + 4 * _GAP, 2 * (height + _LINE) + 3 * _GAP + _LINE
+    sheet = Image.new("RGB", size, "white")
     draw = ImageDraw.Draw(sheet)
     draw.text((_GAP, _GAP), _title(c), _INK, ImageFont.load_default(19))
     for k, (caption, image) in enumerate(panels):
@@ -98,9 +97,7 @@ def _outline(
     return out
 
 
-def _feet(
-    masks: Mapping[str, Bool[np.ndarray, "h w"]],
-) -> dict[str, Float[np.ndarray, "2"]]:
+def _feet(masks: Mapping[str, Bool[np.ndarray, "h w"]]) -> dict[str, Float[np.ndarray, "2"]]:
     """Return the pixel under the middle of every mask, where its name goes."""
     boxes = {name: mask_box(mask) for name, mask in masks.items() if mask.any()}
     return {name: np.array([(box[0] + box[2]) / 2, box[3]]) for name, box in boxes.items()}
@@ -180,9 +177,8 @@ def _figures(
         left, top = x + column * wide, y + _LINE + row * line
         right = left + wide - 14
         draw.rectangle((left, top + 3, left + line - 8, top + line - 5), colors[score.name])
-        note = "" if score.built and score.found else "  (not built)" * score.found
-        text = f"{score.name.replace('_', ' ')}{note or '  (no mask)' * (not score.found)}"
-        draw.text((left + line, top), text, _INK, font)
+        note = "  (no mask)" if not score.found else "" if score.built else "  (not built)"
+        draw.text((left + line, top), score.name.replace("_", " ") + note, _INK, font)
         draw.text((right - 5.2 * line, top), f"{score.iou:.2f}", _INK, font, anchor="ra")
         difference = score.color_difference
         shown = "-" if difference is None else f"{difference:.1f}"

@@ -226,11 +226,10 @@ def restyle(
         for thing in planned.values():
             check_known(thing)
     models = {n: remodel(scene, p, style, backends, config, seed) for n, p in planned.items()}
-    fresh = {
-        n: _body(n, m, scene.object(n), scene.object(n).placement.yaw) for n, m in models.items()
-    }
-    objects = tuple(fresh.get(o.name, o) for o in scene.objects)
-    wanted = scene.replace(objects=objects)
+    wanted = scene.replace(objects=tuple(
+        _body(o.name, models[o.name], o, o.placement.yaw) if o.name in models else o
+        for o in scene.objects
+    ))  # fmt: skip
     done = settle_again(wanted, set_down(wanted, chosen), chosen, config)
     edit = _edit(opened, "restyle", tuple(chosen), style, seed, backends, config)
     messages = tuple(w for n in chosen for w in _aside(wanted, done, n))
@@ -276,25 +275,20 @@ def _facing(old: Object, size: np.ndarray, natural: float) -> float:
 
 
 def _exchange(scene: Scene, name: str, new: Object) -> Scene:
-    """Return the scene with another thing in the place of one, what stood on it now on the other.
+    """Return the scene with another thing in the place of one, with what stood on or in that."""
 
-    What was in it starts upright over its middle.
-    """
-    objects = []
-    for thing in scene.objects:
-        below = thing.placement
+    def exchange(thing: Object) -> Object:
         if thing.name == name:
-            objects.append(new)
-        elif below.on != name:
-            objects.append(thing)
-        else:
-            there = replace(below, on=new.name)
-            if below.inside:
-                middle = np.array([*new.pose.position[:2], thing.pose.position[2]])
-                objects.append(pose(thing, replace(there, translation=middle)))
-            else:
-                objects.append(replace(thing, placement=there))
-    return scene.replace(objects=tuple(objects))
+            return new
+        if thing.placement.on != name:
+            return thing
+        there = replace(thing.placement, on=new.name)
+        if not there.inside:
+            return replace(thing, placement=there)
+        middle = np.array([*new.pose.position[:2], thing.pose.position[2]])  # it starts upright
+        return pose(thing, replace(there, translation=middle))
+
+    return scene.replace(objects=tuple(map(exchange, scene.objects)))
 
 
 def _check_move(where: object, turn: float) -> None:
@@ -309,9 +303,8 @@ def _aside(wanted: Scene, done: Scene, name: str) -> tuple[str, ...]:
     """Return a warning if something stands elsewhere than it was to."""
     places = [s.object(name).pose.position[:2] for s in (wanted, done)]
     aside = float(np.linalg.norm(places[1] - places[0]))
-    if aside < ASIDE:
-        return ()
-    return (f"{name} stands {100 * aside:.0f} cm aside, where there is room for it.",)
+    message = f"{name} stands {100 * aside:.0f} cm aside, where there is room for it."
+    return (message,) if aside >= ASIDE else ()
 
 
 def _metres(where: tuple[float, float] | None, turn: float) -> str:

@@ -16,14 +16,11 @@ from .placing import carried_to, pose
 
 def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, turn: float) -> Scene:
     """Return the scene with a thing, and its load, at a place on the table, or turned."""
-    if where is None:
-        there = Pose(thing.pose.position, turned_quaternion(thing.pose.quaternion, turn))
+    if where is None or thing.placement.on == TABLE:
+        x, y, z = thing.pose.position
+        position = np.array([*((x, y) if where is None else where), z])
+        there = Pose(position, turned_quaternion(thing.pose.quaternion, turn))
         thing_now = replace(thing, pose=there)
-    elif thing.placement.on == TABLE:
-        position = np.array([*where, thing.pose.position[2]])
-        thing_now = replace(
-            thing, pose=Pose(position, turned_quaternion(thing.pose.quaternion, turn))
-        )
     else:
         placement = replace(thing.placement, on=TABLE, inside=False)
         thing_now = pose(thing, replace(placement, yaw=placement.yaw + turn))

@@ -77,27 +77,21 @@ def place_by_relations(
         SceneError: there is no room where it was asked for.
     """
     there = [o for o in scene.objects if o.name not in away]
-    placed = {o.name: _placement(o) for o in there}
+    placed = {o.name: replace(o.placement, translation=o.pose.position) for o in there}
     models = {o.name: replace(o.model, size=o.scale) for o in there} | {planned.name: model}
     table = replace(scene.table.model, size=scene.table.scale)
-    plan = ScenePlan(
-        planned.noun, PlannedTable(), (planned, *beneath(scene, planned, away)), "plain"
-    )
+    things = (planned, *beneath(scene, planned, away))
+    plan = ScenePlan(planned.noun, PlannedTable(), things, "plain")
     layout = arrange_more(plan, placed, models, table, seed, {planned.name: yaw})
+    advice = "Remove or move something first, or ask for another place."
     if layout.warnings or not layout.placements:
         reasons = layout.warnings or (f"{planned.name} finds no free place on the table.",)
-        raise SceneError(
-            f"{' '.join(reasons).split(';')[0].rstrip('.')}. Remove or move something first, "
-            "or ask for another place."
-        )
+        raise SceneError(f"{' '.join(reasons).split(';')[0].rstrip('.')}. {advice}")
     (placement,) = layout.placements
     wrong = unmet_relations(planned, placement, placed, models, table)
     if wrong and placement.on == TABLE:
         asked = " and ".join(f"{r.kind.replace('_', ' ')} {r.target}" for r in wrong)
-        raise SceneError(
-            f"There is no room for {planned.name} {asked}. Remove or move something first, "
-            "or ask for another place."
-        )
+        raise SceneError(f"There is no room for {planned.name} {asked}. {advice}")
     return placement
 
 
@@ -108,12 +102,11 @@ def beneath(
     targets = {r.target: r for r in planned.relations if r.target != TABLE}
     found = []
     for thing in scene.objects:
+        below = targets.get(thing.placement.on)
         if thing.name in targets:
             found.append(as_planned(scene, thing))
-        elif thing.placement.on in targets and thing.name not in away:
-            near = targets[thing.placement.on]
-            if near.kind in ("on", "in"):
-                found.append(replace(as_planned(scene, thing), relations=(near,)))
+        elif below and below.kind in ("on", "in") and thing.name not in away:
+            found.append(replace(as_planned(scene, thing), relations=(below,)))
     return tuple(found)
 
 
@@ -164,20 +157,14 @@ def check_held(scene: Scene, names: Sequence[str]) -> None:
             )
 
 
-def _placement(thing: Object) -> Placement:
-    """Return a thing's placement where it rests."""
-    return replace(thing.placement, translation=thing.pose.position)
-
-
 def _check_inside(scene: Scene, thing: Object) -> None:
     if not thing.placement.inside:
         return
     vessel = scene.object(thing.placement.on)
     rim = float(vessel.pose.position[2]) + highest(vessel)
-    beside = [o for o in scene.objects if o.placement.on == vessel.name and o is not thing]
-    rise = lowest(thing) + thing.scale[2] / 2
-    middle = thing.pose.position + np.array([0.0, 0.0, rise])
-    if not sunk(replace(thing.placement, translation=middle), rim, heaped=bool(beside)):
+    heaped = any(o.placement.on == vessel.name and o is not thing for o in scene.objects)
+    middle = thing.pose.position + np.array([0.0, 0.0, lowest(thing) + thing.scale[2] / 2])
+    if not sunk(replace(thing.placement, translation=middle), rim, heaped=heaped):
         raise SceneError(
             f"{thing.name} does not fit into {vessel.name}. Move or remove it first, or choose "
             "another thing."

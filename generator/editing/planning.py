@@ -5,44 +5,42 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from ..method.supplement import retarget
 from ..scene import TABLE, PlannedObject, Relation, Scene
+
+
+def planned_things(scene: Scene) -> tuple[PlannedObject, ...]:
+    """Return what the scene's plan knows; nothing without a plan."""
+    return scene.plan.objects if scene.plan else ()
 
 
 def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
     """Return the scene, its plan with ``new`` for ``old``; without a plan, as it is."""
-    if scene.plan is None:
-        return scene
-    known = {o.name: o for o in scene.plan.objects}
+    known = {o.name: o for o in planned_things(scene)}
     if old not in known:
         return add_to_plan(scene, new)
     took = replace(new, relations=known[old].relations)
-    objects = [took if o.name == old else _rename(o, {old: new.name}) for o in known.values()]
+    objects = [took if o.name == old else retarget(o, {old: new.name}) for o in known.values()]
     return _with(scene, objects)
 
 
 def add_to_plan(scene: Scene, new: PlannedObject) -> Scene:
     """Return the scene, its plan with ``new``, related to what the plan knows."""
-    if scene.plan is None:
-        return scene
-    return _with(scene, [*scene.plan.objects, new])
+    return _with(scene, [*planned_things(scene), new])
 
 
 def remove_from_plan(scene: Scene, names: Collection[str]) -> Scene:
     """Return the scene, its plan without ``names`` and what was said of places by them."""
-    if scene.plan is None:
-        return scene
-    return _with(scene, [o for o in scene.plan.objects if o.name not in names])
+    return _with(scene, [o for o in planned_things(scene) if o.name not in names])
 
 
 def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
     """Return the scene, its plan with other relations of a thing, and none to it."""
-    if scene.plan is None:
-        return scene
     objects = [
         replace(o, relations=tuple(relations))
         if o.name == name
         else replace(o, relations=tuple(r for r in o.relations if _held(r, name)))
-        for o in scene.plan.objects
+        for o in planned_things(scene)
     ]
     return _with(scene, objects)
 
@@ -59,14 +57,10 @@ def _held(relation: Relation, name: str) -> bool:
     return relation.target != name or relation.kind in ("on", "in")
 
 
-def _rename(planned: PlannedObject, names: dict[str, str]) -> PlannedObject:
-    relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
-    return replace(planned, relations=relations)
-
-
 def _with(scene: Scene, objects: Sequence[PlannedObject]) -> Scene:
-    """Return the scene with these objects planned, related to one another and the table alone."""
-    assert scene.plan is not None
+    """Return the scene with these planned, if it has a plan; relations to other things go."""
+    if scene.plan is None:
+        return scene
     names = {TABLE, *(o.name for o in objects)}
     related = tuple(
         replace(o, relations=tuple(r for r in o.relations if r.target in names)) for o in objects

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from ..errors import InputError, choices
 from ..method.supplement import fresh_names
 from ..scene import TABLE, Object, PlannedObject, Scene, ScenePlan
+from .planning import planned_things
 
 Planner = Callable[[str, int], ScenePlan]
 """A reasoner's ``plan_scene``."""
@@ -44,12 +45,10 @@ def understand(scene: Scene, text: str, planner: Planner, seed: int) -> Asked:
     targets = [r.target for r in subject.relations if r.target != TABLE]
     meant = {t: _resolve(scene, by_name[t], named) for t in dict.fromkeys(targets)}
     relations = tuple(replace(r, target=meant.get(r.target, TABLE)) for r in subject.relations)
-    known = scene.plan.objects if scene.plan else ()
-    taken = {TABLE, *(o.name for o in scene.objects), *(o.name for o in known)}
+    taken = {TABLE, *(o.name for o in (*scene.objects, *planned_things(scene)))}
     name = fresh_names([subject], taken)[subject.name]
     style = plan.style if plan.style != "plain" or not scene.plan else scene.plan.style
-    warnings = plan.warnings
-    return Asked(replace(subject, name=name, relations=relations), style, warnings)
+    return Asked(replace(subject, name=name, relations=relations), style, plan.warnings)
 
 
 def whereabouts(scene: Scene, thing: Object, where: str, planner: Planner, seed: int) -> Asked:
@@ -71,8 +70,7 @@ def whereabouts(scene: Scene, thing: Object, where: str, planner: Planner, seed:
 
 def as_planned(scene: Scene, thing: Object) -> PlannedObject:
     """Return a thing of the scene as its plan has it, without relations."""
-    known = scene.plan.objects if scene.plan else ()
-    planned = next((o for o in known if o.name == thing.name), None)
+    planned = next((o for o in planned_things(scene) if o.name == thing.name), None)
     if planned is not None and planned.category == thing.model.category:
         return replace(planned, relations=())
     return PlannedObject(thing.name, thing.label, thing.model.category)
@@ -90,15 +88,13 @@ def _in_words(scene: Scene, text: str) -> tuple[str, dict[str, str]]:
 
 
 def _subject(plan: ScenePlan, text: str) -> PlannedObject:
-    """Return the one thing asked for; the others only say where it goes.
-
-    It is the one named first, and others of a target's kind go with it: "behind the two books".
-    """
+    """Return the one thing asked for, named first; the others only say where it goes."""
     if not plan.objects:
         raise InputError(f"{text!r} names no thing to put on the table. Say for example 'a mug'.")
     place = {o.name: text.lower().find(o.noun.lower()) for o in plan.objects}
     subject = min(plan.objects, key=lambda o: place[o.name] if place[o.name] >= 0 else len(text))
     targets = {r.target for r in subject.relations}
+    # Others of a target's kind go with it: "behind the two books".
     kinds = {(o.category, o.noun) for o in plan.objects if o.name in targets}
     others = [o for o in plan.objects if o is not subject and (o.category, o.noun) not in kinds]
     if others:
@@ -119,9 +115,8 @@ def _resolve(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
         raise InputError(f"There is no {target.noun} on the table." + choices(target.noun, words))
     matching = _of_look(scene, fits, target) if len(fits) > 1 else fits
     if len(matching) > 1:
-        names = " and ".join(o.name for o in matching)
         raise InputError(
-            f"{names} could be meant by {target.noun!r}. "
+            f"{' and '.join(o.name for o in matching)} could be meant by {target.noun!r}. "
             f"Say which, as in 'next to {matching[0].name}'."
         )
     return matching[0].name
@@ -134,6 +129,6 @@ def _fits(thing: Object, target: PlannedObject) -> bool:
 
 def _of_look(scene: Scene, things: Sequence[Object], target: PlannedObject) -> Sequence[Object]:
     """Return those that look as the target does, by the scene's plan; all if it cannot tell."""
-    looks = {o.name: dict(o.attributes) for o in (scene.plan.objects if scene.plan else ())}
+    looks = {o.name: dict(o.attributes) for o in planned_things(scene)}
     alike = [t for t in things if target.attributes.items() <= looks.get(t.name, {}).items()]
     return alike or things

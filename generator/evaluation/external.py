@@ -68,10 +68,9 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     """Read a foreign result as a scene of ours, at the poses it states.
 
     Nothing is moved: what overlaps or floats does so in the scene, too. Mass and friction are this
-    project's defaults. The folder holds ``transforms.json`` and its GLB files (see the module).
-    ``decompose`` finds convex parts for simulation (seconds to a minute an object, kept for the
-    next time). Otherwise each object has its convex hull, which is enough for meshes and pictures,
-    and a warning in its provenance says so.
+    project's defaults. ``decompose`` finds convex parts for simulation (seconds to a minute an
+    object, kept for the next time). Otherwise each object has its convex hull, which is enough for
+    meshes and pictures, and a warning in its provenance says so.
 
     Raises:
         InputError: a file is missing, damaged, too large or outside the folder, or a value is no
@@ -79,7 +78,7 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
         SceneError: a mesh cannot be decomposed.
     """
     place = Path(folder)
-    payload = _payload(place)
+    payload = parse_object(_read(place, TRANSFORMS), f"{place}: {TRANSFORMS}", InputError)
     up = payload.get("up", "y")
     if not isinstance(up, str) or up not in _Z_UP:
         raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r:.80}.')
@@ -92,16 +91,9 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     table = _table(mesh, f"{place}: the table")
     bodies = [_object(place, entry, _Z_UP[up], shift, decompose) for entry in entries]
     _check_supports(bodies)
-    warning = "collision parts are convex hulls: not fit for simulation"
-    provenance = Provenance(
-        "manual", 0, prompt=f"method: {method}",
-        warnings=() if decompose else (warning,),
-    )  # fmt: skip
+    warnings = () if decompose else ("collision parts are convex hulls: not fit for simulation",)
+    provenance = Provenance("manual", 0, prompt=f"method: {method}", warnings=warnings)
     return Scene(name, table, tuple(bodies), provenance)
-
-
-def _payload(place: Path) -> dict[str, Any]:
-    return parse_object(_read(place, TRANSFORMS), f"{place}: {TRANSFORMS}", InputError)
 
 
 def _read(place: Path, name: Any) -> bytes:
@@ -143,11 +135,7 @@ def _table_mesh(
 
 
 def _table(mesh: Mesh, what: str) -> Table:
-    """Return the table with a slab under its top, a rim left out.
-
-    Raises:
-        InputError: it has no level top, or something rises from it.
-    """
+    """Return the table with a slab under its top, a rim left out."""
     unit, _, extent = to_unit_box(mesh)
     model = Model(TABLE, TABLE, unit, extent)
     vertices = unit.vertices * extent
@@ -163,13 +151,10 @@ def _table(mesh: Mesh, what: str) -> Table:
 
 
 def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
-    """Return the height of the top: the highest level with half as much area as any has.
-
-    Surfaces count on both sides: not every file turns them outwards.
-    """
+    """Return the height of the top: the highest level with half as much area as any has."""
     normals = scaled_normals(triangles) / 2
     areas = np.linalg.norm(normals, axis=1)
-    level = np.abs(normals[:, 2]) > _LEVEL * areas
+    level = np.abs(normals[:, 2]) > _LEVEL * areas  # either way: not every file turns them outwards
     order = np.argsort(triangles[level].mean(1)[:, 2], kind="stable")
     heights, areas = triangles[level].mean(1)[order, 2], areas[level][order]
     sums = np.append(0.0, np.cumsum(areas))
@@ -201,9 +186,7 @@ def _object(
         raise InputError(f"{place}: {name} is 'on' a thing by name, and 'inside' is true or false.")
     position = rotation @ (center * scale) + translation + shift
     quaternion = Rotation.from_matrix(rotation).as_quat(scalar_first=True)
-    placement = Placement(
-        name, quaternion_yaw(quaternion), position, extent, on, inside,
-    )  # fmt: skip
+    placement = Placement(name, quaternion_yaw(quaternion), position, extent, on, inside)
     hull = () if decompose else (ConvexPart(hull_points(unit.vertices.astype(float))),)
     model = Model(name, label, unit, extent, parts=hull)
     parts = model_parts(model, extent)
@@ -242,13 +225,10 @@ def _numbers(value: Any, shape: tuple[int, ...], what: str) -> Float[np.ndarray,
 
 
 def _check_supports(bodies: list[Object]) -> None:
-    names = {o.name for o in bodies} | {TABLE}
-    for thing in bodies:
-        others = names - {thing.name}
-        if thing.placement.on not in others:
-            raise InputError(
-                f"{thing.name!r} stands on an unknown thing." + choices(thing.placement.on, others)
-            )
+    for name, on in ((o.name, o.placement.on) for o in bodies):
+        others = {TABLE, *(o.name for o in bodies)} - {name}
+        if on not in others:
+            raise InputError(f"{name!r} stands on an unknown thing." + choices(on, others))
 
 
 def _block(size: Float[np.ndarray, "3"]) -> Mesh:

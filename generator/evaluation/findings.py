@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -80,125 +80,85 @@ class Finding:
         }
 
 
-def of_collisions(found: Collisions, limits: DefectLimits) -> list[Finding]:
-    """Return one finding an overlap, with both things that take part in it."""
-    limit = 1e3 * limits.overlap
-    pairs = [(o.b, o.a, 1e3 * o.depth) for o in found.overlaps]
-    pairs += [(o.a, o.b, 1e3 * o.depth) for o in found.sunk]
-    return [
-        Finding(
-            "overlap", name, f"overlaps {'the table' if other == TABLE else other}", "meshes",
-            depth, limit, "mm", other,
-        )
-        for name, other, depth in pairs
-    ]  # fmt: skip
+def of_collisions(found: Collisions, limits: DefectLimits) -> Iterator[Finding]:
+    """Yield one finding an overlap, with both things that take part in it."""
+    pairs = [(o.b, o.a, o.depth) for o in found.overlaps]
+    pairs += [(o.a, o.b, o.depth) for o in found.sunk]
+    for name, other, depth in pairs:
+        text = f"overlaps {'the table' if other == TABLE else other}"
+        limit = 1e3 * limits.overlap
+        yield Finding("overlap", name, text, "meshes", 1e3 * depth, limit, "mm", other)
 
 
-def of_soundness(found: Soundness) -> list[Finding]:
-    """Return what floats, hangs over the edge, or does not stand still."""
-    rule, findings = found.rule, []
+def of_soundness(found: Soundness) -> Iterator[Finding]:
+    """Yield what floats, hangs over the edge, or does not stand still."""
+    rule = found.rule
     for thing in found.objects:
         if thing.floats:
             text = "floats: nothing holds it"
-            findings.append(
-                Finding("floats", thing.name, text, "simulation", None, 1e3 * rule.gap, "mm")
-            )
+            yield Finding("floats", thing.name, text, "simulation", None, 1e3 * rule.gap, "mm")
         if thing.off_table:
             text = "its centre of mass is beyond the table's edge"
-            findings.append(Finding("off_table", thing.name, text, "simulation"))
+            yield Finding("off_table", thing.name, text, "simulation")
         if not found.moves(thing):
             continue
-        turn = float(np.rad2deg(thing.turn))
         after = f"in {rule.seconds:g} s"
-        if found.diverged:
-            finding = ("the simulation broke down", None, None, "")
-        elif thing.drift > rule.drift or thing.falls:
-            verb = "falls from the table" if thing.falls else "moves"
-            finding = (f"{verb} {after}", 1e3 * thing.drift, 1e3 * rule.drift, "mm")
-        else:
-            finding = (f"turns {after}", turn, float(np.rad2deg(rule.tilt)), "deg")
-        text, value, limit, unit = finding
-        findings.append(Finding("unstable", thing.name, text, "simulation", value, limit, unit))
-    return findings
+        text, value, limit, unit = "the simulation broke down", None, None, ""
+        if not found.diverged and (thing.drift > rule.drift or thing.falls):
+            text = f"{'falls from the table' if thing.falls else 'moves'} {after}"
+            value, limit, unit = 1e3 * thing.drift, 1e3 * rule.drift, "mm"
+        elif not found.diverged:
+            value, limit = float(np.rad2deg(thing.turn)), float(np.rad2deg(rule.tilt))
+            text, unit = f"turns {after}", "deg"
+        yield Finding("unstable", thing.name, text, "simulation", value, limit, unit)
 
 
-def of_sizes(found: Sequence[UsualSize], limits: DefectLimits) -> list[Finding]:
-    """Return what is much larger or smaller than such things usually are."""
-    return [
-        Finding(
-            "wrong_size", s.name, f"{_than(s.ratio)} than the {s.source} knows such things",
-            "usual size", s.ratio, limits.usual_size, "x",
-        )
-        for s in found
-        if _beyond(s.ratio, limits.usual_size)
-    ]  # fmt: skip
+def of_sizes(found: Sequence[UsualSize], limits: DefectLimits) -> Iterator[Finding]:
+    """Yield what is much larger or smaller than such things usually are."""
+    for s in (s for s in found if _beyond(s.ratio, limits.usual_size)):
+        text = f"{_than(s.ratio)} than the {s.source} knows such things"
+        yield Finding("wrong_size", s.name, text, "usual size", s.ratio, limits.usual_size, "x")
 
 
-def of_fits(found: Sequence[SilhouetteFit], limits: DefectLimits) -> list[Finding]:
-    """Return what would fit its mask in the picture much better if it were turned or scaled."""
-    findings = []
+def of_fits(found: Sequence[SilhouetteFit], limits: DefectLimits) -> Iterator[Finding]:
+    """Yield what would fit its mask in the picture much better if it were turned or scaled."""
     for fit in found:
         turned, scaled = fit.turned_iou - fit.iou, fit.scaled_iou - fit.iou
-        if max(turned, scaled) < limits.gain:
-            continue
-        if turned >= scaled:
-            text = (
-                f"would fit its mask turned by {np.rad2deg(fit.turn):.0f} deg: IoU "
-                f"{fit.turned_iou:.2f} instead of {fit.iou:.2f}"
-            )
-            findings.append(
-                Finding("wrong_yaw", fit.name, text, "picture", turned, limits.gain, "IoU")
-            )
-        else:
-            text = (
-                f"would fit its mask at {fit.factor:g} times its size: IoU {fit.scaled_iou:.2f} "
-                f"instead of {fit.iou:.2f}"
-            )
-            findings.append(
-                Finding("wrong_size", fit.name, text, "picture", scaled, limits.gain, "IoU")
-            )
-    return findings
+        kind: Kind = "wrong_yaw" if turned >= scaled else "wrong_size"
+        how, best = f"at {fit.factor:g} times its size", fit.scaled_iou
+        if kind == "wrong_yaw":
+            how, best = f"turned by {np.rad2deg(fit.turn):.0f} deg", fit.turned_iou
+        if max(turned, scaled) >= limits.gain:
+            text = f"would fit its mask {how}: IoU {best:.2f} instead of {fit.iou:.2f}"
+            yield Finding(kind, fit.name, text, "picture", best - fit.iou, limits.gain, "IoU")
 
 
-def of_comparison(compared: Comparison) -> list[Finding]:
-    """Return what the picture shows and the scene does not hold."""
-    return [
-        Finding("missing", score.name, "is in the picture, not in the scene", "picture")
-        for score in compared.scores
-        if not score.built
-    ]
+def of_comparison(compared: Comparison) -> Iterator[Finding]:
+    """Yield what the picture shows and the scene does not hold."""
+    for score in (s for s in compared.scores if not s.built):
+        yield Finding("missing", score.name, "is in the picture, not in the scene", "picture")
 
 
-def of_truth(found: TruthErrors, limits: DefectLimits) -> list[Finding]:
-    """Return what differs from the scene it should be."""
-    findings = [
-        Finding("missing", name, "is in the true scene, not in this one", "truth")
-        for name in found.missing
-    ]
-    findings += [
-        Finding("extra", name, "is not in the true scene", "truth") for name in found.extra
-    ]
+def of_truth(found: TruthErrors, limits: DefectLimits) -> Iterator[Finding]:
+    """Yield what differs from the scene it should be."""
+    for name in found.missing:
+        yield Finding("missing", name, "is in the true scene, not in this one", "truth")
+    for name in found.extra:
+        yield Finding("extra", name, "is not in the true scene", "truth")
     for o in found.objects:
-        yaw, limit = float(np.rad2deg(o.yaw)), float(np.rad2deg(limits.yaw))
         if o.yaw > limits.yaw:
-            findings.append(Finding("wrong_yaw", o.name, "is turned", "truth", yaw, limit, "deg"))
+            yaw, limit = float(np.rad2deg(o.yaw)), float(np.rad2deg(limits.yaw))
+            yield Finding("wrong_yaw", o.name, "is turned", "truth", yaw, limit, "deg")
         if _beyond(o.scale, limits.scale):
             text = f"{_than(o.scale)} than it should be"
-            findings.append(
-                Finding("wrong_size", o.name, text, "truth", o.scale, limits.scale, "x")
-            )
+            yield Finding("wrong_size", o.name, text, "truth", o.scale, limits.scale, "x")
         if o.share > limits.place:
             text = f"is {100 * o.translation:.1f} cm from its place"
-            findings.append(
-                Finding(
-                    "wrong_place", o.name, text, "truth", 100 * o.share, 100 * limits.place,
-                    "% of table",
-                )
-            )  # fmt: skip
+            far, limit = 100 * o.share, 100 * limits.place
+            yield Finding("wrong_place", o.name, text, "truth", far, limit, "% of table")
         if not o.support:
             text = "stands on, or in, another thing than it should"
-            findings.append(Finding("wrong_support", o.name, text, "truth"))
-    return findings
+            yield Finding("wrong_support", o.name, text, "truth")
 
 
 def _beyond(ratio: float, factor: float) -> bool:

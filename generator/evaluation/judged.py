@@ -1,9 +1,8 @@
 """Scores by a judge (Sec. 4.1 and supplement, Sec. 8.2): VF, IA and PP from 1 to 7, and a ranking.
 
-The paper asks GPT-4o; here any backend that has the ``Judge`` protocol's two methods is asked, with
-criteria in our own words. Without one, ``marks_from_figures`` derives marks from measured figures.
-It calls itself that, and gives no mark where nothing was measured: realism cannot be told from
-geometry.
+The paper asks GPT-4o; here any backend with the ``Judge`` protocol is asked, with criteria in our
+own words. Without one, ``marks_from_figures`` derives marks from measured figures, and gives none
+where nothing was measured: realism cannot be told from geometry.
 """
 
 from __future__ import annotations
@@ -110,9 +109,8 @@ def rank_methods(
     Raises:
         BackendError: it is no judge, or its answer does not name each method once.
     """
-    order = tuple(
-        as_judge(judge).rank(reference, {name: tuple(shown) for name, shown in methods.items()})
-    )
+    shown = {name: tuple(pictures) for name, pictures in methods.items()}
+    order = tuple(as_judge(judge).rank(reference, shown))
     if sorted(order) != sorted(methods):
         raise BackendError(
             f"{type(judge).__name__} ranked {list(order)}; each of {sorted(methods)} must be "
@@ -129,18 +127,13 @@ def marks_from_figures(
     unsound: float,
     simulated: bool = True,
 ) -> Marks:
-    """Return marks that follow from measured figures by fixed rules; there is none for VF.
+    """Return marks that follow from measured figures, all in [0, 1], by fixed rules; none for VF.
 
-    IA is 1 + 6 x (mean of ``iou`` and ``built``); PP is 1 + 6 x (1 - ``unsound``) x
-    (1 - ``pair_collisions``) to the power of 10, as one pair in ten is already a poor scene.
-
-    Args:
-        iou: mean overlap of the objects' silhouettes with their masks in [0, 1]; None without a
-            picture.
-        built: share of the things the picture shows that the scene has; None without a picture.
-        pair_collisions: Col_O of the scene in [0, 1].
-        unsound: share of the objects that overlap, float, hang over the edge or do not stand still.
-        simulated: whether ``unsound`` comes from a simulation; else only overlaps are in it.
+    IA is 1 + 6 x (mean of ``iou`` and ``built``): the mean overlap of silhouettes with their masks,
+    and the share of what the picture shows that the scene has; None without a picture. PP is
+    1 + 6 x (1 - ``unsound``) x (1 - ``pair_collisions``) to the power of 10, as one pair in ten
+    (Col_O) is already a poor scene; ``unsound`` is the share of the objects that overlap or, if
+    ``simulated``, float, hang over the edge or do not stand still.
     """
     notes = {"VF": "not marked: no measured figure tells how real a scene looks"}
     marks: dict[str, float | None] = {"VF": None, "IA": None}

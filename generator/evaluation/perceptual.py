@@ -41,42 +41,50 @@ class Missing(BackendError):
 
 
 @dataclass(frozen=True)
-class FilterSimilarity:
-    """Cosine of the embedded encoder's maps (Eq. 4's Phi), place by place; 1 is the same picture.
+class MapSimilarity:
+    """Cosine of an encoder's maps, place by place, averaged over the maps; 1 is the same picture.
 
-    Colour and oriented edges without learned weights: it tells layout and colour, not meaning.
+    ``load`` returns the encoder: images (n, 3, h, w) in [0, 1] to maps.
     """
 
-    name: str = "embedded_feature_similarity"
-    higher_is_better: bool = True
-
-    def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
-        """Return the similarity of each picture to the reference, in [-1, 1]."""
-        from ..backends.embedded.encoder import EmbeddedEncoder
-
-        return _map_cosine(lambda images: EmbeddedEncoder().features(images), pictures, reference)
-
-
-@dataclass(frozen=True)
-class LiteSimilarity:
-    """Cosine of the embedded eye's maps of stride 16 and 32, place by place; 1 is the same picture.
-
-    The eye's encoder is EfficientNet-Lite0, trained further on this repository's own renders.
-    """
-
-    name: str = "embedded_lite0_similarity"
+    name: str
+    load: Callable[[], Callable[[Tensor], tuple[Tensor, ...]]]
     higher_is_better: bool = True
 
     def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
         """Return the similarity of each picture to the reference, in [-1, 1].
 
         Raises:
-            BackendError: the eye's weights are missing or damaged.
+            BackendError: the encoder's weights are missing or damaged.
         """
-        from ..backends.embedded.eye.weights import load_weights
+        import torch
+        from torch.nn import functional
 
-        encoder = load_weights().eye.encoder
-        return _map_cosine(lambda images: encoder(images)[-2:], pictures, reference)
+        maps = self.load()
+
+        def compare(images: Tensor, goal: Tensor) -> Tensor:
+            cosines = [
+                functional.cosine_similarity(a.flatten(1), b.flatten(1), 1)
+                for a, b in zip(maps(images), maps(goal), strict=True)
+            ]
+            return torch.stack(cosines).mean(0)
+
+        return _compare(compare, pictures, reference)
+
+
+def _load_filters() -> Callable[[Tensor], tuple[Tensor, ...]]:
+    """Return Eq. 4's Phi: colour and oriented edges, which tell layout and colour, not meaning."""
+    from ..backends.embedded.encoder import EmbeddedEncoder
+
+    return EmbeddedEncoder().features
+
+
+def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
+    """Return the eye's EfficientNet-Lite0 (trained further on our renders): strides 16 and 32."""
+    from ..backends.embedded.eye.weights import load_weights
+
+    encoder = load_weights().eye.encoder
+    return lambda images: encoder(images)[-2:]
 
 
 @dataclass(frozen=True)
@@ -149,6 +157,7 @@ class HubSimilarity:
             Missing: the package or the weights are not here.
         """
         import torch
+        from torch.nn import functional
 
         network = self._network
 
@@ -159,21 +168,28 @@ class HubSimilarity:
                 return found if isinstance(found, torch.Tensor) else found.pooler_output
             return network(pixel_values=values).pooler_output
 
-        return _vector_cosine(vectors, pictures, reference)
+        def compare(images: Tensor, goal: Tensor) -> Tensor:
+            return functional.cosine_similarity(vectors(images), vectors(goal), 1)
+
+        return _compare(compare, pictures, reference)
 
 
 DINOV2 = HubSimilarity("dinov2", "pooled", IMAGENET)
 """DINOv2 (M. Oquab et al., 2023)."""
 
 CLIP = HubSimilarity(
-    "clip",
-    "image",
-    ((0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711)),
+    "clip", "image", ((0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711))
 )
 """CLIP (A. Radford et al., ICML 2021)."""
 
 EMBEDDED: Mapping[str, Metric] = MappingProxyType(
-    {m.name: m for m in (FilterSimilarity(), LiteSimilarity())}
+    {
+        name: MapSimilarity(name, load)
+        for name, load in (
+            ("embedded_feature_similarity", _load_filters),
+            ("embedded_lite0_similarity", _load_lite),
+        )
+    }
 )
 """Scores that every installation has."""
 
@@ -222,9 +238,8 @@ def _tensor(pictures: Sequence[Picture]) -> Tensor:
     """Return pictures as (n, 3, side, side) in [0, 1]."""
     import torch
 
-    small = [
-        cv2.resize(np.asarray(p), (_SIDE, _SIDE), interpolation=cv2.INTER_AREA) for p in pictures
-    ]
+    side = _SIDE, _SIDE
+    small = [cv2.resize(np.asarray(p), side, interpolation=cv2.INTER_AREA) for p in pictures]
     return torch.from_numpy(np.stack(small)).permute(0, 3, 1, 2).float() / 255
 
 
@@ -236,37 +251,6 @@ def _compare(
 
     with torch.no_grad():
         goal = _tensor([reference])
-        parts = [
-            compare(_tensor(pictures[k : k + _BATCH]), goal)
-            for k in range(0, len(pictures), _BATCH)
-        ]
+        batches = (pictures[k : k + _BATCH] for k in range(0, len(pictures), _BATCH))
+        parts = [compare(_tensor(batch), goal) for batch in batches]
     return np.concatenate([p.double().numpy() for p in parts]) if parts else np.zeros(0)
-
-
-def _vector_cosine(
-    vectors: Callable[[Tensor], Tensor], pictures: Sequence[Picture], reference: Picture
-) -> Float[np.ndarray, "n"]:
-    from torch.nn import functional
-
-    return _compare(
-        lambda images, goal: functional.cosine_similarity(vectors(images), vectors(goal), 1),
-        pictures,
-        reference,
-    )
-
-
-def _map_cosine(
-    maps: Callable[[Tensor], tuple[Tensor, ...]], pictures: Sequence[Picture], reference: Picture
-) -> Float[np.ndarray, "n"]:
-    """Return the cosine over all places and channels, averaged over the scales."""
-    import torch
-    from torch.nn import functional
-
-    def compare(images: Tensor, goal: Tensor) -> Tensor:
-        cosines = [
-            functional.cosine_similarity(a.flatten(1), b.flatten(1), 1)
-            for a, b in zip(maps(images), maps(goal), strict=True)
-        ]
-        return torch.stack(cosines).mean(0)
-
-    return _compare(compare, pictures, reference)

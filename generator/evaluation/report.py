@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -189,15 +188,10 @@ def evaluate_bundle(
         scene, segments = load(folder), load_segments(folder)
         picture = load_picture(folder, "reference") if picture is None else picture
     blind = metrics is not None and picture is None
-    found = evaluate(
-        scene,
-        picture=picture,
-        segments=segments,
-        metrics=None if blind else metrics,
-        **options,
-    )
+    shown = None if blind else metrics
+    found = evaluate(scene, picture=picture, segments=segments, metrics=shown, **options)
     note = ("no sweep: the scene keeps no picture; pass one",) if blind else ()
-    return dataclasses.replace(found, notes=found.notes + note)
+    return replace(found, notes=found.notes + note)
 
 
 def ranking(

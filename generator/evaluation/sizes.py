@@ -29,13 +29,11 @@ class UsualSize:
 
 def usual_sizes(scene: Scene) -> tuple[UsualSize, ...]:
     """Return the usual sizes of those objects whose word or plan tells one."""
-    found = []
-    for thing in scene.objects:
-        known = _usual(scene, thing)
-        if known is not None:
-            usual, source = known
-            found.append(UsualSize(thing.name, usual, source, _ratio(thing.scale, usual)))
-    return tuple(found)
+    return tuple(
+        UsualSize(thing.name, *known, _ratio(thing.scale, known[0]))
+        for thing in scene.objects
+        if (known := _usual(scene, thing)) is not None
+    )
 
 
 def _usual(scene: Scene, thing: Object) -> tuple[Float[np.ndarray, "3"], str] | None:

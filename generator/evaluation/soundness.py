@@ -164,16 +164,11 @@ def soundness(scene: Scene, rule: StillnessRule = PLAIN) -> Soundness:
     drift, turn = shift_distances(poses, simulation.poses), turn_angles(poses, simulation.poses)
     simulation.contacts()
     fell = set(find_fallen(simulation))
-    return Soundness(
-        rule,
-        tuple(
-            Behaviour(
-                thing.name, float(drift[k]), float(turn[k]), not held[k], bool(off[k]), k in fell
-            )
-            for k, thing in enumerate(scene.objects)
-        ),
-        bool(simulation.diverged),
+    objects = tuple(
+        Behaviour(o.name, float(drift[k]), float(turn[k]), not held[k], bool(off[k]), k in fell)
+        for k, o in enumerate(scene.objects)
     )
+    return Soundness(rule, objects, bool(simulation.diverged))
 
 
 def _set(simulation: Simulation, rule: StillnessRule) -> None:
@@ -181,10 +176,8 @@ def _set(simulation: Simulation, rule: StillnessRule) -> None:
     if rule.timestep is not None:
         options.timestep = rule.timestep
     strength = float(np.linalg.norm(options.gravity))
-    aside = strength * np.sin(rule.lean)
-    options.gravity[:] = [
-        aside * np.cos(rule.toward), aside * np.sin(rule.toward), -strength * np.cos(rule.lean)
-    ]  # fmt: skip
+    aside, down = strength * np.sin(rule.lean), -strength * np.cos(rule.lean)
+    options.gravity[:] = [aside * np.cos(rule.toward), aside * np.sin(rule.toward), down]
 
 
 def _degrees(angle: float) -> float:

@@ -15,8 +15,6 @@ from ..errors import BackendError
 from ..geometry import wrap
 from ..scene import TABLE, Instance, Reference, Rotation, SizePrior, View
 
-QUESTIONS = ("guess_rotations", "guess_layout")
-
 
 def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
     """Return the reasoner as one that can be asked for poses.
@@ -26,7 +24,8 @@ def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
     """
     if isinstance(reasoner, PoseGuesser):
         return reasoner
-    missing = [q for q in QUESTIONS if not callable(getattr(reasoner, q, None))]
+    questions = ("guess_rotations", "guess_layout")
+    missing = [q for q in questions if not callable(getattr(reasoner, q, None))]
     raise BackendError(
         f"{type(reasoner).__name__} does not answer {' and '.join(missing)}, which stand in for "
         "DRO and TSA where they are left out. See generator.backends.protocols.PoseGuesser, or "

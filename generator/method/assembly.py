@@ -83,7 +83,9 @@ def assemble(
     view: View | None = None,
     plan: ScenePlan | None = None,
 ) -> Scene:
-    """Assemble a scene from canonical models and their placements.
+    """Return a scene of canonical models at their placements, settled, with its report.
+
+    The report may have failed; publishing checks it.
 
     Args:
         models: canonical models by object name.
@@ -96,16 +98,14 @@ def assemble(
         view: the reference image's camera; None keeps the scene's default.
         plan: what the text asked for, kept with the scene.
 
-    Returns:
-        The settled scene with its report. The report may have failed; publishing checks it.
-
     Raises:
         InputError: a placement without a model, or on something that is not there.
         SceneError: a mesh has no convex parts and cannot be decomposed.
     """
     config = config or AssemblyConfig()
     table = _table(table_model, np.asarray(table_scale, float))
-    objects = tuple(body(_model(models, p.name), p) for p in _check_supports(placements))
+    _check_supports(placements, models)
+    objects = tuple(body(models[p.name], p) for p in placements)
     scene = Scene(name, table, objects, provenance, plan=plan)
     if view is not None:
         scene = scene.replace(view=view)
@@ -124,13 +124,9 @@ def reassemble(
 ) -> Scene:
     """Settle and judge a scene again after things were added or moved.
 
-    Things that are not new get no foot, and keep their pose bit for bit unless settling moves them.
-
-    Args:
-        wanted: the scene with everything where it was asked to be.
-        arranged: the same, free of overlaps, everything on or just above what it stands on.
-        fresh: the names of what is new.
-        config: settings.
+    ``wanted`` has everything where it was asked to be; ``arranged`` is free of overlaps, everything
+    on or just above what it stands on. ``fresh`` names what is new: other things get no foot, and
+    keep their pose bit for bit unless settling moves them.
     """
     config = config or AssemblyConfig()
     rested, unstable = rest(arranged, config, fresh)
@@ -218,14 +214,8 @@ def body(model: Model, placement: Placement) -> Object:
     )  # fmt: skip
 
 
-def _model(models: Mapping[str, Model], name: str) -> Model:
-    if name not in models:
-        raise InputError(f"No model for the placed object {name!r}." + choices(name, models))
-    return models[name]
-
-
-def _check_supports(placements: Sequence[Placement]) -> Sequence[Placement]:
-    """Check that every support exists, and that no thing stands on itself."""
+def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]) -> None:
+    """Check that every support and model exists, and that no thing stands on itself."""
     on = {p.name: p.on for p in placements}
     for name, below in on.items():
         seen = {name}
@@ -236,7 +226,8 @@ def _check_supports(placements: Sequence[Placement]) -> Sequence[Placement]:
                 raise InputError(f"{name!r} stands on itself, by way of {sorted(seen)}.")
             seen.add(below)
             below = on[below]
-    return placements
+    for name in (n for n in on if n not in models):
+        raise InputError(f"No model for the placed object {name!r}." + choices(name, models))
 
 
 # -------------------------------------------------------------------------------------- the scene
@@ -249,9 +240,9 @@ def _find_toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]
     simulation.contacts()
     gone = set(find_fallen(simulation))
     return {
-        thing.name
-        for k, (thing, pose) in enumerate(zip(scene.objects, poses, strict=True))
-        if k in gone or (not thing.placement.inside and has_toppled(thing, pose, limit))
+        o.name
+        for k, (o, pose) in enumerate(zip(scene.objects, poses, strict=True))
+        if k in gone or (not o.placement.inside and has_toppled(o, pose, limit))
     }
 
 
@@ -284,10 +275,8 @@ def _steady(
     """Return the scene at rest with a foot under what topples as the gate leans."""
     if not config.limits.lean:
         return rested
-    known = {
-        *_list_footed(arranged, rested),
-        *(o.name for o in rested.objects if o.placement.inside),
-    }
+    inside = (o.name for o in rested.objects if o.placement.inside)
+    known = {*_list_footed(arranged, rested), *inside}
     down = _only(set(find_toppling(rested, config.limits, config.topple)) - known, may)
     objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)
     return rested.replace(objects=objects) if down else rested
@@ -301,10 +290,8 @@ def _list_footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
 
 def _without(scene: Scene, names: set[str]) -> Scene:
     """Return the scene without ``names`` and all that stands on them."""
-    objects = scene.objects
-    chains = ancestry(objects)
-    kept = [o for o, c in zip(objects, chains, strict=True)
-            if not any(objects[k].name in names for k in c)]  # fmt: skip
+    pairs = zip(scene.objects, ancestry(scene.objects), strict=True)
+    kept = (o for o, c in pairs if names.isdisjoint(scene.objects[k].name for k in c))
     return scene.replace(objects=tuple(kept))
 
 
@@ -318,10 +305,7 @@ def _record(
     config: AssemblyConfig,
     may: Collection[str] | None = None,
 ) -> Scene:
-    """Judge the scene; if it fails the gate, let it settle further, shaken.
-
-    What stands, but topples as gravity leans, gets a weighted foot if it ``may``.
-    """
+    """Judge the scene; until it passes, put what topples on feet (if it ``may``) and shake it."""
     poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
     moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
     report = Report(

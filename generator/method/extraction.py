@@ -51,56 +51,46 @@ def extract(
     """Return the table, named "table", and then every thing on it, named ``<label>_<k>``.
 
     Image models forget or hide some of what a plan asks for. If fewer things are found than
-    planned, the plan is drawn again with another seed; the drawing that shows most stays. The
-    reference returned is that drawing's; a picture's own is never changed.
+    planned, the plan is drawn again with another seed; of the drawing that shows most comes the
+    reference returned. A picture's own is never changed.
 
     Raises:
         SceneError: no table in the picture, or nothing stands on it.
     """
     plan = reference.plan
-    best, found = reference, _find(reference, reasoner, segmenter)
+    best, (tables, things) = reference, _find(reference, reasoner, segmenter)
     for k in range(1, (config or ExtractionConfig()).drawings):
-        if plan is None or len(found.things) >= len(plan.objects):
+        if plan is None or len(things) >= len(plan.objects):
             break
         with contextlib.suppress(SceneError):  # an unusable drawing; keep the previous one
             drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
-            again = _find(drawn, reasoner, segmenter)
-            if again.tables and len(again.things) > len(found.things):
-                best, found = drawn, again
-    return best, _complete(best, found.check(), imager, complete_each)
+            found = _find(drawn, reasoner, segmenter)
+            if found[0] and len(found[1]) > len(things):
+                best, (tables, things) = drawn, found
+    if not tables:
+        raise SceneError(
+            "No table found in the picture. Show the whole tabletop on a plain, light ground."
+        )
+    if not things:
+        raise SceneError(
+            "Nothing found on the table. Use a picture with at least one thing that differs in "
+            "colour from the tabletop."
+        )
+    table = max(tables, key=lambda d: int(d.mask.sum()))
+    return best, _complete(best, (table, *things), imager, complete_each)
 
 
-@dataclass(frozen=True, eq=False)
-class _Found:
-    """What a segmenter found, cleaned: tables and things."""
-
-    tables: tuple[Detection, ...]
-    things: tuple[Detection, ...]
-
-    def check(self) -> tuple[Detection, ...]:
-        """Return the largest table and the things; raise if either is missing."""
-        if not self.tables:
-            raise SceneError(
-                "No table found in the picture. Show the whole tabletop on a plain, light ground."
-            )
-        if not self.things:
-            raise SceneError(
-                "Nothing found on the table. Use a picture with at least one thing that differs in "
-                "colour from the tabletop."
-            )
-        return max(self.tables, key=lambda d: int(d.mask.sum())), *self.things
-
-
-def _find(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _Found:
+def _find(
+    reference: Reference, reasoner: Reasoner, segmenter: Segmenter
+) -> tuple[list[Detection], list[Detection]]:
+    """Return the tables and the things that a segmenter finds, cleaned."""
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
     image = np.asarray(reference.image)
     found = segmenter.segment(image, labels, reference.depth, reference.intrinsics)
     kept = tuple(c for d in found if (c := clean(d)) is not None)
-    return _Found(
-        tuple(d for d in kept if d.label == TABLE), tuple(d for d in kept if d.label != TABLE)
-    )
+    return [d for d in kept if d.label == TABLE], [d for d in kept if d.label != TABLE]
 
 
 def _complete(

@@ -60,7 +60,7 @@ def make_models(
 
     raw = model_each(model, instances)
     models = review_each(review, list(zip(instances, raw, strict=True)))
-    return {instance.name: made for instance, made in zip(instances, models, strict=True)}
+    return dict(zip((i.name for i in instances), models, strict=True))
 
 
 def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner) -> Model:

@@ -2,12 +2,10 @@
 
 A scene that fails its gate gives up what spoils it: what was added beyond the picture first, then
 the thing that the failures name most. One thing found wrong (two things taken for one, a shadow
-made solid) would otherwise cost the whole table. What is left out is named by the provenance and
-the report.
+made solid) would otherwise cost the whole table. Provenance and report name what is left out.
 
-The joint refinement goes by outlines before the scene is assembled. Freeing overlaps and settling
-move things again, so the finished scene is measured again, in the same measure: a refinement that
-assembly undoes does not stay.
+Assembly moves things again after the joint refinement, so the finished scene is measured again, in
+the same measure: a refinement that assembly undoes does not stay.
 """
 
 from __future__ import annotations
@@ -47,20 +45,11 @@ Placements = tuple[Placement, ...]
 class Reconstruction:
     """What the stages before assembly found, and the settings of those after it.
 
-    Attributes:
-        reference: the picture, and the plan where a text asked for it.
-        instances: what was found in the picture, the table among it.
-        sizes: commonsense sizes by name.
-        models: canonical models by name, the table's among them.
-        view: the camera's direction.
-        table_scale: extent of the table, metres.
-        provenance: where the scene comes from; warnings of its attempt are added.
-        name: name of the scene.
-        seed: of the looks and places of what is added.
-        assembly: settings of the assembly.
-        refinement: settings of the measure of outlines.
-        supplements: whether what a text asks for and no drawing shows is added.
-        leave_out: share of what was found that may be left out, in [0, 1].
+    ``instances`` and ``models`` have the table among them; ``table_scale`` is its extent, metres.
+    Warnings of the attempt are added to ``provenance``. ``seed`` is of the looks and places of what
+    is added; ``supplements`` tells whether what a text asks for and no drawing shows is.
+    ``refinement`` sets the measure of outlines; ``leave_out`` is the share of what was found that
+    may be left out, in [0, 1].
     """
 
     reference: Reference
@@ -92,15 +81,10 @@ class Reconstruction:
         warnings = self.provenance.warnings + attempt.added.warnings + attempt.warnings
         return assemble(
             {name: model for name, model in models.items() if name != TABLE},
-            (*attempt.placements, *attempt.added.placements),
-            self.models[TABLE],
-            self.table_scale,
-            provenance=replace(self.provenance, warnings=warnings),
-            name=self.name,
-            config=self.assembly,
-            view=self.view,
-            plan=self.reference.plan,
-        )
+            (*attempt.placements, *attempt.added.placements), self.models[TABLE], self.table_scale,
+            provenance=replace(self.provenance, warnings=warnings), name=self.name,
+            config=self.assembly, view=self.view, plan=self.reference.plan,
+        )  # fmt: skip
 
     def misfit(self, scene: Scene) -> float:
         """Return one minus the overlap of a finished scene's outlines with the picture's."""
@@ -112,14 +96,10 @@ class Reconstruction:
 
 @dataclass(frozen=True)
 class Attempt:
-    """One scene to try.
+    """One scene to try: what was found, where it stands, and what is added beyond that.
 
-    Attributes:
-        placements: what was found, where it stands.
-        warnings: why the attempt is as it is, for the provenance.
-        added: what is placed beyond that.
-        left_out: names of what was found and is left out.
-        removals: how often a thing was left out because the gate failed.
+    ``warnings`` say why it is so, for the provenance. ``left_out`` names what was found and is left
+    out; ``removals`` counts how often a thing was because the gate failed.
     """
 
     placements: Placements
@@ -128,38 +108,24 @@ class Attempt:
     left_out: tuple[str, ...] = ()
     removals: int = 0
 
-    def without_added(self, failures: Sequence[str]) -> Attempt:
-        """Return the attempt without the added things that failures name; without all if none."""
-        return replace(self, added=self.added.without(failures))
-
     def without(self, name: str, failures: Sequence[str]) -> Attempt:
         """Return the attempt without a thing and its contents, and with a warning for each."""
         contents = contents_of(self.placements, name)
         reason = "; ".join(f for f in failures if name in names_in(f))
+        told = [f"{name} was left out: {reason}."]
+        told += [f"{other} was left out with {name}." for other in contents]
         return replace(
-            self,
-            placements=without(self.placements, name),
-            warnings=(
-                *self.warnings,
-                f"{name} was left out: {reason}.",
-                *(f"{other} was left out with {name}." for other in contents),
-            ),
-            left_out=(*self.left_out, name, *contents),
-            removals=self.removals + 1,
-        )
+            self, placements=without(self.placements, name), warnings=(*self.warnings, *told),
+            left_out=(*self.left_out, name, *contents), removals=self.removals + 1,
+        )  # fmt: skip
 
 
 def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -> Scene:
     """Return the scene to publish, judged, with its misfit in the report.
 
-    It is assembled of the refined placements. If its outlines agree worse than the unrefined
+    It is assembled of the refined placements. If its outlines agree worse than the ``unrefined``
     placements did, these are tried as well; of the two a sound scene comes first, then the one
-    that agrees better.
-
-    Args:
-        found: what the stages found.
-        refined: result of the joint refinement; ``before`` is 0 where there was none.
-        unrefined: the placements that it was given.
+    that agrees better. ``refined.before`` is 0 where nothing was refined.
     """
     scene = assemble_sound(found, Attempt(refined.placements))
     if not refined.before:
@@ -181,11 +147,12 @@ def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
     while True:
         scene = found.assemble(attempt)
         if scene.report is None or scene.report.passed:
-            dropped = tuple(sorted({*_dropped_names(scene), *attempt.left_out}))
+            known = scene.report.dropped if scene.report else ()
+            dropped = tuple(sorted({*known, *attempt.left_out}))
             return _with_report(scene, dropped=dropped) if attempt.left_out else scene
         failures = scene.report.failures
         if attempt.added.placements:
-            attempt = attempt.without_added(failures)
+            attempt = replace(attempt, added=attempt.added.without(failures))
             continue
         everything = everything or scene
         culprit = most_named(failures, attempt.placements, found.sizes)
@@ -241,17 +208,11 @@ def contents_of(placements: Sequence[Placement], name: str) -> tuple[str, ...]:
 def _oddness(placement: Placement, sizes: Mapping[str, SizePrior]) -> float:
     """Return by what factor the longest side differs from the prior's, as a logarithm."""
     prior = sizes.get(placement.name)
-    if prior is None:
-        return 0.0
-    return abs(float(np.log(placement.scale.max() / prior.extent.max())))
+    return abs(float(np.log(placement.scale.max() / prior.extent.max()))) if prior else 0.0
 
 
 def _is_sound(scene: Scene) -> bool:
     return scene.report is None or scene.report.passed
-
-
-def _dropped_names(scene: Scene) -> tuple[str, ...]:
-    return scene.report.dropped if scene.report else ()
 
 
 def _with_report(scene: Scene, **entries: Any) -> Scene:

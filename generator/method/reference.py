@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import io
 import os
@@ -12,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Float, Int, UInt8
+from jaxtyping import Float, UInt8
 
 from ..backends.protocols import Imager, Reasoner
 from ..errors import InputError
@@ -130,21 +131,13 @@ def _decode(source: str | Path | bytes | np.ndarray, config: ReferenceConfig) ->
     return picture
 
 
-def _upright(picture: Image.Image) -> Image.Image:
-    """Return a picture turned as its EXIF data says; as it is, where they are damaged."""
-    from PIL import ImageOps
-
-    try:
-        return ImageOps.exif_transpose(picture)
-    except (SyntaxError, ValueError, OSError, EOFError, KeyError, TypeError, struct.error):
-        return picture
-
-
 def _prepare(picture: Image.Image, config: ReferenceConfig) -> UInt8[np.ndarray, "h w 3"]:
     """Return a picture upright, in sRGB on white, at most ``config.work_side`` long."""
-    from PIL import Image
+    from PIL import Image, ImageOps
 
-    picture = _upright(picture)
+    damaged = SyntaxError, ValueError, OSError, EOFError, KeyError, TypeError, struct.error
+    with contextlib.suppress(*damaged):  # EXIF data that cannot be read turn nothing
+        picture = ImageOps.exif_transpose(picture)
     if picture.mode.startswith("I;16"):  # Pillow would clip these to white; keep the upper byte
         picture = Image.fromarray((np.asarray(picture) >> 8).astype(np.uint8))
     if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
@@ -181,16 +174,15 @@ def _refer_depth(
     metres = read_depth(depth, size, config)
     image = _prepare(picture, config)
     height, width = image.shape[:2]
-    rows, columns = _nearest(height, size[1]), _nearest(width, size[0])
-    return Reference(
-        image,
-        depth=metres[np.ix_(rows, columns)],  # nearest: blending would invent surfaces
-        intrinsics=intrinsics.scale(width / size[0], height / size[1]),
-    )
+    lines = (height, size[1]), (width, size[0])
+    places: list[np.ndarray] = [(np.arange(new) + 0.5) * old / new for new, old in lines]
+    nearest = np.ix_(*(p.astype(int) for p in places))  # blending would invent surfaces
+    scaled = intrinsics.scale(width / size[0], height / size[1])
+    return Reference(image, depth=metres[nearest], intrinsics=scaled)
 
 
 def read_depth(
-    source: DepthSource, size: tuple[int, int], config: ReferenceConfig | None = None
+    source: DepthSource, size: tuple[int, int], config: ReferenceConfig
 ) -> Float[np.ndarray, "h w"]:
     """Return a depth map in metres, 0 where unknown; it must have ``size`` (width, height).
 
@@ -198,7 +190,6 @@ def read_depth(
         InputError: not a depth map, of another size, negative, hardly anything known, or in
             other units than stated in ``DepthSource``.
     """
-    config = config or ReferenceConfig()
     raw = source if isinstance(source, np.ndarray) else _decode_depth(source, config)
     if raw.shape != (size[1], size[0]):
         raise InputError(
@@ -277,7 +268,7 @@ def fetch(source: Source, config: ReferenceConfig | None = None) -> Source:
 
 
 def source_digest(source: Source) -> str | None:
-    """Return the sha256 of a fetched picture's bytes; None for a text or a plan."""
+    """Return the sha256 of a fetched picture's or depth map's bytes; None for a text or a plan."""
     if isinstance(source, np.ndarray):
         return hashlib.sha256(np.ascontiguousarray(source).tobytes()).hexdigest()
     return hashlib.sha256(source).hexdigest() if isinstance(source, bytes) else None
@@ -296,34 +287,20 @@ def fetch_depth(
     return _read_bytes(source, config or ReferenceConfig(), "depth map")
 
 
-def _nearest(count: int, pixels: int) -> Int[np.ndarray, "n"]:
-    """Return which of a line's ``pixels`` lies under each of ``count`` new ones."""
-    places: np.ndarray = (np.arange(count) + 0.5) * pixels / count
-    return places.astype(int)
-
-
-def depth_digest(source: DepthSource) -> str | None:
-    """Return the sha256 of a fetched depth map's bytes."""
-    return None if isinstance(source, str | Path) else source_digest(source)
-
-
 def _read_bytes(source: object, config: ReferenceConfig, what: str = "picture") -> bytes:
-    if isinstance(source, bytes):
-        data = source
-    elif not isinstance(source, str | Path):
+    data = source
+    if isinstance(source, str | Path):
+        if not os.path.lexists(source):
+            hint = " Pass a text, or a path to a file." if what == "picture" else ""
+            raise InputError(f"No {what} at {str(source)!r}.{hint}")
+        if Path(source).is_dir():
+            raise InputError(f"{str(source)!r} is a directory. Name the file of a {what}.")
+        data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
+    if not isinstance(data, bytes):
         raise InputError(
             f"A text, a plan or a picture (path, bytes or array) is needed, got "
             f"{type(source).__name__}."
         )
-    else:
-        if not os.path.lexists(source):
-            raise InputError(
-                f"No {what} at {str(source)!r}."
-                + (" Pass a text, or a path to a file." if what == "picture" else "")
-            )
-        if Path(source).is_dir():
-            raise InputError(f"{str(source)!r} is a directory. Name the file of a {what}.")
-        data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
     if not data or len(data) > config.max_bytes:
         raise InputError(f"A {what} needs 1 to {config.max_bytes:,} bytes, got {len(data):,}.")
     return data

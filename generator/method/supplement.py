@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import count
 
 import numpy as np
 from jaxtyping import Float
@@ -32,9 +33,8 @@ class Supplement:
         Nothing is left if it names none: what nobody saw must not spoil what was seen.
         """
         words = {word for failure in failures for word in names_in(failure)}
-        gone = {p.name for p in self.placements if p.name in words}
-        if not gone:
-            gone = {p.name for p in self.placements}
+        added = {p.name for p in self.placements}
+        gone = added & words or added
         while more := {p.name for p in self.placements if p.on in gone} - gone:
             gone |= more
         messages = tuple(f"{name} would not stand there and was left out." for name in sorted(gone))
@@ -61,14 +61,10 @@ def supplement(
 ) -> Supplement:
     """Return what of a plan no instance shows, placed by its relations.
 
-    Args:
-        plan: what was asked for; None (a picture without a text) asks for nothing.
-        instances: what was found in the picture.
-        models: their canonical models, the table's among them.
-        placements: where they stand, world frame.
-        table_scale: the table's extent in metres.
-        seed: of the looks and places of what is added.
-        gone: names of instances that were seen, but left out; the plan's take their place.
+    No plan (a picture without a text) asks for nothing. ``models`` are the instances' and the
+    table's, ``placements`` where they stand, world frame; ``table_scale`` is the table's extent,
+    metres; ``seed`` of the looks and places of what is added. ``gone`` names instances that were
+    seen, but left out; the plan's take their place.
     """
     if plan is None:
         return NOTHING
@@ -83,7 +79,9 @@ def supplement(
     added = {names[planned.name]: built[planned.name] for planned in missing}
     there = {name: replace(models[name], size=p.scale) for name, p in placed.items()}
     table = replace(models[TABLE], size=table_scale)
-    layout = arrange_more(_rename(plan, names), placed, {**there, **added}, table, seed)
+    planned = tuple(replace(retarget(o, names), name=names[o.name]) for o in plan.objects)
+    renamed = replace(plan, objects=planned)
+    layout = arrange_more(renamed, placed, {**there, **added}, table, seed)
     lost = {*added} - {p.name for p in layout.placements}
     unfit = {i.label for i in instances if i.name in gone}
     nouns = {names[planned.name]: planned.noun for planned in missing}
@@ -110,10 +108,8 @@ def match_planned(
         found = [name for name, label in labels.items() if label == noun]
         below = [nouns.get(support_of(planned) or "", TABLE) for planned in wanted]
         under = [labels.get(placed[name].on, TABLE) for name in found]
-        cost = np.array([[float(a != b) for b in under] for a in below]).reshape(
-            len(below), len(under)
-        )
-        rows, columns = linear_sum_assignment(cost)
+        cost = np.array([[float(a != b) for b in under] for a in below])
+        rows, columns = linear_sum_assignment(cost.reshape(len(below), len(under)))
         for row, column in zip(map(int, rows), map(int, columns), strict=True):
             pairs[wanted[row].name] = found[column]
     return pairs
@@ -124,23 +120,12 @@ def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, 
     names: dict[str, str] = {}
     for planned in missing:
         stem = planned.name.rstrip("0123456789").rstrip("_")
-        number = 1
-        while f"{stem}_{number}" in taken:
-            number += 1
-        names[planned.name] = f"{stem}_{number}"
-        taken = {*taken, names[planned.name]}
+        free = (name for k in count(1) if (name := f"{stem}_{k}") not in taken)
+        names[planned.name] = next(name for name in free if name not in names.values())
     return names
 
 
-def _rename(plan: ScenePlan, names: Mapping[str, str]) -> ScenePlan:
-    objects = tuple(
-        replace(
-            planned,
-            name=names[planned.name],
-            relations=tuple(
-                replace(r, target=names.get(r.target, r.target)) for r in planned.relations
-            ),
-        )
-        for planned in plan.objects
-    )
-    return replace(plan, objects=objects)
+def retarget(planned: PlannedObject, names: Mapping[str, str]) -> PlannedObject:
+    """Return a planned thing with its relations to what is renamed by ``names``, old to new."""
+    relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
+    return replace(planned, relations=relations)

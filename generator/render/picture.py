@@ -7,7 +7,6 @@ import numpy as np
 from ..geometry import Camera, framing_camera
 from ..scene import Scene, View
 from .raster import Item, Rendered, place, render
-from .shading import Light
 
 _UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 
@@ -33,7 +32,6 @@ def render_scene(
     height: int = 720,
     *,
     camera: Camera | None = None,
-    light: Light | None = None,
     supersample: int = 2,
 ) -> Rendered:
     """Draw a whole scene on white; ``view`` defaults to the scene's own, framed to fit.
@@ -44,4 +42,4 @@ def render_scene(
     if camera is None:
         points = np.concatenate([item.vertices for item in items])
         camera = framing_camera(points, view or scene.view, width, height)
-    return render(items, camera, light=light, supersample=supersample, ground_shadow=0.1)
+    return render(items, camera, supersample=supersample, ground_shadow=0.1)

@@ -30,7 +30,7 @@ _TAPS = tuple(
     + [(1.0, np.pi / 3 * k) for k in range(6)]
 )  # where a soft shadow is sampled, in units of its softness
 
-_PIECE = 1 << 14  # pixels shaded at once
+_PIECE = 1 << 14  # pixels shaded at once: they fit into a processor's cache
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,11 +130,8 @@ class _Shadow:
     def lit_share(
         self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
     ) -> Float[np.ndarray, "p"]:
-        """Return the lit share of each point in [0, 1]; points off the map are lit.
-
-        The bias grows with the slope against the sun, so that a surface never shades itself.
-        """
-        p = self._pixels(points)
+        """Return the lit share of each point in [0, 1]; points off the map are lit."""
+        p = self._pixels(points)  # the bias grows with the slope: no surface shades itself
         cosine = np.clip(np.abs(normals @ self._axes[2]), 0.15, 1)
         bias = 0.002 + self._softness * np.sqrt(1 - cosine**2) / cosine * 1.5
         closeness = self._top - p[:, 2] + bias
@@ -150,10 +147,7 @@ class _Shadow:
 def _colors(
     items: Sequence[Item], hits: _Hits, camera: Camera, light: Light, shadow: _Shadow | None
 ) -> Float[np.ndarray, "p 3"]:
-    """Shade every hit pixel; colours are in [0, 1], zero where nothing was hit.
-
-    Pixels are shaded in pieces that fit into a processor's cache, on ``cores.threads()`` threads.
-    """
+    """Shade every hit pixel, on threads; colours are in [0, 1], zero where nothing was hit."""
     color = np.zeros((len(hits.item), 3))
 
     def paint(item: Item, normals: Float[np.ndarray, "m 3 3"], own: Int[np.ndarray, "k"]) -> None:

@@ -56,11 +56,8 @@ def _fit(
     target: Float[Tensor, "b 1 h w"],
     counted: Float[Tensor, "b 1 h w"],
 ) -> Float[Tensor, "b 4"]:
-    """Return the least-squares factors of ``terms``, drawn towards one even light.
-
-    Sums are added term by term: a matrix product's order depends on memory.
-    """
-    weighted = counted * terms
+    """Return the least-squares factors of ``terms``, drawn towards one even light."""
+    weighted = counted * terms  # summed term by term: a matrix product's order depends on memory
     rows = [(weighted[:, k : k + 1] * terms).sum((-2, -1)) for k in range(4)]
     moments = torch.stack(rows, 1).double()
     sums = (weighted * target).sum((-2, -1)).double()

@@ -18,10 +18,7 @@ MOST_LAYERS = 40
 def _spans(
     xy: Float[np.ndarray, "m 3 2"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
-    """Return (triangle, row, first column, end column) of each row that a triangle crosses.
-
-    A pixel belongs to a triangle if its centre does.
-    """
+    """Return (triangle, row, first column, end column) of the pixels whose centres are in it."""
     low = np.clip(np.ceil(xy[..., 1].min(1) - 0.5), 0, height).astype(np.int64)
     high = np.clip(np.floor(xy[..., 1].max(1) - 0.5) + 1, 0, height).astype(np.int64)
     triangle, row = _expand(low, np.maximum(high - low, 0))
@@ -102,11 +99,7 @@ def nearest(
 def _portions(
     xy: Float[np.ndarray, "m 3 2"], area: Float[np.ndarray, "m"], width: int, height: int
 ) -> list[Int[np.ndarray, "k"]]:
-    """Return the triangles, in order, in portions that cross few rows each.
-
-    Raises:
-        SceneError: they cross too many rows, or cover too many pixels, to be drawn.
-    """
+    """Return the triangles, in order, in portions that cross few rows each."""
     size = np.array([width, height])
     low, high = np.clip(xy.min(1), 0, size), np.clip(xy.max(1), 0, size)
     box = np.ceil(high) - np.floor(low)
@@ -124,9 +117,7 @@ def _portions(
 
 
 def _weights(
-    xy: Float[np.ndarray, "m 3 2"],
-    owner: Int[np.ndarray, "hw"],
-    width: int,
+    xy: Float[np.ndarray, "m 3 2"], owner: Int[np.ndarray, "hw"], width: int
 ) -> Float[np.ndarray, "hw 3"]:
     """Return the barycentric weights of each owned pixel's centre in its triangle."""
     weights = np.zeros((len(owner), 3))

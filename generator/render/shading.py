@@ -63,10 +63,9 @@ def corner_normals(
     cuts = np.searchsorted(pairs, np.arange(_PIECE, pairs[-1], _PIECE))
     total = np.empty((len(corner), 3))
     for some in np.split(np.arange(len(corner)), np.unique(cuts)):
-        own = np.repeat(np.arange(len(some)), repeats[some])
-        offset = np.arange(len(own)) - np.repeat(
-            np.cumsum(repeats[some]) - repeats[some], repeats[some]
-        )
+        count = repeats[some]
+        own = np.repeat(np.arange(len(some)), count)
+        offset = np.arange(len(own)) - np.repeat(np.cumsum(count) - count, count)
         right = order[starts[corner[some]][own] + offset]
         alike = (flat[some[own] // 3] * flat[right // 3]).sum(1) > _CREASE
         for k in range(3):
@@ -105,8 +104,5 @@ def shade(
     sky = light.sky * (0.84 + 0.16 * n[:, 2]) * (0.9 + 0.1 * lit)
     half = _unit(view + light.direction)
     gloss = light.gloss * np.clip((n * half).sum(1), 0, 1) ** 40 * lit
-    return np.clip(
-        albedo * (sky + light.sun * facing)[:, None] * np.asarray(light.tint) + gloss[:, None],
-        0,
-        1,
-    )
+    matt = albedo * (sky + light.sun * facing)[:, None] * np.asarray(light.tint)
+    return np.clip(matt + gloss[:, None], 0, 1)

@@ -50,14 +50,9 @@ class SampledSurface:
     def thin(self, step: int, first: int = 0) -> SampledSurface:
         """Return every ``step``-th point, standing for as much more area; they stay even."""
         count = self.position.shape[1]
-        return replace(
-            self,
-            position=self.position[:, first::step],
-            normal=self.normal[:, first::step],
-            color=self.color[:, first::step],
-            area=self.area * (count / len(range(first, count, step))),
-            covered=self.covered[:, first::step],
-        )
+        names = ("position", "normal", "color", "covered")
+        kept = {name: getattr(self, name)[:, first::step] for name in names}
+        return replace(self, **kept, area=self.area * (count / len(range(first, count, step))))
 
     def to(self, device: torch.device | str) -> SampledSurface:
         """Return the surfaces on another device."""
@@ -67,22 +62,13 @@ class SampledSurface:
 def stack(surfaces: Sequence[SampledSurface]) -> SampledSurface:
     """Return several surfaces of equally many points as one."""
     most = max(s.corners.shape[1] for s in surfaces)
-    corners = [
-        torch.cat([s.corners, s.corners[:, -1:].expand(-1, most - s.corners.shape[1], -1)], 1)
-        for s in surfaces
+    rests = [s.corners[:, -1:].expand(-1, most - s.corners.shape[1], -1) for s in surfaces]
+    padded = [
+        replace(s, corners=torch.cat([s.corners, rest], 1))
+        for s, rest in zip(surfaces, rests, strict=True)
     ]
-
-    def join(name: str) -> Tensor:
-        return torch.cat([getattr(s, name) for s in surfaces])
-
-    return SampledSurface(
-        join("position"),
-        join("normal"),
-        join("color"),
-        join("area"),
-        join("covered"),
-        torch.cat(corners),
-    )
+    names = [field.name for field in fields(SampledSurface)]
+    return SampledSurface(*(torch.cat([getattr(s, name) for s in padded]) for name in names))
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,19 +109,16 @@ class SoftImages:
 def _find_covered(
     position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
 ) -> Bool[np.ndarray, "n"]:
-    """Mark points that lie under another, parallel surface no farther off than ``spacing``.
-
-    Each of the two points must see the other on the matching side of its own plane, which tells
-    a cover from the neighbours on a hollow or bulging surface.
-    """
+    """Mark points that lie under another, parallel surface no farther off than ``spacing``."""
+    # Each of the two points must see the other on the matching side of its own plane, which tells
+    # a cover from the neighbours on a hollow or bulging surface.
     near = KDTree(position).query(position, k=min(12, len(position)))[1]
     apart = position[near] - position[:, None]
     above = (apart * normal[:, None]).sum(-1)
     above_by_theirs = (apart * normal[near]).sum(-1)
     parallel = (normal[near] * normal[:, None]).sum(-1) > 0.9
     least = 1e-3 * spacing
-    cover = parallel & (above > least) & (above_by_theirs > least) & (above < spacing)
-    return cover.any(1)
+    return (parallel & (above > least) & (above_by_theirs > least) & (above < spacing)).any(1)
 
 
 def sample_surface(
@@ -147,9 +130,8 @@ def sample_surface(
 ) -> SampledSurface:
     """Spread ``count`` points evenly over one canonical mesh scaled to ``size`` metres.
 
-    Points are stratified over the faces by area, and low-discrepancy within a face.
-    Colours are the texture under a soft light from straight above, which keeps top and side faces
-    apart without assuming where the lamp is.
+    Points are stratified over the faces by area, and low-discrepancy within a face. Colours are the
+    texture under a soft light from straight above, which tells top and side faces apart.
 
     Raises:
         InputError: the surface has no area.
@@ -246,10 +228,9 @@ def pixel_scale(
     span: Float[Tensor, "b 2"], resolution: int, keep_aspect: bool
 ) -> Float[Tensor, "b 2"]:
     """Return pixels per unit that fit ``span`` into a square crop of side ``resolution``."""
-    inner = resolution * (1 - 2 * MARGIN)
     if keep_aspect:
         span = span.amax(-1, keepdim=True).expand_as(span)
-    return inner / span.clamp_min(1e-9)
+    return resolution * (1 - 2 * MARGIN) / span.clamp_min(1e-9)
 
 
 def render(

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import InputError
-from ...scene import TABLE, Object, Scene
+from ...scene import TABLE, Scene
 from .shells import SurfaceShell, shells
 from .triangles import bisect, nearest_on_triangles
 
@@ -98,19 +98,20 @@ def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
     """
     if not (np.isfinite(threshold) and threshold > 0):
         raise InputError(f"The threshold of collisions is a positive length, got {threshold!r} m.")
-    names = [o.name for o in scene.objects]
-    bodies = [body(o) for o in scene.objects]
-    table = table_body(scene)
+    bodies = [
+        (o.name, shells(o.model.mesh, o.scale, o.pose.position, o.pose.quaternion))
+        for o in scene.objects
+    ]
+    middle = np.array([0, 0, scene.table.height / 2])
+    table = shells(scene.table.model.mesh, scene.table.scale, middle, _UPRIGHT)
     overlaps, sunk = [], []
-    for k, (name, own) in enumerate(zip(names, bodies, strict=True)):
-        depth = overlap_depth(own, table, threshold)
-        if depth > threshold:
+    for k, (name, own) in enumerate(bodies):
+        if depth := overlap_depth(own, table, threshold):
             sunk.append(Overlap(name, TABLE, depth))
-        for other in range(k):
-            depth = overlap_depth(bodies[other], own, threshold)
-            if depth > threshold:
-                overlaps.append(Overlap(names[other], name, depth))
-    count = len(names)
+        for other, there in bodies[:k]:
+            if depth := overlap_depth(there, own, threshold):
+                overlaps.append(Overlap(other, name, depth))
+    count = len(bodies)
     return Collisions(count * (count - 1) // 2, tuple(overlaps), tuple(sunk), threshold)
 
 
@@ -124,24 +125,8 @@ def rates(found: Iterable[Collisions]) -> Rates:
     if not every:
         raise InputError("Collision rates need at least one scene.")
     pairs = sum(c.pairs for c in every)
-    hits = sum(len(c.overlaps) for c in every)
-    return Rates(
-        len(every),
-        pairs,
-        hits / pairs if pairs else 0.0,
-        sum(c.col_s for c in every) / len(every),
-    )
-
-
-def body(thing: Object) -> Body:
-    """Return the drawn surface of an object at its settled pose, in the world."""
-    return shells(thing.model.mesh, thing.scale, thing.pose.position, thing.pose.quaternion)
-
-
-def table_body(scene: Scene) -> Body:
-    """Return the drawn surface of the table, in the world."""
-    table = scene.table
-    return shells(table.model.mesh, table.scale, np.array([0, 0, table.height / 2]), _UPRIGHT)
+    col_o = sum(len(c.overlaps) for c in every) / pairs if pairs else 0.0
+    return Rates(len(every), pairs, col_o, sum(c.col_s for c in every) / len(every))
 
 
 def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
@@ -166,12 +151,10 @@ def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
 def _surface_depth(
     surface: SurfaceShell, inside: SurfaceShell, minimum: float, best: float
 ) -> float:
-    """Return the larger of ``best`` and the deepest that ``surface`` lies in ``inside``.
-
-    Branch and bound over pieces of triangles. No point of a piece lies deeper than its middle by
-    more than its radius; nor deeper than the farthest of its corners lies from any one triangle of
-    the other surface, that distance being convex.
-    """
+    """Return the larger of ``best`` and the deepest that ``surface`` lies in ``inside``."""
+    # Branch and bound over pieces of triangles. No point of a piece lies deeper than its middle by
+    # more than its radius; nor deeper than the farthest of its corners lies from any one triangle
+    # of the other surface, that distance being convex.
     low, high = inside.bounds
     pieces = surface.corners
     meets = (pieces.max(1) > low + minimum) & (pieces.min(1) < high - minimum)
@@ -186,11 +169,8 @@ def _surface_depth(
         bound = depth + radius
         goal = max(best * (1 + _SHARE), minimum) + _TOLERANCE
         open_ = np.flatnonzero((bound > goal) & (face >= 0))
-        far = [
-            np.linalg.norm(pieces[open_, k] - place, axis=1)
-            for k in range(3)
-            for place in [nearest_on_triangles(pieces[open_, k], inside.corners[face[open_]])[0]]
-        ]
+        corners, facing = pieces[open_].transpose(1, 0, 2), inside.corners[face[open_]]
+        far = [np.linalg.norm(c - nearest_on_triangles(c, facing)[0], axis=1) for c in corners]
         bound[open_] = np.minimum(bound[open_], np.max(far, axis=0, initial=0.0))
         kept = np.flatnonzero(bound > goal)
         kept = kept[np.argsort(-bound[kept], kind="stable")[:_MOST]]
@@ -211,8 +191,6 @@ def _core_depth(a: SurfaceShell, b: SurfaceShell) -> float:
         return 0.0
     there = b.depths(points)[0]
     points, there = points[there > 0], there[there > 0]
-    if not len(points):
-        return 0.0
     return 2 * float(np.minimum(a.depths(points)[0], there).max(initial=0.0))
 
 

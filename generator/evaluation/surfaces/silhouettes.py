@@ -56,18 +56,12 @@ def fits(compared: Comparison) -> tuple[SilhouetteFit, ...]:
     rows = (np.arange(round(height * factor)) / factor).astype(int)
     columns = (np.arange(round(width * factor)) / factor).astype(int)
     index = np.asarray(compared.segments.index)[np.ix_(rows, columns)]
+    segments = replace(compared.segments, index=index)
     camera = replace(compared.camera, width=index.shape[1], height=index.shape[0])
-    names = compared.segments.names
-    found = []
-    for thing in compared.scene.objects:
-        if thing.name in names:
-            mask = index == names.index(thing.name) + 1
-            free = mask | (index == 0)
-            if TABLE in names:
-                free |= index == names.index(TABLE) + 1
-            fit = _fit(thing, camera, mask, free)
-            found += [] if fit is None else [fit]
-    return tuple(found)
+    ground = (index == 0) | segments.mask(TABLE)
+    pairs = ((thing, segments.mask(thing.name)) for thing in compared.scene.objects)
+    found = (_fit(thing, camera, mask, mask | ground) for thing, mask in pairs)
+    return tuple(fit for fit in found if fit is not None)
 
 
 def _fit(
@@ -80,19 +74,12 @@ def _fit(
         return None
     whole = _overlap(shape, mask, free)
     own = order(thing.model.mesh, thing.scale, prints=False)  # a silhouette shows none
-    turned = [
-        (_overlap(_silhouette(thing, camera, turn=turn), mask, free), turn)
-        for turn in TURNS
-        if yaw_error(turn, 0.0, own) > _SAME
-    ]
-    scaled = [
-        (_overlap(_silhouette(thing, camera, factor=factor), mask, free), factor)
-        for factor in FACTORS
-    ]
-    best_turn, best_factor = max(turned, default=(whole, 0.0)), max(scaled)
-    return SilhouetteFit(
-        thing.name, whole, best_turn[1], best_turn[0], best_factor[1], best_factor[0]
-    )
+    told = [turn for turn in TURNS if yaw_error(turn, 0.0, own) > _SAME]
+    turned = [(_overlap(_silhouette(thing, camera, turn=t), mask, free), t) for t in told]
+    scaled = [(_overlap(_silhouette(thing, camera, factor=f), mask, free), f) for f in FACTORS]
+    turned_iou, turn = max(turned, default=(whole, 0.0))
+    scaled_iou, factor = max(scaled)
+    return SilhouetteFit(thing.name, whole, turn, turned_iou, factor, scaled_iou)
 
 
 def _silhouette(
@@ -116,12 +103,9 @@ def _overlap(
     """Return the silhouette's overlap with the mask, where it is or shifted middle to middle."""
     if not shape.any():
         return 0.0
-    here, there = _middle(shape & free if (shape & free).any() else shape), _middle(mask)
+    shown = shape & free if (shape & free).any() else shape
+    here, there = (np.argwhere(m).mean(0) for m in (shown, mask))
     return max(mask_iou(s & free, mask) for s in (shape, _shift(shape, there - here)))
-
-
-def _middle(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "2"]:
-    return np.argwhere(mask).mean(0)
 
 
 def _shift(mask: Bool[np.ndarray, "h w"], by: Float[np.ndarray, "2"]) -> np.ndarray:
@@ -129,5 +113,5 @@ def _shift(mask: Bool[np.ndarray, "h w"], by: Float[np.ndarray, "2"]) -> np.ndar
     places = np.argwhere(mask) + np.round(by).astype(int)
     places = places[((places >= 0) & (places < mask.shape)).all(1)]
     moved = np.zeros(mask.shape, bool)
-    moved[places[:, 0], places[:, 1]] = True
+    moved[tuple(places.T)] = True
     return moved

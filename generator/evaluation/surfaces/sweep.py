@@ -153,10 +153,6 @@ def best_views(
     for metric in metrics:
         values = np.asarray(metric.score(pictures, reference), float)
         k = int(np.argmax(values) if metric.higher_is_better else np.argmin(values))
-        found.append(
-            Best(
-                metric.name, metric.higher_is_better, float(values[k]), taken[k][0], pictures[k],
-                values,
-            )
-        )  # fmt: skip
+        best = float(values[k]), taken[k][0], pictures[k]
+        found.append(Best(metric.name, metric.higher_is_better, *best, values))
     return tuple(found)

@@ -99,10 +99,7 @@ def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> f
     points = cloud(mesh, size)
     if all(misfit(points, angle) < _MISFIT for angle in _ANY_ANGLE):
         return math.inf
-    for n in ORDERS:
-        if misfit(points, 2 * np.pi / n) < _MISFIT:
-            return n
-    return 1
+    return next((n for n in ORDERS if misfit(points, 2 * np.pi / n) < _MISFIT), 1)
 
 
 def yaw_error(found: float, true: float, order: float) -> float:

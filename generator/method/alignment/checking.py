@@ -1,9 +1,8 @@
 """Checks a top view against the reference picture: what an image model moved, dropped or invented.
 
 The picture tells where each thing's box from above lies on the tabletop's plane (``ground``). One
-scale and one shift carry all of these boxes into the top view, if it is true. Most of what it shows
-on the table tells them; where too few agree, the tabletop's own ends do, and where the frame cuts
-these off, how large things usually are.
+scale and one shift carry all of these into a true top view. Most of what it shows on the table
+tells them; where too few agree, the tabletop's ends do, and where these are cut off, usual sizes.
 """
 
 from __future__ import annotations
@@ -67,17 +66,10 @@ def check_top_view(
     """Return the top view with a box for every instance, and a warning per repair.
 
     A box that lies elsewhere or is far larger or smaller than geometry has it comes from geometry.
-    Where most boxes do, all do.
-
-    Args:
-        top: boxes as they were drawn and detected; some may be missing.
-        instances: the reference picture's, the table among them.
-        models: give the boxes their proportions.
-        rotations: and their yaws.
-        stacking: what stands on what; only what stands on the table tells scale and shift.
-        view: the reference picture's camera.
-        image_size: (width, height) of the reference picture.
-        only_missing: take what the top view shows as it is.
+    Where most boxes do, all do. ``models`` and ``rotations`` give the boxes their proportions; only
+    what stands on the table tells scale and shift. ``top`` may lack boxes; ``view`` and
+    ``image_size`` (width, height) are the reference picture's. ``only_missing`` takes what the top
+    view shows as it is.
     """
     ground = boxes_on_ground(instances, models, rotations, stacking, view, image_size)
     boxes = {name: np.asarray(box, float) for name, box in top.boxes.items()}
@@ -103,15 +95,12 @@ def check_top_view(
         lost = name not in boxes
         if lost or not (only_missing or below is None or _over(boxes[name], below)):
             boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
-            remarks[name] = _LACKS if below is None else _on(on[name], lost)
+            shown = "lacks it" if lost else "has it elsewhere"
+            placed_on = f"it is on {on[name]}, and the top view {shown}; it was put there"
+            remarks[name] = _LACKS if below is None else placed_on
     warnings += tuple(f"{name}: {what}." for name, what in remarks.items() if what)
     repaired = tuple(dict.fromkeys((*top.repaired, *remarks)))
     return replace(top, boxes=boxes, repaired=repaired), warnings
-
-
-def _on(below: str, lost: bool) -> str:
-    shown = "lacks it" if lost else "has it elsewhere"
-    return f"it is on {below}, and the top view {shown}; it was put there"
 
 
 def _length(box: Box) -> float:
@@ -149,15 +138,9 @@ def _over(box: Box, below: Box) -> bool:
 def _false(
     boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
 ) -> dict[str, str]:
-    """Return what is wrong with drawn boxes whose place or size disagrees with geometry, by name.
-
-    ``unit`` is the table's length in pixels, times how much more than usual may be off. Only what
-    stands on the table is held to its place.
-    """
+    """Return what is wrong with drawn boxes by geometry, by name; ``unit`` is in pixels."""
     remarks: dict[str, str] = {}
-    for name in placed:
-        if name not in boxes:
-            continue
+    for name in (n for n in placed if n in boxes):
         box, there = boxes[name], placed[name]
         grown = _size(box) / _size(there)
         if name in standing and _off(box, there) > _limit(there, unit):
@@ -187,10 +170,8 @@ def _agreement(
         carried = _fit([ground[n] for n in pair], [drawn[n] for n in pair])
         if carried is None:
             continue
-        off = {
-            n: _off(carried(ground[n]), drawn[n]) / _limit(carried(ground[n]), length)
-            for n in names
-        }
+        there = {n: carried(ground[n]) for n in names}
+        off = {n: _off(there[n], drawn[n]) / _limit(there[n], length) for n in names}
         agree = [n for n in names if off[n] < _CLOSE]
         worth = len(agree) - 0.5 * float(np.mean([off[n] for n in agree])) if agree else 0.0
         if worth > best[0]:
@@ -251,10 +232,7 @@ def _guess(
     models: Mapping[str, Model],
     rotations: Mapping[str, Rotation],
 ) -> Box:
-    """Return a box for what geometry cannot place: on the table as the two lie in the picture.
-
-    It is as large as its model, by the others' and the table's pixels per metre.
-    """
+    """Return a box as large as its model, on the table as the two lie in the picture."""
 
     def extent(name: str) -> Float[np.ndarray, "2"]:
         yaw = rotations[name].yaw if name in rotations else 0.0

@@ -22,9 +22,8 @@ def ask_layout(
 ) -> Alignment:
     """Return the instances placed and scaled by the reasoner; the table has its usual size.
 
-    What stands on what is its answer too, as in TSA, so only x, y and the sizes are others: z
-    comes from lowering each mesh, and what stands on another is kept above it. There is no anchor
-    and no top view.
+    What stands on what is its answer too, as in TSA, so only x, y and the sizes are others. There
+    is no anchor and no top view.
 
     Raises:
         BackendError: an answer is missing.

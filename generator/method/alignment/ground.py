@@ -1,9 +1,9 @@
 """Boxes from above that follow from the reference picture, on a plane below its camera.
 
-The plane is the tabletop's, one unit below the camera: one picture does not determine how far below
-in metres. A thing's model, turned by its yaw and as large and far as its box in the picture has it,
-stands on that plane in one place only, which tells its box from above. Boxes are (left, far, right,
-near), +x right and +y towards the viewer as in a top view.
+The plane is the tabletop's, one unit below the camera: one picture does not tell metres. A thing's
+model, turned by its yaw and as large and far as its box in the picture has it, stands on that plane
+in one place only, which tells its box from above. Boxes are (left, far, right, near), +x right and
++y towards the viewer as in a top view.
 """
 
 from __future__ import annotations
@@ -55,10 +55,8 @@ def table_on_ground(
 ) -> Float[np.ndarray, "3"] | None:
     """Return the left, right and far end of the tabletop on the plane.
 
-    None if the picture's frame cuts one of these off, or no table shows.
-
-    Its legs and its edge's thickness lie below the plane, so where they are seen they seem nearer
-    than the top: they do not reach beyond it but at its near end, which is left open.
+    None if the picture's frame cuts one of these off, or no table shows. Legs and the edge lie
+    below the plane and so seem nearer: they reach beyond the top only at its near end, left open.
     """
     mask = np.asarray(table.mask)
     rows, columns = np.nonzero(mask)

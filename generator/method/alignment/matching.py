@@ -18,10 +18,8 @@ def complete_boxes(
 ) -> tuple[TopView, tuple[str, ...]]:
     """Return the top view with a box for every instance that can be found in its picture.
 
-    Detections that match no instance are left out, with a warning.
-
     Detections are matched to instances of the same label, nearest relative position first; a
-    wrong label costs more than any distance.
+    wrong label costs more than any distance. What matches none is left out, with a warning.
 
     Raises:
         SceneError: the picture shows no object.
@@ -45,10 +43,8 @@ def complete_boxes(
     for row, column in zip(map(int, rows), map(int, columns), strict=True):
         boxes[missing[row].name] = things[column].box
     extra = len(things) - len(columns)
-    messages = (
-        (f"The top view shows {extra} more than the picture; left out.",) if extra > 0 else ()
-    )
-    return replace(top, table_box=table, boxes=boxes), messages
+    message = f"The top view shows {extra} more than the picture; left out."
+    return replace(top, table_box=table, boxes=boxes), (message,) if extra > 0 else ()
 
 
 def _cost(

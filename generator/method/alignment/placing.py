@@ -110,20 +110,18 @@ def align(
         top_view, instances, models, rotations, stacking, view, (width, height),
         only_missing=not config.check,
     )  # fmt: skip
-    messages = (*shown.warnings, *messages, *repairs)
+    warnings = [*shown.warnings, *messages, *repairs]
     names = [i.name for i in instances if i.name != TABLE]
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
     physical = {n: np.asarray(models[n].size) for n in names}
-    boxes = {
+    top = replace(top_view, boxes={
         n: rectangle_box(np.asarray(top_view.boxes[n]), models[n].mesh, physical[n], yaws[n])
         for n in names
-    }
-    top = replace(top_view, boxes=boxes)
+    })  # fmt: skip
     scores = {
         n: rma_score(*pixel_area_and_ratio_error(top.boxes[n], physical[n], yaws[n]), config.tau)
         for n in names
     }
-    warnings = list(messages)
     anchor, alpha = _scale(top, scores, physical, yaws, sizes, config, warnings)
     modelled = reference.plan is None and TABLE in models
     usual = np.asarray(models[TABLE].size) if modelled else sizes[TABLE].extent
@@ -152,10 +150,7 @@ def _scale(
     config: AlignmentConfig,
     warnings: list[str],
 ) -> tuple[str, float]:
-    """Return the anchor and alpha; anchors that make the table absurd are passed over.
-
-    A top view of measured scale keeps it.
-    """
+    """Return the anchor and alpha, measured or by an anchor that makes the table no absurd size."""
     if top.metres_per_pixel is not None:
         return select_anchor(scores), top.metres_per_pixel
     box = np.asarray(top.table_box)
@@ -176,11 +171,7 @@ def _scale(
 def _table_scale(
     top: TopView, alpha: float, usual: Float[np.ndarray, "3"], modelled: bool
 ) -> Float[np.ndarray, "3"]:
-    """Rescale the table to its box.
-
-    A table modelled from the picture keeps its proportions; the height of another follows at most
-    a little (people keep theirs).
-    """
+    """Rescale the table to its box; a height not ``modelled`` from it follows but a little."""
     box = np.asarray(top.table_box)
     across = (box[2:] - box[:2]) * alpha
     factor = float(np.sqrt(across.prod() / np.prod(usual[:2])))
@@ -194,10 +185,7 @@ def _limit(
     limit: float,
     warnings: list[str],
 ) -> Float[np.ndarray, "3"]:
-    """Return the extent scaled to stay within ``limit`` of the usual, by the two longest sides.
-
-    The third may be as thin as a picture shows it.
-    """
+    """Return the extent scaled to stay within ``limit`` of the usual, by the two longest sides."""
     factor = float(np.sqrt(np.prod(np.sort(extent)[1:]) / np.prod(np.sort(usual)[1:])))
     allowed = float(np.clip(factor, 1 / limit, limit))
     if not np.isclose(allowed, factor):

@@ -47,8 +47,8 @@ class Crowd:
         """Return by how much things come into one another or leave the table, metres.
 
         An overlap that was there before counts for less, unless it grows, and the less the deeper
-        it is: outlines are fuller than things are, and what was taken to stand beside a thing that
-        it stands on is no matter of a small move.
+        it is: outlines are fuller than things, and no small move frees a thing of what it stands on
+        but was taken to stand beside.
         """
         a, b = (
             placed_outlines(shape, place[rows], yaw[rows], grow[rows])
@@ -57,7 +57,7 @@ class Crowd:
         apart = gaps(a, b)
         deeper = (self.least - apart).clamp_min(0).sum()
         shallow = 1 - ((apart / _DEEP).clamp_max(0)).exp()
-        beyond = (-inside(place, self.table)).clamp_min(0).sum()
+        beyond = _beyond(self.table.expand(len(place), -1, -1), place[:, None]).clamp_min(0).sum()
         return deeper + _FOUND * _DEEP * shallow.sum() + beyond
 
 
@@ -85,12 +85,6 @@ def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, 
     import torch
 
     return torch.stack([_beyond(a, b), _beyond(b, a)]).max(0).values
-
-
-def inside(points: Float[Tensor, "n 2"], outline: Float[Tensor, "k 2"]) -> Float[Tensor, "n"]:
-    """Return each point's distance inside a convex counter-clockwise outline, below 0 outside."""
-    count = len(points)
-    return -_beyond(outline.expand(count, -1, -1), points[:, None])
 
 
 def _beyond(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m j 2"]) -> Float[Tensor, "m"]:

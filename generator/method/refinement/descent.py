@@ -106,10 +106,7 @@ def _misfit(
     resolution: int,
     grow: Float[Tensor, "n"] | None = None,
 ) -> Float[Tensor, "n"]:
-    """Return one minus the overlap of each thing's outline with its mask.
-
-    ``grow`` is how many times as large as their surfaces things are.
-    """
+    """Return one minus the overlap of each outline, ``grow`` times as large, with its mask."""
     import torch
 
     from ...render import soft

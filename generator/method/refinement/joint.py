@@ -14,7 +14,7 @@ from ...scene import TABLE, Instance, Mesh, Model, Object, Placement, View
 from ...threads import single_thread
 from .config import RefinementConfig
 from .descent import descend, misfits
-from .problem import make_posed, make_problem, make_seen
+from .problem import make_posed, make_problem, make_seen, pose_placements
 
 _WORSE = 0.02  # an object whose own outline agrees that much less keeps its place
 
@@ -39,28 +39,20 @@ def refine_scene(
     table_scale: Float[np.ndarray, "3"],
     view: View,
     image_size: tuple[int, int],
-    config: RefinementConfig | None = None,
+    config: RefinementConfig,
     seed: int = 0,
 ) -> Refinement:
     """Move all objects, and the camera's place, together to where the outlines agree best.
 
-    Args:
-        instances: the reference picture's, with their completed crops.
-        models: canonical models by name; the table's, if it is there, gives the top's outline.
-        placements: where DRO and TSA put the objects, world frame.
-        table_scale: the table's extent, metres.
-        view: the reference picture's camera.
-        image_size: (width, height) of the reference picture.
-        config: settings.
-        seed: of the surface samples.
+    ``instances``, ``view`` and ``image_size`` (width, height) are the reference picture's. The
+    table's model, if it is there, gives the top's outline; ``table_scale`` is its extent, metres.
+    ``placements`` are in the world frame; ``seed`` is of the surface samples.
 
     The camera's direction is not moved: outlines agree as well with an elevation 3 degrees off, so
-    they do not tell it; the table's edges do.
-
-    A result that is worse is not used, for the whole scene or for an object. A picture with fewer
-    than two objects, which cannot tell where the camera stands, is left as it is.
+    they do not tell it; the table's edges do. A result that is worse is not used, for the whole
+    scene or for an object. A picture with fewer than two objects, which cannot tell where the
+    camera stands, is left as it is.
     """
-    config = config or RefinementConfig()
     shown = _shown_instances(instances)
     moving = [p for p in placements if p.name in shown]
     if len(moving) < 2 or not config.steps:
@@ -68,11 +60,7 @@ def refine_scene(
 
     def measure(placed: Sequence[Placement]) -> Float[np.ndarray, "n"]:
         there = [p for p in placed if p.name in shown]
-        posed = make_posed(
-            [models[p.name].mesh for p in there], [p.scale for p in there],
-            [p.yaw for p in there], np.array([p.translation for p in there]), config, seed,
-        )  # fmt: skip
-        return misfits(seen, posed, config)[0]
+        return misfits(seen, pose_placements(there, models, config, seed), config)[0]
 
     with single_thread():
         things = [shown[p.name] for p in moving]
@@ -147,11 +135,9 @@ def _move(
     across = carries @ steps[:, 1:3]
     moved = {
         p.name: replace(
-            p,
-            yaw=wrap(p.yaw + steps[k, 0]),
+            p, yaw=wrap(p.yaw + steps[k, 0]), scale=p.scale * np.exp(steps[k, 3]),
             translation=p.translation + np.append(across[k], 0.0),
-            scale=p.scale * np.exp(steps[k, 3]),
         )
         for k, p in enumerate(moving)
-    }
+    }  # fmt: skip
     return at_rest([moved.get(p.name, p) for p in placements], models, height)

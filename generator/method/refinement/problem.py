@@ -80,16 +80,12 @@ def make_seen(
     tight = [tight_box(i) for i in things]
     boxes = np.array([in_reference(i, t) for i, t in zip(things, tight, strict=True)])
     eye = Camera(np.zeros(3), view_rotation(view), view.fov, *image_size)
-    masks: list[np.ndarray] = []
-    weights: list[np.ndarray] = []
-    for thing, box in zip(things, tight, strict=True):
-        masks.append(tight_crop(thing.crop, box, size)[..., 3])
-        hidden = hiders(thing, all_things)
-        sure = np.ones((size, size), np.float32)
-        if hidden is not None:
+    masks = [tight_crop(i.crop, t, size)[..., 3] for i, t in zip(things, tight, strict=True)]
+    weights = np.ones((len(things), size, size), np.float32)
+    for weight, thing, box in zip(weights, things, tight, strict=True):
+        if (hidden := hiders(thing, all_things)) is not None:
             over = tight_crop(mask_in_crop(hidden, thing), box, size)[..., 3]
-            sure -= (1 - config.unsure) * over
-        weights.append(sure)
+            weight -= (1 - config.unsure) * over
     span = (boxes[:, 2:] - boxes[:, :2]).max(1) / eye.focal
     return ObservedThings(
         smooth(tensor(masks)[:, None])[:, 0],
@@ -112,20 +108,9 @@ def make_problem(
     """Return the problem of ``moving`` things, some or all of what is placed."""
     below = {p.name: p for p in placements}
     chains = [[q.name for q in _chain(p, below)] for p in moving]
-    posed = make_posed(
-        [models[p.name].mesh for p in moving],
-        [np.asarray(p.scale) for p in moving],
-        [p.yaw for p in moving],
-        np.array([p.translation for p in moving]),
-        config,
-        seed,
-    )
-    return Problem(
-        seen,
-        posed,
-        make_links(moving, placements),
-        make_crowd(moving, chains, models, table_scale),
-    )
+    crowd = make_crowd(moving, chains, models, table_scale)
+    posed = pose_placements(moving, models, config, seed)
+    return Problem(seen, posed, make_links(moving, placements), crowd)
 
 
 def make_links(moving: Sequence[Placement], placements: Sequence[Placement]) -> Links:
@@ -141,6 +126,18 @@ def make_links(moving: Sequence[Placement], placements: Sequence[Placement]) -> 
                 lifts[k, rows[p.name]] = 0.0 if inside else p.scale[2]
             inside = p.inside
     return Links(tensor(carries), tensor(lifts))
+
+
+def pose_placements(
+    placements: Sequence[Placement],
+    models: Mapping[str, Model],
+    config: RefinementConfig,
+    seed: int,
+) -> PosedThings:
+    """Return things where they are placed, with points drawn from their models."""
+    meshes, scales = [models[p.name].mesh for p in placements], [p.scale for p in placements]
+    places = np.array([p.translation for p in placements])
+    return make_posed(meshes, scales, [p.yaw for p in placements], places, config, seed)
 
 
 def make_posed(
@@ -168,8 +165,7 @@ def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
     rays = rays.astype(float) / np.linalg.norm(rays, axis=1, keepdims=True)
     across = np.eye(3) - rays[:, :, None] * rays[:, None]
     points = posed.place.numpy().astype(float)
-    left = np.asarray(across.sum(0))
-    right = np.asarray((across @ points[..., None]).sum(0)[:, 0])
+    left, right = np.asarray(across.sum(0)), np.asarray((across @ points[..., None]).sum(0))[:, 0]
     return tensor(np.linalg.lstsq(left, right, rcond=None)[0])
 
 

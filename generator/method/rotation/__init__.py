@@ -5,54 +5,32 @@ completed instance: a coarse search over the whole turn, then Adam on the best c
 them in one tensor.
 """
 
-from .certainty import margin, widths
-from .config import RotationConfig
-from .equations import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
-from .estimate import estimate_rotations, optimise_rotation
-from .found import RotationAnswer, RotationCandidate
-from .objective import (
-    Candidates,
-    Levels,
-    Objective,
-    Target,
-    cut_sides,
-    make_objectives,
-    make_target,
-)
-from .prior import prefer, prior_yaw, same_side
-from .search import coarse_losses, coarse_search, losses_at, refine, search, select
-from .symmetry import looks_order, looks_round, turning_changes
-
-__all__ = [
-    "Candidates",
-    "Levels",
-    "Objective",
-    "RotationAnswer",
-    "RotationCandidate",
-    "RotationConfig",
-    "Target",
-    "appearance_loss",
-    "coarse_losses",
-    "coarse_search",
-    "contour_distance",
-    "cut_sides",
-    "edge_loss",
-    "estimate_rotations",
-    "looks_order",
-    "looks_round",
-    "losses_at",
-    "make_objectives",
-    "make_target",
-    "margin",
-    "optimise_rotation",
-    "prefer",
-    "prior_yaw",
-    "refine",
-    "rotation_loss",
-    "same_side",
-    "search",
-    "select",
-    "silhouette_loss",
-    "turning_changes",
-    "widths",
-]
+from .certainty import margin as margin
+from .certainty import widths as widths
+from .config import RotationConfig as RotationConfig
+from .equations import appearance_loss as appearance_loss
+from .equations import contour_distance as contour_distance
+from .equations import edge_loss as edge_loss
+from .equations import rotation_loss as rotation_loss
+from .equations import silhouette_loss as silhouette_loss
+from .estimate import estimate_rotations as estimate_rotations
+from .estimate import optimise_rotation as optimise_rotation
+from .found import RotationAnswer as RotationAnswer
+from .found import RotationCandidate as RotationCandidate
+from .objective import Candidates as Candidates
+from .objective import Levels as Levels
+from .objective import Objective as Objective
+from .objective import Target as Target
+from .objective import cut_sides as cut_sides
+from .objective import make_objectives as make_objectives
+from .prior import prefer as prefer
+from .prior import prior_yaw as prior_yaw
+from .prior import same_side as same_side
+from .search import coarse_losses as coarse_losses
+from .search import coarse_search as coarse_search
+from .search import losses_at as losses_at
+from .search import refine as refine
+from .search import search as search
+from .search import select as select
+from .symmetry import looks_round as looks_round
+from .symmetry import turning_changes as turning_changes

@@ -5,6 +5,8 @@
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import add
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -49,16 +51,10 @@ def appearance_loss(
     The average, where the paper prints a sum, keeps lambda_a independent of the resolution.
     ``weight`` has one map for each of the features'.
     """
-    losses: list[Tensor] = []
-    for k, (a, b) in enumerate(zip(rendered, target, strict=True)):
-        squares = (a - b).square().sum(1)
-        if weight is not None:
-            squares = squares * weight[k]
-        losses.append(squares.mean((-2, -1)))
-    total = losses[0]
-    for loss in losses[1:]:
-        total = total + loss
-    return total / len(losses)
+    squares = [(a - b).square().sum(1) for a, b in zip(rendered, target, strict=True)]
+    if weight is not None:
+        squares = [s * w for s, w in zip(squares, weight, strict=True)]
+    return reduce(add, [s.mean((-2, -1)) for s in squares]) / len(squares)
 
 
 def rotation_loss(

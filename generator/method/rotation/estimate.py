@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -28,13 +28,11 @@ def estimate_rotations(
     encoder: Encoder,
     config: RotationConfig | None = None,
     seed: int = 0,
-    progress: Callable[[str], None] | None = None,
 ) -> dict[str, Rotation]:
     """Estimate r_i of every instance but the table, whose yaw is 0 by the view's definition.
 
     The orientation that a model comes with, if any, decides where the picture cannot (``prior``).
     On CUDA all instances are one batch; on a CPU each is searched by a thread of its own.
-    ``progress`` is called with each instance's name before its search begins.
 
     Raises:
         InputError: an instance has no model, or shows nothing.
@@ -48,9 +46,6 @@ def estimate_rotations(
     hidden = [hiders(instance, things) for instance in things]
 
     def search_group(group: Sequence[int]) -> list[RotationAnswer]:
-        for k in group:
-            if progress:
-                progress(things[k].name)
         levels = make_objectives(
             [models[things[k].name] for k in group],
             [things[k] for k in group],
@@ -82,19 +77,11 @@ def optimise_rotation(
 ) -> Rotation:
     """Find the yaw of one object: coarse search, then gradient descent on the candidates.
 
-    Args:
-        model: canonical model; its ``size`` gives the proportions, its ``orientation``, if any,
-            one more start, and the side where the picture cannot tell.
-        instance: the completed crop (its alpha is S) and its place in the image.
-        view: camera of the reference image.
-        encoder: appearance features Phi.
-        config: settings.
-        image_size: (width, height) of the reference image in pixels.
-        seed: of the surface samples.
-        hidden: where in the image something else may hide the object.
-
-    Returns:
-        The best yaw in [-pi, pi) with its loss, and every refined (yaw, loss), that one first.
+    Returns the best yaw in [-pi, pi) with its loss, and every refined (yaw, loss), that one first.
+    ``model.size`` gives the proportions, ``model.orientation``, if any, one more start, and the
+    side where the picture cannot tell. The crop's alpha is S; ``encoder`` gives Phi;
+    ``image_size`` is (width, height) of the reference image, pixels; ``seed`` is of the surface
+    samples; ``hidden`` marks where something else may hide the object.
 
     Raises:
         InputError: the crop is empty or the model has no surface.
@@ -108,14 +95,5 @@ def optimise_rotation(
 
 
 def _rotation(name: str, answer: RotationAnswer) -> Rotation:
-    found = answer.looks[0]
-    candidates = tuple((f.yaw, f.loss) for f in found)
-    return Rotation(
-        name,
-        *candidates[0],
-        candidates,
-        answer.margin,
-        answer.width,
-        answer.symmetric,
-        answer.order,
-    )
+    a, candidates = answer, tuple((f.yaw, f.loss) for f in answer.looks[0])
+    return Rotation(name, *candidates[0], candidates, a.margin, a.width, a.symmetric, a.order)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -176,10 +176,7 @@ def make_target(
 def cut_sides(
     hidden: Bool[np.ndarray, "r r"], box: Float[np.ndarray, "4"]
 ) -> Bool[np.ndarray, "4"]:
-    """Tell at which sides (left, top, right, bottom) of a tight crop something hides the object.
-
-    ``box`` is what the crop was made of; only its aspect counts.
-    """
+    """Tell at which sides (left, top, right, bottom) of a tight crop of ``box`` something hides."""
     from ...render.crop import MARGIN
 
     side = len(hidden)
@@ -236,24 +233,17 @@ def make_objectives(
         return stack([sample_surface(m.mesh, m.size, points, seed) for m in models])
 
     def at(resolution: int, points: SampledSurface) -> Objective:
-        targets = [
-            make_target(i, encoder, config, resolution, h)
-            for i, h in zip(instances, masks, strict=True)
-        ]
+        pairs = zip(instances, masks, strict=True)
+        targets = [make_target(i, encoder, config, resolution, h) for i, h in pairs]
 
         def tensor(array: np.ndarray) -> Tensor:
             return torch.as_tensor(array, dtype=torch.float32, device=config.device)
 
         return Objective(
-            points.to(config.device),
-            _stack(targets, config.device),
-            encoder,
-            config,
-            tensor(view_rotation(view)),
-            tensor(middle if config.perspective else 0 * middle),
-            tensor(span),
-            torch.tensor([loose and i.occluded for i in instances]).to(config.device),
-        )
+            points.to(config.device), _stack(targets, config.device), encoder, config,
+            tensor(view_rotation(view)), tensor(middle if config.perspective else 0 * middle),
+            tensor(span), torch.tensor([loose and i.occluded for i in instances]).to(config.device),
+        )  # fmt: skip
 
     surface = sample(config.points)
     return Levels(
@@ -266,15 +256,9 @@ def make_objectives(
 def _stack(targets: list[Target], device: str) -> Target:
     import torch
 
-    def join(*tensors: Tensor) -> Tensor:
-        return torch.cat(tensors).to(device)
+    def join(values: Sequence[Any]) -> Any:
+        if isinstance(values[0], tuple):
+            return tuple(join(level) for level in zip(*values, strict=True))
+        return torch.cat(list(values)).to(device)
 
-    return Target(
-        join(*(t.image for t in targets)),
-        join(*(t.mask for t in targets)),
-        join(*(t.distance for t in targets)),
-        tuple(join(*level) for level in zip(*(t.features for t in targets), strict=True)),
-        join(*(t.weight for t in targets)),
-        tuple(join(*level) for level in zip(*(t.weights for t in targets), strict=True)),
-        join(*(t.cut for t in targets)),
-    )
+    return Target(*(join([getattr(t, field.name) for t in targets]) for field in fields(Target)))

@@ -1,8 +1,7 @@
-"""The orientation seen by a modeler: a hint where renders cannot tell the sides apart.
+"""The orientation in which a modeler saw its model (``Model.orientation``): a hint.
 
-A model may come with the orientation in which its modeler saw it (``Model.orientation``). The yaw
-that it implies is one more start of the search, and it decides between sides whose losses hardly
-differ. It never overrides a loss that is clearly lowest.
+The yaw that it implies is one more start of the search, and decides between sides whose losses
+hardly differ. It never overrides a loss that is clearly lowest.
 """
 
 from __future__ import annotations
@@ -25,9 +24,9 @@ SHARE = 0.05
 
 
 def prior_yaw(model: Model) -> float | None:
-    """Return the yaw (radians, [-pi, pi)) nearest to a model's orientation; None without one.
+    """Return the yaw (radians, [-pi, pi)) nearest to a model's orientation.
 
-    None as well for a model that leans by more than ``UPRIGHT`` from the table's vertical.
+    None without one, or if the model leans by more than ``UPRIGHT`` from the table's vertical.
     """
     seen = model.orientation
     if seen is None or seen[2, 2] < np.cos(UPRIGHT):

@@ -66,14 +66,13 @@ def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list
     last = refine(close, finalists, config.steps)
     rounds.append([prefer(found, hint) for found, hint in zip(last, hints, strict=True)])
     exact = widths(close, [flat or found[0] for flat, found in zip(still, rounds[-1], strict=True)])
-    answers: list[RotationAnswer] = []
-    for k, flat in enumerate(still):
-        looks = [found[k] for found in reversed(rounds)]
-        if flat is not None:
-            answers.append(RotationAnswer([[flat]]))
-        else:
-            answers.append(_answer(levels, k, looks, exact[k], whole[k], hints[k]))
-    return answers
+    looks = [[found[k] for found in reversed(rounds)] for k in range(len(coarse))]
+    return [
+        RotationAnswer([[flat]])
+        if flat
+        else _answer(levels, k, looks[k], exact[k], whole[k], hints[k])
+        for k, flat in enumerate(still)
+    ]
 
 
 def _answer(
@@ -84,11 +83,8 @@ def _answer(
     candidates: list[RotationCandidate],
     prior: float | None,
 ) -> RotationAnswer:
-    """Return an object's answer; where another side fits about as well, look if it is the same.
-
-    ``candidates`` is the coarse search: all candidates may be of sides that are the same. Of those
-    that are, the one that the prior supports is taken.
-    """
+    """Return an object's answer; where another side fits about as well, look if it is the same."""
+    # The coarse search tells as well: all finalists may be of sides that are the same.
     config, sure, order = levels.coarse.config, margin(looks), 1
     least = min(looks[0], key=lambda f: f.loss).yaw
     if config.flat and sure < config.doubt:
@@ -103,14 +99,7 @@ def _answer(
 def _starts(
     levels: Levels, priors: Sequence[float | None]
 ) -> tuple[Rows, list[bool], list[RotationCandidate | None], Rows]:
-    """Search the whole turn.
-
-    Returns:
-        every object's best candidates and its prior, none if it looks the same from all sides;
-        whether they are crowded: so alike that they were chosen at full resolution; the one
-        candidate of an object that looks the same from all sides, None of others; and all that
-        was looked at.
-    """
+    """Search the whole turn: (best candidates, crowded, candidate if round, all) of each object."""
     config = levels.coarse.config
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
     losses, places = coarse_search(levels.coarse, yaws)
@@ -121,7 +110,7 @@ def _starts(
     for k, row in enumerate(losses):
         best = select(yaws, row, config)
         close = len(best) > 1 and row[best[-1]] < (1 + config.crowded) * row.min()
-        crowded.append(not flat[k] and bool(close))
+        crowded.append(not flat[k] and bool(close))  # so alike: chosen again at full resolution
         if crowded[-1]:
             row = losses_at(levels.fine, k, yaws, places[k])
             best = select(yaws, row, config)
@@ -149,9 +138,8 @@ def _with_start(
         return found
     nearest = min(found, key=lambda f: abs(wrap(f.yaw - yaw)))
     (loss,) = losses_at(objective, number, np.array([yaw]), [nearest.place])
-    return sorted(
-        [*found, RotationCandidate(yaw, float(loss), 0.0, nearest.place)], key=lambda f: f.loss
-    )
+    start = RotationCandidate(yaw, float(loss), 0.0, nearest.place)
+    return sorted([*found, start], key=lambda f: f.loss)
 
 
 def coarse_search(
@@ -283,15 +271,9 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
             fall = 0.5 * (1 + np.cos(np.pi * (step + 1) / steps))
             for group, rate in zip(optimiser.param_groups, rates, strict=True):
                 group["lr"] = rate * fall
-    rows = iter(best.cpu().numpy().tolist())
-    refined = [[_candidate(*next(rows)) for _ in found] for found in starts]
-    return [sorted(found, key=lambda f: f.loss) for found in refined]
-
-
-def _candidate(
-    loss: float, yaw: float, tilt: float, x: float, y: float, zoom: float
-) -> RotationCandidate:
-    return RotationCandidate(wrap(yaw), loss, tilt, (x, y, zoom))
+    rows: list[list[float]] = best.cpu().numpy().tolist()
+    refined = iter([RotationCandidate(wrap(r[1]), r[0], r[2], (r[3], r[4], r[5])) for r in rows])
+    return [sorted((next(refined) for _ in found), key=lambda f: f.loss) for found in starts]
 
 
 def _rivals(
@@ -301,10 +283,7 @@ def _rivals(
     config: RotationConfig,
     prior: float | None,
 ) -> list[RotationCandidate]:
-    """Return the best candidates, without those that have come to the same place or lie behind.
-
-    One that agrees with the prior is among them, unless it lies behind.
-    """
+    """Return the best candidates that differ, and one that agrees with the prior if not behind."""
     kept: list[RotationCandidate] = []
     for candidate in sorted(found, key=lambda f: f.loss):
         near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)

@@ -36,7 +36,6 @@ def reaching_past(objective: Objective, poses: Candidates, side: int) -> CropFit
     past = own[:, across] * zoom.exp() - box[:, across]
     usable = (past > 0) & (past < _MOST) & (zoom.abs() < _MOST)
     past, zoom = (torch.where(usable, value, 0.0) for value in (past, zoom))
-    moved = past / 2 if side in (RIGHT, BOTTOM) else -past / 2
     shift = torch.zeros_like(own)
-    shift[:, across] = moved
+    shift[:, across] = past / 2 if side in (RIGHT, BOTTOM) else -past / 2
     return CropFit(shift, zoom)

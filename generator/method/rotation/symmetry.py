@@ -49,12 +49,11 @@ def turning_changes(objective: Objective, number: int) -> float:
 def _changes(
     objective: Objective, number: int, yaws: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return how much more than chance an object's render differs from that at the first yaw.
-
-    Half of its points draw it at the first yaw; the other half, at all of them, are held against
-    that. The loss of the two halves at one yaw is what their scatter alone makes.
-    """
+    """Return how much more than chance an object's render differs from that at the first yaw."""
     import torch
+
+    # Half of its points draw it at the first yaw, the other half at all of them. The loss of the
+    # two halves at one yaw is what their scatter alone makes.
 
     device = objective.middle.device
     yaw = torch.as_tensor(yaws, dtype=torch.float32, device=device)
@@ -68,13 +67,10 @@ def _changes(
         distance = contour_distance(whole[0].cpu().numpy() > 0.5) / side
         features = objective.encoder.features(drawn.image)
         target = Target(
-            drawn.image,
-            whole,
-            torch.as_tensor(distance, dtype=whole.dtype, device=device)[None],
-            features,
-            torch.ones_like(whole),
+            drawn.image, whole, torch.as_tensor(distance, dtype=whole.dtype, device=device)[None],
+            features, torch.ones_like(whole),
             tuple(torch.ones_like(level[:, 0]) for level in features),
             torch.zeros_like(objective.target.cut[:1]),
-        )
+        )  # fmt: skip
         losses = other.compare(other.render(poses), target, torch.zeros_like(owner))
     return (losses - losses[0]).cpu().numpy()
