@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +12,8 @@ from jaxtyping import Bool, UInt8
 
 from ..errors import BundleError, InputError
 from ..io.reading import printable
-from ..scene import TABLE, Instance, frozen_array
+from ..scene import TABLE, Instance
+from ..scene.arrays import freeze
 from .contents import opened_png
 from .encoding import one_line
 
@@ -36,13 +37,12 @@ class Segments:
     index: UInt8[np.ndarray, "h w"]
 
     def __post_init__(self) -> None:
-        index = frozen_array(self.index, np.uint8, (None, None), "Segments.index")
-        object.__setattr__(self, "index", index)
+        freeze(self, index=(np.uint8, (None, None)))
         if len(self.names) != len(self.labels) or len(set(self.names)) < len(self.names):
             raise InputError(f"Segments need one label a name and no name twice: {self.names}.")
-        if index.size and index.max() > len(self.names):
+        if self.index.size and (top := self.index.max()) > len(self.names):
             raise InputError(
-                f"Segments.index goes up to {index.max()}, but there are {len(self.names)} names."
+                f"Segments.index goes up to {top}, but there are {len(self.names)} names."
             )
 
     @classmethod
@@ -91,14 +91,13 @@ def decode_segments(entries: Any, raw: bytes) -> Segments:
             raise BundleError(f"{PATH} is no indexed picture.")
         index = np.asarray(picture, np.uint8)
     try:
-        names = tuple(_word(entry, "name") for entry in entries)
-        return Segments(names, tuple(_word(entry, "label") for entry in entries), index)
+        names, labels = (
+            tuple(printable(e[key], f"The {key} of an instance", BundleError) for e in entries)
+            for key in ("name", "label")
+        )
+        return Segments(names, labels, index)
     except (InputError, TypeError, KeyError) as error:
         raise BundleError(f"{PATH} and its names do not fit together ({error}).") from error
-
-
-def _word(entry: Mapping[str, Any], key: str) -> str:
-    return printable(entry[key], f"The {key} of an instance", BundleError)
 
 
 def _palette(index: int) -> tuple[int, int, int]:

@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from generator.bundle import MOST_BYTES, read_inside
+from generator.bundle import BOUNDS, read_inside
 from generator.errors import BundleError, InputError, choices, require, require_seed
 from generator.io.files import write_whole
 from generator.io.reading import parse_object, printable
@@ -165,7 +165,7 @@ def read_certificate(path: str | Path) -> Certificate | None:
 
 def scene_digest(folder: Path) -> str:
     """Return the sha256 of a bundle's ``scene.json``."""
-    return hashlib.sha256(read_inside(folder, "scene.json", MOST_BYTES)).hexdigest()
+    return hashlib.sha256(read_inside(folder, "scene.json", BOUNDS.file_bytes)).hexdigest()
 
 
 def write_certificate(folder: Path, certificate: Certificate) -> None:
