@@ -9,9 +9,8 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..io.png import encode_png
 from ..io.reading import MAX_NAME_LENGTH
-from ..physics.mjcf import encode_obj, mesh_path, texture_path
+from ..physics.mjcf import mesh_files
 from ..scene import ConvexPart, Model, Scene
 from ..scene.provenance import plain
 
@@ -98,9 +97,9 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 
 def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
-    obj, png = encode_obj(model.mesh), encode_png(model.mesh.texture)
-    shape, picture = mesh_path(obj), texture_path(png)
-    files[shape], files[picture] = obj, png
+    made = mesh_files(model.mesh)
+    files |= made
+    shape, picture = made
     return {
         "name": one_line(model.name),
         "label": one_line(model.label),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -59,8 +58,6 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     """
     limits = limits or GateLimits()
     simulation = Simulation(scene)
-    poses = [o.pose for o in scene.objects]
-    simulation.place(poses)
     names = [o.name for o in scene.objects]
     overlaps = simulation.contacts().deepest()
     held = find_supported(simulation.contacts(margin=limits.gap), len(names))
@@ -68,35 +65,36 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     drift, tilt = watch(simulation, limits)
     simulated = simulation.time
     level = _moving(simulation, drift, tilt, limits, "")
-    fell = find_fallen(simulation)
+    floating = tuple(n for n, ok in zip(names, held, strict=True) if not ok)
+    fallen = tuple(names[i] for i in find_fallen(simulation))
+    off_table = tuple(n for n, out in zip(names, off, strict=True) if out)
     leaning, leans = 0.0, []
     if limits.lean and not level:
         leaning, shortest, leans = _leaning(simulation, limits)
         simulated = min(simulated, shortest)
-    report = Report(
+    return Report(
         penetration=max(overlaps.values(), default=0.0),
         drift=float(drift.max(initial=0.0)),
         tilt=float(tilt.max(initial=0.0)),
-        floating=tuple(n for n, ok in zip(names, held, strict=True) if not ok),
-        fallen=tuple(names[i] for i in fell),
-        off_table=tuple(n for n, out in zip(names, off, strict=True) if out),
+        floating=floating,
+        fallen=fallen,
+        off_table=off_table,
         moved=scene.report.moved if scene.report else 0.0,
         settling=scene.report.settling if scene.report else 0.0,
         leaning=leaning,
         reach=reach(scene),
         seconds=limits.seconds,
         dropped=scene.report.dropped if scene.report else (),
+        failures=(
+            *_overlapping(overlaps, names, limits.penetration),
+            *level,
+            *leans,
+            *(f"{n} floats" for n in floating),
+            *(f"{n} fell from the table" for n in fallen),
+            *(f"{n} has its centre of mass beyond the table's edge" for n in off_table),
+        ),
         simulated=round(simulated, 6),
     )
-    failures = [
-        *_overlapping(overlaps, names, limits.penetration),
-        *level,
-        *leans,
-        *(f"{n} floats" for n in report.floating),
-        *(f"{n} fell from the table" for n in report.fallen),
-        *(f"{n} has its centre of mass beyond the table's edge" for n in report.off_table),
-    ]
-    return dataclasses.replace(report, failures=tuple(failures))
 
 
 def watch(
@@ -105,9 +103,8 @@ def watch(
     """Simulate ``limits.seconds``; return how far each object moved and turned.
 
     What creeps evenly is not watched to the end: once two looks in a row show no object moving or
-    turning faster than before, and going on so would use up no more than half of the limits, that
-    forecast is returned. Toppling speeds up, and is watched. A simulation that breaks down ends it:
-    then the figures say nothing.
+    turning faster than before, and going on so would use up at most half of the limits, that
+    forecast is returned. Once the simulation has broken down the figures say nothing.
     """
     start = simulation.poses
     bounds = np.array([limits.drift, limits.tilt])
@@ -115,7 +112,7 @@ def watch(
     gone, calm = last, 0
     looks = max(1, round(limits.seconds / _STRIDE))
     begin = simulation.time
-    for k in range(looks):
+    for k in range(looks):  # what topples speeds up, and is watched to the end
         before = gone
         simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:

@@ -84,7 +84,10 @@ def document(
     _settings(root)
     assets = _Assets(ET.SubElement(root, "asset"), visuals, paths)
     world = ET.SubElement(root, "worldbody")
-    _floor(world)
+    ET.SubElement(
+        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
+        condim="4", solref="0.01 1",
+    )  # fmt: skip
     if visuals:
         _light_and_cameras(world, scene)
     table = ET.SubElement(world, "body", name=TABLE, pos=_text([0, 0, scene.table.height / 2]))
@@ -165,6 +168,12 @@ def texture_path(encoded: bytes) -> str:
     return f"textures/{_digest(encoded)}.png"
 
 
+def mesh_files(mesh: Mesh) -> dict[str, bytes]:
+    """Return a mesh, then its texture, as files of a bundle by path."""
+    obj, png = encode_obj(mesh), encode_png(mesh.texture)
+    return {mesh_path(obj): obj, texture_path(png): png}
+
+
 # --------------------------------------------------------------------------------------- pieces
 
 
@@ -185,13 +194,6 @@ def _settings(root: ET.Element) -> None:
     ET.SubElement(drawn, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0")
     solid = ET.SubElement(default, "default", {"class": "collision"})
     ET.SubElement(solid, "geom", group="3", condim="4", solref="0.01 1", rgba=".3 .6 .9 .4")
-
-
-def _floor(world: ET.Element) -> None:
-    ET.SubElement(
-        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
-        condim="4", solref="0.01 1",
-    )  # fmt: skip
 
 
 def _light_and_cameras(world: ET.Element, scene: Scene) -> None:
@@ -237,7 +239,7 @@ class _Assets:
         self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
     ) -> None:
         self.files: dict[str, bytes] = {}
-        self._paths = dict(paths)
+        self._paths: dict[Mesh, tuple[str, ...]] = dict(paths)
         self._element = element
         self._visuals = visuals
         self._named: set[str] = set()
@@ -253,7 +255,9 @@ class _Assets:
         if not self._visuals:
             return
         if mesh not in self._paths:
-            self._paths[mesh] = self._write(mesh)
+            files = mesh_files(mesh)
+            self.files |= files
+            self._paths[mesh] = tuple(files)
         shape, picture = self._paths[mesh]
         size = _text(scale)
         mesh_name = self._add(
@@ -268,33 +272,26 @@ class _Assets:
         )  # fmt: skip
         ET.SubElement(body, "geom", {"class": "visual"}, mesh=mesh_name, material=material)
 
-    def _write(self, mesh: Mesh) -> tuple[str, str]:
-        obj, png = encode_obj(mesh), encode_png(mesh.texture)
-        shape, picture = mesh_path(obj), texture_path(png)
-        self.files[shape], self.files[picture] = obj, png
-        return shape, picture
-
     def collide(
         self, body: ET.Element, part: ConvexPart, friction: float, slender: bool = False
     ) -> None:
         """Add a convex part as a collision geom, a primitive where it is one.
 
-        What is round, or belongs to a ``slender`` thing, resists rolling: fruit has soft spots,
-        pens have clips and edges, and both stay where they are on a table that leans a little.
+        What is round, or belongs to a ``slender`` thing, resists rolling, as fruit with its soft
+        spots and pens with their clips do on a table that leans a little.
         """
         kind, attributes = primitive(part)
         round_ = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
-        rolls = round_ or slender
-        if rolls:
+        resistance = 0.0001
+        if round_ or slender:
             attributes |= {"condim": "6", **_FIRM}
+            low, high = part.bounds
+            resistance = max(_LEAST_FLAT, FLAT_SPOT * float((high - low).min()) / 2)
         if kind == "mesh":
             vertices = _text(part.vertices.round(6).ravel())
             attributes["mesh"] = self._add(
                 "mesh", f"hull_{_digest(vertices.encode())}", vertex=vertices, inertia="convex"
             )
-        low, high = part.bounds
-        flat = max(_LEAST_FLAT, FLAT_SPOT * float((high - low).min()) / 2)
-        resistance = flat if rolls else 0.0001
         slide = _text([friction, 0.003, resistance])
         always = {"class": "collision", "type": kind, "friction": slide}
         ET.SubElement(body, "geom", always | attributes)
@@ -325,9 +322,8 @@ def _points(scene: Scene) -> Float[np.ndarray, "n 3"]:
     table = scene.table
     points = [table.model.mesh.vertices * table.scale + [0, 0, table.height / 2]]
     for thing in scene.objects:
-        turned = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(
-            thing.pose.quaternion
-        ).T
+        rotation = quaternion_matrix(thing.pose.quaternion)
+        turned = (thing.model.mesh.vertices * thing.scale) @ rotation.T
         points.append(turned + thing.pose.position)
     return np.concatenate(points)
 

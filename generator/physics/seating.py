@@ -28,10 +28,9 @@ def seat_on_table(thing: Object, height: float) -> Object:
 def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
     """Lower each stacked object onto, or into, its support; lowest supports first.
 
-    ``names`` says which; None is all.
-
-    It is let down from above at its own place; if that is taken, or an object meant to go *into*
-    a container would stay on its rim, at the nearest place on the support that does better.
+    ``names`` says which; None is all. It is let down from above at its own place; if that is taken,
+    or an object meant to go *into* a container would stay on its rim, at the nearest place on the
+    support that does better.
     """
     chains = ancestry(scene.objects)
     order = sorted(range(len(chains)), key=lambda i: (len(chains[i]), i))
@@ -82,7 +81,6 @@ def nearest_free(
     thing = scene.objects[index]
     others = _others(scene, name, absent)
     simulation = Simulation(scene)
-    simulation.place([o.pose for o in scene.objects])
     z = scene.table.height + _GAP - lowest(thing)
     size = float(np.linalg.norm(np.ptp(scene.table.outline, axis=0)))
     for offset in spiral(size, size / 40):
@@ -98,9 +96,7 @@ def nearest_free(
 def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
     """Whether ``name`` overlaps another object, those in ``absent`` aside, by more than contact."""
     index = [o.name for o in scene.objects].index(name)
-    simulation = Simulation(scene)
-    simulation.place([o.pose for o in scene.objects])
-    return _depth(simulation, index, _others(scene, name, absent)) > TOLERANCE
+    return _depth(Simulation(scene), index, _others(scene, name, absent)) > TOLERANCE
 
 
 def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
@@ -123,16 +119,15 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     thing = scene.objects[index]
     support = scene.objects[chains[index][1]]
     settled = [
-        k for k in range(len(chains))
-        if k != index and (len(chains[k]), k) < (len(chains[index]), index)
+        scene.objects[k] for k in range(len(chains))
+        if (len(chains[k]), k) < (len(chains[index]), index)
     ]  # fmt: skip
-    present = [scene.objects[k] for k in settled]
-    loose = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in [*present, thing])
+    loose = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in [*settled, thing])
     simulation = Simulation(scene.replace(objects=loose))
-    simulation.place([o.pose for o in loose])
     rim = support.pose.position[2] + highest(support)
     reach = float(np.min(support.scale[:2])) / 2
-    wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * _depth_of(support)
+    deep = min(highest(support) - lowest(support), 0.1)  # how far anything could go into it
+    wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * deep
     best: tuple[float, np.ndarray] | None = None
     for offset in spiral(reach, reach / 5):
         xy = thing.pose.position[:2] + offset
@@ -149,11 +144,6 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     poses = [o.pose for o in scene.objects]
     poses[index] = Pose(best[1], thing.pose.quaternion)
     return scene.replace(objects=with_poses(scene.objects, poses))
-
-
-def _depth_of(support: Object) -> float:
-    """How deep anything could go into ``support``, at most 10 cm."""
-    return min(highest(support) - lowest(support), 0.1)
 
 
 def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> float | None:
