@@ -99,9 +99,8 @@ def turn_views(
     u, v = axis[:, None], axis
     x, y = u * np.cos(angles) - v * np.sin(angles), u * np.sin(angles) + v * np.cos(angles)
     maps = np.pad(heights.astype(np.float32) * (STEP / _HEIGHT), ((0, 0), (1, 1), (1, 1)))
-    seen = _between(
-        maps, *(np.clip(at / CELL + (CELLS + 1) / 2, 0, CELLS + 0.999) for at in (x, y))
-    )
+    i, j = (np.clip(at / CELL + (CELLS + 1) / 2, 0, CELLS + 0.999) for at in (x, y))
+    seen = _between(maps, i, j)
     below = np.maximum(seen[0] - maps[0].max(), -_DEEPEST)
     return np.stack([seen[0], seen[1], 2 * below], 1).astype(np.float32)
 
@@ -125,9 +124,9 @@ def rate(
     Weights are of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
     """
     values = np.ascontiguousarray(np.moveaxis(seen, 1, -1))
-    for number, layer in enumerate(LAYERS):
-        values = _convolve(values, layer, weights[f"{number}.weight"], weights[f"{number}.bias"])
-        if number < len(LAYERS) - 1:
+    for k, layer in enumerate(LAYERS):
+        values = _convolve(values, layer, weights[f"{k}.weight"], weights[f"{k}.bias"])
+        if k < len(LAYERS) - 1:
             np.maximum(values, 0.0, out=values)
     return rate_output(np.moveaxis(values, -1, 1), MIDDLES)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections import deque
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
@@ -116,15 +116,12 @@ class Randomizer:
             )
             episode = begin(world, begin_goals(world, episode.goals))
         if "distractors" in self._on:
-            self._leave(world, named_by(episode.goals))
+            drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
+            keep = named_by(episode.goals)
+            gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
+            arranging.take_away(world, gone)
+            self._drawn["distractors"] = {"most": drawn["most"], "absent": list(gone)}
         return episode
-
-    def _leave(self, world: World, keep: Collection[str]) -> None:
-        """Take objects away, none of ``keep``."""
-        drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
-        gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
-        arranging.take_away(world, gone)
-        self._drawn["distractors"] = {"most": drawn["most"], "absent": list(gone)}
 
     def restore(self, world: World) -> None:
         """Put a world's model back as it was compiled; ``World.reset`` then starts it."""

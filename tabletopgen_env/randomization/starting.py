@@ -5,22 +5,21 @@ What a thing carries, touches or stands against goes with it, as one *bundle*. E
 first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
 
 - nothing comes nearer than ``ROOM`` to anything, than ``HAND_ROOM`` to what the goals are about
-  (what rises beside it into the way of the palm: than ``PALM_ROOM``),
-  than ``EDGE`` to the table's edge or than ``CLEARANCE`` to the robot's base, or than it was if
-  that is less;
+  (than ``PALM_ROOM`` if it rises into the way of the palm), than ``EDGE`` to the table's edge or
+  than ``CLEARANCE`` to the robot's base, or than it was if that is less;
 - what the arm reaches it still does, and nothing tall comes between it and what the goals are
   about;
 - marked spots, the ways of pushes, and the room at a place where a thing is to go stay free.
 
 With no such draw it stays. Where the expert then finds no stroke for what is to be pushed, or no
 grasp that the arm reaches of what is to be taken (``feasible``), ``LESS`` of all draws is tried,
-then none. All moves keep what rests on the flat top at rest, so nothing is
-simulated. Goals that say where a thing stood follow it (``goals.goal.begun``), marked spots
-stay.
+then none. What rests on the flat top stays at rest, so nothing is simulated. Goals that say where a
+thing stood follow it (``goals.goal.begun``), marked spots stay.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -66,9 +65,8 @@ def start_off(
     """Put the arm and the things at an episode's start a little off; return by how much.
 
     The world, at its start, is left at the new one. ``rng`` draws as much for every world of as
-    many things. Returned are "joints", the seven angles added to the arm's, rad (zeros where the
-    arm would touch something); and "moved", the move (x, y, metres) and turn (rad) of each bundle
-    that is displaced, by its first thing.
+    many things. Returned are "joints", the seven angles added to the arm's, rad (zeros if the arm
+    would touch something), and "moved", each displaced bundle's move (x, y, metres) and turn (rad).
     """
     joints = rng.uniform(-settings.start_joints, settings.start_joints, 7)
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])
@@ -106,10 +104,7 @@ def _displace(
 
 @dataclass(frozen=True, eq=False)
 class _Zone:
-    """An outline on the table to be kept free of all but ``of`` (bundles, by their first).
-
-    It moves with the bundle ``carrier``, if there is one.
-    """
+    """An outline on the table to be kept free of all bundles but ``of``; moves with ``carrier``."""
 
     outline: Outline
     of: tuple[str, ...]
@@ -125,11 +120,7 @@ class _Zone:
 
 
 class _Tabletop:
-    """Bundles on a table, seen from above, of which one after the other is displaced.
-
-    ``order``: the bundles that may be, by their first thing, those of the goals first; ``moves``:
-    how those were that have been.
-    """
+    """Bundles, by their first thing, that are displaced: in which ``order``, by what ``moves``."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._before = world.scene
@@ -149,8 +140,7 @@ class _Tabletop:
         centre = self._before.object(first).pose.position[:2]
         own = carry(self._outlines[first], centre, tries)
         good = self._on_table(first, own) & self._in_reach(first, tries)
-        good &= self._clear(first, own, centre, tries)
-        for k in np.flatnonzero(good):
+        for k in np.flatnonzero(good & self._clear(first, own, centre, tries)):
             moves = {**self.moves, first: tries[k].tolist()}
             if self._in_the_way(moves):
                 continue
@@ -237,9 +227,8 @@ def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
     """Return how high each bundle, by its first thing, rises above the table, metres."""
     tops: dict[str, float] = {}
     for name, first in root.items():
-        high = world.position(name)[2] + np.abs(world.rotation(name))[2] @ (
-            world.scene.object(name).scale / 2
-        )
+        half = world.scene.object(name).scale / 2
+        high = world.position(name)[2] + np.abs(world.rotation(name))[2] @ half
         tops[first] = max(float(high) - world.scene.table.height, tops.get(first, 0.0))
     return tops
 
@@ -260,12 +249,9 @@ def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
 
 def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
     """Return the first two outlines that stand together, if any do."""
-    names = list(outlines)
-    for k, one in enumerate(names):
-        for other in names[k + 1 :]:
-            a, b = outlines[one], outlines[other]
-            if near(a[None], b, TOGETHER) and apart(a[None], b)[0] < TOGETHER:
-                return one, other
+    for (one, a), (other, b) in itertools.combinations(outlines.items(), 2):
+        if near(a[None], b, TOGETHER) and apart(a[None], b)[0] < TOGETHER:
+            return one, other
     return None
 
 

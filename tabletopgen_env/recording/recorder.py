@@ -39,10 +39,9 @@ def record(
     It is there once it is whole: whatever goes wrong before leaves nothing behind. ``out`` is its
     own folder, or file ("hdf5"), which must not be there yet. The name of a Minari dataset is its
     id and ends with a version ("data/lift-v0"); None is ``TabletopGen-<task>-v0`` in the user's
-    Minari store. ``workers`` are processes that play. They do not change what is recorded, unless
-    the scenes are renewed by the clock ("refreshing"). ``report`` is called with how many episodes
-    are kept and how many were played, first before any is, once nothing is found wrong, and then
-    after each.
+    Minari store. ``workers`` are processes that play; they change what is recorded only where the
+    clock renews the scenes ("refreshing"). ``report`` is called with how many episodes are kept and
+    how many were played: before any is, once nothing is found wrong, and after each.
 
     Raises:
         InputError: a setting is wrong, a package is missing, or ``out`` is there already.
@@ -99,11 +98,7 @@ def _write(
 
 
 def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Path:
-    """Return where the dataset goes.
-
-    Raises:
-        InputError: nothing says where, the name is no dataset's, or something is there already.
-    """
+    """Return where the dataset goes: a place that is free, and has a dataset's name."""
     if out is None and format != "minari":
         raise InputError(f"Say where the {format} dataset goes, with 'out'.")
     if out is None:
@@ -130,10 +125,7 @@ def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Pat
 
 @contextmanager
 def _publish(target: Path) -> Iterator[Path]:
-    """Give a place beside ``target``, and move what was made there to it at the end.
-
-    If something goes wrong, or Ctrl-C is pressed, all of it is removed.
-    """
+    """Give a place beside ``target``, and move what was made there to it if nothing goes wrong."""
     part = None
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
