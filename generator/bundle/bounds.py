@@ -1,9 +1,9 @@
 """How large a bundle may be: one table, checked on counts and headers before anything is decoded.
 
 The shipped tables hold at most 7 models, 253 convex parts and 20,000 triangles a mesh. The bounds
-leave room for a crowded table of foreign models: 20 of 24,000 triangles, which modelers keep at
-most by default, with textures of 2048 texels a side. A bundle at all of them at once was verified
-in 10 s of one core with 1.3 GB, and loaded in 8 s with 0.8 GB.
+leave room for 20 foreign models of 24,000 triangles, which modelers keep at most by default, with
+textures of 2048 texels a side. A bundle at all of them at once was verified in 10 s of one core
+with 1.3 GB, and loaded in 8 s with 0.8 GB.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
 
 
 def check_listed(files: object) -> None:
-    """Check the list of a bundle's files: their number, and their sizes as they are stated.
+    """Check the list of a bundle's files: their number, and their sizes as stated.
 
     Raises:
         BundleError: there are too many or too large ones, or it is no such list.

@@ -16,14 +16,9 @@ from .contents import decode_obj, decode_png, mesh_counts, picture_size
 from .encoding import HIDDEN
 from .fields import arguments
 
-_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")
-"""Controls as ``dumps`` writes them."""
-
+_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")  # controls as ``dumps`` writes them
 _BESIDE_THE_SCENE = ("schema", "files", "instances")
-
-
-_Looks = tuple[str, str, float]
-"""Paths of mesh and texture, and opacity."""
+_Looks = tuple[str, str, float]  # paths of mesh and texture, and opacity
 
 
 @dataclass(frozen=True, eq=False)

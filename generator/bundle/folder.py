@@ -2,9 +2,8 @@
 
 ``<name>-<digest12>/`` holds ``scene.json`` (the truth: every value, the report, and size and sha256
 of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``, ``textures/`` and
-pictures. A bundle is *published or absent*: it is built in a staging folder beside its place and
-put there by one rename. The digest is that of ``scene.json``, which names all else by content, so
-the same scene gives the same folder, byte for byte.
+pictures. A bundle is *published or absent* (``publishing``). The digest is that of ``scene.json``,
+which names all else by content, so the same scene gives the same folder, byte for byte.
 """
 
 from __future__ import annotations
@@ -38,9 +37,7 @@ from .segments import Segments, decode_segments, encode_segments
 SCHEMA = 1
 """Version of ``scene.json``; other versions are refused."""
 
-BESIDE = frozenset({"certificate.json", "ledger.json"})
-"""Files that may lie in a bundle's folder without being listed."""
-
+_BESIDE = frozenset({"certificate.json", "ledger.json"})  # need not be listed
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 _FOLDER = re.compile(r".*-([0-9a-f]{12})")
 _PICTURE = re.compile(r"[a-z][a-z0-9_]*")
@@ -78,7 +75,7 @@ def save(
     digest = hashlib.sha256(truth).hexdigest()[:12]
     try:
         files["scene.json"] = truth
-        return publish(Path(folder), f"{scene.name}-{digest}", files, beside=BESIDE)
+        return publish(Path(folder), f"{scene.name}-{digest}", files, beside=_BESIDE)
     except OSError as error:
         raise StorageError(
             f"The bundle of {scene.name!r} cannot be written to {folder}: "
@@ -141,9 +138,7 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
 
 @steady
 def load_verified(path: str | Path) -> Scene:
-    """Read all that a bundle holds, as ``verify`` does; return its scene.
-
-    More than ``load`` it has MuJoCo build what is drawn, and reads what was found in the picture.
+    """Read a bundle as ``load`` does, have MuJoCo build what is drawn, and read the segments.
 
     Raises:
         BundleError: there is no bundle, or something is wrong with it.
@@ -152,11 +147,7 @@ def load_verified(path: str | Path) -> Scene:
 
 
 def verify(path: str | Path) -> list[str]:
-    """Return what is wrong with a bundle on disk: nothing, or one reason.
-
-    It checks what ``load_verified`` does. Files that ``scene.json`` does not list are reported too;
-    loading ignores them.
-    """
+    """Return what is wrong with a bundle on disk: nothing, or reasons; see :func:`check`."""
     try:
         return check(path)
     except BundleError as error:
@@ -167,7 +158,7 @@ def verify(path: str | Path) -> list[str]:
 
 @steady
 def check(path: str | Path) -> list[str]:
-    """Check everything in a bundle, and return what lies there that ``scene.json`` does not list.
+    """Check a bundle as ``load_verified`` does; return what ``scene.json`` does not list of it.
 
     Raises:
         MissingError: there is no bundle.
@@ -178,7 +169,7 @@ def check(path: str | Path) -> list[str]:
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
         f"{folder} holds {name}, which scene.json does not list"
-        for name in sorted(found - listed - BESIDE)
+        for name in sorted(found - listed - _BESIDE)
     ]
 
 

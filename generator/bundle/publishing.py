@@ -2,8 +2,8 @@
 
 A bundle is built in a staging folder beside its place and put there by one rename; it is taken away
 by one rename, too, and deleted afterwards. Savers and removers therefore need no lock. A staging
-folder is locked by the process that made it, so the rest of a process that died is recognised, and
-removed by the next that saves or removes something in the same place.
+folder is locked by the process that made it: what a dead process left is removed by the next that
+saves or removes something in the same place.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ def publish(
 ) -> Path:
     """Publish files, by their paths of at most two parts, as ``folder / name``; return that path.
 
-    All come at once. What is there already stays if it holds the same, and makes way otherwise;
-    files ``beside`` may lie in it too.
+    What is there already stays if it holds the same, maybe with files ``beside``; else it makes
+    way.
 
     Raises:
         OSError: the folder cannot be written, or the disk is full.

@@ -20,8 +20,7 @@ from .encoding import one_line
 PATH = "stages/instances.png"
 """Where a bundle keeps it."""
 
-MOST = 255
-"""Instances that one byte a pixel can tell apart."""
+_MOST = 255  # instances that one byte a pixel can tell apart
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,10 +49,10 @@ class Segments:
         """Flatten the masks of ``instances``; where two overlap, the smaller one is in front.
 
         Raises:
-            InputError: no instance, or more than ``MOST``.
+            InputError: no instance, or more than 255.
         """
-        if not 0 < len(instances) <= MOST:
-            raise InputError(f"1 to {MOST} instances can be stored, got {len(instances)}.")
+        if not 0 < len(instances) <= _MOST:
+            raise InputError(f"1 to {_MOST} instances can be stored, got {len(instances)}.")
         ordered = sorted(instances, key=lambda i: i.name != TABLE)
         index = np.zeros(ordered[0].mask.shape, np.uint8)
         for instance in sorted(ordered, key=lambda i: (i.name != TABLE, -int(i.mask.sum()))):
@@ -72,7 +71,7 @@ def encode_segments(segments: Segments) -> tuple[list[dict[str, str]], bytes]:
     from PIL import Image
 
     picture = Image.fromarray(np.asarray(segments.index), "P")
-    picture.putpalette([value for k in range(MOST + 1) for value in _palette(k)])
+    picture.putpalette([value for k in range(_MOST + 1) for value in _palette(k)])
     buffer = io.BytesIO()
     picture.save(buffer, "PNG", compress_level=9)
     pairs = zip(segments.names, segments.labels, strict=True)

@@ -25,8 +25,7 @@ from .unwrap import Atlas, unwrap
 
 Texels = Float[np.ndarray, "t 3"]
 Image = UInt8[np.ndarray, "h w 3"]
-Plane = Float[np.ndarray, "4"]
-"""Unit normal and offset."""
+Plane = Float[np.ndarray, "4"]  # unit normal and offset
 
 _GRAZING = 0.18  # cosine below which a surface shows too few pixels to be painted from them
 _MIRRORED = 0.35  # the same for places that hidden ones are painted from

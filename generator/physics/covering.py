@@ -28,9 +28,7 @@ Points = Float[np.ndarray, "n 3"]
 TOLERANCE = 2.5e-4
 """A vertex may stick out of the parts by this much, metres: half of an overlap one could see."""
 
-REACH = 6e-3
-"""A part grows at most by this much, metres; what is farther out gets hulls of its own."""
-
+_REACH = 6e-3  # a part grows at most by this, metres; what is farther out gets hulls of its own
 _ROUNDS = 8  # most times that a hull is grown
 _BURIED = 1e-3  # growth may cover what is drawn by this much, metres
 _OVERHANG = 3e-3  # what lies this far below the top of its column is covered, metres
@@ -66,11 +64,11 @@ def covering(
     grown = list(parts)
     out = np.stack([outside(part, drawn[lacking]) for part in parts])
     near, depth = out.argmin(0), out.min(0)
-    for k in np.unique(near[depth <= REACH]):
-        mine = lacking[(near == k) & (depth <= REACH)]
+    for k in np.unique(near[depth <= _REACH]):
+        mine = lacking[(near == k) & (depth <= _REACH)]
         if primitive(parts[k])[0] != "mesh":  # a hull does not hold its roundness: the mesh does
             from_it = outside(parts[k], drawn)
-            mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= REACH))
+            mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= _REACH))
         grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
     bad = np.zeros(len(drawn), bool)
     bad[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
@@ -138,7 +136,7 @@ def _convex_pieces(
     longest = _LARGE * float(np.ptp(places, axis=0).max())
     for k in np.flatnonzero(worst > _MUCH):
         points, triangles = places[piece == k], places[faces[piece[faces[:, 0]] == k]]
-        if worst[k] <= REACH and np.ptp(points, axis=0).max() < longest:
+        if worst[k] <= _REACH and np.ptp(points, axis=0).max() < longest:
             continue
         volume = float(np.linalg.det(triangles).sum()) / 6
         try:

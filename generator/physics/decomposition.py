@@ -24,9 +24,7 @@ from ..scene import ConvexPart, Mesh
 from ..scene.triangles import Faces, Vertices, closed, pieces
 from .inertia import weld
 
-MOST_FACES = 1200
-"""Meshes are reduced to this many faces: CoACD's time grows with them."""
-
+_MOST_FACES = 1200  # meshes are reduced to this many: CoACD's time grows with them
 _FULL = 1.001  # of its hull that a mesh may fill, as reckoned
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
 _MOST_PIECES = 200  # of more, the boxes are not compared
@@ -47,10 +45,9 @@ np.savez(sys.argv[2], *[vertices for vertices, _ in hulls])
 def decompose(
     mesh: Mesh, scale: Float[np.ndarray, "3"], *, seconds: float = 60.0, cache: Path | None = None
 ) -> tuple[ConvexPart, ...]:
-    """Return convex parts of a canonical mesh, in the canonical frame.
+    """Return convex parts of a canonical mesh, in the canonical frame, by its ``scale``'s shape.
 
-    The work is done at the proportions of ``scale``. Results are kept in ``cache`` (by default a
-    folder of the user's cache); where that cannot be written they are not kept.
+    Results are kept in ``cache`` (by default a folder of the user's cache) if it can be written.
 
     Raises:
         SceneError: CoACD failed or took longer than ``seconds``.
@@ -72,11 +69,11 @@ def decompose(
 
 def _coacd(vertices: Vertices, faces: Faces, seconds: float) -> list[Float[np.ndarray, "k 3"]]:
     """Run CoACD in a child process on a reduced mesh."""
-    if len(faces) > MOST_FACES:
+    if len(faces) > _MOST_FACES:
         import fast_simplification
 
         fewer = fast_simplification.simplify(
-            vertices, faces.astype(np.int32), target_count=MOST_FACES
+            vertices, faces.astype(np.int32), target_count=_MOST_FACES
         )
         vertices, faces = fewer[0].astype(np.float64), fewer[1].astype(np.int64)
     mode = "off" if closed(faces) and not _overlaps(vertices, faces) else "on"

@@ -52,9 +52,8 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     """Simulate a scene from its settled poses and report what happens.
 
     Penetration and floating are judged at the start; drift, turning and falling over
-    ``limits.seconds`` (:func:`watch`), then drift and turning again on a table that leans, up to
-    the first side to which something moves. ``moved``, ``settling`` and ``dropped`` are kept from
-    ``scene.report``.
+    ``limits.seconds`` (:func:`watch`), then drift and turning again as the table leans, up to the
+    first side to which something moves. ``moved``, ``settling`` and ``dropped`` stay as they were.
     """
     limits = limits or GateLimits()
     simulation = Simulation(scene)

@@ -12,16 +12,14 @@ from ..errors import SceneError
 from ..scene import ConvexPart, Mesh, Physics
 from ..scene.triangles import Faces, Vertices, closed, scaled_normals
 
-LEAST_MASS = 2e-3
-"""Lighter things are given this mass, kg, so that contacts stay well conditioned."""
+_LEAST_MASS = 2e-3  # kg, given to lighter things so that contacts stay well conditioned
+_WELD = 1e-6  # of the unit box: vertices closer than this are one
 
 LEAST_GYRATION = 0.005
 """No radius of gyration is smaller than this share of the box's diagonal, so that wires hold still
 at the usual time steps. A pencil's about its length is 0.015, a skewer's of 3 by 200 mm 0.005."""
 
 Triangles = Float[np.ndarray, "m 3 3"]
-
-_WELD = 1e-6  # of the unit box: vertices closer than this are one
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +142,7 @@ def _from_moments(
 
 def _bound(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
     """Keep the centre inside the box, and mass and inertia away from zero."""
-    mass = max(found.mass, LEAST_MASS)
+    mass = max(found.mass, _LEAST_MASS)
     inertia = found.inertia * (mass / found.mass)
     floor = mass * (LEAST_GYRATION * float(np.linalg.norm(scale))) ** 2
     values, axes = np.linalg.eigh((inertia + inertia.T) / 2)

@@ -35,9 +35,6 @@ FRICTION_STIFFNESS = 10
 in a heap creeps by half a millimetre a second; that falls with this factor, at hardly any cost in
 time up to ten. The environments have the same."""
 
-ROUND = 0.02
-"""Cross-sections whose two diameters differ by more than this share are not round."""
-
 FLAT_SPOT = 0.1
 """Rolling resistance of round things, in radii: they lie still on a table that leans by two
 degrees, with a margin of almost three, as fruit does, and roll away from six degrees on (its
@@ -49,17 +46,12 @@ _FIRM = {"solimp": "0.98 0.99 0.001", "solmix": "100"}
 gives way by a creep that goes with the softness and with the inverse square of FLAT_SPOT: on that
 leaning table an orange turns by 1 degree in 5 s with these, by 5 with the usual."""
 
-SLENDER, THIN = 0.35, 0.04
-"""A thing is slender if it is thinner than this share of its length, and than this, metres."""
-
-_TINY = 1e-200
-"""MuJoCo refuses numbers that are too small for it; these are zero."""
-
+_SLENDER, _THIN = 0.35, 0.04  # a slender thing is thinner: share of its length; metres
+_ROUND = 0.02  # share by which two diameters of a round cross-section differ at most
+_TINY = 1e-200  # numbers that are too small for MuJoCo are zero
 _TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
-_AXIS_QUATERNION = {
-    0: (np.sqrt(0.5), 0.0, np.sqrt(0.5), 0.0),
-    1: (np.sqrt(0.5), -np.sqrt(0.5), 0.0, 0.0),
-}  # turns a cylinder's z onto x, y
+_HALF = np.sqrt(0.5)
+_AXIS_QUATERNION = ((_HALF, 0.0, _HALF, 0.0), (_HALF, -_HALF, 0.0, 0.0))  # a cylinder's z to x, y
 
 
 @dataclass(frozen=True)
@@ -227,7 +219,7 @@ def _body(world: ET.Element, thing: Object, assets: _Assets) -> None:
     )  # fmt: skip
     assets.draw(body, thing.model.mesh, thing.scale)
     across, along = np.sort(thing.scale)[1:]
-    slender = bool(across < min(SLENDER * along, THIN))
+    slender = bool(across < min(_SLENDER * along, _THIN))
     for part in thing.parts:
         assets.collide(body, part, thing.friction, slender)
 
@@ -305,12 +297,12 @@ def primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
     if part.kind == "box":
         return "box", attributes | {"size": _text(half)}
     if part.kind == "ellipsoid":
-        if half.max() <= (1 + ROUND) * half.min():
+        if half.max() <= (1 + _ROUND) * half.min():
             return "sphere", attributes | {"size": _text([half.mean()])}
         return "ellipsoid", attributes | {"size": _text(half)}
     if part.kind == "cylinder":
         across = np.delete(half, part.axis)
-        if across.max() <= (1 + ROUND) * across.min():
+        if across.max() <= (1 + _ROUND) * across.min():
             if part.axis != 2:
                 attributes["quat"] = _text(_AXIS_QUATERNION[part.axis])
             return "cylinder", attributes | {"size": _text([across.mean(), half[part.axis]])}

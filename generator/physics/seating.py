@@ -46,10 +46,7 @@ def relocate(
     """Give objects that could not be freed the free places nearest to where they were wanted.
 
     The largest chooses first, with the others still in hand. What stands on them comes along.
-
-    Returns:
-        The scene, and the names of those for which no place is left (a stacked one has none but
-        its own).
+    Returned are the scene and the names of those without a place (a stacked one has only its own).
     """
     waiting = sorted(stuck, key=lambda n: -float(np.prod(scene.object(n).scale[:2])))
     homeless = []
@@ -58,11 +55,10 @@ def relocate(
         if scene.object(name).placement.on != TABLE:
             homeless.append(name)
             continue
-        place = nearest_free(scene, name, wanted[name], {*waiting, *homeless})
-        if place is None:
-            homeless.append(name)
-        else:
+        if place := nearest_free(scene, name, wanted[name], {*waiting, *homeless}):
             scene = carry(scene, {name: place})
+        else:
+            homeless.append(name)
     return scene, tuple(
         name
         for name in homeless
@@ -73,9 +69,9 @@ def relocate(
 def nearest_free(
     scene: Scene, name: str, wanted: Pose, absent: Collection[str] = ()
 ) -> Pose | None:
-    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing.
+    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing, if any.
 
-    Objects in ``absent`` are looked through. None means that there is no such place.
+    Objects in ``absent`` are looked through.
     """
     index = [o.name for o in scene.objects].index(name)
     thing = scene.objects[index]

@@ -42,11 +42,8 @@ def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
     """Move overlapping objects apart on the table, what stands on them with them.
 
     Objects that support one another (directly or through others) are not pushed apart.
-    ``clearance`` is the gap left between objects that had overlapped, metres.
-
-    Returns:
-        The scene with new poses, and the names of objects that still overlap another, or found
-        room only beyond the table's edge.
+    ``clearance`` is the gap left between objects that had overlapped, metres. Returned are the
+    scene and the names of objects that still overlap another, or are beyond the table's edge.
     """
     chains = ancestry(scene.objects)
     poses = start = [o.pose for o in scene.objects]

@@ -58,9 +58,7 @@ def sample_episode(
 
 
 def certificate_of(world: World) -> Certificate | None:
-    """Return what the expert has been seen to do here, if the bundle has a certificate.
-
-    Read once: what is written to the bundle afterwards does not show.
+    """Return what the expert has been seen to do here, if the bundle has a certificate; read once.
 
     Raises:
         BundleError: it is damaged.

@@ -5,7 +5,7 @@ The height maps are turned so that the fingers open along the first axis, once f
 lies (the rotated inputs of Zeng et al., Learning Synergies between Pushing and Grasping, 2018).
 
 It runs on NumPy, so that environments need no torch, may be forked and stepped by several threads,
-and see the same bits on any number of cores; ``model`` has the same network for training.
+and see the same bits on any number of cores; ``model`` has it in torch, for training.
 """
 
 from __future__ import annotations
@@ -91,8 +91,7 @@ def turn_views(
 ) -> Float32[np.ndarray, "t 3 48 48"]:
     """Return height maps as the network sees them, at turns from ``facing`` (radians) on.
 
-    The channels are the object's height, that of all else, and how far the object is below its own
-    top.
+    Channels: the object's height, that of all else, and how far the object is below its top.
     """
     angles = facing + np.arange(TURNS)[:, None, None] * np.pi / TURNS
     axis = (np.arange(SEEN) - (SEEN - 1) / 2) * PLACE / 2

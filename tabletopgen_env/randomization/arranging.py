@@ -25,12 +25,10 @@ if TYPE_CHECKING:
 OVERLAP = 5e-4
 """Deepest overlap of two things, metres, as for the scenes themselves."""
 
-SETTLING = 100
-"""Simulation steps for which a new arrangement has to rest."""
-
 DRIFT, TILT = 2e-3, np.deg2rad(2.0)
 """Largest move (metres) and turn (radians) of a thing that rests."""
 
+_SETTLING = 100  # simulation steps for which a new arrangement has to rest
 _DEPTH = 10.0  # how far below the floor things are parked, metres
 
 
@@ -62,10 +60,7 @@ def _touching(world: World) -> list[tuple[str, str]]:
 def draw_poses(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, list[float]]:
-    """Draw the move (x, y, metres) and the turn (radians) of each bundle, by its first object.
-
-    The world is at its start.
-    """
+    """Draw the move (x, y, metres) and turn (radians) of each bundle of a world at its start."""
     most = np.array([settings.move, settings.move, settings.turn])
     drawn = (most * rng.uniform(-1, 1, (len(world.names), 3))).tolist()
     roots = set(bundles(world).values())
@@ -118,8 +113,7 @@ def _find_misplaced(
     if bad := _overlapping(world, root, movers):
         return bad
     start = _poses(world)
-    for _ in range(SETTLING):
-        mujoco.mj_step(world.model, world.data)
+    mujoco.mj_step(world.model, world.data, _SETTLING)
     mujoco.mj_kinematics(world.model, world.data)
     restless = {root[name] for name in _restless(world, start)}
     return restless & movers or (movers if restless else set())

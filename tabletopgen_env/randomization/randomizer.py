@@ -43,9 +43,8 @@ _MODEL: Mapping[str, tuple[Draw, Apply]] = MappingProxyType(
 class Randomizer:
     """Applies a ``Randomization``, or the preset of a name, to one environment's worlds by episode.
 
-    Call ``restart`` once per episode, ``begin`` with the world before the task is drawn (in place
-    of ``World.reset``; as often as worlds are tried), and ``finish`` after it. A copy starts
-    without worlds.
+    Each episode calls ``restart``, ``begin`` with each world that is tried (in place of
+    ``World.reset``), and ``finish`` once the task is drawn. A copy starts without worlds.
     """
 
     def __init__(self, choice: Randomization | str | None) -> None:
@@ -106,10 +105,7 @@ class Randomizer:
         self.__dict__.update(state, _originals=WeakKeyDictionary())
 
     def finish(self, world: World, episode: Episode) -> Episode:
-        """Perturb the start, and remove objects that the episode does not need.
-
-        Returns the episode as it begins there.
-        """
+        """Perturb the start, remove objects not needed; return the episode as it begins there."""
         if "start" in self._on:
             self._drawn["start"] = starting.start_off(
                 world, episode.goals, self.settings, self._stream("start")

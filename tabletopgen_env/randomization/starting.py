@@ -2,7 +2,7 @@
 
 Things are displaced once the goal is drawn, about the table, by a move along x and y and a yaw.
 What a thing carries, touches or stands against goes with it, as one *bundle*. Each bundle takes the
-first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
+first of ``len(_SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
 
 - nothing comes nearer than ``ROOM`` to anything, than ``HAND_ROOM`` to what the goals are about
   (than ``PALM_ROOM`` if it rises into the way of the palm), than ``EDGE`` to the table's edge or
@@ -12,7 +12,7 @@ first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as so
 - marked spots, the ways of pushes, and the room at a place where a thing is to go stay free.
 
 With no such draw it stays. Where the expert then finds no stroke for what is to be pushed, or no
-grasp that the arm reaches of what is to be taken (``feasible``), ``LESS`` of all draws is tried,
+grasp that the arm reaches of what is to be taken (``feasible``), ``_LESS`` of all draws is tried,
 then none. What rests on the flat top stays at rest, so nothing is simulated. Goals that say where a
 thing stood follow it (``goals.goal.begun``), marked spots stay.
 """
@@ -41,18 +41,12 @@ if TYPE_CHECKING:
     from ..world.world import World
     from .settings import Randomization
 
-SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])
-"""What share of the largest move and turn each draw of a bundle may be."""
-
-LESS = 0.3
-"""What share of all draws is taken where they leave no way to push or take what is asked for."""
-
 ROOM, HAND_ROOM, PALM_ROOM, EDGE = 0.01, 0.04, 0.08, 0.01
 """Least room between things, about those of the goals, and to the table's edge, metres."""
 
-TOGETHER = 0.002
-"""Things that stand nearer than this to each other are moved together, metres."""
-
+_SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])  # of move and turn, by draw
+_LESS = 0.3  # share of all draws where they leave no way to push or take what is asked for
+_TOGETHER = 0.002  # things nearer to each other are moved together, metres
 _PALM_Z = 0.045  # metres above the table at which the palm is when flat things are taken
 _BESIDE = 0.1  # metres about a point in the air, and behind what is pushed, kept for the hand
 _CIRCLE = np.column_stack([f(np.arange(12) * np.pi / 6) for f in (np.cos, np.sin)])
@@ -70,10 +64,10 @@ def start_off(
     """
     joints = rng.uniform(-settings.start_joints, settings.start_joints, 7)
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])
-    tries = most * rng.uniform(-1, 1, (len(world.names), len(SHARES), 3)) * SHARES[:, None]
+    tries = most * rng.uniform(-1, 1, (len(world.names), len(_SHARES), 3)) * _SHARES[:, None]
     before, home = world.scene, world.data.qpos[world.arm_qpos].copy()
     feasible = Feasible(world, goals)
-    for share in (1.0, LESS) if most.any() else ():
+    for share in (1.0, _LESS) if most.any() else ():
         moves = _displace(world, goals, share * tries)
         world.place_arm(home + joints)
         if feasible.now():
@@ -250,7 +244,7 @@ def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
 def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
     """Return the first two outlines that stand together, if any do."""
     for (one, a), (other, b) in itertools.combinations(outlines.items(), 2):
-        if near(a[None], b, TOGETHER) and apart(a[None], b)[0] < TOGETHER:
+        if near(a[None], b, _TOGETHER) and apart(a[None], b)[0] < _TOGETHER:
             return one, other
     return None
 

@@ -23,8 +23,7 @@ from .config import FORMATS, Format, RecordConfig
 from .playing import RecordedEpisode, play_episodes
 from .writers import Writer, check_installed, writer
 
-MOST_MISSES = 50
-"""So many episodes in a row may give nothing to keep."""
+_MOST_MISSES = 50  # episodes in a row that may give nothing to keep
 
 
 def record(
@@ -46,8 +45,8 @@ def record(
     Raises:
         InputError: a setting is wrong, a package is missing, or ``out`` is there already.
         BundleError: no bundle fits the scenes, or one is damaged.
-        SceneError: the expert solved none of ``MOST_MISSES`` episodes in a row, or a process that
-            played has ended abruptly.
+        SceneError: the expert solved none of 50 episodes in a row, or a process that played has
+            ended abruptly.
         StorageError: the disk refused.
     """
     if format not in FORMATS:
@@ -82,7 +81,7 @@ def _write(
     for number, episode in enumerate(episodes, 1):
         if isinstance(episode, SceneError):
             missed += 1
-            if missed == MOST_MISSES:
+            if missed == _MOST_MISSES:
                 raise SceneError(
                     f"{missed} episodes in a row gave nothing to keep. Use other scenes, another "
                     f"task or less noise. Of the last: {episode}"

@@ -1,14 +1,13 @@
 """Pictures of a world: through OpenGL where there is any, in software everywhere.
 
-MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. ``Drawer`` looks for one of
-them, once; without any, ``renderer="auto"`` draws with the project's own software renderer
-(slower, plainer, the same cameras), while ``renderer="gl"`` says what to install.
+MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. Without any of them,
+``renderer="auto"`` draws with the project's own software renderer (slower, plainer, the same
+cameras), and ``renderer="gl"`` says what to install. A process that was forked after GL was used
+cannot use it, for a GL driver's threads are not forked: in it, "auto" draws in software, with a
+warning, and "gl" is an error.
 
-A process that was forked after GL was used cannot use it, for the threads of a GL driver are not
-forked: in it, "auto" draws in software, with a warning, and "gl" is an error.
-
-Two profiles: "fast" leaves out shadows, reflections and antialiasing and is meant for
-learning; "full" is for people.
+Two profiles: "fast", for learning, leaves out shadows, reflections and antialiasing; "full" is for
+people.
 """
 
 from __future__ import annotations
@@ -134,7 +133,7 @@ class GlDrawer(Drawer):
         if self._process != os.getpid():
             return
         held = self._held.pop(id(world), None)
-        if held is not None and self._gl is not None:
+        if held and self._gl:
             self._gl.make_current()
             held[1].free()
 

@@ -56,9 +56,9 @@ def inspect_glb(
 ) -> Header:
     """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
 
-    ``what`` names the backend and the thing it was asked for in messages. Refused are meshes of
-    more than ``most_faces`` triangles, repeated ones counted each time, and colour textures of more
-    than ``most_texels`` pixels together, equal ones counted once.
+    ``what`` names it in messages. Refused are meshes of more than ``most_faces`` triangles,
+    repeated ones counted each time, and colour textures of more than ``most_texels`` pixels
+    together, equal ones counted once.
 
     Raises:
         BackendError: no GLB, cut off, too large, compressed, with files outside itself, without

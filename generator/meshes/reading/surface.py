@@ -115,9 +115,7 @@ def read_surface(
 def surface_of(
     parts: list[trimesh.Trimesh], what: str, linear: bool = False, most_faces: int = MOST_FACES
 ) -> ColoredSurface:
-    """Return meshes in one frame as one surface; ``what`` names them in messages.
-
-    Plain colours are ``linear`` as glTF has them (trimesh writes them as they look).
+    """Return meshes in one frame as one surface, plain colours ``linear`` as in glTF or as sRGB.
 
     Raises:
         BackendError: none has faces, they have more than ``most_faces``, or a vertex is not there,
