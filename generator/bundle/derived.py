@@ -37,11 +37,12 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
         BundleError: the document says something else.
     """
     wanted = document(decoded.scene, paths=decoded.paths).xml
-    if raw != wanted.encode():
-        if difference := _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted))):
-            raise BundleError(
-                f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
-            )
+    if raw == wanted.encode():
+        return wanted
+    if difference := _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted))):
+        raise BundleError(
+            f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
+        )
     return wanted
 
 

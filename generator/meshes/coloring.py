@@ -12,7 +12,7 @@ from scipy.spatial import KDTree
 
 from ..scene import Mesh
 from ..scene.triangles import Faces, Vertices, areas, face_normals
-from .baking import apply_texture, lay_out
+from .baking import Texels, apply_texture, lay_out
 from .reading.surface import ColoredSurface
 from .reading.textures import MOST_TEXTURE
 from .unwrap import Atlas, unwrap
@@ -104,9 +104,7 @@ class Nearby:
         """Samples by place and normal."""
         return KDTree(np.hstack([self.samples, self.reach * self.normals]))
 
-    def places(
-        self, point: Float[np.ndarray, "t 3"], normal: Float[np.ndarray, "t 3"]
-    ) -> tuple[Int[np.ndarray, "t"], Float[np.ndarray, "t 3"]]:
+    def places(self, point: Texels, normal: Texels) -> tuple[Int[np.ndarray, "t"], Texels]:
         """Return the face nearest to each point, and the place on it by its weights.
 
         Of those about as near, it is one that faces the same way, as for both sides of a thin wall.
@@ -151,8 +149,8 @@ def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.nda
 
 
 def _closest(
-    point: Float[np.ndarray, "t 3"], triangle: Float[np.ndarray, "t 3 3"]
-) -> tuple[Float[np.ndarray, "t 3"], Float[np.ndarray, "t"]]:
+    point: Texels, triangle: Float[np.ndarray, "t 3 3"]
+) -> tuple[Texels, Float[np.ndarray, "t"]]:
     """Return about the nearest place of a triangle, by weights, and its squared distance."""
     # The foot of the perpendicular, pulled into the triangle along its sides.
     a, b, c = triangle.transpose(1, 0, 2)

@@ -45,7 +45,7 @@ np.savez(sys.argv[2], *[vertices for vertices, _ in hulls])
 def decompose(
     mesh: Mesh, scale: Float[np.ndarray, "3"], *, seconds: float = 60.0, cache: Path | None = None
 ) -> tuple[ConvexPart, ...]:
-    """Return convex parts of a canonical mesh, in the canonical frame, by its ``scale``'s shape.
+    """Return convex parts of a canonical mesh, in the canonical frame, as cut at ``scale``.
 
     Results are kept in ``cache`` (by default a folder of the user's cache) if it can be written.
 

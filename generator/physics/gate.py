@@ -44,6 +44,8 @@ class GateLimits:
         require(self, "lean", minimum=0, maximum=1)
 
 
+PerObject = Float[np.ndarray, "n"]
+
 _STRIDE = 0.25  # seconds between two looks
 _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
 
@@ -96,9 +98,7 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     )
 
 
-def watch(
-    simulation: Simulation, limits: GateLimits
-) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
+def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:
     """Simulate ``limits.seconds``; return how far each object moved and turned.
 
     What creeps evenly is not watched to the end: once two looks in a row show no object moving or
@@ -162,11 +162,7 @@ def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterat
 
 
 def _moving(
-    simulation: Simulation,
-    drift: Float[np.ndarray, "n"],
-    tilt: Float[np.ndarray, "n"],
-    limits: GateLimits,
-    where: str,
+    simulation: Simulation, drift: PerObject, tilt: PerObject, limits: GateLimits, where: str
 ) -> list[str]:
     """Say what the run just ended shows: what moved too far, or at what it broke down."""
     names = [o.name for o in simulation.scene.objects]

@@ -73,9 +73,8 @@ def nearest_free(
 
     Objects in ``absent`` are looked through.
     """
-    index = [o.name for o in scene.objects].index(name)
+    index, others = _others(scene, name, absent)
     thing = scene.objects[index]
-    others = _others(scene, name, absent)
     simulation = Simulation(scene)
     z = scene.table.height + _GAP - lowest(thing)
     size = float(np.linalg.norm(np.ptp(scene.table.outline, axis=0)))
@@ -91,8 +90,7 @@ def nearest_free(
 
 def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
     """Whether ``name`` overlaps another object, those in ``absent`` aside, by more than contact."""
-    index = [o.name for o in scene.objects].index(name)
-    return _depth(Simulation(scene), index, _others(scene, name, absent)) > TOLERANCE
+    return _depth(Simulation(scene), *_others(scene, name, absent)) > TOLERANCE
 
 
 def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
@@ -162,12 +160,12 @@ def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> f
     return high + _GAP
 
 
-def _others(scene: Scene, name: str, absent: Collection[str]) -> set[int]:
-    """Indices of the objects, ``name`` and what it carries or stands on aside, that are there."""
+def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[int]]:
+    """Return the index of ``name``, and those of what is there and not on or below it."""
     chains = ancestry(scene.objects)
     names = [o.name for o in scene.objects]
     index = names.index(name)
-    return {
+    return index, {
         k for k, chain in enumerate(chains)
         if k not in chains[index] and index not in chain
         and not any(names[m] in absent for m in chain)

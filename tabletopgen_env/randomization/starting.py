@@ -35,7 +35,7 @@ from ..robot.mount import CLEARANCE, TALL, obstacle
 from ..world.workspace import FREE_MARGIN
 from .arranging import bundles, move
 from .feasible import Feasible, touches_robot
-from .outlines import Outline, apart, carry, hull, keeps, near
+from .outlines import Moves, Outline, Outlines, Point, apart, carry, hull, keeps, near
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -68,7 +68,13 @@ def start_off(
     before, home = world.scene, world.data.qpos[world.arm_qpos].copy()
     feasible = Feasible(world, goals)
     for share in (1.0, _LESS) if most.any() else ():
-        moves = _displace(world, goals, share * tries)
+        table = _Tabletop(world, goals)
+        for first in table.order:
+            table.displace(first, share * tries[world.index(first)])
+        moves = table.moves
+        if moves:
+            world.rearrange(table.scene)
+            world.reset()
         world.place_arm(home + joints)
         if feasible.now():
             break
@@ -83,19 +89,6 @@ def start_off(
     return {"joints": joints.tolist(), "moved": moves}
 
 
-def _displace(
-    world: World, goals: Sequence[Goal], tries: Float[np.ndarray, "n c 3"]
-) -> dict[str, list[float]]:
-    """Displace the bundles by what will do of ``tries``; return how each was, by its first."""
-    table = _Tabletop(world, goals)
-    for first in table.order:
-        table.displace(first, tries[world.index(first)])
-    if table.moves:
-        world.rearrange(table.scene)
-        world.reset()
-    return table.moves
-
-
 @dataclass(frozen=True, eq=False)
 class _Zone:
     """An outline on the table to be kept free of all bundles but ``of``; moves with ``carrier``."""
@@ -104,9 +97,7 @@ class _Zone:
     of: tuple[str, ...]
     carrier: str | None = None
 
-    def carry(
-        self, first: str, centre: Float[np.ndarray, "2"], move: Float[np.ndarray, "3"]
-    ) -> _Zone:
+    def carry(self, first: str, centre: Point, move: Float[np.ndarray, "3"]) -> _Zone:
         """Return the zone once a bundle is moved (x, y) and turned about its centre."""
         if first != self.carrier:
             return self
@@ -129,8 +120,8 @@ class _Tabletop:
         listed = dict.fromkeys([*wanted, *self._outlines])
         self.order = [name for name in listed if self._free(name)]
 
-    def displace(self, first: str, tries: Float[np.ndarray, "c 3"]) -> None:
-        """Move a bundle by the first of ``tries`` (x, y, turn) that will do, if one does."""
+    def displace(self, first: str, tries: Moves) -> None:
+        """Move a bundle by the first of ``tries`` that will do, if one does."""
         centre = self._before.object(first).pose.position[:2]
         own = carry(self._outlines[first], centre, tries)
         good = self._on_table(first, own) & self._in_reach(first, tries)
@@ -159,7 +150,7 @@ class _Tabletop:
         below = max(self._tops[first], _PALM_Z)
         return PALM_ROOM if self._tops[other] > below else HAND_ROOM
 
-    def _on_table(self, first: str, own: Float[np.ndarray, "c k 2"]) -> Bool[np.ndarray, "c"]:
+    def _on_table(self, first: str, own: Outlines) -> Bool[np.ndarray, "c"]:
         """Return which outlines keep off the table's edge and the robot's base."""
         top, base = self._before.table.outline, self._world.base_position[None, :2]
         inner = inside_margin(own.reshape(-1, 2), top).reshape(own.shape[:2]).min(1)
@@ -167,7 +158,7 @@ class _Tabletop:
         clear = min(CLEARANCE, float(apart(self._then[first][None], base)[0]))
         return (inner >= edge) & (apart(own, base) >= clear)
 
-    def _in_reach(self, first: str, tries: Float[np.ndarray, "c 3"]) -> Bool[np.ndarray, "c"]:
+    def _in_reach(self, first: str, tries: Moves) -> Bool[np.ndarray, "c"]:
         """Return which moves leave in the arm's reach what was."""
         good = np.ones(len(tries), bool)
         centre = self._before.object(first).pose.position
@@ -182,11 +173,7 @@ class _Tabletop:
         return good
 
     def _clear(
-        self,
-        first: str,
-        own: Float[np.ndarray, "c k 2"],
-        centre: Float[np.ndarray, "2"],
-        tries: Float[np.ndarray, "c 3"],
+        self, first: str, own: Outlines, centre: Point, tries: Moves
     ) -> Bool[np.ndarray, "c"]:
         """Return which outlines leave room to other bundles and to what is to stay free."""
         good = np.ones(len(own), bool)

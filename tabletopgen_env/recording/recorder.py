@@ -62,7 +62,7 @@ def record(
             closing(writer(format, part, config, env)) as dataset,
             closing(play_episodes(config, env, workers)) as episodes,
         ):
-            _write(config, episodes, dataset, report)
+            _write(config, episodes, dataset, report or (lambda kept, played: None))
     finally:
         env.close()
     return target
@@ -72,12 +72,11 @@ def _write(
     config: RecordConfig,
     episodes: Iterable[RecordedEpisode | SceneError],
     dataset: Writer,
-    report: Callable[[int, int], None] | None,
+    report: Callable[[int, int], None],
 ) -> None:
     """Write as many episodes as are asked for."""
     kept = missed = 0
-    if report:
-        report(0, 0)
+    report(0, 0)
     for number, episode in enumerate(episodes, 1):
         if isinstance(episode, SceneError):
             missed += 1
@@ -90,8 +89,7 @@ def _write(
             missed = 0
             kept += 1
             dataset.add(episode)
-        if report:
-            report(kept, number)
+        report(kept, number)
         if kept == config.episodes:
             return
 

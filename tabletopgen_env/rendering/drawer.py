@@ -133,7 +133,7 @@ class GlDrawer(Drawer):
         if self._process != os.getpid():
             return
         held = self._held.pop(id(world), None)
-        if held and self._gl:
+        if held is not None and self._gl is not None:
             self._gl.make_current()
             held[1].free()
 
