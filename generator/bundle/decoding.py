@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -70,11 +70,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
         for k, thing in enumerate(entry["objects"])
     ]
     bodies: list[str] = [body["model"] for body in (table, *objects)]
-    for key in bodies:
-        if key not in models:
-            raise BundleError(f"scene.json uses the model {key[:80]!r}, which it does not have.")
-    if unused := sorted(models.keys() - set(bodies)):
-        raise BundleError(f"scene.json has a model that nothing is: {unused[0][:80]!r}.")
+    _check_models(models, bodies)
     for thing in objects:
         if thing["placement"].name != thing["name"]:
             raise BundleError(f"The object {thing['name'][:80]!r} has the placement of another.")
@@ -95,6 +91,15 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     scene = Scene(**entry)
     _check_supports(scene)
     return Decoded(scene, {mesh: looks[:2] for looks, mesh in meshes.items()})
+
+
+def _check_models(models: Mapping[str, Any], used: Sequence[str]) -> None:
+    """Check that the models are those used."""
+    for key in used:
+        if key not in models:
+            raise BundleError(f"scene.json uses the model {key[:80]!r}, which it does not have.")
+    if unused := sorted(models.keys() - set(used)):
+        raise BundleError(f"scene.json has a model that nothing is: {unused[0][:80]!r}.")
 
 
 def _meshes(

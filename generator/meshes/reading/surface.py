@@ -115,7 +115,9 @@ def read_surface(
 def surface_of(
     parts: list[trimesh.Trimesh], what: str, linear: bool = False, most_faces: int = MOST_FACES
 ) -> ColoredSurface:
-    """Return meshes in one frame as one surface, plain colours ``linear`` as in glTF or as sRGB.
+    """Return meshes in one frame as one surface; ``what`` names them in messages.
+
+    Plain colours are ``linear`` as in glTF, or as they look (trimesh's).
 
     Raises:
         BackendError: none has faces, they have more than ``most_faces``, or a vertex is not there,
