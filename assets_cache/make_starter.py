@@ -53,7 +53,6 @@ Recipe = tuple[str, int]
 STARTERS: Mapping[str, Recipe] = {
     name: (prompt, 5 * number) for number, (name, prompt) in enumerate(PROMPTS.items())
 }
-"""The tables for any task, by name."""
 
 TASKS: Mapping[str, Recipe] = {
     "kitchen-task-1": (_KITCHEN, 0),
@@ -68,8 +67,7 @@ TASKS: Mapping[str, Recipe] = {
 }
 """The tables that hold what a task needs, by name: Sequence's presets and Tidy.
 
-With some seeds the apple is wider than the gripper or a neighbour stands too near; these offer what
-the task asks for.
+With other seeds the apple may be wider than the gripper, or a neighbour stand too near.
 """
 
 MOST_BYTES = 40 * 2**20

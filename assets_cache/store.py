@@ -19,9 +19,7 @@ if TYPE_CHECKING:
 STARTER = "starter"
 """What to ask :func:`find` for to get the shipped bundles that are for any task."""
 
-VARIABLE = "TABLETOPGEN_CACHE"
-"""Environment variable naming a folder of bundles."""
-
+_VARIABLE = "TABLETOPGEN_CACHE"  # names a folder of bundles
 _STARTERS = Path(__file__).parent / "starter"
 _SHIPPED = (_STARTERS, Path(__file__).parent / "tasks")
 _DIGEST = re.compile(r"[0-9a-f]{6,12}")
@@ -30,23 +28,20 @@ _BUNDLE = re.compile(r"(?P<name>.+)-(?P<digest>[0-9a-f]{12})")
 
 def user_root(cache: str | Path | None = None) -> Path:
     """Return where new bundles go: ``cache``, else TABLETOPGEN_CACHE, else the user's cache."""
-    chosen = cache or os.environ.get(VARIABLE)
+    chosen = cache or os.environ.get(_VARIABLE)
     return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("tabletopgen")) / "scenes"
 
 
 def roots(cache: str | Path | None = None) -> tuple[Path, ...]:
     """Return the existing folders to search; the first match wins."""
-    wanted = [cache, os.environ.get(VARIABLE), *_SHIPPED, user_root(cache)]
+    wanted = [cache, os.environ.get(_VARIABLE), *_SHIPPED, user_root(cache)]
     paths = dict.fromkeys(Path(p) for p in wanted if p)
     return tuple(p for p in paths if p.is_dir())
 
 
 def entries(cache: str | Path | None = None) -> list[Path]:
     """Return every bundle of the store, by name; one shadowed by an earlier place is left out."""
-    found: dict[str, Path] = {}
-    for root in roots(cache):
-        for path in _bundles(root):
-            found.setdefault(path.name, path)
+    found = {path.name: path for root in reversed(roots(cache)) for path in _bundles(root)}
     return [found[name] for name in sorted(found)]
 
 
@@ -57,8 +52,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
         wanted: a scene's name, a folder's name, a digest or its first 6 digits, a glob on folder
             names ("office*"), the path of a bundle or of a folder of bundles (names come before a
             folder of one part, "tables"), a glob of bundles' paths, or "starter" for the shipped
-            tables that are for any task. Those made for one task are found by their names
-            ("kitchen-task-*").
+            tables for any task; those for one task have names ("kitchen-task-*").
         cache: a folder of bundles to search first.
 
     Raises:
@@ -176,22 +170,17 @@ def _bundles_of(text: str, cache: str | Path | None) -> list[Path]:
 
 
 def _by_path(text: str) -> list[Path]:
-    """Return the bundle at a path, or those a glob of paths fits.
-
-    An invalid path (a name too long, "a/**b", an unknown user's home) matches nothing.
-    """
+    """Return the bundle at a path, or those a glob of paths fits."""
     try:
         path = Path(text).expanduser()
         if (path / "scene.json").is_file():
             return [path]
-        if len(path.parts) < 2 and not text.startswith("./"):  # a name
-            return []
-        if path.is_dir():
+        if path.is_dir() or (len(path.parts) < 2 and not text.startswith("./")):  # or a name
             return []
         anchor = Path(path.anchor)
         pattern = str(path.relative_to(anchor))
         return [p for p in sorted(anchor.glob(pattern)) if (p / "scene.json").is_file()]
-    except (OSError, ValueError, RuntimeError):
+    except (OSError, ValueError, RuntimeError):  # too long, "a/**b", an unknown user's home
         return []
 
 
@@ -215,11 +204,7 @@ def _stem(path: Path) -> str:
 
 
 def _discard(path: Path) -> bool:
-    """Remove a bundle; return False if another process has done so.
-
-    Raises:
-        StorageError: it cannot be removed.
-    """
+    """Remove a bundle; return False if another process has done so."""
     from generator.bundle import discard
 
     try:

@@ -1,7 +1,6 @@
 """Bundles: a scene as a folder that anyone can load, and back."""
 
 from .bounds import BOUNDS as BOUNDS
-from .folder import MOST_BYTES as MOST_BYTES
 from .folder import SCHEMA as SCHEMA
 from .folder import check as check
 from .folder import check_name as check_name

@@ -1,14 +1,14 @@
 """How large a bundle may be: one table, checked on counts and headers before anything is decoded.
 
 The shipped tables hold at most 7 models, 253 convex parts and 20,000 triangles a mesh. The bounds
-leave room for a crowded table of foreign models: 20 of 24,000 triangles, which modelers keep at
-most by default, with textures of 2048 texels a side. A bundle at all of them at once was verified
-in 10 s of one core with 1.3 GB, and loaded in 8 s with 0.8 GB.
+leave room for 20 foreign models of 24,000 triangles, which modelers keep at most by default, with
+textures of 2048 texels a side. A bundle at all of them at once was verified in 10 s of one core
+with 1.3 GB, and loaded in 8 s with 0.8 GB.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -86,8 +86,8 @@ def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
     bounds.check("all_part_vertices", sum(counts), "the convex parts have {} vertices")
 
 
-def check_listed(files: object, bounds: Bounds = BOUNDS) -> None:
-    """Check the list of a bundle's files: their number, and their sizes as they are stated.
+def check_listed(files: object) -> None:
+    """Check the list of a bundle's files: their number, and their sizes as stated.
 
     Raises:
         BundleError: there are too many or too large ones, or it is no such list.
@@ -95,22 +95,19 @@ def check_listed(files: object, bounds: Bounds = BOUNDS) -> None:
     if not isinstance(files, dict):
         raise BundleError("scene.json must list the bundle's files.")
     listed = cast("dict[str, object]", files)
-    bounds.check("files", len(listed), "scene.json lists {} files")
+    BOUNDS.check("files", len(listed), "scene.json lists {} files")
     total = 0
     for name, entry in listed.items():
         size = cast("dict[str, object]", entry).get("bytes") if isinstance(entry, dict) else None
         if type(size) is not int:
             raise BundleError(f"scene.json lists {name[:200]!r} without size and sha256.")
-        bounds.check("file_bytes", size, "a listed file has {} bytes")
+        BOUNDS.check("file_bytes", size, "a listed file has {} bytes")
         total += size
-    bounds.check("all_bytes", total, "the files together have {} bytes")
+    BOUNDS.check("all_bytes", total, "the files together have {} bytes")
 
 
 def check_drawn(
-    meshes: Iterable[tuple[int, int]],
-    shown: Iterable[tuple[int, int]],
-    texels: Iterable[int],
-    bounds: Bounds = BOUNDS,
+    meshes: Sequence[tuple[int, int]], shown: Sequence[tuple[int, int]], texels: Sequence[int]
 ) -> None:
     """Check what is drawn, by what the headers of meshes and textures say.
 
@@ -120,15 +117,13 @@ def check_drawn(
     Raises:
         BundleError: it is too much.
     """
-    kept, shown = list(meshes), list(shown)
     for name, at in (("vertices", 0), ("faces", 1)):
-        bounds.check(name, max((k[at] for k in kept), default=0), f"a mesh has {{}} {name}")
-        for counts in (kept, shown):
+        BOUNDS.check(name, max((k[at] for k in meshes), default=0), f"a mesh has {{}} {name}")
+        for counts in (meshes, shown):
             total = sum(count[at] for count in counts)
-            bounds.check(f"all_{name}", total, f"the meshes together have {{}} {name}")
-    texels = list(texels)
-    bounds.check("texels", max(texels, default=0), "a texture has {} pixels")
-    bounds.check("all_texels", sum(texels), "the textures together have {} pixels")
+            BOUNDS.check(f"all_{name}", total, f"the meshes together have {{}} {name}")
+    BOUNDS.check("texels", max(texels, default=0), "a texture has {} pixels")
+    BOUNDS.check("all_texels", sum(texels), "the textures together have {} pixels")
 
 
 def _of(entry: object, key: str, kind: type, who: str) -> Any:

@@ -15,12 +15,11 @@ from jaxtyping import Float, Int, UInt8
 
 from ..errors import BundleError
 from ..scene.triangles import areas
-from .bounds import BOUNDS, Bounds
+from .bounds import BOUNDS
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _OBJ = re.compile(
     rb"(?:v(?: -?[0-9]\.[0-9]{6}){3}\n)++"
     rb"(?:vt(?: -?[0-9]{1,12}\.[0-9]{5}){2}\n)++"
@@ -30,16 +29,16 @@ _OBJ = re.compile(
 _LEAST_AREA = 1e-3  # of twice the surface of a mesh, whose box is the unit box
 
 
-def picture_size(raw: bytes, name: str, bounds: Bounds = BOUNDS) -> tuple[int, int]:
+def picture_size(raw: bytes, name: str) -> tuple[int, int]:
     """Return width and height of a PNG called ``name``, by its header alone.
 
     Raises:
         BundleError: it is none, or is out of bounds.
     """
-    if raw[:16] != _SIGNATURE + b"\0\0\0\rIHDR" or len(raw) < 33:
+    if raw[:16] != b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" or len(raw) < 33:
         raise BundleError(f"{name} is not a PNG picture.")
     width, height = struct.unpack(">II", raw[16:24])
-    bounds.check("texels", width * height, f"{name} has {{}} pixels")
+    BOUNDS.check("texels", width * height, f"{name} has {{}} pixels")
     if not width * height:
         raise BundleError(f"{name} has no pixels.")
     return width, height

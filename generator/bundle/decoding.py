@@ -3,89 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
-
-import numpy as np
-from jaxtyping import Float
 
 from ..errors import BundleError
 from ..io.reading import parse_object, printable
 from ..physics.mjcf import mesh_path, texture_path
-from ..scene import (
-    TABLE,
-    ConvexPart,
-    Mesh,
-    Model,
-    Object,
-    Physics,
-    Placement,
-    Pose,
-    Provenance,
-    Report,
-    Scene,
-    ScenePlan,
-    Table,
-    View,
-)
+from ..scene import TABLE, Mesh, Model, Object, Scene, Table
 from .bounds import BOUNDS, check_counts, check_drawn
 from .contents import decode_obj, decode_png, mesh_counts, picture_size
 from .encoding import HIDDEN
-from .fields import make
+from .fields import arguments
 
-_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")
-"""Controls as ``dumps`` writes them."""
-
+_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")  # controls as ``dumps`` writes them
 _BESIDE_THE_SCENE = ("schema", "files", "instances")
-
-
-@dataclass(frozen=True)
-class _Model:
-    name: str
-    label: str
-    mesh: str
-    texture: str
-    opacity: float
-    size: Float[np.ndarray, "3"]
-    physics: Physics
-    parts: tuple[ConvexPart, ...]
-    category: str
-    container: bool
-
-
-@dataclass(frozen=True)
-class _Table:
-    model: str
-    scale: Float[np.ndarray, "3"]
-    parts: tuple[ConvexPart, ...]
-    outline: Float[np.ndarray, "k 2"]
-    friction: float
-
-
-@dataclass(frozen=True)
-class _Object:
-    name: str
-    model: str
-    placement: Placement
-    parts: tuple[ConvexPart, ...]
-    mass: float
-    com: Float[np.ndarray, "3"]
-    inertia: Float[np.ndarray, "3 3"]
-    friction: float
-    pose: Pose
-
-
-@dataclass(frozen=True)
-class _Scene:
-    name: str
-    table: _Table
-    objects: tuple[_Object, ...]
-    models: Mapping[str, _Model]
-    provenance: Provenance
-    view: View
-    report: Report | None
-    plan: ScenePlan | None
+_Looks = tuple[str, str, float]  # paths of mesh and texture, and opacity
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,45 +53,59 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
         InputError: the values' own checks refuse it.
     """
     check_counts(dict(payload))
-    entry = make(
-        _Scene, {k: v for k, v in payload.items() if k not in _BESIDE_THE_SCENE}, "scene.json"
-    )
-    bodies = [entry.table.model, *(thing.model for thing in entry.objects)]
-    for key in bodies:
-        if key not in entry.models:
-            raise BundleError(f"scene.json uses the model {key[:80]!r}, which it does not have.")
-    if unused := sorted(entry.models.keys() - set(bodies)):
-        raise BundleError(f"scene.json has a model that nothing is: {unused[0][:80]!r}.")
-    for thing in entry.objects:
-        if thing.placement.name != thing.name:
-            raise BundleError(f"The object {thing.name[:80]!r} has the placement of another.")
-    meshes = _meshes(entry, bodies, file)
-    models = {key: _model(model, meshes[_looks(model)]) for key, model in entry.models.items()}
-    table = {k: v for k, v in vars(entry.table).items() if k != "model"}
-    scene = Scene(
-        name=entry.name,
-        table=Table(model=models[entry.table.model], **table),
-        objects=tuple(
-            Object(**dict[str, Any](vars(o), model=models[o.model])) for o in entry.objects
-        ),
-        provenance=entry.provenance,
-        view=entry.view,
-        report=entry.report,
-        plan=entry.plan,
-    )
+    entry = arguments(
+        Scene, {k: v for k, v in payload.items() if k not in _BESIDE_THE_SCENE}, "scene.json",
+        table=Any, objects=tuple[Any, ...], models=Mapping[str, Any],
+    )  # fmt: skip
+    models = {
+        key: arguments(
+            Model, model, f"scene.json.models[{key[:40]!r}]",
+            mesh=str, texture=str, opacity=float, orientation=None,
+        )
+        for key, model in entry.pop("models").items()
+    }  # fmt: skip
+    table = arguments(Table, entry["table"], "scene.json.table", model=str)
+    objects = [
+        arguments(Object, thing, f"scene.json.objects[{k}]", model=str)
+        for k, thing in enumerate(entry["objects"])
+    ]
+    bodies: list[str] = [body["model"] for body in (table, *objects)]
+    _check_models(models, bodies)
+    for thing in objects:
+        if thing["placement"].name != thing["name"]:
+            raise BundleError(f"The object {thing['name'][:80]!r} has the placement of another.")
+    looks = {
+        key: (model["mesh"], model.pop("texture"), model.pop("opacity"))
+        for key, model in models.items()
+    }
+    meshes = _meshes(looks, bodies, file)
+    made: dict[str, Model] = {}
+    for key, model in models.items():
+        for word in (model["name"], model["label"], model["category"]):
+            printable(word, "A name in scene.json", BundleError)
+        model["mesh"] = meshes[looks[key]]
+        made[key] = Model(**model)
+    for body in (table, *objects):
+        body["model"] = made[body["model"]]
+    entry |= {"table": Table(**table), "objects": tuple(Object(**thing) for thing in objects)}
+    scene = Scene(**entry)
     _check_supports(scene)
     return Decoded(scene, {mesh: looks[:2] for looks, mesh in meshes.items()})
 
 
-def _looks(model: _Model) -> tuple[str, str, float]:
-    return model.mesh, model.texture, model.opacity
+def _check_models(models: Mapping[str, Any], used: Sequence[str]) -> None:
+    """Check that the models are those used."""
+    for key in used:
+        if key not in models:
+            raise BundleError(f"scene.json uses the model {key[:80]!r}, which it does not have.")
+    if unused := sorted(models.keys() - set(used)):
+        raise BundleError(f"scene.json has a model that nothing is: {unused[0][:80]!r}.")
 
 
 def _meshes(
-    entry: _Scene, bodies: list[str], file: Callable[[str], bytes]
-) -> dict[tuple[str, str, float], Mesh]:
+    looks: Mapping[str, _Looks], bodies: list[str], file: Callable[[str], bytes]
+) -> dict[_Looks, Mesh]:
     """Return the textured meshes that the models share, each file decoded once."""
-    looks = {key: _looks(model) for key, model in entry.models.items()}
     shapes = {shape: file(shape) for shape, _, _ in looks.values()}
     pictures = {picture: file(picture) for _, picture, _ in looks.values()}
     counts = {name: mesh_counts(raw) for name, raw in shapes.items()}
@@ -174,22 +121,13 @@ def _meshes(
             if path_of(raw) != name:
                 raise BundleError(f"{name[:200]!r} is not named by its content.")
     surfaces = {name: decode_obj(raw, name) for name, raw in shapes.items()}
-    meshes: dict[tuple[str, str, float], Mesh] = {}
+    meshes: dict[_Looks, Mesh] = {}
     for name, raw in pictures.items():
         texture = decode_png(raw, name)
         for shape, picture, opacity in sorted(different):
             if picture == name:
                 meshes[shape, picture, opacity] = Mesh(*surfaces[shape], texture, opacity)
     return meshes
-
-
-def _model(entry: _Model, mesh: Mesh) -> Model:
-    for word in (entry.name, entry.label, entry.category):
-        printable(word, "A name in scene.json", BundleError)
-    return Model(
-        name=entry.name, label=entry.label, mesh=mesh, size=entry.size, physics=entry.physics,
-        parts=entry.parts, category=entry.category, container=entry.container,
-    )  # fmt: skip
 
 
 def _check_supports(scene: Scene) -> None:

@@ -17,17 +17,13 @@ from .decoding import Decoded
 if TYPE_CHECKING:
     import mujoco
 
-MAX_CONTACTS = 4096
-"""At the start of a scene; a crowded table has some hundreds."""
+_MAX_CONTACTS = 4096  # at the start of a scene; a crowded table has some hundreds
 
+# Attributes whose numbers are computed: another machine may end them otherwise, within rounding.
 _COMPUTED = frozenset(
-    {"fullinertia", "mass", "pos", "quat", "qpos", "scale", "size", "vertex", "xyaxes"}
+    ["fullinertia", "mass", "pos", "quat", "qpos", "scale", "size", "vertex", "xyaxes"]
 )
-"""Attributes whose numbers are computed, so that another machine may end them otherwise."""
-
-_ROUNDING = 1e-6
-"""They differ by less than this share of the attribute's largest number."""
-
+_ROUNDING = 1e-6  # share of the attribute's largest number
 _NUMBER = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[-+]?[0-9]+)?")
 _ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset></mujoco>'
 
@@ -35,27 +31,26 @@ _ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset
 def check_xml(decoded: Decoded, raw: bytes) -> str:
     """Compare a bundle's ``scene.xml`` with its values; return the document of the values.
 
-    The same bytes are what the same machine writes. Computed numbers may end in another digit
-    elsewhere: then all else must be the same, and they must be within rounding.
+    All must be the same but computed numbers, which another machine may round otherwise.
 
     Raises:
         BundleError: the document says something else.
     """
     wanted = document(decoded.scene, paths=decoded.paths).xml
-    if raw != wanted.encode():
-        difference = _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted)))
-        if difference:
-            raise BundleError(
-                f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
-            )
+    if raw == wanted.encode():
+        return wanted
+    if difference := _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted))):
+        raise BundleError(
+            f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
+        )
     return wanted
 
 
 def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> mujoco.MjModel:
-    """Return what MuJoCo builds of all that a scene's document draws, textures aside.
+    """Return what MuJoCo builds of a scene's document, with a single pixel for each texture.
 
-    It keeps three copies of a texture meanwhile, so textures are built one by one, and the scene
-    with a single pixel for each. ``contents`` are the files that it refers to, by path.
+    Textures are built one by one: it keeps three copies of each meanwhile. ``contents`` are the
+    files that the document refers to, by path.
 
     Raises:
         SceneError: it does not.
@@ -85,8 +80,8 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
         data = mujoco.MjData(model)
         mujoco.mj_resetDataKeyframe(model, data, 0)
         mujoco.mj_forward(model, data)
-        if data.ncon > MAX_CONTACTS:
-            said.append(f"{data.ncon} contacts; at most {MAX_CONTACTS} are simulated")
+        if data.ncon > _MAX_CONTACTS:
+            said.append(f"{data.ncon} contacts; at most {_MAX_CONTACTS} are simulated")
         if not np.isfinite(data.qacc).all():
             said.append("forces that are not finite")
     except mujoco.FatalError as error:

@@ -9,10 +9,9 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..io.png import encode_png
 from ..io.reading import MAX_NAME_LENGTH
-from ..physics.mjcf import encode_obj, mesh_path, texture_path
-from ..scene import ConvexPart, Model, Placement, Pose, Provenance, Scene
+from ..physics.mjcf import mesh_files
+from ..scene import ConvexPart, Model, Scene
 from ..scene.provenance import plain
 
 HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
@@ -61,22 +60,35 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         {
             "name": o.name,
             "model": model_key(o.model),
-            "placement": _encode_placement(o.placement),
+            "placement": {
+                "name": o.placement.name,
+                "yaw": float(o.placement.yaw),
+                "translation": _numbers(o.placement.translation, _LENGTH),
+                "scale": _numbers(o.placement.scale, _LENGTH),
+                "on": o.placement.on,
+                "inside": bool(o.placement.inside),
+            },
             "parts": [_encode_part(p, _LENGTH) for p in o.parts],
             "mass": round(float(o.mass), _MASS),
             "com": _numbers(o.com, 9),
             "inertia": _numbers(o.inertia, _MASS + 3),
             "friction": float(o.friction),
-            "pose": _encode_pose(o.pose),
+            "pose": {
+                "position": _numbers(o.pose.position, 8),
+                "quaternion": _numbers(o.pose.quaternion, 9),
+            },
         }
         for o in scene.objects
     ]
+    provenance = _printable(plain(scene.provenance))
+    if not scene.provenance.edits:
+        del provenance["edits"]
     payload = {
         "name": scene.name,
         "table": table,
         "objects": objects,
         "models": models,
-        "provenance": _encode_provenance(scene.provenance),
+        "provenance": provenance,
         "view": plain(scene.view),
         "report": _printable(plain(scene.report)),
         "plan": _printable(plain(scene.plan)),
@@ -84,16 +96,10 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
     return payload, files
 
 
-def _encode_provenance(provenance: Provenance) -> dict[str, Any]:
-    """Return it without ``edits`` where there are none."""
-    encoded = _printable(plain(provenance))
-    return encoded if provenance.edits else {k: v for k, v in encoded.items() if k != "edits"}
-
-
 def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
-    obj, png = encode_obj(model.mesh), encode_png(model.mesh.texture)
-    shape, picture = mesh_path(obj), texture_path(png)
-    files[shape], files[picture] = obj, png
+    made = mesh_files(model.mesh)
+    files |= made
+    shape, picture = made
     return {
         "name": one_line(model.name),
         "label": one_line(model.label),
@@ -110,21 +116,6 @@ def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
 
 def _encode_part(part: ConvexPart, decimals: int) -> dict[str, Any]:
     return {"kind": part.kind, "axis": part.axis, "vertices": _numbers(part.vertices, decimals)}
-
-
-def _encode_placement(placement: Placement) -> dict[str, Any]:
-    return {
-        "name": placement.name,
-        "yaw": float(placement.yaw),
-        "translation": _numbers(placement.translation, _LENGTH),
-        "scale": _numbers(placement.scale, _LENGTH),
-        "on": placement.on,
-        "inside": bool(placement.inside),
-    }
-
-
-def _encode_pose(pose: Pose) -> dict[str, Any]:
-    return {"position": _numbers(pose.position, 8), "quaternion": _numbers(pose.quaternion, 9)}
 
 
 def _numbers(array: np.ndarray, decimals: int) -> Any:

@@ -7,53 +7,53 @@ import dataclasses
 import itertools
 import types
 import typing
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from functools import cache
-from typing import Any, Literal, TypeVar, Union, get_args, get_origin
+from typing import Any, Literal, Union, get_args, get_origin
 
 import numpy as np
 
 from ..errors import BundleError
 
-T = TypeVar("T")
-
 _MOST_INTEGER = 2**64
 
 
-def make(kind: type[T], entry: object, what: str) -> T:
-    """Return the dataclass of an object of JSON: known fields only, each of its own type.
+def arguments(kind: type, entry: object, what: str, **written: Any) -> dict[str, Any]:
+    """Return an object of JSON as a dataclass's arguments: all of its fields, each of its own type.
 
-    ``what`` says where it stands: "objects[3]".
+    ``what`` says where it stands: "objects[3]". ``written`` are the types of fields that are
+    written in another way; None for those that are not written.
 
     Raises:
         BundleError: a field is missing, unknown or of another type.
-        InputError: the value's own checks refuse it.
+        InputError: a value's own checks refuse it.
     """
+    hints = {k: hint for k, hint in (_hints(kind) | written).items() if hint is not None}
+    return _fields(hints, hints.keys(), entry, what)
+
+
+def _fields(
+    hints: Mapping[str, Any], required: Set[str], entry: object, what: str
+) -> dict[str, Any]:
+    """Return the fields of an object of JSON: known ones only, each of its own type."""
     if not isinstance(entry, dict):
         raise BundleError(f"{what} must be a JSON object, not {type(entry).__name__}.")
-    values, hints = typing.cast("dict[str, Any]", entry), _hints(kind)
-    unknown = sorted(values.keys() - hints.keys())
-    if unknown:
+    values = typing.cast("dict[str, Any]", entry)
+    if unknown := sorted(values.keys() - hints.keys()):
         raise BundleError(f"{what} has an unknown field {unknown[0][:80]!r}.")
-    missing = sorted(_required_fields(kind) - values.keys())
-    if missing:
+    if missing := sorted(required - values.keys()):
         raise BundleError(f"{what} has no {missing[0]!r}.")
-    return kind(**{k: convert(hints[k], v, f"{what}.{k}") for k, v in values.items()})
+    return {k: _convert(hints[k], v, f"{what}.{k}") for k, v in values.items()}
 
 
-def convert(kind: Any, value: Any, what: str) -> Any:
-    """Return a JSON value as ``kind``, an annotation of a dataclass's field.
-
-    Raises:
-        BundleError: it is of another type.
-        InputError: the value's own checks refuse it.
-    """
+def _convert(kind: Any, value: Any, what: str) -> Any:
+    """Return a JSON value as ``kind``, an annotation of a dataclass's field."""
     origin, inner = get_origin(kind), get_args(kind)
     if kind is Any:
         return value
     if origin in (Union, types.UnionType):
         plain = next(k for k in inner if k is not type(None))
-        return None if value is None and type(None) in inner else convert(plain, value, what)
+        return None if value is None and type(None) in inner else _convert(plain, value, what)
     if origin is Literal:
         if not any(type(value) is type(known) and value == known for known in inner):
             raise BundleError(f"{what} is {repr(value)[:80]}; known: {', '.join(map(str, inner))}.")
@@ -64,20 +64,17 @@ def convert(kind: Any, value: Any, what: str) -> Any:
         if not isinstance(value, dict):
             raise BundleError(f"{what} must be a JSON object, not {type(value).__name__}.")
         entries = typing.cast("dict[str, Any]", value).items()
-        return {k: convert(inner[1], v, f"{what}[{k[:40]!r}]") for k, v in entries}
+        return {k: _convert(inner[1], v, f"{what}[{k[:40]!r}]") for k, v in entries}
     if getattr(kind, "array_type", None) is np.ndarray:
         return numbers(value, what)
     if dataclasses.is_dataclass(kind):
-        return make(typing.cast("type[object]", kind), value, what)
+        make = typing.cast("type[object]", kind)
+        return make(**_fields(_hints(make), _required_fields(make), value, what))
     return _scalar(kind, value, what)
 
 
 def numbers(value: object, what: str) -> np.ndarray:
-    """Return nested lists of numbers as an array.
-
-    Raises:
-        BundleError: they hold something else, or are ragged.
-    """
+    """Return nested lists of numbers, which are not ragged, as an array."""
     leaves: list[Any] = typing.cast("list[Any]", value if isinstance(value, list) else [None])
     while {type(leaf) for leaf in leaves} == {list}:
         leaves = list(itertools.chain.from_iterable(leaves))
@@ -98,7 +95,7 @@ def _tuple(inner: tuple[Any, ...], value: Any, what: str) -> tuple[Any, ...]:
         raise BundleError(f"{what} must be a list{'' if variadic else f' of {len(inner)}'}.")
     kinds = [inner[0]] * len(values) if variadic else inner
     return tuple(
-        convert(k, v, f"{what}[{i}]") for i, (k, v) in enumerate(zip(kinds, values, strict=True))
+        _convert(k, v, f"{what}[{i}]") for i, (k, v) in enumerate(zip(kinds, values, strict=True))
     )
 
 

@@ -2,9 +2,8 @@
 
 ``<name>-<digest12>/`` holds ``scene.json`` (the truth: every value, the report, and size and sha256
 of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``, ``textures/`` and
-pictures. A bundle is *published or absent*: it is built in a staging folder beside its place and
-put there by one rename. The digest is that of ``scene.json``, which names all else by content, so
-the same scene gives the same folder, byte for byte.
+pictures. A bundle is *published or absent* (``publishing``). The digest is that of ``scene.json``,
+which names all else by content, so the same scene gives the same folder, byte for byte.
 """
 
 from __future__ import annotations
@@ -38,12 +37,7 @@ from .segments import Segments, decode_segments, encode_segments
 SCHEMA = 1
 """Version of ``scene.json``; other versions are refused."""
 
-MOST_BYTES = BOUNDS.file_bytes
-"""No file of a bundle may be larger."""
-
-BESIDE = frozenset({"certificate.json", "ledger.json"})
-"""Files that may lie in a bundle's folder without being listed."""
-
+_BESIDE = frozenset({"certificate.json", "ledger.json"})  # need not be listed
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 _FOLDER = re.compile(r".*-([0-9a-f]{12})")
 _PICTURE = re.compile(r"[a-z][a-z0-9_]*")
@@ -69,12 +63,7 @@ def save(
         StorageError: the folder cannot be written, or the disk is full.
     """
     _check_publishable(scene, allow_failed)
-    files = {
-        f"{_checked_stem(stem)}.png": image if isinstance(image, bytes) else encode_png(image)
-        for stem, image in (images or {}).items()
-    }
-    for name, content in files.items():
-        _check_picture(name, content)
+    files = dict(_picture(stem, image) for stem, image in (images or {}).items())
     payload, meshes = encode_scene(scene)
     files |= meshes
     if segments is not None:
@@ -86,7 +75,7 @@ def save(
     digest = hashlib.sha256(truth).hexdigest()[:12]
     try:
         files["scene.json"] = truth
-        return publish(Path(folder), f"{scene.name}-{digest}", files, beside=BESIDE)
+        return publish(Path(folder), f"{scene.name}-{digest}", files, beside=_BESIDE)
     except OSError as error:
         raise StorageError(
             f"The bundle of {scene.name!r} cannot be written to {folder}: "
@@ -104,7 +93,8 @@ def load(path: str | Path) -> Scene:
         BundleError: there is no bundle, it is damaged, unsafe, out of bounds, or from another
             schema.
     """
-    return _read(Path(path))
+    folder = Path(path)
+    return _read(folder, read_truth(folder))
 
 
 @steady
@@ -115,13 +105,7 @@ def load_segments(path: str | Path) -> Segments | None:
         BundleError: there is no bundle, or this part of it is damaged.
     """
     folder = Path(path)
-    payload = read_truth(folder)
-    if "instances" not in payload:
-        return None
-    if SEGMENTS_PATH not in payload["files"]:
-        raise BundleError(f"{folder} lists instances, but no {SEGMENTS_PATH}.")
-    raw = _read_listed(folder, SEGMENTS_PATH, payload["files"][SEGMENTS_PATH])
-    return decode_segments(payload["instances"], raw)
+    return _read_segments(folder, read_truth(folder))
 
 
 @steady
@@ -154,25 +138,16 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
 
 @steady
 def load_verified(path: str | Path) -> Scene:
-    """Read all that a bundle holds, as ``verify`` does; return its scene.
-
-    More than ``load`` it has MuJoCo build what is drawn, and reads what was found in the picture.
+    """Read a bundle as ``load`` does, have MuJoCo build what is drawn, and read the segments.
 
     Raises:
         BundleError: there is no bundle, or something is wrong with it.
     """
-    folder = Path(path)
-    scene = _read(folder, visuals=True)
-    load_segments(folder)
-    return scene
+    return _read_all(Path(path))[0]
 
 
 def verify(path: str | Path) -> list[str]:
-    """Return what is wrong with a bundle on disk: nothing, or one reason.
-
-    It checks what ``load_verified`` does. Files that ``scene.json`` does not list are reported too;
-    loading ignores them.
-    """
+    """Return what is wrong with a bundle on disk: nothing, or reasons; see :func:`check`."""
     try:
         return check(path)
     except BundleError as error:
@@ -183,19 +158,18 @@ def verify(path: str | Path) -> list[str]:
 
 @steady
 def check(path: str | Path) -> list[str]:
-    """Check everything in a bundle, and return what lies there that ``scene.json`` does not list.
+    """Check a bundle as ``load_verified`` does; return what ``scene.json`` does not list of it.
 
     Raises:
         MissingError: there is no bundle.
         BundleError: it is damaged.
     """
     folder = Path(path)
-    load_verified(folder)
-    listed = {*read_truth(folder)["files"], "scene.json"}
+    listed = {*_read_all(folder)[1]["files"], "scene.json"}
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
         f"{folder} holds {name}, which scene.json does not list"
-        for name in sorted(found - listed - BESIDE)
+        for name in sorted(found - listed - _BESIDE)
     ]
 
 
@@ -230,18 +204,16 @@ def _check_publishable(scene: Scene, allow_failed: bool) -> None:
         )
 
 
-def _checked_stem(stem: str) -> str:
+def _picture(stem: str, image: UInt8[np.ndarray, "h w c"] | bytes) -> tuple[str, bytes]:
+    """Return the name and content of a picture's file, which can be read again."""
     if not _PICTURE.fullmatch(stem):
         raise SceneError(f"A picture cannot be called {stem!r}; use small letters, digits and '_'.")
-    return stem
-
-
-def _check_picture(name: str, content: bytes) -> None:
-    """Check that a picture to be published can be read again."""
+    name, content = f"{stem}.png", image if isinstance(image, bytes) else encode_png(image)
     try:
         picture_size(content, name)
     except BundleError as error:
         raise SceneError(f"{error} Pass a smaller picture, or a PNG.") from error
+    return name, content
 
 
 def _fingerprint(content: bytes) -> dict[str, Any]:
@@ -272,17 +244,32 @@ def read_truth(folder: Path) -> dict[str, Any]:
     named = _FOLDER.fullmatch(folder.resolve().name)
     if named and named[1] != hashlib.sha256(raw).hexdigest()[:12]:
         raise BundleError(f"{folder}: scene.json does not have the digest in the folder's name.")
-    files = payload.get("files")
     try:
-        check_listed(files)
+        check_listed(payload.get("files"))
     except BundleError as error:
         raise BundleError(f"{folder}: {error}") from error
     return payload
 
 
-def _read(folder: Path, visuals: bool = False) -> Scene:
-    """Read and check all of a bundle's files; with ``visuals`` MuJoCo builds what is drawn, too."""
+def _read_all(folder: Path) -> tuple[Scene, dict[str, Any]]:
+    """Read and check everything in a bundle; return its scene and the content of ``scene.json``."""
     payload = read_truth(folder)
+    scene = _read(folder, payload, visuals=True)
+    _read_segments(folder, payload)
+    return scene, payload
+
+
+def _read_segments(folder: Path, payload: dict[str, Any]) -> Segments | None:
+    if "instances" not in payload:
+        return None
+    if SEGMENTS_PATH not in payload["files"]:
+        raise BundleError(f"{folder} lists instances, but no {SEGMENTS_PATH}.")
+    raw = _read_listed(folder, SEGMENTS_PATH, payload["files"][SEGMENTS_PATH])
+    return decode_segments(payload["instances"], raw)
+
+
+def _read(folder: Path, payload: dict[str, Any], visuals: bool = False) -> Scene:
+    """Read and check all of a bundle's files; with ``visuals`` MuJoCo builds what is drawn, too."""
     contents = _contents(folder, payload["files"])
 
     def file(name: str) -> bytes:
@@ -358,14 +345,12 @@ def read_inside(folder: Path, name: str, limit: int) -> bytes:
 @contextlib.contextmanager
 def _opened_inside(folder: Path, path: PurePosixPath) -> Generator[int, None, None]:
     """Open a file inside ``folder`` step by step, so that nothing on the way can become a link."""
+    flags = os.O_RDONLY | os.O_CLOEXEC
     with contextlib.ExitStack() as opened:
-        place = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+        place = os.open(folder, flags | os.O_DIRECTORY)
         opened.callback(os.close, place)
-        for part in path.parts[:-1]:
-            flags = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
-            place = os.open(part, flags, dir_fd=place)
+        for step, part in enumerate(path.parts, 1):
+            kind = os.O_DIRECTORY if step < len(path.parts) else os.O_NONBLOCK
+            place = os.open(part, flags | os.O_NOFOLLOW | kind, dir_fd=place)
             opened.callback(os.close, place)
-        flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
-        last = os.open(path.name, flags, dir_fd=place)
-        opened.callback(os.close, last)
-        yield last
+        yield place

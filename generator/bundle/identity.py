@@ -32,11 +32,10 @@ def load_digest(path: str | Path) -> str:
     Raises:
         BundleError: there is no bundle, or its ``scene.json`` is damaged.
     """
-    payload = read_truth(Path(path))
-    missing = [key for key in _CONTENT if key not in payload]
-    if missing:
-        raise BundleError(f"{path}: scene.json has no {missing[0]!r}. Make the bundle again.")
-    return _digest(payload)
+    try:
+        return _digest(read_truth(Path(path)))
+    except KeyError as error:
+        raise BundleError(f"{path}: scene.json has no {error}. Make the bundle again.") from error
 
 
 @steady

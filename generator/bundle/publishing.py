@@ -2,8 +2,8 @@
 
 A bundle is built in a staging folder beside its place and put there by one rename; it is taken away
 by one rename, too, and deleted afterwards. Savers and removers therefore need no lock. A staging
-folder is locked by the process that made it, so the rest of a process that died is recognised, and
-removed by the next that saves or removes something in the same place.
+folder is locked by the process that made it: what a dead process left is removed by the next that
+saves or removes something in the same place.
 """
 
 from __future__ import annotations
@@ -23,18 +23,11 @@ from typing import Concatenate, ParamSpec, TypeVar
 from ..errors import BundleError, MissingError, StorageError
 from ..io.files import remove_file, remove_tree
 
-STAGING = ".staging-"
-"""How the names of staging folders begin."""
-
-STALE = 60.0
-"""Seconds after which a staging folder that nobody locks is removed."""
-
-_RANDOM = re.compile(re.escape(STAGING) + r"[a-z0-9_]{8}")  # as ``tempfile.mkdtemp`` names it
-_MARKER = ".tabletopgen-staging"
-"""A file in each staging folder: those of other programs, of whatever name, are left alone."""
-
+_STAGING = ".staging-"
+_RANDOM = re.compile(re.escape(_STAGING) + r"[a-z0-9_]{8}")  # as ``tempfile.mkdtemp`` names it
+_MARKER = ".tabletopgen-staging"  # in each: folders of other programs are left alone
 _INNER = "new"  # the folder in it that is renamed in the end
-
+_STALE = 60.0  # seconds after which a staging folder that nobody locks is removed
 _TRIES = 200  # more than any number of processes at one bundle needs
 _OCCUPIED = frozenset({errno.ENOTEMPTY, errno.EEXIST, errno.ENOTDIR})
 _ABSENT = frozenset({errno.ENOENT, errno.ENOTDIR})
@@ -49,8 +42,8 @@ def publish(
 ) -> Path:
     """Publish files, by their paths of at most two parts, as ``folder / name``; return that path.
 
-    All come at once. What is there already stays if it holds the same, and makes way otherwise;
-    files ``beside`` may lie in it too.
+    What is there already stays if it holds the same, maybe with files ``beside``; else it makes
+    way.
 
     Raises:
         OSError: the folder cannot be written, or the disk is full.
@@ -80,11 +73,10 @@ def put_in_place(source: Path, target: Path, is_fine: Callable[[], bool]) -> Non
     for _ in range(_TRIES):
         try:
             source.replace(target)
+            return
         except OSError as error:
             if error.errno not in _OCCUPIED:
                 raise
-        else:
-            return
         if is_fine():  # another process published it first
             return
         discard(target)
@@ -182,7 +174,7 @@ def _content(path: Path, size: int) -> bytes | None:
 def _make_staging(folder: Path) -> tuple[Path, int]:
     """Return a new staging folder, and the descriptor by which it is locked."""
     for _ in range(_TRIES):
-        staging = Path(tempfile.mkdtemp(prefix=STAGING, dir=folder))
+        staging = Path(tempfile.mkdtemp(prefix=_STAGING, dir=folder))
         try:
             lock = os.open(staging, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
         except FileNotFoundError:  # removed by one whose clock is far ahead
@@ -197,10 +189,8 @@ def _lock(descriptor: int) -> bool:
     """Lock a new folder, unless it is about to be removed by one whose clock is far ahead."""
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
-    except OSError:  # a file system without locks: there it never counts as stale
-        return True
+    except OSError as error:  # a file system without locks: there it never counts as stale
+        return not isinstance(error, BlockingIOError)
     return True
 
 
@@ -208,7 +198,7 @@ def _remove_if_stale(folder: Path, name: str) -> None:
     flags = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
     lock = os.open(folder / name, flags)
     try:
-        if time.time() - os.fstat(lock).st_mtime > STALE:
+        if time.time() - os.fstat(lock).st_mtime > _STALE:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             held = os.listdir(lock)  # noqa: PTH208 - a descriptor
             if _MARKER in held or not held:  # none yet: its maker died before it was marked
@@ -226,24 +216,21 @@ def _remove(staging: Path) -> None:
 
 @contextlib.contextmanager
 def _open(path: Path) -> Generator[int | None, None, None]:
-    """Yield a descriptor of a folder: as long as it is open, no other has the same number.
+    """Yield a descriptor of a folder that is there, None where it cannot be opened all the same.
 
-    None where it cannot be opened for another reason than that it is not there.
-
-    Raises:
-        MissingError: there is no such folder.
+    As long as it is open, no other folder has the same number.
     """
     try:
         descriptor = os.open(path, os.O_PATH | os.O_DIRECTORY | os.O_CLOEXEC)
     except (OSError, ValueError) as error:
         if isinstance(error, ValueError) or error.errno in _ABSENT:
             raise MissingError(f"There is no bundle at {path}.") from error
-        descriptor = None
+        yield None
+        return
     try:
         yield descriptor
     finally:
-        if descriptor is not None:
-            os.close(descriptor)
+        os.close(descriptor)
 
 
 def _is_at(path: Path, descriptor: int) -> bool:

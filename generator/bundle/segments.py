@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,15 +12,15 @@ from jaxtyping import Bool, UInt8
 
 from ..errors import BundleError, InputError
 from ..io.reading import printable
-from ..scene import TABLE, Instance, frozen_array
+from ..scene import TABLE, Instance
+from ..scene.arrays import freeze
 from .contents import opened_png
 from .encoding import one_line
 
 PATH = "stages/instances.png"
 """Where a bundle keeps it."""
 
-MOST = 255
-"""Instances that one byte a pixel can tell apart."""
+_MOST = 255  # instances that one byte a pixel can tell apart
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,13 +36,12 @@ class Segments:
     index: UInt8[np.ndarray, "h w"]
 
     def __post_init__(self) -> None:
-        index = frozen_array(self.index, np.uint8, (None, None), "Segments.index")
-        object.__setattr__(self, "index", index)
+        freeze(self, index=(np.uint8, (None, None)))
         if len(self.names) != len(self.labels) or len(set(self.names)) < len(self.names):
             raise InputError(f"Segments need one label a name and no name twice: {self.names}.")
-        if index.size and index.max() > len(self.names):
+        if self.index.size and (top := self.index.max()) > len(self.names):
             raise InputError(
-                f"Segments.index goes up to {index.max()}, but there are {len(self.names)} names."
+                f"Segments.index goes up to {top}, but there are {len(self.names)} names."
             )
 
     @classmethod
@@ -50,10 +49,10 @@ class Segments:
         """Flatten the masks of ``instances``; where two overlap, the smaller one is in front.
 
         Raises:
-            InputError: no instance, or more than ``MOST``.
+            InputError: no instance, or more than 255.
         """
-        if not 0 < len(instances) <= MOST:
-            raise InputError(f"1 to {MOST} instances can be stored, got {len(instances)}.")
+        if not 0 < len(instances) <= _MOST:
+            raise InputError(f"1 to {_MOST} instances can be stored, got {len(instances)}.")
         ordered = sorted(instances, key=lambda i: i.name != TABLE)
         index = np.zeros(ordered[0].mask.shape, np.uint8)
         for instance in sorted(ordered, key=lambda i: (i.name != TABLE, -int(i.mask.sum()))):
@@ -72,7 +71,7 @@ def encode_segments(segments: Segments) -> tuple[list[dict[str, str]], bytes]:
     from PIL import Image
 
     picture = Image.fromarray(np.asarray(segments.index), "P")
-    picture.putpalette([value for k in range(MOST + 1) for value in _palette(k)])
+    picture.putpalette([value for k in range(_MOST + 1) for value in _palette(k)])
     buffer = io.BytesIO()
     picture.save(buffer, "PNG", compress_level=9)
     pairs = zip(segments.names, segments.labels, strict=True)
@@ -91,14 +90,13 @@ def decode_segments(entries: Any, raw: bytes) -> Segments:
             raise BundleError(f"{PATH} is no indexed picture.")
         index = np.asarray(picture, np.uint8)
     try:
-        names = tuple(_word(entry, "name") for entry in entries)
-        return Segments(names, tuple(_word(entry, "label") for entry in entries), index)
+        names, labels = (
+            tuple(printable(e[key], f"The {key} of an instance", BundleError) for e in entries)
+            for key in ("name", "label")
+        )
+        return Segments(names, labels, index)
     except (InputError, TypeError, KeyError) as error:
         raise BundleError(f"{PATH} and its names do not fit together ({error}).") from error
-
-
-def _word(entry: Mapping[str, Any], key: str) -> str:
-    return printable(entry[key], f"The {key} of an instance", BundleError)
 
 
 def _palette(index: int) -> tuple[int, int, int]:

@@ -29,7 +29,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from ..bundle import MOST_BYTES, read_inside
+from ..bundle import BOUNDS, read_inside
 from ..errors import BundleError, InputError, choices
 from ..geometry import convex_outline, hull_points, quaternion_yaw, to_unit_box
 from ..io.reading import parse_object, printable
@@ -100,7 +100,7 @@ def _read(place: Path, name: Any) -> bytes:
     if not isinstance(name, str):
         raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
     try:
-        return read_inside(place, name, MOST_BYTES)
+        return read_inside(place, name, BOUNDS.file_bytes)
     except BundleError as error:
         raise InputError(str(error)) from error
 

@@ -11,16 +11,21 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float, Int, UInt8
+from jaxtyping import Bool, Float, Real, UInt8
 from scipy.spatial import KDTree
 
 from ..render.scanlines import nearest
 from ..render.shading import corner_normals
 from ..scene import Mesh
+from ..scene.triangles import Faces, Vertices
 from .pixels import nearest_inside
 from .projection import Projection
 from .unshading import Shading, estimate_shading
 from .unwrap import Atlas, unwrap
+
+Texels = Float[np.ndarray, "t 3"]
+Image = UInt8[np.ndarray, "h w 3"]
+Plane = Float[np.ndarray, "4"]  # unit normal and offset
 
 _GRAZING = 0.18  # cosine below which a surface shows too few pixels to be painted from them
 _MIRRORED = 0.35  # the same for places that hidden ones are painted from
@@ -32,15 +37,15 @@ _LIKE = 22.0  # grey levels by which mirrored places of a symmetric object diffe
 class SurfacePoints:
     """Points on an object's surface with their unit normals, in the object frame."""
 
-    point: Float[np.ndarray, "t 3"]
-    normal: Float[np.ndarray, "t 3"]
+    point: Texels
+    normal: Texels
 
     def at(self, index: np.ndarray) -> SurfacePoints:
         """Return some of the points."""
         return SurfacePoints(self.point[index], self.normal[index])
 
-    def mirror(self, plane: Float[np.ndarray, "4"]) -> SurfacePoints:
-        """Return the points reflected about a plane (unit normal, offset)."""
+    def mirror(self, plane: Plane) -> SurfacePoints:
+        """Return the points reflected about a plane."""
         n = plane[:3]
         away = (self.point @ n - plane[3])[:, None]
         return SurfacePoints(
@@ -48,9 +53,7 @@ class SurfacePoints:
         )
 
 
-def opaque_colors(
-    crop: UInt8[np.ndarray, "h w 4"],
-) -> tuple[UInt8[np.ndarray, "h w 3"], Bool[np.ndarray, "h w"]]:
+def opaque_colors(crop: UInt8[np.ndarray, "h w 4"]) -> tuple[Image, Bool[np.ndarray, "h w"]]:
     """Return the crop's colours carried over its soft edge and beyond, and its mask."""
     mask = crop[..., 3] > 127
     core = cv2.erode(mask.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0
@@ -59,7 +62,7 @@ def opaque_colors(
     return crop[rows, columns, :3], mask
 
 
-def surface_of(atlas: Atlas, vertices: Float[np.ndarray, "n 3"]) -> SurfacePoints:
+def surface_of(atlas: Atlas, vertices: Vertices) -> SurfacePoints:
     """Return where each texel of ``atlas`` lies, given the original vertices' positions."""
     placed = vertices[atlas.source]
     corner = placed[atlas.faces[atlas.face]]
@@ -79,12 +82,7 @@ class CropView:
     size: float
 
     @classmethod
-    def of(
-        cls,
-        vertices: Float[np.ndarray, "n 3"],
-        faces: Int[np.ndarray, "m 3"],
-        projection: Projection,
-    ) -> CropView:
+    def of(cls, vertices: Vertices, faces: Faces, projection: Projection) -> CropView:
         """Look at a mesh in the object frame."""
         corners = projection.corners(vertices, faces)
         near = nearest(corners, projection.width, projection.height)[1]
@@ -93,10 +91,7 @@ class CropView:
         return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))
 
     def sees(self, surface: SurfacePoints, minimum: float = _GRAZING) -> Bool[np.ndarray, "t"]:
-        """Tell which points are seen well: on the nearest surface, and not at a grazing angle.
-
-        ``minimum`` is the cosine between normal and line of sight that is needed.
-        """
+        """Tell which points are on the nearest surface, and seen at a cosine above ``minimum``."""
         view, pixel = self.projection, np.floor(self.projection.project(surface.point)).astype(int)
         line = view.position - surface.point
         cosine = (surface.normal * line).sum(1) / np.linalg.norm(line, axis=1)
@@ -108,7 +103,7 @@ class CropView:
 
 
 def sample(
-    image: UInt8[np.ndarray, "h w c"] | Float[np.ndarray, "h w c"], pixels: Float[np.ndarray, "n 2"]
+    image: Real[np.ndarray, "h w c"], pixels: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n c"]:
     """Sample an image bilinearly at ``pixels`` (centres at halves), clamped to its border."""
     height, width = image.shape[:2]
@@ -121,23 +116,21 @@ def sample(
     return upper * (1 - fy) + lower * fy
 
 
-def recolor(
-    base: Float[np.ndarray, "t 3"], seen: Bool[np.ndarray, "t"], colors: Float[np.ndarray, "t 3"]
-) -> tuple[Float[np.ndarray, "t 3"], float]:
+def recolor(base: Texels, seen: Bool[np.ndarray, "t"], colors: Texels) -> tuple[Texels, float]:
     """Carry the seen parts' colours over to all texels with the same base colour.
 
     Base colours are grouped; each group moves by the difference of its seen median to its base
-    median (groups never seen move like the nearest one). Also returns how well the groups explain
-    the seen colours: the share of their variance, in [0, 1].
+    median (groups never seen move half as the nearest one). Also returns the share, in [0, 1], of
+    the seen colours' variance that the groups explain.
     """
     group, centers = _palette(base)
     shift = np.zeros_like(centers)
     known = np.zeros(len(centers), bool)
     for k in range(len(centers)):
         own = seen & (group == k)
-        if own.sum() >= 12:
+        known[k] = own.sum() >= 12
+        if known[k]:
             shift[k] = np.median(colors[own], 0) - np.median(base[own], 0)
-            known[k] = True
     if not known.any():
         return base, 0.0
     gap = np.linalg.norm(centers[:, None] - centers[None, known], axis=-1)
@@ -161,11 +154,11 @@ def _palette(base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def paint(
-    vertices: Float[np.ndarray, "n 3"],
-    faces: Int[np.ndarray, "m 3"],
+    vertices: Vertices,
+    faces: Faces,
     crop: UInt8[np.ndarray, "h w 4"],
     projection: Projection,
-    planes: tuple[Float[np.ndarray, "4"], ...],
+    planes: tuple[Plane, ...],
     size: int = 384,
     sure: bool = True,
 ) -> tuple[Atlas, UInt8[np.ndarray, "s s 3"]]:
@@ -180,24 +173,13 @@ def paint(
     sight = CropView.of(vertices, faces, projection)
     if not sure:
         planes = tuple(p for p in planes if agrees(surface, sight, image, p))
-    colors, known = seen_colors(surface, sight, image, shading_of(surface, sight, image), planes)
+    colors = sample(image, projection.project(surface.point))
+    shading = estimate_shading(colors, surface.normal, sight.sees(surface))
+    colors, known = seen_colors(surface, sight, image, shading, planes)
     return atlas, lay_out(atlas, fill_nearest(surface, known, colors, sight.size))
 
 
-def shading_of(
-    surface: SurfacePoints, sight: CropView, image: UInt8[np.ndarray, "h w 3"]
-) -> Shading:
-    """Return how the picture's light falls on what the camera sees of a surface."""
-    colors = sample(image, sight.projection.project(surface.point))
-    return estimate_shading(colors, surface.normal, sight.sees(surface))
-
-
-def agrees(
-    surface: SurfacePoints,
-    sight: CropView,
-    image: UInt8[np.ndarray, "h w 3"],
-    plane: Float[np.ndarray, "4"],
-) -> bool:
+def agrees(surface: SurfacePoints, sight: CropView, image: Image, plane: Plane) -> bool:
     """Tell whether points seen together with their mirror images mostly have the same colour."""
     twin = surface.mirror(plane)
     both = sight.sees(surface) & sight.sees(twin)
@@ -210,10 +192,10 @@ def agrees(
 def seen_colors(
     surface: SurfacePoints,
     sight: CropView,
-    image: UInt8[np.ndarray, "h w 3"],
+    image: Image,
     shading: Shading,
-    planes: tuple[Float[np.ndarray, "4"], ...] = (),
-) -> tuple[Float[np.ndarray, "t 3"], Bool[np.ndarray, "t"]]:
+    planes: tuple[Plane, ...],
+) -> tuple[Texels, Bool[np.ndarray, "t"]]:
     """Return the picture's colours, unshaded, of the points it shows, and which they are.
 
     A hidden point takes the colour of its mirror image about one of ``planes``, or about two of
@@ -236,11 +218,8 @@ def seen_colors(
 
 
 def fill_nearest(
-    surface: SurfacePoints,
-    known: Bool[np.ndarray, "t"],
-    colors: Float[np.ndarray, "t 3"],
-    size: float,
-) -> Float[np.ndarray, "t 3"]:
+    surface: SurfacePoints, known: Bool[np.ndarray, "t"], colors: Texels, size: float
+) -> Texels:
     """Give unknown points the middle colour of known ones near by and facing alike.
 
     What faces down gets the object's middle colour, darkened.
@@ -259,21 +238,17 @@ def fill_nearest(
     return painted
 
 
-def lay_out(atlas: Atlas, colors: Float[np.ndarray, "t 3"]) -> UInt8[np.ndarray, "s s 3"]:
+def lay_out(atlas: Atlas, colors: Texels) -> UInt8[np.ndarray, "s s 3"]:
     """Write texel colours into a texture and spread them over the gutters."""
-    texture = np.zeros((atlas.size * atlas.size, 3), np.uint8)
-    texture[atlas.texel] = np.clip(np.round(colors), 0, 255).astype(np.uint8)
-    filled = np.zeros(atlas.size * atlas.size, bool)
-    filled[atlas.texel] = True
-    side = (atlas.size, atlas.size)
-    return texture.reshape(*side, 3)[nearest_inside(filled.reshape(side))]
+    texture = np.zeros((atlas.size, atlas.size, 3), np.uint8)
+    texture.reshape(-1, 3)[atlas.texel] = np.clip(np.round(colors), 0, 255).astype(np.uint8)
+    filled = np.zeros((atlas.size, atlas.size), bool)
+    filled.reshape(-1)[atlas.texel] = True
+    return texture[nearest_inside(filled)]
 
 
 def apply_texture(
-    atlas: Atlas,
-    vertices: Float[np.ndarray, "n 3"],
-    texture: UInt8[np.ndarray, "s s 3"],
-    opacity: float = 1.0,
+    atlas: Atlas, vertices: Vertices, texture: UInt8[np.ndarray, "s s 3"], opacity: float = 1.0
 ) -> Mesh:
     """Return the mesh of ``atlas`` with the given positions of the original vertices."""
     return Mesh(vertices[atlas.source], atlas.faces, atlas.uv, texture, opacity)

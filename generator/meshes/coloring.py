@@ -11,8 +11,8 @@ from jaxtyping import Float, Int
 from scipy.spatial import KDTree
 
 from ..scene import Mesh
-from ..scene.triangles import areas, face_normals
-from .baking import apply_texture, lay_out
+from ..scene.triangles import Faces, Vertices, areas, face_normals
+from .baking import Texels, apply_texture, lay_out
 from .reading.surface import ColoredSurface
 from .reading.textures import MOST_TEXTURE
 from .unwrap import Atlas, unwrap
@@ -52,17 +52,10 @@ def painted_faces(surface: ColoredSurface, size: int) -> Mesh:
     return apply_texture(atlas, surface.vertices, texture, surface.opacity)
 
 
-def painted_shape(
-    vertices: Float[np.ndarray, "n 3"],
-    faces: Int[np.ndarray, "m 3"],
-    surface: ColoredSurface,
-    size: int,
-) -> Mesh:
+def painted_shape(vertices: Vertices, faces: Faces, surface: ColoredSurface, size: int) -> Mesh:
     """Return a shape of other triangles in the colours that ``surface`` has next to them."""
     atlas = unwrap(vertices, faces, size)
-    nearby = Nearby.of(surface)
-    normals = face_normals(vertices, faces)
-    colors = []
+    nearby, normals, colors = Nearby.of(surface), face_normals(vertices, faces), []
     for part in _chunks(atlas):
         face = atlas.face[part]
         point = (vertices[faces[face]] * atlas.weights[part, :, None]).sum(1)
@@ -99,8 +92,7 @@ class Nearby:
     def of(cls, surface: ColoredSurface) -> Nearby:
         """Spread samples over a surface."""
         owner, samples = _spread(surface)
-        normals = face_normals(surface.vertices, surface.faces[owner])
-        return cls(surface, owner, samples, normals)
+        return cls(surface, owner, samples, face_normals(surface.vertices, surface.faces[owner]))
 
     @cached_property
     def reach(self) -> float:
@@ -112,13 +104,10 @@ class Nearby:
         """Samples by place and normal."""
         return KDTree(np.hstack([self.samples, self.reach * self.normals]))
 
-    def places(
-        self, point: Float[np.ndarray, "t 3"], normal: Float[np.ndarray, "t 3"]
-    ) -> tuple[Int[np.ndarray, "t"], Float[np.ndarray, "t 3"]]:
+    def places(self, point: Texels, normal: Texels) -> tuple[Int[np.ndarray, "t"], Texels]:
         """Return the face nearest to each point, and the place on it by its weights.
 
-        Of those about as near, one that faces the same way is taken: both sides of a thin wall
-        keep their colours.
+        Of those about as near, it is one that faces the same way, as for both sides of a thin wall.
         """
         near = min(_NEAR, len(self.samples))
         _, found = self.tree.query(np.hstack([point, self.reach * normal]), k=near)
@@ -141,10 +130,7 @@ def _chunks(atlas: Atlas) -> Iterator[slice]:
 
 
 def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
-    """Return points all over a surface, by area, and whose they are.
-
-    At least one on each face, unless there are too many.
-    """
+    """Return points all over a surface, by area, and whose: each face's, if not too many."""
     faces = surface.faces
     area = areas(surface.vertices, faces)
     if len(faces) <= _MOST_SAMPLES:
@@ -163,12 +149,10 @@ def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.nda
 
 
 def _closest(
-    point: Float[np.ndarray, "t 3"], triangle: Float[np.ndarray, "t 3 3"]
-) -> tuple[Float[np.ndarray, "t 3"], Float[np.ndarray, "t"]]:
-    """Return about the nearest place of a triangle, by weights, and its squared distance.
-
-    The foot of the perpendicular, pulled into the triangle along its sides.
-    """
+    point: Texels, triangle: Float[np.ndarray, "t 3 3"]
+) -> tuple[Texels, Float[np.ndarray, "t"]]:
+    """Return about the nearest place of a triangle, by weights, and its squared distance."""
+    # The foot of the perpendicular, pulled into the triangle along its sides.
     a, b, c = triangle.transpose(1, 0, 2)
     ab, ac, ap = b - a, c - a, point - a
     d00, d01, d11 = (ab * ab).sum(1), (ab * ac).sum(1), (ac * ac).sum(1)

@@ -55,14 +55,13 @@ def normal_mesh(
 
     All its faces look outwards as far as that can be told, and of its edges, taken across seams of
     the texture, 99 % or more join two faces (or two pairs, where things touch) or run around an
-    opening: what was closed, or had small holes only, is closed; cups, tubes and leaves stay open,
-    and are solid by their convex parts alone. See ``repairing``. At most four times as many
-    triangles stay as are wanted, and a texture that all parts share, does not repeat, and needs no
-    other triangles stays as it is, of 2048 texels at most.
+    opening (``repairing``): what was closed but for small holes is closed; cups, tubes and leaves
+    stay open, solid by their convex parts alone. At most four times as many triangles stay as are
+    wanted. A texture of at most 2048 texels that all parts share, that does not repeat and needs no
+    other triangles stays as it is.
 
     ``what`` names it in messages: backend, question, name. ``up`` is the file's upward axis, ``to``
-    how light it is to be; ``beside`` holds the files that an OBJ names, by name; see
-    ``companions``.
+    how light it is to be; ``beside`` holds the files that an OBJ names (``companions``).
 
     Raises:
         BackendError: it cannot be read (``inspection``), repaired (``repairing``) or reduced.
@@ -98,10 +97,9 @@ def normal_surface(
 
 
 def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
-    """Return a normal mesh as the raw model of an instance.
+    """Return a normal mesh as an instance's raw model: its own proportions, the prior's size.
 
-    Its proportions are its own, its size the prior's. A thing that the catalogue knows weighs and
-    slides as there; else it is as dense as light wood.
+    A thing that the catalogue knows weighs and slides as there; else it is as dense as light wood.
     """
     unit, _, extent = to_unit_box(mesh)
     kind = known_category(instance, size)
@@ -110,13 +108,13 @@ def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
         instance.label,
         unit,
         metric(extent, size),
-        physics_of(mesh, extent, kind),
+        _physics(mesh, extent, kind),
         category=kind.key if kind else "generic",
         container=bool(kind and kind.container),
     )
 
 
-def physics_of(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
+def _physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
     """Return what a foreign mesh is made of: such that one of usual size has its kind's mass."""
     if kind is None:
         return Physics(density=500.0, friction=0.6)

@@ -17,13 +17,16 @@ from jaxtyping import Bool, Float, UInt8
 
 from ..geometry import view_rotation, wrap
 from ..scene import Instance, View
+from ..scene.triangles import Faces, Vertices
+
+Vector = Float[np.ndarray, "3"]
 
 
 def camera_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: int) -> View:
     """Return the view of the camera whose ray through ``pixel`` has the direction of ``view``.
 
-    The inverse of ``geometry.ray_view``. Where two cameras qualify, the one that looks most
-    nearly along +y is returned.
+    The inverse of ``geometry.ray_view``. Of two such cameras, it is the one that looks most nearly
+    along +y.
     """
     focal = height / 2 / np.tan(view.fov / 2)
     right, down = (np.asarray(pixel, float) - [width / 2, height / 2]) / focal
@@ -53,7 +56,7 @@ class Projection:
     """
 
     rotation: Float[np.ndarray, "3 3"]
-    position: Float[np.ndarray, "3"]
+    position: Vector
     focal: float
     center: Float[np.ndarray, "2"]
     width: int
@@ -84,12 +87,12 @@ class Projection:
         )
 
     @property
-    def right(self) -> Float[np.ndarray, "3"]:
+    def right(self) -> Vector:
         """Horizontal unit vector to the right in the picture."""
         return self.rotation[0]
 
     @property
-    def away(self) -> Float[np.ndarray, "3"]:
+    def away(self) -> Vector:
         """Horizontal unit vector away from the camera."""
         return np.array([-self.rotation[0, 1], self.rotation[0, 0], 0.0])
 
@@ -113,10 +116,7 @@ class Projection:
         return p[:, :2] / np.maximum(p[:, 2:], 1e-6) * self.focal + self.center
 
     def on_plane(
-        self,
-        pixels: Float[np.ndarray, "n 2"],
-        point: Float[np.ndarray, "3"],
-        normal: Float[np.ndarray, "3"],
+        self, pixels: Float[np.ndarray, "n 2"], point: Vector, normal: Vector
     ) -> Float[np.ndarray, "n 3"]:
         """Return where the rays through crop ``pixels`` meet a plane."""
         flat = (np.asarray(pixels, float) - self.center) / self.focal
@@ -125,17 +125,13 @@ class Projection:
         along = np.where(np.abs(along) < 1e-9, 1e-9, along)
         return self.position + rays * (((point - self.position) @ normal) / along)[:, None]
 
-    def corners(
-        self, vertices: Float[np.ndarray, "n 3"], faces: np.ndarray
-    ) -> Float[np.ndarray, "m 3 3"]:
+    def corners(self, vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m 3 3"]:
         """Return per face and corner (pixel x, pixel y, 1/depth), as ``raster.rasterise`` takes."""
         p = self.to_camera(vertices)
         depth = np.maximum(p[:, 2:], 1e-6)
         return np.concatenate([p[:, :2] / depth * self.focal + self.center, 1 / depth], 1)[faces]
 
-    def silhouette(
-        self, vertices: Float[np.ndarray, "n 3"], faces: np.ndarray
-    ) -> Bool[np.ndarray, "h w"]:
+    def silhouette(self, vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "h w"]:
         """Return which crop pixels a closed mesh covers."""
         fixed = np.round((self.project(vertices) - 0.5) * 16).clip(-(2**20), 2**20)
         triangles = fixed.astype(np.int32)[faces]

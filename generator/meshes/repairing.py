@@ -14,7 +14,7 @@ from scipy import sparse
 from scipy.sparse.csgraph import connected_components
 
 from ..errors import BackendError
-from ..scene.triangles import areas, weld_index
+from ..scene.triangles import Faces, Vertices, areas, pieces, weld_index
 from .reading.surface import ColoredSurface
 
 _CRUMB = 5e-4  # share of the whole area below which a loose piece is none
@@ -24,15 +24,13 @@ _FIN = 0.05  # share of the whole area that may go of pieces that hang on edges 
 _FLAWED = 0.01  # share of edges above which a mesh is no surface
 _FLAT = 1e-3  # of the longest side: thinner things are flat
 
-Faces = Int[np.ndarray, "_ 3"]
-
 
 def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
     """Return a surface without slivers, doubled faces, loose crumbs and fins.
 
     A crumb is a piece with less than 0.05 % of the area; fins hang on edges of two other faces, and
-    have 5 % together at most. Two faces on the same corners that look apart are an inner wall, and
-    both go; where most faces are so doubled, it is a sheet, and one of each stays.
+    have 5 % together at most. Of two faces on the same corners that look apart, an inner wall, both
+    go; where most faces are so doubled, it is a sheet, and one of each stays.
 
     Raises:
         BackendError: nothing is left, or it is flat.
@@ -47,9 +45,7 @@ def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
     return surface
 
 
-def welded_shape(
-    vertices: Float[np.ndarray, "v 3"], faces: Faces
-) -> tuple[Float[np.ndarray, "n 3"], Faces]:
+def welded_shape(vertices: Float[np.ndarray, "v 3"], faces: Faces) -> tuple[Vertices, Faces]:
     """Return a shape with vertices at the same place made one, and unused ones left out."""
     weld = weld_index(vertices)
     used, joined = np.unique(weld[faces], return_inverse=True)
@@ -57,12 +53,12 @@ def welded_shape(
     return np.asarray(vertices, np.float64)[first[used]], joined.reshape(-1, 3)
 
 
-def tidy(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Int[np.ndarray, "k 3"]:
+def tidy(vertices: Vertices, faces: Faces) -> Int[np.ndarray, "k 3"]:
     """Return a welded shape's faces put right as ``clean`` does a surface's."""
     return faces[_sound(vertices, faces, np.arange(len(vertices)))]
 
 
-def inside_out(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Bool[np.ndarray, "m"]:
+def inside_out(vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "m"]:
     """Return which faces must be turned over so that all look outwards (by trimesh)."""
     mesh = trimesh.Trimesh(vertices, faces, process=False)
     if mesh.is_watertight and mesh.is_winding_consistent:  # a cavity's wall may face inwards
@@ -72,7 +68,7 @@ def inside_out(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Bool[np.ndar
 
 
 def fill_holes(
-    vertices: Float[np.ndarray, "n 3"], faces: Faces
+    vertices: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "j 3"]]:
     """Close holes with a rim of at most a fifth of the diagonal; a bowl's mouth stays open.
 
@@ -136,10 +132,7 @@ def flaws(faces: Faces) -> tuple[float, float]:
 def _edges(
     faces: Faces,
 ) -> tuple[Int[np.ndarray, "s 2"], Int[np.ndarray, "s"], Int[np.ndarray, "e"]]:
-    """Return the faces' sides, which edge each lies on, and how many sides lie on each edge.
-
-    The first side of every face comes first, then every second and third one.
-    """
+    """Return sides (all first ones first), the edge of each, and how many lie on each edge."""
     sides = np.concatenate([faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
     _, edge, total = np.unique(_edge_keys(faces), return_inverse=True, return_counts=True)
     return sides, edge.reshape(-1), total
@@ -155,9 +148,7 @@ def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
     return keys.reshape(-1)
 
 
-def _sound(
-    vertices: Float[np.ndarray, "n 3"], faces: Faces, weld: Int[np.ndarray, "n"]
-) -> Bool[np.ndarray, "m"]:
+def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool[np.ndarray, "m"]:
     """Tell which faces stay: no slivers, doubled ones, loose crumbs or fins."""
     corner = weld[faces]
     kept = np.flatnonzero((corner != np.roll(corner, 1, axis=1)).all(1))
@@ -165,17 +156,13 @@ def _sound(
     for stays in (_single, _sizable, _finless):
         if len(kept):
             kept = kept[stays(corner[kept], area[kept])]
-    stay = np.zeros(len(faces), bool)
-    stay[kept] = True
-    return stay
+    return np.isin(np.arange(len(faces)), kept)
 
 
 def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Tell which faces stay when small pieces that hang on edges of three faces are left out.
-
-    A piece is what hangs together by edges of two faces. Smaller ones go first, of those with a
-    free rim; what then hangs on sound edges stays.
-    """
+    """Tell which faces stay when small pieces that hang on edges of three faces are left out."""
+    # A piece hangs together by edges of two faces. Those with a free rim go first, and smaller
+    # ones; what then hangs on sound edges stays.
     total = np.unique(_edge_keys(faces), return_counts=True)[1]
     odd = (total > 2) & (total % 2 == 1)
     if not odd.any():
@@ -266,9 +253,6 @@ def _group(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
 
 def _sizable(corner: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
     """Tell which faces belong to a connected piece of some size."""
-    size = int(corner.max()) + 1
-    ends = np.concatenate([corner[:, [0, 1]], corner[:, [1, 2]]]).astype(np.int32)
-    links = sparse.coo_matrix((np.ones(len(ends), np.int8), ends.T), shape=(size, size))
-    piece = connected_components(links, directed=False)[1][corner[:, 0]]
+    piece = pieces(corner, int(corner.max()) + 1)[corner[:, 0]]
     area = np.bincount(piece, area)
     return (area > _CRUMB * area.sum())[piece]

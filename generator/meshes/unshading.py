@@ -14,11 +14,14 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+Rows = Float[np.ndarray, "t 3"]
+
 _PRIOR = np.array([0.0, -0.04, 0.26])  # side, ahead, up: from above and a little from the front
 _SPREAD = np.array([0.12, 0.12, 0.1])
 _DARKEST = 0.5  # shading is not taken to be deeper than that
 _NOISE = 0.1  # relative brightness by which places of one hue and direction differ anyway
 _LEAST = 15  # points of one hue and direction that say something
+_LEVELS = 24  # of a colour's share of red, and of green
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,22 +30,16 @@ class Shading:
 
     slope: Float[np.ndarray, "3"]
 
-    def at(self, normal: Float[np.ndarray, "t 3"]) -> Float[np.ndarray, "t"]:
+    def at(self, normal: Rows) -> Float[np.ndarray, "t"]:
         """Return the factor that light puts on the colours of a surface with these normals."""
         return np.clip(1.0 + (normal - [0.0, 0.0, 1.0]) @ self.slope, _DARKEST, 1.25)
 
-    def remove(
-        self, colors: Float[np.ndarray, "t 3"], normal: Float[np.ndarray, "t 3"]
-    ) -> Float[np.ndarray, "t 3"]:
+    def remove(self, colors: Rows, normal: Rows) -> Rows:
         """Return colours as an even light from above would show them."""
         return np.minimum(colors / self.at(normal)[:, None], 255.0)
 
 
-def estimate_shading(
-    colors: Float[np.ndarray, "t 3"],
-    normal: Float[np.ndarray, "t 3"],
-    seen: Bool[np.ndarray, "t"],
-) -> Shading:
+def estimate_shading(colors: Rows, normal: Rows, seen: Bool[np.ndarray, "t"]) -> Shading:
     """Return the shading that explains the brightness of the ``seen`` points' ``colors``.
 
     Points are gathered by hue and direction; the middle brightness of each gathering is compared
@@ -78,15 +75,15 @@ def estimate_shading(
     return Shading(np.clip(slope, [-0.3, -0.3, 0.0], [0.3, 0.3, 0.42]))
 
 
-def _hues(colors: Float[np.ndarray, "t 3"], steps: int = 12) -> Int[np.ndarray, "t"]:
+def _hues(colors: Rows) -> Int[np.ndarray, "t"]:
     """Number colours by their shares of red and green; what is nearly black is apart."""
     total = np.maximum(colors.sum(1), 30.0)
-    share = np.minimum((colors[:, :2] / total[:, None] * 2 * steps).astype(int), 2 * steps - 1)
+    share = np.minimum((colors[:, :2] / total[:, None] * _LEVELS).astype(int), _LEVELS - 1)
     dark = np.digitize(total / 3, [25.0])
-    return (share[:, 0] * 2 * steps + share[:, 1]) * 2 + dark
+    return (share[:, 0] * _LEVELS + share[:, 1]) * 2 + dark
 
 
-def _directions(normal: Float[np.ndarray, "t 3"]) -> Int[np.ndarray, "t"]:
+def _directions(normal: Rows) -> Int[np.ndarray, "t"]:
     """Number directions: each axis negative, near zero, or positive."""
     thirds = np.digitize(normal, [-0.4, 0.4])
     return thirds @ np.array([9, 3, 1])

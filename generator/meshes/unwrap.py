@@ -52,9 +52,8 @@ def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nda
 def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.ndarray, "c 2"]]:
     """Return the largest scale at which rectangles fit a square on shelves, and their corners."""
     order = np.argsort(-sizes[:, 1], kind="stable")
-    gutter = min(
-        _GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes))))
-    )  # else they alone are too much
+    # Gutters of many charts alone would be too much.
+    gutter = min(_GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes)))))
     scale = float(np.sqrt(size * size / np.maximum((sizes[:, 0] * sizes[:, 1]).sum(), 1e-12)))
     while True:
         corners = np.zeros_like(sizes)

@@ -1,11 +1,10 @@
 """Convex parts grown until the drawn mesh nowhere sticks out of them.
 
 A shape's convex parts are often coarser than what is drawn: a ring of wedges has chords where the
-wall is round, a hull few corners. What is drawn outside of the parts touches nothing, and two such
-things sink into each other for all to see. Here what is drawn outside of all parts is given to the
-nearest one, whose hull grows by it; what is far from every part gets hulls of its own. Where other
-things may come to lie, on surfaces open from above, hulls do not grow by more than a millimetre
-beyond what is drawn, so that a bowl stays hollow.
+wall is round, a hull few corners. Two things that are drawn outside of their parts sink into each
+other. Here the nearest part's hull grows by what is drawn outside of all; what is far from every
+part gets hulls of its own. Where other things may come to lie, on surfaces open from above, hulls
+grow by a millimetre at most beyond what is drawn, so that a bowl stays hollow.
 
 A hull takes only the vertices it needs: of those outside each of its faces the farthest, until
 none is left (after C. Barber et al., "The quickhull algorithm for convex hulls", 1996).
@@ -18,20 +17,18 @@ from collections.abc import Sequence
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
 from ..scene import ConvexPart
-from ..scene.triangles import scaled_normals
+from ..scene.triangles import Faces, Vertices, pieces, scaled_normals
 from .mjcf import primitive
+
+Points = Float[np.ndarray, "n 3"]
 
 TOLERANCE = 2.5e-4
 """A vertex may stick out of the parts by this much, metres: half of an overlap one could see."""
 
-REACH = 6e-3
-"""A part grows at most by this much, metres; what is farther out gets hulls of its own."""
-
+_REACH = 6e-3  # a part grows at most by this, metres; what is farther out gets hulls of its own
 _ROUNDS = 8  # most times that a hull is grown
 _BURIED = 1e-3  # growth may cover what is drawn by this much, metres
 _OVERHANG = 3e-3  # what lies this far below the top of its column is covered, metres
@@ -44,9 +41,7 @@ _SPECK = np.stack(np.meshgrid(*[(-2e-4, 2e-4)] * 3), -1).reshape(-1, 3)
 
 
 def covering(
-    parts: Sequence[ConvexPart],
-    vertices: Float[np.ndarray, "n 3"],
-    faces: Int[np.ndarray, "m 3"],
+    parts: Sequence[ConvexPart], vertices: Vertices, faces: Faces
 ) -> tuple[ConvexPart, ...]:
     """Return parts that hold the mesh to ``TOLERANCE``: ``parts`` grown, and hulls added to them.
 
@@ -69,11 +64,11 @@ def covering(
     grown = list(parts)
     out = np.stack([outside(part, drawn[lacking]) for part in parts])
     near, depth = out.argmin(0), out.min(0)
-    for k in np.unique(near[depth <= REACH]):
-        mine = lacking[(near == k) & (depth <= REACH)]
+    for k in np.unique(near[depth <= _REACH]):
+        mine = lacking[(near == k) & (depth <= _REACH)]
         if primitive(parts[k])[0] != "mesh":  # a hull does not hold its roundness: the mesh does
             from_it = outside(parts[k], drawn)
-            mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= REACH))
+            mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= _REACH))
         grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
     bad = np.zeros(len(drawn), bool)
     bad[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
@@ -83,7 +78,7 @@ def covering(
 
 
 def _lacking(
-    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"], depth: float = -TOLERANCE
+    parts: Sequence[ConvexPart], points: Points, depth: float = -TOLERANCE
 ) -> Int[np.ndarray, "k"]:
     """Return the indices of points that lie in no part, or less deep in it than ``depth``."""
     left = np.arange(len(points))
@@ -96,19 +91,15 @@ def _lacking(
     return left
 
 
-def _distance(
-    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]
-) -> Float[np.ndarray, "n"]:
+def _distance(parts: Sequence[ConvexPart], points: Points) -> Float[np.ndarray, "n"]:
     return np.min([outside(part, points) for part in parts], axis=0)
 
 
 def _surface(
-    places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+    places: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
-    """Return the vertices and points along the long edges; the normal at each; whose edges.
-
-    Two parts may hold the ends of an edge and not its middle.
-    """
+    """Return the vertices and points along the long edges; the normal at each; whose edges."""
+    # Two parts may hold the ends of an edge and not its middle.
     turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
     for k in range(3):
@@ -124,9 +115,7 @@ def _surface(
     return np.concatenate([places, between]), np.concatenate([normals, turn[owner]]), owner
 
 
-def _seen_from_above(
-    drawn: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"]
-) -> Bool[np.ndarray, "n"]:
+def _seen_from_above(drawn: Points, normals: Points) -> Bool[np.ndarray, "n"]:
     """Whether points face up with nothing above them: on these, other things may come to lie."""
     steep = normals[:, 2] < 0.3 * np.linalg.norm(normals, axis=1)
     column = ((drawn[:, :2] - drawn[:, :2].min(0)) / (np.ptp(drawn, axis=0).max() / 48)).astype(int)
@@ -136,23 +125,18 @@ def _seen_from_above(
 
 
 def _convex_pieces(
-    places: Float[np.ndarray, "n 3"],
-    faces: Int[np.ndarray, "m 3"],
-    parts: Sequence[ConvexPart],
-    lacking: Int[np.ndarray, "k"],
+    places: Vertices, faces: Faces, parts: Sequence[ConvexPart], lacking: Int[np.ndarray, "k"]
 ) -> list[ConvexPart]:
     """Return hulls of the mesh's connected pieces that are convex and stick out by much."""
-    links = coo_array((np.ones(2 * len(faces)), (faces[:, :2].ravel(), faces[:, 1:].ravel())),
-                      shape=(len(places),) * 2)  # fmt: skip
-    count, piece = connected_components(links, directed=False)
+    piece = pieces(faces, len(places))
     lacking = lacking[lacking < len(places)]
-    worst = np.zeros(count)
+    worst = np.zeros(int(piece.max()) + 1)
     np.maximum.at(worst, piece[lacking], _distance(parts, places[lacking]))
     hulls = []
     longest = _LARGE * float(np.ptp(places, axis=0).max())
     for k in np.flatnonzero(worst > _MUCH):
         points, triangles = places[piece == k], places[faces[piece[faces[:, 0]] == k]]
-        if worst[k] <= REACH and np.ptp(points, axis=0).max() < longest:
+        if worst[k] <= _REACH and np.ptp(points, axis=0).max() < longest:
             continue
         volume = float(np.linalg.det(triangles).sum()) / 6
         try:
@@ -164,7 +148,7 @@ def _convex_pieces(
     return hulls
 
 
-def _thin(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
+def _thin(corners: Points) -> ConvexPart:
     """Return the hull of ``corners``, all of them extreme, without those it can do without."""
     if len(corners) <= _FEW:
         return ConvexPart(corners.round(6))
@@ -175,7 +159,7 @@ def _thin(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
         return ConvexPart(corners.round(6))
 
 
-def outside(part: ConvexPart, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
     """Return how far ``points`` are outside of a part, metres; negative inside.
 
     Beside an edge or a corner that is the distance to the farthest plane, a lower bound.
@@ -191,14 +175,11 @@ def outside(part: ConvexPart, points: Float[np.ndarray, "n 3"]) -> Float[np.ndar
         return (np.linalg.norm((points - middle) / half, axis=1) - 1) * float(half.min())
     if kind == "box":
         return (np.abs(points - middle) - half).max(1)
-    return _beyond(ConvexHull(part.vertices), points)
-
-
-def _beyond(hull: ConvexHull, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+    hull = ConvexHull(part.vertices)
     return (points @ hull.equations[:, :3].T + hull.equations[:, 3]).max(1)
 
 
-def _grow(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
+def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
     """Return the part with as many of the points as it takes to hold them all."""
     corners, left = part.vertices, lacking
     for _ in range(_ROUNDS):
@@ -217,18 +198,12 @@ def _grow(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
 
 
 def _grown_where_solid(
-    part: ConvexPart,
-    lacking: Float[np.ndarray, "n 3"],
-    normals: Float[np.ndarray, "n 3"],
-    bare: Float[np.ndarray, "k 3"],
+    part: ConvexPart, lacking: Points, normals: Points, bare: Float[np.ndarray, "k 3"]
 ) -> ConvexPart:
-    """Return the part grown by the points that this buries no drawn surface for.
-
-    They are tried side by side, by the direction their surface faces.
-    """
+    """Return the part grown by the points that this buries no drawn surface for."""
     axis = np.abs(normals).argmax(1)
     facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
-    for way in np.unique(facing):
+    for way in np.unique(facing):  # the points of one side of the surface at a time
         wider = _grow(part, lacking[facing == way])
         if not _buries(wider, bare):
             part = wider
@@ -243,10 +218,7 @@ def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
 
 
 def _patches(
-    places: Float[np.ndarray, "n 3"],
-    faces: Int[np.ndarray, "m 3"],
-    bare: Float[np.ndarray, "k 3"],
-    halvings: int = 3,
+    places: Vertices, faces: Faces, bare: Float[np.ndarray, "k 3"], halvings: int = 3
 ) -> list[ConvexPart]:
     """Return hulls of triangles, halved along their longest side while they bury ``bare``."""
     if not len(faces):
@@ -261,9 +233,5 @@ def _patches(
     middles = places[faces].mean(1)
     axis = int(np.ptp(middles, axis=0).argmax())
     first = np.argsort(middles[:, axis], kind="stable")[: len(faces) // 2]
-    half = np.zeros(len(faces), bool)
-    half[first] = True
-    return [
-        *_patches(places, faces[half], bare, halvings - 1),
-        *_patches(places, faces[~half], bare, halvings - 1),
-    ]
+    half = np.isin(np.arange(len(faces)), first)
+    return [p for side in (half, ~half) for p in _patches(places, faces[side], bare, halvings - 1)]

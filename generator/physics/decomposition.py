@@ -16,20 +16,18 @@ from pathlib import Path
 
 import numpy as np
 import platformdirs
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from ..errors import SceneError
 from ..io.npz import read_arrays
 from ..scene import ConvexPart, Mesh
-from ..scene.triangles import closed
+from ..scene.triangles import Faces, Vertices, closed, pieces
 from .inertia import weld
 
-MOST_FACES = 1200
-"""Meshes are reduced to this many faces: CoACD's time grows with them."""
-
+_MOST_FACES = 1200  # meshes are reduced to this many: CoACD's time grows with them
 _FULL = 1.001  # of its hull that a mesh may fill, as reckoned
-
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
+_MOST_PIECES = 200  # of more, the boxes are not compared
 
 _CHILD = """
 import sys, numpy as np, coacd
@@ -45,16 +43,11 @@ np.savez(sys.argv[2], *[vertices for vertices, _ in hulls])
 
 
 def decompose(
-    mesh: Mesh,
-    scale: Float[np.ndarray, "3"],
-    *,
-    seconds: float = 60.0,
-    cache: Path | None = None,
+    mesh: Mesh, scale: Float[np.ndarray, "3"], *, seconds: float = 60.0, cache: Path | None = None
 ) -> tuple[ConvexPart, ...]:
-    """Return convex parts of a canonical mesh, in the canonical frame.
+    """Return convex parts of a canonical mesh, in the canonical frame, as cut at ``scale``.
 
-    The work is done at the proportions of ``scale``. Results are kept in ``cache`` (by default a
-    folder of the user's cache); where that cannot be written they are not kept.
+    Results are kept in ``cache`` (by default a folder of the user's cache) if it can be written.
 
     Raises:
         SceneError: CoACD failed or took longer than ``seconds``.
@@ -74,11 +67,15 @@ def decompose(
     return tuple(ConvexPart((hull / proportions).clip(-0.5, 0.5)) for hull in hulls)
 
 
-def _coacd(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], seconds: float
-) -> list[Float[np.ndarray, "k 3"]]:
+def _coacd(vertices: Vertices, faces: Faces, seconds: float) -> list[Float[np.ndarray, "k 3"]]:
     """Run CoACD in a child process on a reduced mesh."""
-    vertices, faces = _reduce(vertices, faces)
+    if len(faces) > _MOST_FACES:
+        import fast_simplification
+
+        fewer = fast_simplification.simplify(
+            vertices, faces.astype(np.int32), target_count=_MOST_FACES
+        )
+        vertices, faces = fewer[0].astype(np.float64), fewer[1].astype(np.int64)
     mode = "off" if closed(faces) and not _overlaps(vertices, faces) else "on"
     with tempfile.TemporaryDirectory() as folder:
         given, made = Path(folder) / "mesh.npz", Path(folder) / "hulls.npz"
@@ -100,12 +97,9 @@ def _coacd(
     return hulls
 
 
-def _overlaps(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> bool:
-    """Return whether a closed mesh may overlap itself.
-
-    It does if it holds more than its hull, and may if the boxes about two of its pieces meet. CoACD
-    does not end with such a mesh, unless its surface is made again first.
-    """
+def _overlaps(vertices: Vertices, faces: Faces) -> bool:
+    """Return whether a closed mesh may overlap itself: holds more than its hull, or pieces meet."""
+    # CoACD does not end with such a mesh, unless its surface is made again first.
     from scipy.spatial import ConvexHull, QhullError
 
     if _pieces_meet(vertices, faces):
@@ -118,39 +112,18 @@ def _overlaps(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"])
         return False
 
 
-def _pieces_meet(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], maximum: int = 200
-) -> bool:
-    """Return whether the boxes about two connected pieces meet; of more than ``maximum``, yes."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    ends = faces[:, [0, 1, 1, 2]].reshape(-1, 2).T
-    links = coo_array((np.ones(ends.shape[1]), tuple(ends)), (len(vertices), len(vertices)))
-    pieces = connected_components(links, directed=False)[1][faces[:, 0]]
-    names, pieces = np.unique(pieces, return_inverse=True)
-    if len(names) > maximum:
+def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
+    """Return whether the boxes about two connected pieces meet; of very many pieces, yes."""
+    piece = pieces(faces, len(vertices))[faces[:, 0]]
+    names, piece = np.unique(piece, return_inverse=True)
+    if len(names) > _MOST_PIECES:
         return True
     corners = vertices[faces]
     low, high = np.full((2, len(names), 3), [[[np.inf]], [[-np.inf]]])
-    np.minimum.at(low, pieces, corners.min(1))
-    np.maximum.at(high, pieces, corners.max(1))
+    np.minimum.at(low, piece, corners.min(1))
+    np.maximum.at(high, piece, corners.max(1))
     meet = ((low[:, None] < high[None]) & (low[None] < high[:, None])).all(-1)
     return bool(meet.sum() > len(names))
-
-
-def _reduce(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "j 3"]]:
-    """Reduce to ``MOST_FACES`` by quadric error."""
-    if len(faces) <= MOST_FACES:
-        return vertices, faces
-    import fast_simplification
-
-    reduced = fast_simplification.simplify(
-        vertices, faces.astype(np.int32), target_count=MOST_FACES
-    )
-    return reduced[0].astype(np.float64), reduced[1].astype(np.int64)
 
 
 def _read(path: Path) -> list[Float[np.ndarray, "k 3"]] | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -45,6 +44,8 @@ class GateLimits:
         require(self, "lean", minimum=0, maximum=1)
 
 
+PerObject = Float[np.ndarray, "n"]
+
 _STRIDE = 0.25  # seconds between two looks
 _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
 
@@ -53,14 +54,11 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     """Simulate a scene from its settled poses and report what happens.
 
     Penetration and floating are judged at the start; drift, turning and falling over
-    ``limits.seconds`` (:func:`watch`), then drift and turning again on a table that leans, up to
-    the first side to which something moves. ``moved``, ``settling`` and ``dropped`` are kept from
-    ``scene.report``.
+    ``limits.seconds`` (:func:`watch`), then drift and turning again as the table leans, up to the
+    first side to which something moves. ``moved``, ``settling`` and ``dropped`` stay as they were.
     """
     limits = limits or GateLimits()
     simulation = Simulation(scene)
-    poses = [o.pose for o in scene.objects]
-    simulation.place(poses)
     names = [o.name for o in scene.objects]
     overlaps = simulation.contacts().deepest()
     held = find_supported(simulation.contacts(margin=limits.gap), len(names))
@@ -68,46 +66,44 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     drift, tilt = watch(simulation, limits)
     simulated = simulation.time
     level = _moving(simulation, drift, tilt, limits, "")
-    fell = find_fallen(simulation)
+    floating = tuple(n for n, ok in zip(names, held, strict=True) if not ok)
+    fallen = tuple(names[i] for i in find_fallen(simulation))
+    off_table = tuple(n for n, out in zip(names, off, strict=True) if out)
     leaning, leans = 0.0, []
     if limits.lean and not level:
         leaning, shortest, leans = _leaning(simulation, limits)
         simulated = min(simulated, shortest)
-    report = Report(
+    return Report(
         penetration=max(overlaps.values(), default=0.0),
         drift=float(drift.max(initial=0.0)),
         tilt=float(tilt.max(initial=0.0)),
-        floating=tuple(n for n, ok in zip(names, held, strict=True) if not ok),
-        fallen=tuple(names[i] for i in fell),
-        off_table=tuple(n for n, out in zip(names, off, strict=True) if out),
+        floating=floating,
+        fallen=fallen,
+        off_table=off_table,
         moved=scene.report.moved if scene.report else 0.0,
         settling=scene.report.settling if scene.report else 0.0,
         leaning=leaning,
         reach=reach(scene),
         seconds=limits.seconds,
         dropped=scene.report.dropped if scene.report else (),
+        failures=(
+            *_overlapping(overlaps, names, limits.penetration),
+            *level,
+            *leans,
+            *(f"{n} floats" for n in floating),
+            *(f"{n} fell from the table" for n in fallen),
+            *(f"{n} has its centre of mass beyond the table's edge" for n in off_table),
+        ),
         simulated=round(simulated, 6),
     )
-    failures = [
-        *_overlapping(overlaps, names, limits.penetration),
-        *level,
-        *leans,
-        *(f"{n} floats" for n in report.floating),
-        *(f"{n} fell from the table" for n in report.fallen),
-        *(f"{n} has its centre of mass beyond the table's edge" for n in report.off_table),
-    ]
-    return dataclasses.replace(report, failures=tuple(failures))
 
 
-def watch(
-    simulation: Simulation, limits: GateLimits
-) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
+def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:
     """Simulate ``limits.seconds``; return how far each object moved and turned.
 
     What creeps evenly is not watched to the end: once two looks in a row show no object moving or
-    turning faster than before, and going on so would use up no more than half of the limits, that
-    forecast is returned. Toppling speeds up, and is watched. A simulation that breaks down ends it:
-    then the figures say nothing.
+    turning faster than before, and going on so would use up at most half of the limits, that
+    forecast is returned. Once the simulation has broken down the figures say nothing.
     """
     start = simulation.poses
     bounds = np.array([limits.drift, limits.tilt])
@@ -115,7 +111,7 @@ def watch(
     gone, calm = last, 0
     looks = max(1, round(limits.seconds / _STRIDE))
     begin = simulation.time
-    for k in range(looks):
+    for k in range(looks):  # what topples speeds up, and is watched to the end
         before = gone
         simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:
@@ -166,11 +162,7 @@ def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterat
 
 
 def _moving(
-    simulation: Simulation,
-    drift: Float[np.ndarray, "n"],
-    tilt: Float[np.ndarray, "n"],
-    limits: GateLimits,
-    where: str,
+    simulation: Simulation, drift: PerObject, tilt: PerObject, limits: GateLimits, where: str
 ) -> list[str]:
     """Say what the run just ended shows: what moved too far, or at what it broke down."""
     names = [o.name for o in simulation.scene.objects]

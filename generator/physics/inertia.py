@@ -6,20 +6,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from ..errors import SceneError
 from ..scene import ConvexPart, Mesh, Physics
-from ..scene.triangles import closed, scaled_normals
+from ..scene.triangles import Faces, Vertices, closed, scaled_normals
 
-LEAST_MASS = 2e-3
-"""Lighter things are given this mass, kg, so that contacts stay well conditioned."""
+_LEAST_MASS = 2e-3  # kg, given to lighter things so that contacts stay well conditioned
+_WELD = 1e-6  # of the unit box: vertices closer than this are one
 
 LEAST_GYRATION = 0.005
 """No radius of gyration is smaller than this share of the box's diagonal, so that wires hold still
 at the usual time steps. A pencil's about its length is 0.015, a skewer's of 3 by 200 mm 0.005."""
 
-_WELD = 1e-6  # of the unit box: vertices closer than this are one
+Triangles = Float[np.ndarray, "m 3 3"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,8 +36,8 @@ def body_mass(
 ) -> MassProperties:
     """Return what a canonical mesh weighs at ``scale`` (its extent in metres).
 
-    Hollow things (``physics.shell``) are surfaces of that thickness. Solid ones have their mesh's
-    volume; where the mesh is not watertight, that of ``parts`` (metres).
+    Hollow things (``physics.shell``) are surfaces of that thickness. Others have the volume of
+    their mesh, or of ``parts`` (metres) where it is not watertight.
 
     Raises:
         SceneError: the shape has no volume at all.
@@ -52,7 +52,7 @@ def body_mass(
     return _bound(found, np.asarray(scale, float))
 
 
-def volume_mass(triangles: Float[np.ndarray, "m 3 3"], density: float) -> MassProperties:
+def volume_mass(triangles: Triangles, density: float) -> MassProperties:
     """Return the mass of the solid that outward-turned triangles enclose.
 
     Signed tetrahedra to the origin: volume v = det(a, b, c) / 6 and second moment
@@ -63,7 +63,7 @@ def volume_mass(triangles: Float[np.ndarray, "m 3 3"], density: float) -> MassPr
     return _from_moments(density * volumes, triangles, 4.0, 20.0)
 
 
-def surface_mass(triangles: Float[np.ndarray, "m 3 3"], areal_density: float) -> MassProperties:
+def surface_mass(triangles: Triangles, areal_density: float) -> MassProperties:
     """Return the mass of a thin shell, ``areal_density`` in kg/m^2.
 
     A triangle's second moment is A / 12 (aaᵀ + bbᵀ + ccᵀ + ssᵀ).
@@ -116,7 +116,7 @@ def is_watertight(mesh: Mesh) -> bool:
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) > 0
 
 
-def weld(mesh: Mesh) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+def weld(mesh: Mesh) -> tuple[Vertices, Faces]:
     """Return vertices and faces with vertices at the same place made one, slivers left out."""
     cells = np.round(mesh.vertices.astype(np.float64) / _WELD).astype(np.int64)
     places, index = np.unique(cells, axis=0, return_inverse=True)
@@ -126,10 +126,7 @@ def weld(mesh: Mesh) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
 
 
 def _from_moments(
-    weights: Float[np.ndarray, "m"],
-    triangles: Float[np.ndarray, "m 3 3"],
-    first: float,
-    second: float,
+    weights: Float[np.ndarray, "m"], triangles: Triangles, first: float, second: float
 ) -> MassProperties:
     """Sum simplices of mass ``weights``: triangles, or (``first`` 4) tetrahedra to the origin."""
     total = float(weights.sum())
@@ -145,7 +142,7 @@ def _from_moments(
 
 def _bound(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
     """Keep the centre inside the box, and mass and inertia away from zero."""
-    mass = max(found.mass, LEAST_MASS)
+    mass = max(found.mass, _LEAST_MASS)
     inertia = found.inertia * (mass / found.mass)
     floor = mass * (LEAST_GYRATION * float(np.linalg.norm(scale))) ** 2
     values, axes = np.linalg.eigh((inertia + inertia.T) / 2)

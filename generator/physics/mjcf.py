@@ -35,9 +35,6 @@ FRICTION_STIFFNESS = 10
 in a heap creeps by half a millimetre a second; that falls with this factor, at hardly any cost in
 time up to ten. The environments have the same."""
 
-ROUND = 0.02
-"""Cross-sections whose two diameters differ by more than this share are not round."""
-
 FLAT_SPOT = 0.1
 """Rolling resistance of round things, in radii: they lie still on a table that leans by two
 degrees, with a margin of almost three, as fruit does, and roll away from six degrees on (its
@@ -49,17 +46,12 @@ _FIRM = {"solimp": "0.98 0.99 0.001", "solmix": "100"}
 gives way by a creep that goes with the softness and with the inverse square of FLAT_SPOT: on that
 leaning table an orange turns by 1 degree in 5 s with these, by 5 with the usual."""
 
-SLENDER, THIN = 0.35, 0.04
-"""A thing is slender if it is thinner than this share of its length, and than this, metres."""
-
-_TINY = 1e-200
-"""MuJoCo refuses numbers that are too small for it; these are zero."""
-
+_SLENDER, _THIN = 0.35, 0.04  # a slender thing is thinner: share of its length; metres
+_ROUND = 0.02  # share by which two diameters of a round cross-section differ at most
+_TINY = 1e-200  # numbers that are too small for MuJoCo are zero
 _TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
-_AXIS_QUATERNION = {
-    0: (np.sqrt(0.5), 0.0, np.sqrt(0.5), 0.0),
-    1: (np.sqrt(0.5), -np.sqrt(0.5), 0.0, 0.0),
-}  # turns a cylinder's z onto x, y
+_HALF = np.sqrt(0.5)
+_AXIS_QUATERNION = ((_HALF, 0.0, _HALF, 0.0), (_HALF, -_HALF, 0.0, 0.0))  # a cylinder's z to x, y
 
 
 @dataclass(frozen=True)
@@ -84,7 +76,10 @@ def document(
     _settings(root)
     assets = _Assets(ET.SubElement(root, "asset"), visuals, paths)
     world = ET.SubElement(root, "worldbody")
-    _floor(world)
+    ET.SubElement(
+        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
+        condim="4", solref="0.01 1",
+    )  # fmt: skip
     if visuals:
         _light_and_cameras(world, scene)
     table = ET.SubElement(world, "body", name=TABLE, pos=_text([0, 0, scene.table.height / 2]))
@@ -165,6 +160,12 @@ def texture_path(encoded: bytes) -> str:
     return f"textures/{_digest(encoded)}.png"
 
 
+def mesh_files(mesh: Mesh) -> dict[str, bytes]:
+    """Return a mesh, then its texture, as files of a bundle by path."""
+    obj, png = encode_obj(mesh), encode_png(mesh.texture)
+    return {mesh_path(obj): obj, texture_path(png): png}
+
+
 # --------------------------------------------------------------------------------------- pieces
 
 
@@ -185,13 +186,6 @@ def _settings(root: ET.Element) -> None:
     ET.SubElement(drawn, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0")
     solid = ET.SubElement(default, "default", {"class": "collision"})
     ET.SubElement(solid, "geom", group="3", condim="4", solref="0.01 1", rgba=".3 .6 .9 .4")
-
-
-def _floor(world: ET.Element) -> None:
-    ET.SubElement(
-        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
-        condim="4", solref="0.01 1",
-    )  # fmt: skip
 
 
 def _light_and_cameras(world: ET.Element, scene: Scene) -> None:
@@ -225,7 +219,7 @@ def _body(world: ET.Element, thing: Object, assets: _Assets) -> None:
     )  # fmt: skip
     assets.draw(body, thing.model.mesh, thing.scale)
     across, along = np.sort(thing.scale)[1:]
-    slender = bool(across < min(SLENDER * along, THIN))
+    slender = bool(across < min(_SLENDER * along, _THIN))
     for part in thing.parts:
         assets.collide(body, part, thing.friction, slender)
 
@@ -237,7 +231,7 @@ class _Assets:
         self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
     ) -> None:
         self.files: dict[str, bytes] = {}
-        self._paths = dict(paths)
+        self._paths: dict[Mesh, tuple[str, ...]] = dict(paths)
         self._element = element
         self._visuals = visuals
         self._named: set[str] = set()
@@ -253,7 +247,9 @@ class _Assets:
         if not self._visuals:
             return
         if mesh not in self._paths:
-            self._paths[mesh] = self._write(mesh)
+            files = mesh_files(mesh)
+            self.files |= files
+            self._paths[mesh] = tuple(files)
         shape, picture = self._paths[mesh]
         size = _text(scale)
         mesh_name = self._add(
@@ -268,33 +264,26 @@ class _Assets:
         )  # fmt: skip
         ET.SubElement(body, "geom", {"class": "visual"}, mesh=mesh_name, material=material)
 
-    def _write(self, mesh: Mesh) -> tuple[str, str]:
-        obj, png = encode_obj(mesh), encode_png(mesh.texture)
-        shape, picture = mesh_path(obj), texture_path(png)
-        self.files[shape], self.files[picture] = obj, png
-        return shape, picture
-
     def collide(
         self, body: ET.Element, part: ConvexPart, friction: float, slender: bool = False
     ) -> None:
         """Add a convex part as a collision geom, a primitive where it is one.
 
-        What is round, or belongs to a ``slender`` thing, resists rolling: fruit has soft spots,
-        pens have clips and edges, and both stay where they are on a table that leans a little.
+        What is round, or belongs to a ``slender`` thing, resists rolling, as fruit with its soft
+        spots and pens with their clips do on a table that leans a little.
         """
         kind, attributes = primitive(part)
         round_ = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
-        rolls = round_ or slender
-        if rolls:
+        resistance = 0.0001
+        if round_ or slender:
             attributes |= {"condim": "6", **_FIRM}
+            low, high = part.bounds
+            resistance = max(_LEAST_FLAT, FLAT_SPOT * float((high - low).min()) / 2)
         if kind == "mesh":
             vertices = _text(part.vertices.round(6).ravel())
             attributes["mesh"] = self._add(
                 "mesh", f"hull_{_digest(vertices.encode())}", vertex=vertices, inertia="convex"
             )
-        low, high = part.bounds
-        flat = max(_LEAST_FLAT, FLAT_SPOT * float((high - low).min()) / 2)
-        resistance = flat if rolls else 0.0001
         slide = _text([friction, 0.003, resistance])
         always = {"class": "collision", "type": kind, "friction": slide}
         ET.SubElement(body, "geom", always | attributes)
@@ -308,12 +297,12 @@ def primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
     if part.kind == "box":
         return "box", attributes | {"size": _text(half)}
     if part.kind == "ellipsoid":
-        if half.max() <= (1 + ROUND) * half.min():
+        if half.max() <= (1 + _ROUND) * half.min():
             return "sphere", attributes | {"size": _text([half.mean()])}
         return "ellipsoid", attributes | {"size": _text(half)}
     if part.kind == "cylinder":
         across = np.delete(half, part.axis)
-        if across.max() <= (1 + ROUND) * across.min():
+        if across.max() <= (1 + _ROUND) * across.min():
             if part.axis != 2:
                 attributes["quat"] = _text(_AXIS_QUATERNION[part.axis])
             return "cylinder", attributes | {"size": _text([across.mean(), half[part.axis]])}
@@ -325,9 +314,8 @@ def _points(scene: Scene) -> Float[np.ndarray, "n 3"]:
     table = scene.table
     points = [table.model.mesh.vertices * table.scale + [0, 0, table.height / 2]]
     for thing in scene.objects:
-        turned = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(
-            thing.pose.quaternion
-        ).T
+        rotation = quaternion_matrix(thing.pose.quaternion)
+        turned = (thing.model.mesh.vertices * thing.scale) @ rotation.T
         points.append(turned + thing.pose.position)
     return np.concatenate(points)
 

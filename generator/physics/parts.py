@@ -28,7 +28,8 @@ def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
     if thin.any():
         side = np.where(vertices > (low + high) / 2, 0.5, -0.5) * THINNEST
         vertices = np.where(thin, (low + high) / 2 + side, vertices)
-    if _flat(vertices):  # a sheet, however it lies
+    spread = np.linalg.svd(vertices - vertices.mean(0), compute_uv=False)
+    if spread[-1] < 1e-5:  # a sheet, however it lies
         grown = np.stack(np.meshgrid(*[(-THINNEST / 2, THINNEST / 2)] * 3), -1).reshape(-1, 3)
         vertices = (vertices[:, None] + grown).reshape(-1, 3)
     return ConvexPart(vertices.round(6), part.kind, part.axis)
@@ -60,35 +61,23 @@ def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart,
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
     """Raise the undersides of parts that stand beside a wide one, by a hair.
 
-    A mug's wall of wedges ends where its bottom does; each would touch the table at several points
-    that the bottom's edge makes superfluous, and contacts are what a step's time goes to.
+    A mug's wall of wedges ends where its bottom does: each would add contacts with the table, to
+    which a step's time goes, that the bottom's edge makes superfluous.
     """
     low = min(float(part.vertices[:, 2].min()) for part in parts)
     feet = [part.vertices[part.vertices[:, 2] < low + _HAIR / 2, :2] for part in parts]
     widest = max(feet, key=lambda foot: float(np.prod(np.ptp(foot, axis=0))) if len(foot) else 0.0)
     if len(widest) < 3 or np.linalg.matrix_rank(widest - widest[0], 1e-4) < 2:
         return tuple(parts)
-    outline = convex_outline(widest)
-    return tuple(
-        _raise(part, low + _HAIR)
-        if foot is not widest and len(foot) and _within(foot, outline) and _upright(part)
-        else part
-        for part, foot in zip(parts, feet, strict=True)
-    )
-
-
-def _within(points: Float[np.ndarray, "n 2"], outline: Float[np.ndarray, "k 2"]) -> bool:
-    return bool(inside_margin(points, outline).min() > -_ROOM)
-
-
-def _upright(part: ConvexPart) -> bool:
-    """Whether a part keeps its kind when its underside is raised."""
-    return part.kind in ("hull", "box") or (part.kind == "cylinder" and part.axis == 2)
-
-
-def _raise(part: ConvexPart, level: float) -> ConvexPart:
-    heights = np.maximum(part.vertices[:, 2], level)
-    return replace(part, vertices=np.column_stack([part.vertices[:, :2], heights]))
+    outline, based = convex_outline(widest), []
+    for part, foot in zip(parts, feet, strict=True):
+        beside = foot is not widest and len(foot) and inside_margin(foot, outline).min() > -_ROOM
+        upright = part.kind in ("hull", "box") or (part.kind == "cylinder" and part.axis == 2)
+        if beside and upright:  # others would not keep their kind
+            heights = np.maximum(part.vertices[:, 2], low + _HAIR)
+            part = replace(part, vertices=np.column_stack([part.vertices[:, :2], heights]))
+        based.append(part)
+    return tuple(based)
 
 
 def lowest(thing: Object) -> float:
@@ -107,8 +96,3 @@ def base(thing: Object, pose: Pose) -> Float[np.ndarray, "n 2"]:
     cut = points[:, 2].min() + 0.1 * np.ptp(points[:, 2])
     points = np.concatenate([points[points[:, 2] <= cut], thing.com[None]])
     return (points @ quaternion_matrix(pose.quaternion).T)[:, :2] + pose.position[:2]
-
-
-def _flat(vertices: Float[np.ndarray, "n 3"]) -> bool:
-    spread = np.linalg.svd(vertices - vertices.mean(0), compute_uv=False)
-    return bool(spread[-1] < 1e-5)

@@ -28,10 +28,9 @@ def seat_on_table(thing: Object, height: float) -> Object:
 def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
     """Lower each stacked object onto, or into, its support; lowest supports first.
 
-    ``names`` says which; None is all.
-
-    It is let down from above at its own place; if that is taken, or an object meant to go *into*
-    a container would stay on its rim, at the nearest place on the support that does better.
+    ``names`` says which; None is all. It is let down from above at its own place; if that is taken,
+    or an object meant to go *into* a container would stay on its rim, at the nearest place on the
+    support that does better.
     """
     chains = ancestry(scene.objects)
     order = sorted(range(len(chains)), key=lambda i: (len(chains[i]), i))
@@ -47,10 +46,7 @@ def relocate(
     """Give objects that could not be freed the free places nearest to where they were wanted.
 
     The largest chooses first, with the others still in hand. What stands on them comes along.
-
-    Returns:
-        The scene, and the names of those for which no place is left (a stacked one has none but
-        its own).
+    Returned are the scene and the names of those without a place (a stacked one has only its own).
     """
     waiting = sorted(stuck, key=lambda n: -float(np.prod(scene.object(n).scale[:2])))
     homeless = []
@@ -59,11 +55,10 @@ def relocate(
         if scene.object(name).placement.on != TABLE:
             homeless.append(name)
             continue
-        place = nearest_free(scene, name, wanted[name], {*waiting, *homeless})
-        if place is None:
-            homeless.append(name)
-        else:
+        if place := nearest_free(scene, name, wanted[name], {*waiting, *homeless}):
             scene = carry(scene, {name: place})
+        else:
+            homeless.append(name)
     return scene, tuple(
         name
         for name in homeless
@@ -74,15 +69,13 @@ def relocate(
 def nearest_free(
     scene: Scene, name: str, wanted: Pose, absent: Collection[str] = ()
 ) -> Pose | None:
-    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing.
+    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing, if any.
 
-    Objects in ``absent`` are looked through. None means that there is no such place.
+    Objects in ``absent`` are looked through.
     """
-    index = [o.name for o in scene.objects].index(name)
+    index, others = _others(scene, name, absent)
     thing = scene.objects[index]
-    others = _others(scene, name, absent)
     simulation = Simulation(scene)
-    simulation.place([o.pose for o in scene.objects])
     z = scene.table.height + _GAP - lowest(thing)
     size = float(np.linalg.norm(np.ptp(scene.table.outline, axis=0)))
     for offset in spiral(size, size / 40):
@@ -97,10 +90,7 @@ def nearest_free(
 
 def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
     """Whether ``name`` overlaps another object, those in ``absent`` aside, by more than contact."""
-    index = [o.name for o in scene.objects].index(name)
-    simulation = Simulation(scene)
-    simulation.place([o.pose for o in scene.objects])
-    return _depth(simulation, index, _others(scene, name, absent)) > TOLERANCE
+    return _depth(Simulation(scene), *_others(scene, name, absent)) > TOLERANCE
 
 
 def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
@@ -123,16 +113,15 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     thing = scene.objects[index]
     support = scene.objects[chains[index][1]]
     settled = [
-        k for k in range(len(chains))
-        if k != index and (len(chains[k]), k) < (len(chains[index]), index)
+        scene.objects[k] for k in range(len(chains))
+        if (len(chains[k]), k) < (len(chains[index]), index)
     ]  # fmt: skip
-    present = [scene.objects[k] for k in settled]
-    loose = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in [*present, thing])
+    loose = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in [*settled, thing])
     simulation = Simulation(scene.replace(objects=loose))
-    simulation.place([o.pose for o in loose])
     rim = support.pose.position[2] + highest(support)
     reach = float(np.min(support.scale[:2])) / 2
-    wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * _depth_of(support)
+    deep = min(highest(support) - lowest(support), 0.1)  # how far anything could go into it
+    wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * deep
     best: tuple[float, np.ndarray] | None = None
     for offset in spiral(reach, reach / 5):
         xy = thing.pose.position[:2] + offset
@@ -149,11 +138,6 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     poses = [o.pose for o in scene.objects]
     poses[index] = Pose(best[1], thing.pose.quaternion)
     return scene.replace(objects=with_poses(scene.objects, poses))
-
-
-def _depth_of(support: Object) -> float:
-    """How deep anything could go into ``support``, at most 10 cm."""
-    return min(highest(support) - lowest(support), 0.1)
 
 
 def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> float | None:
@@ -176,12 +160,12 @@ def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> f
     return high + _GAP
 
 
-def _others(scene: Scene, name: str, absent: Collection[str]) -> set[int]:
-    """Indices of the objects, ``name`` and what it carries or stands on aside, that are there."""
+def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[int]]:
+    """Return the index of ``name``, and those of what is there and not on or below it."""
     chains = ancestry(scene.objects)
     names = [o.name for o in scene.objects]
     index = names.index(name)
-    return {
+    return index, {
         k for k, chain in enumerate(chains)
         if k not in chains[index] and index not in chain
         and not any(names[m] in absent for m in chain)

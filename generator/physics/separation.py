@@ -42,23 +42,27 @@ def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
     """Move overlapping objects apart on the table, what stands on them with them.
 
     Objects that support one another (directly or through others) are not pushed apart.
-    ``clearance`` is the gap left between objects that had overlapped, metres.
-
-    Returns:
-        The scene with new poses, and the names of objects that still overlap another, or found
-        room only beyond the table's edge.
+    ``clearance`` is the gap left between objects that had overlapped, metres. Returned are the
+    scene and the names of objects that still overlap another, or are beyond the table's edge.
     """
     chains = ancestry(scene.objects)
-    start = [o.pose for o in scene.objects]
+    poses = start = [o.pose for o in scene.objects]
     simulation = Simulation(scene)
     cuts = _edge_cuts(scene)
-    poses = start
     pairs: list[tuple[int, int]] = []
     fewest, stalled = len(start) ** 2, 0
     while stalled < _PATIENCE:
-        poses = _move(start, _least_squares(cuts, chains))
+        shifts = _least_squares(cuts, chains)
+        poses = [
+            Pose(p.position + np.append(shift, 0.0), p.quaternion)
+            for p, shift in zip(start, shifts, strict=True)
+        ]
         simulation.place(poses)
-        pairs = _overlapping(simulation, chains)
+        pairs = [
+            (a, b)
+            for (a, b), depth in sorted(simulation.contacts().deepest().items())
+            if a >= 0 and depth > TOLERANCE and a not in chains[b] and b not in chains[a]
+        ]
         if not pairs:
             break
         stalled = 0 if len(pairs) < fewest else stalled + 1
@@ -107,7 +111,6 @@ def least_push(
     """
     alone = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in (a, b))
     pair = Simulation(scene.replace(objects=alone))
-    pair.place([a.pose, b.pose])
     origin = pair.positions[1].copy()
 
     def clear(direction: np.ndarray, distance: float) -> bool:
@@ -166,10 +169,7 @@ def _least_squares(
 
 
 def _edge_cuts(scene: Scene) -> list[Cut]:
-    """Return the cuts that keep what stands on the table within its outline.
-
-    A base wider than the table keeps its centre of mass inside instead.
-    """
+    """Return the cuts that keep what stands on the table, or a wider one's com, in its outline."""
     outline = scene.table.outline
     edges = np.roll(outline, -1, axis=0) - outline
     inward = np.column_stack([-edges[:, 1], edges[:, 0]])
@@ -181,25 +181,7 @@ def _edge_cuts(scene: Scene) -> list[Cut]:
             continue
         stands = base(thing, thing.pose)
         width = np.ptp(outline @ inward.T, axis=0) - np.ptp(stands @ inward.T, axis=0)
-        points = np.where(width[:, None] > 0, (stands @ inward.T).min(0)[:, None],
-                          (stands[-1] @ inward.T)[:, None])[:, 0]  # fmt: skip
+        points = np.where(width > 0, (stands @ inward.T).min(0), stands[-1] @ inward.T)
         short = level - points
         cuts += [Cut(None, i, inward[k], float(short[k])) for k in range(len(level))]
     return cuts
-
-
-def _overlapping(
-    simulation: Simulation, chains: Sequence[tuple[int, ...]]
-) -> list[tuple[int, int]]:
-    return [
-        (a, b)
-        for (a, b), depth in sorted(simulation.contacts().deepest().items())
-        if a >= 0 and depth > TOLERANCE and a not in chains[b] and b not in chains[a]
-    ]
-
-
-def _move(poses: Sequence[Pose], shifts: Float[np.ndarray, "n 2"]) -> list[Pose]:
-    return [
-        Pose(p.position + np.append(shift, 0.0), p.quaternion)
-        for p, shift in zip(poses, shifts, strict=True)
-    ]

@@ -20,22 +20,19 @@ def settle(
     """Simulate until everything rests, from ``minimum`` to ``seconds`` long; return the poses.
 
     Before that, gravity leans by ``shake`` (radians) to each of four sides in turn: a brush that
-    stands free in a mug falls against its rim, where it stays.
-
-    Free motion dies out at 3 per second meanwhile, so that round things stop. It then runs without
-    that for a tenth of a second: what is returned holds by itself. Where the simulation breaks
-    down, the scene's own poses are returned, for the gate to say at what.
+    stands free in a mug falls against its rim, where it stays. Free motion dies out at 3 per second
+    meanwhile, so that round things stop, but for the last tenth of a second: what is returned holds
+    by itself. Where the simulation breaks down, the scene's own poses are returned, for the gate to
+    say at what.
     """
     simulation = Simulation(scene)
-    simulation.place([o.pose for o in scene.objects])
     for side in range(4 if shake else 0):
         with simulation.conditions(shake, side * np.pi / 2, simulation.model.opt.timestep):
             simulation.run(_SHAKE)
     still = 0
     for k in range(max(1, round(seconds / _CHUNK))):
         simulation.run(_CHUNK, _DAMPING)
-        calm = bool((simulation.speeds() < _STILL).all())
-        still = still + 1 if calm else 0
+        still = still + 1 if (simulation.speeds() < _STILL).all() else 0
         if still >= 3 and (k + 1) * _CHUNK >= minimum:
             break
     simulation.run(_CHUNK)

@@ -38,7 +38,10 @@ class Contacts:
 
 
 class Simulation:
-    """One compiled scene and its state, without sleeping: nothing is at rest by decree."""
+    """One compiled scene and its state, its objects first at their own poses.
+
+    There is no sleeping: nothing is at rest by decree.
+    """
 
     def __init__(self, scene: Scene) -> None:
         import mujoco
@@ -53,6 +56,7 @@ class Simulation:
         self._owner = owner[self.model.geom_bodyid]
         self._owner[self.model.geom(FLOOR).id] = ON_FLOOR
         self._undamped = self.model.dof_damping.copy()
+        self.place(o.pose for o in scene.objects)
 
     @property
     def time(self) -> float:
@@ -80,8 +84,7 @@ class Simulation:
     def diverged(self) -> tuple[int, ...]:
         """Objects whose motion left all bounds since :meth:`place`, in the scene's order.
 
-        MuJoCo then starts anew from the scene's own poses: what is measured after that says
-        nothing.
+        MuJoCo then starts anew: what is measured after that says nothing.
         """
         import mujoco
 
@@ -143,8 +146,7 @@ class Simulation:
 
     def speeds(self) -> Float[np.ndarray, "n 2"]:
         """Return each object's linear (m/s) and angular (rad/s) speed."""
-        velocity = self.data.qvel.reshape(-1, 2, 3)
-        return np.linalg.norm(velocity, axis=2)
+        return np.linalg.norm(self.data.qvel.reshape(-1, 2, 3), axis=2)
 
 
 def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:

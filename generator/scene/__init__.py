@@ -16,59 +16,37 @@ bottom exclusive. *Texture coordinates* have u to the right and v upwards (Wavef
 texture row 0 is v = 1.
 """
 
-from .arrays import frozen_array
-from .model import ConvexPart, Mesh, Model, PartKind, Physics, SizePrior
-from .picture import USUAL_VIEW, Detection, Instance, Intrinsics, Reference, TopView, View
-from .plan import TABLE, OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind, ScenePlan
-from .result import (
-    Edit,
-    EditKind,
-    LayoutBox,
-    Object,
-    Placement,
-    Pose,
-    Provenance,
-    Report,
-    Rotation,
-    Scene,
-    Stacking,
-    Table,
-    names_in,
-)
-
-__all__ = [
-    "TABLE",
-    "USUAL_VIEW",
-    "ConvexPart",
-    "Detection",
-    "Edit",
-    "EditKind",
-    "Instance",
-    "Intrinsics",
-    "LayoutBox",
-    "Mesh",
-    "Model",
-    "Object",
-    "OutlineKind",
-    "PartKind",
-    "Physics",
-    "Placement",
-    "PlannedObject",
-    "PlannedTable",
-    "Pose",
-    "Provenance",
-    "Reference",
-    "Relation",
-    "RelationKind",
-    "Report",
-    "Rotation",
-    "Scene",
-    "ScenePlan",
-    "SizePrior",
-    "Stacking",
-    "Table",
-    "TopView",
-    "View",
-    "frozen_array",
-    "names_in",
-]
+from .arrays import frozen_array as frozen_array
+from .model import ConvexPart as ConvexPart
+from .model import Mesh as Mesh
+from .model import Model as Model
+from .model import PartKind as PartKind
+from .model import Physics as Physics
+from .model import SizePrior as SizePrior
+from .picture import USUAL_VIEW as USUAL_VIEW
+from .picture import Detection as Detection
+from .picture import Instance as Instance
+from .picture import Intrinsics as Intrinsics
+from .picture import Reference as Reference
+from .picture import TopView as TopView
+from .picture import View as View
+from .plan import TABLE as TABLE
+from .plan import OutlineKind as OutlineKind
+from .plan import PlannedObject as PlannedObject
+from .plan import PlannedTable as PlannedTable
+from .plan import Relation as Relation
+from .plan import RelationKind as RelationKind
+from .plan import ScenePlan as ScenePlan
+from .result import Edit as Edit
+from .result import EditKind as EditKind
+from .result import LayoutBox as LayoutBox
+from .result import Object as Object
+from .result import Placement as Placement
+from .result import Pose as Pose
+from .result import Provenance as Provenance
+from .result import Report as Report
+from .result import Rotation as Rotation
+from .result import Scene as Scene
+from .result import Stacking as Stacking
+from .result import Table as Table
+from .result import names_in as names_in

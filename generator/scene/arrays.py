@@ -14,6 +14,16 @@ FARTHEST = 1000.0
 SMALLEST = 1e-6
 """No extent of a thing is smaller, metres."""
 
+ArrayKind = tuple[type[np.generic], tuple[int | None, ...]]
+"""A type of numbers and a shape; None is any length."""
+
+VECTOR: ArrayKind = (np.float64, (3,))
+POINTS: ArrayKind = (np.float64, (None, 3))
+OUTLINE: ArrayKind = (np.float64, (None, 2))
+BOX: ArrayKind = (np.float64, (4,))
+MASK: ArrayKind = (np.bool_, (None, None))
+PICTURE: ArrayKind = (np.uint8, (None, None, 3))
+
 
 def frozen_array(
     value: Any,
@@ -45,7 +55,9 @@ def frozen_array(
     return array
 
 
-def freeze(instance: object, **arrays: np.ndarray) -> None:
-    """Set array fields of a frozen dataclass while it is made."""
-    for name, array in arrays.items():
+def freeze(instance: object, maximum: float | None = None, /, **kinds: ArrayKind) -> None:
+    """Make fields of a frozen dataclass read-only arrays of such kinds; see ``frozen_array``."""
+    for name, (dtype, shape) in kinds.items():
+        what = f"{type(instance).__name__}.{name}"
+        array = frozen_array(getattr(instance, name), dtype, shape, what, maximum=maximum)
         object.__setattr__(instance, name, array)

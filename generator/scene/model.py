@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import InputError
-from .arrays import FARTHEST, SMALLEST, freeze, frozen_array
+from .arrays import FARTHEST, OUTLINE, PICTURE, POINTS, SMALLEST, VECTOR, freeze
 
 PartKind = Literal["hull", "box", "cylinder", "ellipsoid"]
 
@@ -29,19 +29,16 @@ class Mesh:
     opacity: float = 1.0
 
     def __post_init__(self) -> None:
-        vertices = frozen_array(self.vertices, np.float32, (None, 3), "Mesh.vertices")
-        faces = frozen_array(self.faces, np.int32, (None, 3), "Mesh.faces")
-        uv = frozen_array(self.uv, np.float32, (len(vertices), 2), "Mesh.uv")
-        texture = frozen_array(self.texture, np.uint8, (None, None, 3), "Mesh.texture")
+        freeze(self, vertices=(np.float32, (None, 3)), faces=(np.int32, (None, 3)))
+        freeze(self, uv=(np.float32, (len(self.vertices), 2)), texture=PICTURE)
         if not 0 <= self.opacity <= 1:
             raise InputError(f"Mesh.opacity must be in [0, 1], got {self.opacity}.")
-        if not texture.size:
+        if not self.texture.size:
             raise InputError("Mesh.texture needs at least one texel.")
-        if not len(vertices) or not len(faces):
+        if not len(self.vertices) or not len(self.faces):
             raise InputError("A mesh needs at least one vertex and one face.")
-        if faces.min() < 0 or faces.max() >= len(vertices):
-            raise InputError(f"Mesh.faces must index its {len(vertices)} vertices.")
-        freeze(self, vertices=vertices, faces=faces, uv=uv, texture=texture)
+        if self.faces.min() < 0 or self.faces.max() >= len(self.vertices):
+            raise InputError(f"Mesh.faces must index its {len(self.vertices)} vertices.")
 
     @cached_property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
@@ -68,12 +65,9 @@ class ConvexPart:
     axis: Literal[0, 1, 2] = 2
 
     def __post_init__(self) -> None:
-        vertices = frozen_array(
-            self.vertices, np.float64, (None, 3), "ConvexPart.vertices", maximum=FARTHEST
-        )
-        if len(vertices) < 4:
-            raise InputError(f"A convex part needs at least 4 points, got {len(vertices)}.")
-        freeze(self, vertices=vertices)
+        freeze(self, FARTHEST, vertices=POINTS)
+        if len(self.vertices) < 4:
+            raise InputError(f"A convex part needs at least 4 points, got {len(self.vertices)}.")
 
     @property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
@@ -105,11 +99,9 @@ class Model:
     """A canonical 3D model m_i (Sec. 3.2): +z up, unit box.
 
     ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
-    pieces in the canonical frame; empty means "not known", and assembly decomposes the mesh.
-    ``container`` says that things can be put into it. ``orientation`` turns canonical axes into
-    those of the world, as the thing's modeler saw it in the picture (a rotation matrix; columns are
-    the model's axes); None where it says nothing. It is a hint to what poses the thing, not a pose,
-    and no bundle keeps it.
+    pieces in the canonical frame; without any, assembly decomposes the mesh. Things can be put into
+    a ``container``. ``orientation``, a rotation matrix whose columns are the model's axes in the
+    world, is how the modeler saw the thing in the picture, if it says: a hint that no bundle keeps.
     """
 
     name: str
@@ -123,20 +115,19 @@ class Model:
     orientation: Float[np.ndarray, "3 3"] | None = None
 
     def __post_init__(self) -> None:
-        size = frozen_array(self.size, np.float64, (3,), "Model.size", maximum=FARTHEST)
-        if (size < SMALLEST).any():
-            raise InputError(f"Model.size must be metres, {SMALLEST:g} or more, got {size}.")
+        freeze(self, FARTHEST, size=VECTOR)
+        if (self.size < SMALLEST).any():
+            raise InputError(f"Model.size must be metres, {SMALLEST:g} or more, got {self.size}.")
         if not np.allclose(self.mesh.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3):
             raise InputError(
                 f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, "
                 f"its bounds are {self.mesh.bounds.tolist()}. Use geometry.to_unit_box."
             )
-        freeze(self, size=size)
         if self.orientation is not None:
-            seen = frozen_array(self.orientation, np.float64, (3, 3), "Model.orientation")
+            freeze(self, orientation=(np.float64, (3, 3)))
+            seen = self.orientation
             if not (np.allclose(seen @ seen.T, np.eye(3), atol=1e-6) and np.linalg.det(seen) > 0):
                 raise InputError(f"Model.orientation must be a rotation matrix, got {seen}.")
-            freeze(self, orientation=seen)
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,10 +148,8 @@ class SizePrior:
     measured: bool = False
 
     def __post_init__(self) -> None:
-        extent = frozen_array(self.extent, np.float64, (3,), "SizePrior.extent")
-        if (extent <= 0).any():
-            raise InputError(f"SizePrior.extent must be positive metres, got {extent}.")
-        freeze(self, extent=extent)
+        freeze(self, extent=VECTOR)
+        if (self.extent <= 0).any():
+            raise InputError(f"SizePrior.extent must be positive metres, got {self.extent}.")
         if self.outline is not None:
-            outline = frozen_array(self.outline, np.float64, (None, 2), "SizePrior.outline")
-            freeze(self, outline=outline)
+            freeze(self, outline=OUTLINE)

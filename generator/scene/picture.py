@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from ..errors import InputError, require_number
-from .arrays import freeze, frozen_array
+from .arrays import BOX, MASK, PICTURE, freeze, frozen_array
 from .plan import ScenePlan
 
 _LEAST_FOV = 0.01  # radians
@@ -56,14 +56,13 @@ class Reference:
     intrinsics: Intrinsics | None = None
 
     def __post_init__(self) -> None:
-        freeze(self, image=frozen_array(self.image, np.uint8, (None, None, 3), "Reference.image"))
+        freeze(self, image=PICTURE)
         if (self.depth is None) != (self.intrinsics is None):
             raise InputError("A Reference needs depth and intrinsics together, or neither.")
         if self.depth is not None:
-            depth = frozen_array(self.depth, np.float32, self.image.shape[:2], "Reference.depth")
-            if depth.min() < 0:
+            freeze(self, depth=(np.float32, self.image.shape[:2]))
+            if self.depth.min() < 0:
                 raise InputError("Reference.depth is in metres; 0 means unknown, none is below 0.")
-            freeze(self, depth=depth)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,10 +80,9 @@ class Detection:
     full: Bool[np.ndarray, "h w"] | None = None
 
     def __post_init__(self) -> None:
-        mask = frozen_array(self.mask, np.bool_, (None, None), "Detection.mask")
-        freeze(self, box=frozen_array(self.box, np.float64, (4,), "Detection.box"), mask=mask)
+        freeze(self, mask=MASK, box=BOX)
         if self.full is not None:
-            freeze(self, full=frozen_array(self.full, np.bool_, mask.shape, "Detection.full"))
+            freeze(self, full=(np.bool_, self.mask.shape))
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,9 +90,8 @@ class Instance:
     """One object of the reference image (Sec. 3.1).
 
     ``mask`` (visible pixels, holes filled) and ``box`` are in reference pixels; ``crop`` is the
-    completed, clean RGBA picture of the object alone, and ``crop_box`` the square or rectangle of
-    reference pixels that the crop shows (it may leave the image); ``occluded`` tells whether
-    something was completed.
+    completed RGBA picture of the object alone, and ``crop_box`` the reference pixels that it shows
+    (it may leave the image); ``occluded`` tells whether something was completed.
     """
 
     name: str
@@ -107,13 +104,7 @@ class Instance:
     score: float = 1.0
 
     def __post_init__(self) -> None:
-        freeze(
-            self,
-            box=frozen_array(self.box, np.float64, (4,), "Instance.box"),
-            mask=frozen_array(self.mask, np.bool_, (None, None), "Instance.mask"),
-            crop=frozen_array(self.crop, np.uint8, (None, None, 4), "Instance.crop"),
-            crop_box=frozen_array(self.crop_box, np.float64, (4,), "Instance.crop_box"),
-        )
+        freeze(self, box=BOX, mask=MASK, crop=(np.uint8, (None, None, 4)), crop_box=BOX)
 
 
 @dataclass(frozen=True)
@@ -122,8 +113,7 @@ class View:
 
     ``azimuth`` 0 looks along +y (from the front); positive moves the camera towards +x.
     ``elevation`` is above the horizon, in (0, pi/2]. ``fov`` is the vertical field of view.
-    ``roll`` turns the camera about its sight: positive dips its right side, and what it shows
-    turns counter-clockwise.
+    A positive ``roll`` dips the camera's right side: what it shows turns counter-clockwise.
     """
 
     azimuth: float
@@ -151,9 +141,9 @@ class TopView:
     """The table seen from straight above, I_top (Sec. 3.3, TSA).
 
     Orthographic: +u is world +x, +v (down) is world -y. ``table_box`` and ``boxes`` (by instance
-    name) are pixel boxes in it. ``repaired`` names the instances whose box came from geometry
-    instead of the drawn picture. ``metres_per_pixel`` is there if the scale was measured.
-    ``warnings`` say what went wrong while it was made.
+    name) are pixel boxes in it. The boxes of the ``repaired`` instances come from geometry, not
+    from the drawn picture. ``metres_per_pixel`` is there if the scale was measured. ``warnings``
+    say what went wrong.
     """
 
     image: UInt8[np.ndarray, "h w 3"]
@@ -165,12 +155,8 @@ class TopView:
 
     def __post_init__(self) -> None:
         boxes = {
-            name: frozen_array(box, np.float64, (4,), f"TopView.boxes[{name!r}]")
+            name: frozen_array(box, *BOX, f"TopView.boxes[{name!r}]")
             for name, box in self.boxes.items()
         }
         object.__setattr__(self, "boxes", boxes)
-        freeze(
-            self,
-            image=frozen_array(self.image, np.uint8, (None, None, 3), "TopView.image"),
-            table_box=frozen_array(self.table_box, np.float64, (4,), "TopView.table_box"),
-        )
+        freeze(self, image=PICTURE, table_box=BOX)

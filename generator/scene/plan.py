@@ -6,10 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, get_args
 
-import numpy as np
-
 from ..errors import InputError, choices
-from .arrays import frozen_array
+from .arrays import VECTOR, frozen_array
 
 TABLE = "table"
 """Name of the table, as an instance and as a support."""
@@ -104,6 +102,5 @@ class ScenePlan:
 
 
 def _check_extent(size: tuple[float, float, float], what: str) -> None:
-    extent = frozen_array(size, np.float64, (3,), f"{what}.size")
-    if (extent <= 0).any():
+    if (frozen_array(size, *VECTOR, f"{what}.size") <= 0).any():
         raise InputError(f"{what}: size must be positive metres, got {tuple(size)}.")

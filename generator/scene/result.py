@@ -12,19 +12,14 @@ from jaxtyping import Float
 
 from ..errors import InputError, choices
 from ..io.reading import printable
-from .arrays import FARTHEST, SMALLEST, freeze, frozen_array
+from .arrays import FARTHEST, OUTLINE, SMALLEST, VECTOR, freeze
 from .model import ConvexPart, Model
 from .picture import USUAL_VIEW, View
 from .plan import TABLE, ScenePlan
 
-LEAST_MASS = 1e-9
-"""No object is lighter, kg; MuJoCo's own limit is a millionth of it."""
-
-LEAST_TOP = 1e-6
-"""No tabletop is smaller, square metres."""
-
-MOST_TURN = 1e4
-"""No angle of a scene is larger, radians."""
+_LEAST_MASS = 1e-9  # of an object, kg; MuJoCo's own limit is a millionth of it
+_LEAST_TOP = 1e-6  # of a tabletop, square metres
+_MOST_TURN = 1e4  # radians
 
 
 @dataclass(frozen=True)
@@ -37,13 +32,12 @@ class Rotation:
             a share of the loss, >= 0, each at the closest look it was given. Near 0 the picture
             hardly tells the two apart.
         width: change of yaw, radians in (0, pi], that raises the loss by a fiftieth, by the loss's
-            curvature where it is least. Where the side is right, and the model too, about two
-            thirds of the errors are smaller.
-        symmetric: the object looks the same from all sides: it keeps yaw 0, ``margin`` is 0 and
-            ``width`` pi.
-        order: turned by 2 pi / ``order`` the object looks the same, as a plain box does by a half
-            turn: such yaws are one answer, and ``margin`` is against others. Asked only where
-            another side fits about as well; else 1.
+            curvature at its least. With the right side and model, about two thirds of the errors
+            are smaller.
+        symmetric: the object looks the same from all sides: yaw 0, ``margin`` 0, ``width`` pi.
+        order: turned by 2 pi / ``order`` the object looks the same (a plain box by a half turn):
+            such yaws are one answer, and ``margin`` is against others. Asked only where another
+            side fits about as well; else 1.
     """
 
     name: str
@@ -89,16 +83,13 @@ class Placement:
     inside: bool = False
 
     def __post_init__(self) -> None:
-        scale = frozen_array(self.scale, np.float64, (3,), "Placement.scale", maximum=FARTHEST)
-        if (scale < SMALLEST).any() or not abs(self.yaw) < MOST_TURN:
+        freeze(self, FARTHEST, scale=VECTOR)
+        if (self.scale < SMALLEST).any() or not abs(self.yaw) < _MOST_TURN:
             raise InputError(
                 f"Placement {self.name!r}: scale must be {SMALLEST:g} m or more, and yaw finite, "
-                f"got {scale} and {self.yaw}."
+                f"got {self.scale} and {self.yaw}."
             )
-        translation = frozen_array(
-            self.translation, np.float64, (3,), "Placement.translation", maximum=FARTHEST
-        )
-        freeze(self, translation=translation, scale=scale)
+        freeze(self, FARTHEST, translation=VECTOR)
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,12 +104,10 @@ class LayoutBox:
     size: Float[np.ndarray, "3"]
 
     def __post_init__(self) -> None:
-        size = frozen_array(self.size, np.float64, (3,), "LayoutBox.size")
-        if (size <= 0).any():
-            raise InputError(f"LayoutBox.size must be positive metres, got {size}.")
-        freeze(
-            self, size=size, center=frozen_array(self.center, np.float64, (2,), "LayoutBox.center")
-        )
+        freeze(self, size=VECTOR)
+        if (self.size <= 0).any():
+            raise InputError(f"LayoutBox.size must be positive metres, got {self.size}.")
+        freeze(self, center=(np.float64, (2,)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,11 +118,10 @@ class Pose:
     quaternion: Float[np.ndarray, "4"]
 
     def __post_init__(self) -> None:
-        quaternion = frozen_array(self.quaternion, np.float64, (4,), "Pose.quaternion")
-        if abs(np.linalg.norm(quaternion) - 1) > 1e-4:
-            raise InputError(f"Pose.quaternion must have length 1, got {quaternion}.")
-        position = frozen_array(self.position, np.float64, (3,), "Pose.position", maximum=FARTHEST)
-        freeze(self, position=position, quaternion=quaternion)
+        freeze(self, quaternion=(np.float64, (4,)))
+        if abs(np.linalg.norm(self.quaternion) - 1) > 1e-4:
+            raise InputError(f"Pose.quaternion must have length 1, got {self.quaternion}.")
+        freeze(self, FARTHEST, position=VECTOR)
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,19 +144,16 @@ class Object:
     pose: Pose
 
     def __post_init__(self) -> None:
-        if not LEAST_MASS <= self.mass < 1e3:
+        if not _LEAST_MASS <= self.mass < 1e3:
             raise InputError(
-                f"Object {self.name!r}: mass must be in [{LEAST_MASS:g}, 1000) kg: {self.mass}."
+                f"Object {self.name!r}: mass must be in [{_LEAST_MASS:g}, 1000) kg: {self.mass}."
             )
         if not 0 < self.friction < 5:
             raise InputError(f"Object {self.name!r}: friction must be in (0, 5): {self.friction}.")
         if not self.parts:
             raise InputError(f"Object {self.name!r}: a body needs at least one convex part.")
-        freeze(
-            self,
-            com=frozen_array(self.com, np.float64, (3,), "Object.com", maximum=FARTHEST),
-            inertia=frozen_array(self.inertia, np.float64, (3, 3), "Object.inertia", maximum=1e9),
-        )
+        freeze(self, FARTHEST, com=VECTOR)
+        freeze(self, 1e9, inertia=(np.float64, (3, 3)))
 
     @property
     def label(self) -> str:
@@ -185,10 +170,9 @@ class Object:
 class Table:
     """The table: fixed in the world, standing on the floor z = 0 under the origin.
 
-    ``scale`` is its extent in metres, so ``height`` (of the top surface) is ``scale[2]``.
-    ``parts`` are convex pieces in the table's body frame (origin at the centre of its box, at
-    world (0, 0, height / 2)), in metres. ``outline`` is the top's convex outline, world x and y,
-    counter-clockwise.
+    ``scale`` is its extent in metres. ``parts`` are convex pieces in the table's body frame (origin
+    at the centre of its box, at world (0, 0, height / 2)), in metres. ``outline`` is the top's
+    convex outline, world x and y, counter-clockwise.
     """
 
     model: Model
@@ -198,22 +182,16 @@ class Table:
     friction: float = 0.6
 
     def __post_init__(self) -> None:
-        freeze(
-            self,
-            scale=frozen_array(self.scale, np.float64, (3,), "Table.scale", maximum=FARTHEST),
-            outline=frozen_array(
-                self.outline, np.float64, (None, 2), "Table.outline", maximum=FARTHEST
-            ),
-        )
+        freeze(self, FARTHEST, scale=VECTOR, outline=OUTLINE)
         if (self.scale < SMALLEST).any() or len(self.outline) < 3 or not self.parts:
             raise InputError(
                 f"Table needs a positive scale, an outline of 3 points and one convex part, got "
                 f"{self.scale}, {len(self.outline)} and {len(self.parts)}."
             )
         x, y = self.outline.T
-        if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 2 * LEAST_TOP:
+        if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 2 * _LEAST_TOP:
             raise InputError(
-                f"Table.outline must turn counter-clockwise around {LEAST_TOP:g} m^2 or more."
+                f"Table.outline must turn counter-clockwise around {_LEAST_TOP:g} m^2 or more."
             )
         if not 0 < self.friction < 5:
             raise InputError(f"Table: friction must be in (0, 5): {self.friction}.")
@@ -279,9 +257,9 @@ EditKind = Literal["swap", "add", "remove", "move", "restyle"]
 class Edit:
     """One change made to a finished scene.
 
-    ``edited`` is the sha256 of the ``scene.json`` that was edited; its first 12 digits are in that
-    bundle's name. ``names`` are the things that were made, moved or taken away, ``asked`` what was
-    asked for. ``backends`` says who made what is new.
+    ``edited`` is the sha256 of the ``scene.json`` that was edited; its first 12 digits end that
+    bundle's name. ``names`` are the things made, moved or taken away, ``asked`` is what was asked
+    for, ``backends`` who made what is new.
     """
 
     edited: str
@@ -342,10 +320,8 @@ class Scene:
         for candidate in self.objects:
             if candidate.name == name:
                 return candidate
-        raise InputError(
-            f"Scene {self.name!r} has no object {name!r}."
-            + choices(name, (o.name for o in self.objects))
-        )
+        known = choices(name, (o.name for o in self.objects))
+        raise InputError(f"Scene {self.name!r} has no object {name!r}.{known}")
 
     def replace(self, **changes: Any) -> Scene:
         """Return a copy with some fields replaced."""

@@ -5,10 +5,13 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float, Int
 
+Vertices = Float[np.ndarray, "n 3"]
+Faces = Int[np.ndarray, "m 3"]
+
 _AT_ONCE = 100_000  # faces worked on together
 
 
-def weld_index(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
+def weld_index(vertices: Vertices) -> Int[np.ndarray, "n"]:
     """Return one common index for vertices that share a position."""
     span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
     keys = np.round(vertices / span * 1e5).astype(np.int64)
@@ -22,17 +25,13 @@ def scaled_normals(triangles: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "
     return np.cross(b - a, c - a)
 
 
-def face_normals(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "m 3"]:
+def face_normals(vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m 3"]:
     """Return the unit normal of each face (zero for degenerate faces)."""
     normal = scaled_normals(vertices[faces])
     return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
 
 
-def areas(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "m"]:
+def areas(vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m"]:
     """Return twice the area of each face."""
     found = np.zeros(len(faces))
     for first in range(0, len(faces), _AT_ONCE):
@@ -41,7 +40,16 @@ def areas(
     return found
 
 
-def closed(faces: Int[np.ndarray, "m 3"]) -> bool:
+def pieces(faces: Faces, count: int) -> Int[np.ndarray, "n"]:
+    """Return which connected piece each of ``count`` vertices is in, numbered from 0."""
+    from scipy import sparse
+
+    ends = faces[:, [0, 1, 1, 2]].reshape(-1, 2).T.astype(np.int32)
+    links = sparse.coo_matrix((np.ones(ends.shape[1], np.int8), ends), shape=(count, count))
+    return sparse.csgraph.connected_components(links, directed=False)[1]
+
+
+def closed(faces: Faces) -> bool:
     """Whether every edge is used as often in one direction as in the other."""
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
     radix = int(edges.max()) + 1

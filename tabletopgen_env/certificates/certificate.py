@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from generator.bundle import MOST_BYTES, read_inside
+from generator.bundle import BOUNDS, read_inside
 from generator.errors import BundleError, InputError, choices, require, require_seed
 from generator.io.files import write_whole
 from generator.io.reading import parse_object, printable
@@ -32,11 +32,8 @@ STARTS = 30
 What would fail from more than one start in ten is solved from 30 with a chance below 5 %.
 """
 
-MOST_INSTANCES = 4096
-"""A certificate lists no more."""
-
-MOST_EPISODES = 10_000
-"""More episodes of an instance cannot be."""
+MOST_INSTANCES, MOST_EPISODES = 4096, 10_000
+"""A certificate lists no more instances, and no more episodes of one."""
 
 _MOST_FILE, _DEPTH = 2**20, 4
 
@@ -67,11 +64,6 @@ class TaskInstance:
         """The options of ``reset`` that ask for it."""
         both = {"target": self.target, "goal": self.goal}
         return {name: value for name, value in both.items() if value is not None}
-
-    @property
-    def share(self) -> float:
-        """Share of the episodes that the expert solved; 0 without episodes."""
-        return self.successes / self.episodes if self.episodes else 0.0
 
     @property
     def certified(self) -> bool:
@@ -165,7 +157,7 @@ def read_certificate(path: str | Path) -> Certificate | None:
 
 def scene_digest(folder: Path) -> str:
     """Return the sha256 of a bundle's ``scene.json``."""
-    return hashlib.sha256(read_inside(folder, "scene.json", MOST_BYTES)).hexdigest()
+    return hashlib.sha256(read_inside(folder, "scene.json", BOUNDS.file_bytes)).hexdigest()
 
 
 def write_certificate(folder: Path, certificate: Certificate) -> None:
@@ -185,8 +177,10 @@ def _decode(payload: dict[str, Any]) -> Certificate:
         tuple(check_type(task, str) for task in check_type(terms["tasks"], list)),
         *(check_type(terms[name], int) for name in ("episodes", "most", "seed")),
     )
-    listed_versions = check_type(payload["versions"], dict).items()
-    versions = {_name(k, "A package"): _name(v, "A version") for k, v in listed_versions}
+    versions = {
+        printable(k, "A package", BundleError): printable(v, "A version", BundleError)
+        for k, v in check_type(payload["versions"], dict).items()
+    }
     listed = check_type(payload["instances"], list)
     if len(listed) > MOST_INSTANCES:
         raise ValueError(f"it lists more than {MOST_INSTANCES} instances")
@@ -199,7 +193,7 @@ def _decoded_instance(entry: dict[str, Any], terms: Terms) -> TaskInstance:
     target, goal, preset = entry["target"], entry["goal"], entry["preset"]
     for name in (target, goal, preset):
         if name is not None:
-            _name(name, "A name")
+            printable(name, "A name", BundleError)
     task = check_type(entry["task"], str)
     task_named(task, preset)  # refuses what there is not
     if task not in terms.tasks:
@@ -208,7 +202,3 @@ def _decoded_instance(entry: dict[str, Any], terms: Terms) -> TaskInstance:
     if not 0 <= solved <= played <= MOST_EPISODES:
         raise ValueError(f"{solved} of {played} episodes cannot be")
     return TaskInstance(task, target, goal, solved, played, preset)
-
-
-def _name(value: Any, what: str) -> str:
-    return printable(value, what, BundleError)

@@ -2,11 +2,10 @@
 
 For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
 bound, the expert plays one episode from where the scene has things, as environments do by default,
-and others from perturbed starts (``randomization="starts"``), each from one of its own: arm and
-things are off as ``randomization.starting`` says. What it solves from all of at least ``STARTS``
-starts is certified; after a failure an instance is played no further. ``certificate.json``, beside
-the bundle's own files, keeps how many it solved, with the digest of the scene, the terms and the
-versions it was made with. Bundles do not list it, so that they stay what they were.
+and each other from a perturbed start of its own (``randomization="starts"``). What it solves from
+all of at least ``STARTS`` starts is certified; after a failure an instance is played no further.
+``certificate.json``, beside the bundle's own files, which do not list it, keeps how many it solved,
+with the digest of the scene, the terms and the versions it was made with.
 
 A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
 task's id.
@@ -79,8 +78,8 @@ def certify_all(
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
     """Certify bundles, see ``certify``, and yield each with its certificate once that is written.
 
-    One that cannot be certified comes with the error that says why, and the others follow. What is
-    written stays when it is interrupted.
+    One that cannot be certified comes with the error that says why. What is written stays when it
+    is interrupted.
 
     Raises:
         InputError: ``workers`` is out of range.
@@ -103,16 +102,13 @@ def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate |
     try:
         made = Certificate(scene_digest(path), terms, versions(_VERSIONS), tuple(instances))
         write_certificate(path, made)
+        return made
     except TabletopError as error:
         return error
-    return made
 
 
 def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
-    """Return whether a bundle has a sound certificate of its own, made on these terms.
-
-    With which versions does not matter.
-    """
+    """Return whether a bundle has a sound certificate on these terms, made with any versions."""
     try:
         found = read_certificate(path)
     except BundleError:
@@ -247,8 +243,12 @@ def _try(
 
 def _solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
     """Play one episode; return whether it was a success."""
+    import gymnasium
+
     from ..expert.run import TaskExpert
 
+    limit = gymnasium.spec(f"TabletopGen/{instance.task}-v0").max_episode_steps
+    assert limit is not None
     try:
         env.reset(seed=int(rng.integers(2**31)), options=instance.options)
         expert = TaskExpert(env)
@@ -256,7 +256,7 @@ def _solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) 
     except SceneError:
         return False
     held = Held()
-    return any(held.after(env.step(expert.act())[4]) for _ in range(_limit(instance.task)))
+    return any(held.after(env.step(expert.act())[4]) for _ in range(limit))
 
 
 def _env(folder: Path, name: TaskName, masters: Masters, randomization: str | None) -> TabletopEnv:
@@ -267,11 +267,3 @@ def _env(folder: Path, name: TaskName, masters: Masters, randomization: str | No
         folder, task=task, preset=preset, certified=False, masters=masters,
         randomization=randomization,
     )  # fmt: skip
-
-
-def _limit(task: str) -> int:
-    import gymnasium
-
-    limit = gymnasium.spec(f"TabletopGen/{task}-v0").max_episode_steps
-    assert limit is not None
-    return limit

@@ -26,14 +26,12 @@ def sample_episode(
 ) -> tuple[Episode, bool]:
     """Draw an episode; return it and whether it plays a certified instance.
 
-    What ``options`` ask for is taken. Without a target or goal in them, and if ``certified``, the
-    instances are drawn from that the bundle's certificate says the expert solves, all equally
-    likely. A bundle without a certificate, or whose certificate was made for other tasks, is
-    sampled freely.
+    Without a target or goal in ``options``, and if ``certified``, it is one that the bundle's
+    certificate says the expert solves, all equally likely. A bundle without a certificate, or whose
+    certificate was made for other tasks, is sampled freely.
 
     Raises:
-        SceneError: the scene offers nothing to do, for reasons that are told, or nothing that is
-            certified.
+        SceneError: the scene offers nothing to do, or nothing that is certified.
         InputError: what the options ask for does not exist.
         BundleError: the certificate is damaged.
     """
@@ -60,9 +58,7 @@ def sample_episode(
 
 
 def certificate_of(world: World) -> Certificate | None:
-    """Return what the expert has been seen to do here, if the bundle has a certificate.
-
-    Read once: what is written to the bundle afterwards does not show.
+    """Return what the expert has been seen to do here, if the bundle has a certificate; read once.
 
     Raises:
         BundleError: it is damaged.
@@ -77,16 +73,17 @@ def certificate_of(world: World) -> Certificate | None:
 def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int) -> SceneError:
     """Return the error of a scene with something to do, but not for the expert."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
-    why = (
-        f"of {listed} instances of {asked} the expert solved none from each of at least {STARTS} "
-        "starts"
-        if listed
-        else f"its certificate lists nothing of {asked}"
-    )
-    if listed and episodes < STARTS:
+    if not listed:
+        why = f"its certificate lists nothing of {asked}"
+    elif episodes < STARTS:
         why = (
             f"its certificate was made with {episodes} episodes an instance, and fewer than "
             f"{STARTS} certify nothing"
+        )
+    else:
+        why = (
+            f"of {listed} instances of {asked} the expert solved none from each of at least "
+            f"{STARTS} starts"
         )
     return SceneError(
         f"Scene {world.scene.name!r} offers nothing certified: {why}. Use other scenes, or make "

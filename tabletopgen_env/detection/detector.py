@@ -43,22 +43,16 @@ _RESTORE = (
 
 @dataclass(frozen=True, eq=False)
 class GraspDetector:
-    """Says where to grasp an object, from what a depth camera sees of it.
-
-    ``weights`` are those of ``network.rate``.
-    """
+    """Says where to grasp an object, from what a depth camera sees; ``weights`` as for ``rate``."""
 
     weights: Mapping[str, Float32[np.ndarray, "..."]]
 
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return the grasp rated best that the arm can reach, None if none; as ``choose``.
+        """Return the grasp of an object rated best that the arm can reach now, None if none.
 
-        Args:
-            world: the world; live poses count.
-            target: an object's name.
-            failed: grasps that failed, which rank last.
+        Those that ``failed`` rank last, as in ``choose``.
         """
         found = self.detect(look(world, target))
         found.sort(key=lambda grasp: any(is_like(grasp, other) for other in failed))
@@ -104,8 +98,7 @@ def read_detector(path: Path = PATH) -> GraspDetector:
         if path.stat().st_size > _MOST_BYTES:
             raise ValueError(f"it has more than {_MOST_BYTES} bytes")
         weights = {key: value.astype(np.float32) for key, value in load(path.read_bytes()).items()}
-        shapes = {key: value.shape for key, value in weights.items()}
-        if shapes != _shapes():
+        if {key: value.shape for key, value in weights.items()} != _shapes():
             raise ValueError("it is of another network")
         if not all(np.isfinite(value).all() for value in weights.values()):
             raise ValueError("it has weights that are not finite")
@@ -138,7 +131,7 @@ def save_weights(
 def _shapes() -> dict[str, tuple[int, ...]]:
     """Return the shapes of the network's weights, by name."""
     shapes: dict[str, tuple[int, ...]] = {}
-    for number, layer in enumerate(LAYERS):
-        shapes[f"{number}.weight"] = (layer.outputs, layer.inputs, layer.side, layer.side)
-        shapes[f"{number}.bias"] = (layer.outputs,)
+    for k, layer in enumerate(LAYERS):
+        shapes[f"{k}.weight"] = (layer.outputs, layer.inputs, layer.side, layer.side)
+        shapes[f"{k}.bias"] = (layer.outputs,)
     return shapes

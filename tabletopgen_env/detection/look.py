@@ -38,7 +38,7 @@ class HeightView:
 def look(world: World, target: str) -> HeightView:
     """Return what is seen of an object where it is now; the robot is not seen."""
     position, rotation = world.position(target), world.rotation(target)
-    low = _origin(position[:2])
+    low = position[:2] - CELL * (CELLS - 1) / 2
     high = low + CELL * (CELLS - 1.5)  # half a cell short: rounding adds none
     own = height_map(
         move_parts(world.scene.object(target).parts, position, rotation), low, high, CELL
@@ -47,7 +47,3 @@ def look(world: World, target: str) -> HeightView:
     above = np.stack([own.heights, rest.heights]) - world.scene.table.height
     heights = np.rint(np.clip(above / STEP, 0.0, 255.0)).astype(np.uint8)
     return HeightView(heights, position[:2], rotation_yaw(rotation), world.scene.table.height)
-
-
-def _origin(center: Float[np.ndarray, "2"]) -> Float[np.ndarray, "2"]:
-    return center - CELL * (CELLS - 1) / 2

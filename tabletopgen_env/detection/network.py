@@ -5,7 +5,7 @@ The height maps are turned so that the fingers open along the first axis, once f
 lies (the rotated inputs of Zeng et al., Learning Synergies between Pushing and Grasping, 2018).
 
 It runs on NumPy, so that environments need no torch, may be forked and stepped by several threads,
-and see the same bits on any number of cores; ``model`` has the same network for training.
+and see the same bits on any number of cores; ``model`` has it in torch, for training.
 """
 
 from __future__ import annotations
@@ -91,17 +91,15 @@ def turn_views(
 ) -> Float32[np.ndarray, "t 3 48 48"]:
     """Return height maps as the network sees them, at turns from ``facing`` (radians) on.
 
-    The channels are the object's height, that of all else, and how far the object is below its own
-    top.
+    Channels: the object's height, that of all else, and how far the object is below its top.
     """
     angles = facing + np.arange(TURNS)[:, None, None] * np.pi / TURNS
     axis = (np.arange(SEEN) - (SEEN - 1) / 2) * PLACE / 2
     u, v = axis[:, None], axis
     x, y = u * np.cos(angles) - v * np.sin(angles), u * np.sin(angles) + v * np.cos(angles)
     maps = np.pad(heights.astype(np.float32) * (STEP / _HEIGHT), ((0, 0), (1, 1), (1, 1)))
-    seen = _between(
-        maps, *(np.clip(at / CELL + (CELLS + 1) / 2, 0, CELLS + 0.999) for at in (x, y))
-    )
+    i, j = (np.clip(at / CELL + (CELLS + 1) / 2, 0, CELLS + 0.999) for at in (x, y))
+    seen = _between(maps, i, j)
     below = np.maximum(seen[0] - maps[0].max(), -_DEEPEST)
     return np.stack([seen[0], seen[1], 2 * below], 1).astype(np.float32)
 
@@ -125,9 +123,9 @@ def rate(
     Weights are of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
     """
     values = np.ascontiguousarray(np.moveaxis(seen, 1, -1))
-    for number, layer in enumerate(LAYERS):
-        values = _convolve(values, layer, weights[f"{number}.weight"], weights[f"{number}.bias"])
-        if number < len(LAYERS) - 1:
+    for k, layer in enumerate(LAYERS):
+        values = _convolve(values, layer, weights[f"{k}.weight"], weights[f"{k}.bias"])
+        if k < len(LAYERS) - 1:
             np.maximum(values, 0.0, out=values)
     return rate_output(np.moveaxis(values, -1, 1), MIDDLES)
 

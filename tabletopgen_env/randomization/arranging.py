@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import inside_margin, rotation_z, turned_quaternion
-from generator.scene import Object, Pose, Scene
+from generator.scene import Pose, Scene
 
 from ..affordance import footprint
 
@@ -25,12 +25,10 @@ if TYPE_CHECKING:
 OVERLAP = 5e-4
 """Deepest overlap of two things, metres, as for the scenes themselves."""
 
-SETTLING = 100
-"""Simulation steps for which a new arrangement has to rest."""
-
 DRIFT, TILT = 2e-3, np.deg2rad(2.0)
 """Largest move (metres) and turn (radians) of a thing that rests."""
 
+_SETTLING = 100  # simulation steps for which a new arrangement has to rest
 _DEPTH = 10.0  # how far below the floor things are parked, metres
 
 
@@ -62,10 +60,7 @@ def _touching(world: World) -> list[tuple[str, str]]:
 def draw_poses(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, list[float]]:
-    """Draw the move (x, y, metres) and the turn (radians) of each bundle, by its first object.
-
-    The world is at its start.
-    """
+    """Draw the move (x, y, metres) and turn (radians) of each bundle of a world at its start."""
     most = np.array([settings.move, settings.move, settings.turn])
     drawn = (most * rng.uniform(-1, 1, (len(world.names), 3))).tolist()
     roots = set(bundles(world).values())
@@ -99,17 +94,11 @@ def move(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]
         if first in moves:
             x, y, turn = moves[first]
             centre = scene.object(first).pose.position
-            thing = _move_object(thing, centre, np.array([x, y, 0.0]), turn)
+            place = centre + rotation_z(turn) @ (thing.pose.position - centre) + [x, y, 0.0]
+            pose = Pose(place, turned_quaternion(thing.pose.quaternion, turn))
+            thing = replace(thing, pose=pose)
         objects.append(thing)
     return scene.replace(objects=tuple(objects))
-
-
-def _move_object(
-    thing: Object, centre: Float[np.ndarray, "3"], move: Float[np.ndarray, "3"], turn: float
-) -> Object:
-    """Return a thing moved, and turned about the vertical through ``centre``."""
-    position = centre + rotation_z(turn) @ (thing.pose.position - centre) + move
-    return replace(thing, pose=Pose(position, turned_quaternion(thing.pose.quaternion, turn)))
 
 
 def _find_misplaced(
@@ -118,16 +107,13 @@ def _find_misplaced(
     """Return which of the ``movers`` have to stay: over the edge, overlapping, not at rest."""
     import mujoco
 
-    over = [o.name for o in before.objects if _over_the_edge(world.scene, before, o.name)]
-    if over:
-        return {root[name] for name in over}
+    if over := {root[n] for n in world.names if _over_the_edge(world.scene, before, n)}:
+        return over
     world.reset()
-    bad = _overlapping(world, root, movers)
-    if bad:
+    if bad := _overlapping(world, root, movers):
         return bad
     start = _poses(world)
-    for _ in range(SETTLING):
-        mujoco.mj_step(world.model, world.data)
+    mujoco.mj_step(world.model, world.data, _SETTLING)
     mujoco.mj_kinematics(world.model, world.data)
     restless = {root[name] for name in _restless(world, start)}
     return restless & movers or (movers if restless else set())
@@ -157,8 +143,8 @@ def _overlapping(world: World, root: Mapping[str, str], movers: set[str]) -> set
 
 def _poses(world: World) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3 3"]]:
     """Return the objects' positions and rotations."""
-    turned = world.data.xmat[world.bodies].reshape(-1, 3, 3)
-    return world.data.xpos[world.bodies].copy(), turned.copy()
+    data, bodies = world.data, world.bodies
+    return data.xpos[bodies].copy(), data.xmat[bodies].reshape(-1, 3, 3).copy()
 
 
 def _restless(

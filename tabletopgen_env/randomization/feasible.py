@@ -46,9 +46,7 @@ class Feasible:
         return (
             not touches_robot(world)
             and all(taken.has_grasp(world) for taken in self._taken)
-            and all(
-                plan_stroke(world, goal.target, goal.spot[:2]) is not None for goal in self._pushed
-            )
+            and all(plan_stroke(world, g.target, g.spot[:2]) is not None for g in self._pushed)
         )
 
 

@@ -12,16 +12,19 @@ from generator.geometry import convex_outline
 Outline = Float[np.ndarray, "_ 2"]
 """A convex outline, counter-clockwise, metres."""
 
+Outlines = Float[np.ndarray, "c k 2"]
+Point = Float[np.ndarray, "2"]
+Moves = Float[np.ndarray, "c 3"]
+"""x and y, metres, and turn, radians."""
+
 
 def hull(outlines: Sequence[Outline]) -> Outline:
     """Return the convex outline around outlines."""
     return outlines[0] if len(outlines) == 1 else convex_outline(np.concatenate(outlines))
 
 
-def carry(
-    outline: Outline, centre: Float[np.ndarray, "2"], moves: Float[np.ndarray, "c 3"]
-) -> Float[np.ndarray, "c k 2"]:
-    """Return an outline turned about ``centre`` and moved, for each move (x, y, turn)."""
+def carry(outline: Outline, centre: Point, moves: Moves) -> Outlines:
+    """Return an outline turned about ``centre`` and moved, for each of the moves."""
     c, s = np.cos(moves[:, 2, None]), np.sin(moves[:, 2, None])
     x, y = (outline - centre).T
     turned = np.stack([c * x - s * y, s * x + c * y], -1)
@@ -29,7 +32,7 @@ def carry(
 
 
 def keeps(
-    own: Float[np.ndarray, "c k 2"], other: Outline, was: Outline, others: Outline, room: float
+    own: Outlines, other: Outline, was: Outline, others: Outline, room: float
 ) -> Bool[np.ndarray, "c"]:
     """Return which outlines stay ``room`` away from another, or as far as ``was`` from ``others``.
 
@@ -43,15 +46,13 @@ def keeps(
     return far >= min(room, float(apart(was[None], others)[0]))
 
 
-def near(own: Float[np.ndarray, "c k 2"], other: Outline, room: float) -> bool:
+def near(own: Outlines, other: Outline, room: float) -> bool:
     """Return whether the boxes around outlines come within ``room`` of the box of another."""
     low, high = own.min((0, 1)) - room, own.max((0, 1)) + room
     return bool((low <= other.max(0)).all() and (high >= other.min(0)).all())
 
 
-def apart(
-    own: Float[np.ndarray, "c k 2"], other: Float[np.ndarray, "m 2"]
-) -> Float[np.ndarray, "c"]:
+def apart(own: Outlines, other: Float[np.ndarray, "m 2"]) -> Float[np.ndarray, "c"]:
     """Return how far each convex outline is from another (or from a point), negative if they meet.
 
     Along the best of their edges' normals, which is never more than the true distance.
@@ -66,7 +67,7 @@ def apart(
     return np.maximum(found, ahead.min(1).max(1))
 
 
-def _normals(outlines: Float[np.ndarray, "c k 2"]) -> Float[np.ndarray, "c k 2"]:
+def _normals(outlines: Outlines) -> Outlines:
     """Return the outward normals of counter-clockwise outlines' edges."""
     edges = np.roll(outlines, -1, axis=1) - outlines
     normals = np.stack([edges[..., 1], -edges[..., 0]], -1)

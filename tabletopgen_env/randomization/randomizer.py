@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections import deque
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
@@ -43,9 +43,8 @@ _MODEL: Mapping[str, tuple[Draw, Apply]] = MappingProxyType(
 class Randomizer:
     """Applies a ``Randomization``, or the preset of a name, to one environment's worlds by episode.
 
-    Call ``restart`` once per episode, ``begin`` with the world before the task is drawn (in place
-    of ``World.reset``; as often as worlds are tried), and ``finish`` after it. A copy starts
-    without worlds.
+    Each episode calls ``restart``, ``begin`` with each world that is tried (in place of
+    ``World.reset``), and ``finish`` once the task is drawn. A copy starts without worlds.
     """
 
     def __init__(self, choice: Randomization | str | None) -> None:
@@ -106,25 +105,19 @@ class Randomizer:
         self.__dict__.update(state, _originals=WeakKeyDictionary())
 
     def finish(self, world: World, episode: Episode) -> Episode:
-        """Perturb the start, and remove objects that the episode does not need.
-
-        Returns the episode as it begins there.
-        """
+        """Perturb the start, remove objects not needed; return the episode as it begins there."""
         if "start" in self._on:
             self._drawn["start"] = starting.start_off(
                 world, episode.goals, self.settings, self._stream("start")
             )
             episode = begin(world, begin_goals(world, episode.goals))
         if "distractors" in self._on:
-            self._leave(world, named_by(episode.goals))
+            drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
+            keep = named_by(episode.goals)
+            gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
+            arranging.take_away(world, gone)
+            self._drawn["distractors"] = {"most": drawn["most"], "absent": list(gone)}
         return episode
-
-    def _leave(self, world: World, keep: Collection[str]) -> None:
-        """Take objects away, none of ``keep``."""
-        drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
-        gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
-        arranging.take_away(world, gone)
-        self._drawn["distractors"] = {"most": drawn["most"], "absent": list(gone)}
 
     def restore(self, world: World) -> None:
         """Put a world's model back as it was compiled; ``World.reset`` then starts it."""

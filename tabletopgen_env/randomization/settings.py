@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any
 
@@ -32,27 +32,13 @@ SWITCHES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 )
 """The settings of each switch; a switch is off while all of them have their defaults."""
 
-_MOST: Mapping[str, float] = MappingProxyType(
-    {
-        "light_turn": np.pi / 2,
-        "light_color": 1.0,
-        "camera_move": 1.0,
-        "camera_turn": np.pi / 4,
-        "camera_fov": 0.5,
-        "tint": 1.0,
-        "joint_noise": 1.0,
-        "position_noise": 1.0,
-        "rotation_noise": 1.0,
-        "move": 0.2,
-        "turn": np.pi,
-        "table_height": 0.08,
-        "start_joints": 0.1,
-        "start_move": 0.2,
-        "start_turn": np.pi,
-    }
-)
 _RANGES = ("ambient", "mass", "friction", "stiffness", "damping")
 _LATEST = 100
+
+
+def _up_to(most: float) -> Any:
+    """Return a setting that is 0, and may be up to ``most``."""
+    return field(default=0.0, metadata={"most": most})
 
 
 @dataclass(frozen=True)
@@ -89,32 +75,32 @@ class Randomization:
             factor of zero, a range whose low end is above its high end.
     """
 
-    light_turn: float = 0.0
-    light_color: float = 0.0
+    light_turn: float = _up_to(np.pi / 2)
+    light_color: float = _up_to(1.0)
     ambient: Range = (1.0, 1.0)
-    camera_move: float = 0.0
-    camera_turn: float = 0.0
-    camera_fov: float = 0.0
-    tint: float = 0.0
+    camera_move: float = _up_to(1.0)
+    camera_turn: float = _up_to(np.pi / 4)
+    camera_fov: float = _up_to(0.5)
+    tint: float = _up_to(1.0)
     mass: Range = (1.0, 1.0)
     friction: Range = (1.0, 1.0)
     stiffness: Range = (1.0, 1.0)
     damping: Range = (1.0, 1.0)
     delay: int = 0
-    joint_noise: float = 0.0
-    position_noise: float = 0.0
-    rotation_noise: float = 0.0
-    move: float = 0.0
-    turn: float = 0.0
-    table_height: float = 0.0
+    joint_noise: float = _up_to(1.0)
+    position_noise: float = _up_to(1.0)
+    rotation_noise: float = _up_to(1.0)
+    move: float = _up_to(0.2)
+    turn: float = _up_to(np.pi)
+    table_height: float = _up_to(0.08)
     distractors: tuple[int, int] | None = None
-    start_joints: float = 0.0
-    start_move: float = 0.0
-    start_turn: float = 0.0
+    start_joints: float = _up_to(0.1)
+    start_move: float = _up_to(0.2)
+    start_turn: float = _up_to(np.pi)
 
     def __new__(cls, *given: Any, **settings: Any) -> Randomization:
         """Refuse unknown settings; the message lists the known ones."""
-        known = [field.name for field in fields(cls)]
+        known = [setting.name for setting in fields(cls)]
         for name in settings:
             if name in SWITCHES and name not in known:
                 own = " and ".join(SWITCHES[name])
@@ -124,19 +110,21 @@ class Randomization:
         return super().__new__(cls)
 
     def __post_init__(self) -> None:
-        for name, most in _MOST.items():
-            require(self, name, minimum=0, maximum=most)
+        for setting in fields(self):
+            if "most" in setting.metadata:
+                require(self, setting.name, minimum=0, maximum=setting.metadata["most"])
         require(self, "delay", minimum=0, maximum=_LATEST, integer=True)
         for name in _RANGES:
-            low, high = self._pair(name, "two factors (low, high) above 0")
-            if not (_number(low) and _number(high) and 0 < low <= high):
+            low, high = pair = self._pair(name, "two factors (low, high) above 0")
+            kinds = (int, float, np.integer, np.floating)
+            if not (all(_number(factor, *kinds) for factor in pair) and 0 < low <= high):
                 raise InputError(
                     f"Randomization.{name} must be two factors (low, high) with "
                     f"0 < low <= high, got {(low, high)}."
                 )
         if self.distractors is not None:
-            low, high = self._pair("distractors", "two whole numbers (fewest, most)")
-            if not (_count(low) and _count(high) and low <= high):
+            low, high = pair = self._pair("distractors", "two whole numbers (fewest, most)")
+            if not (all(_number(count, int, np.integer) for count in pair) and 0 <= low <= high):
                 raise InputError(
                     "Randomization.distractors must be two whole numbers (fewest, most) with "
                     f"0 <= fewest <= most, got {(low, high)}."
@@ -152,18 +140,13 @@ class Randomization:
 
     def is_on(self, switch: str) -> bool:
         """Return whether a switch of ``SWITCHES`` changes anything."""
-        as_it_comes = {field.name: field.default for field in fields(self)}
-        return any(getattr(self, name) != as_it_comes[name] for name in SWITCHES[switch])
+        usual = {setting.name: setting.default for setting in fields(self)}
+        return any(getattr(self, name) != usual[name] for name in SWITCHES[switch])
 
 
-def _number(value: Any) -> bool:
-    real = isinstance(value, int | float | np.integer | np.floating)
-    return real and not isinstance(value, bool) and bool(abs(value) < np.inf)
-
-
-def _count(value: Any) -> bool:
-    whole = isinstance(value, int | np.integer)
-    return whole and not isinstance(value, bool) and bool(value >= 0)
+def _number(value: Any, *kinds: type) -> bool:
+    """Return whether a value is finite and of such a kind."""
+    return isinstance(value, kinds) and not isinstance(value, bool) and bool(abs(value) < np.inf)
 
 
 PRESETS: Mapping[str, Randomization] = MappingProxyType(
@@ -173,47 +156,21 @@ PRESETS: Mapping[str, Randomization] = MappingProxyType(
             start_joints=0.06, start_move=0.03, start_turn=float(np.deg2rad(15.0))
         ),
         "light": Randomization(
-            light_turn=0.2,
-            light_color=0.1,
-            ambient=(0.85, 1.15),
-            camera_move=0.01,
-            camera_turn=0.02,
-            camera_fov=0.02,
-            tint=0.15,
-            mass=(0.85, 1.15),
-            friction=(0.9, 1.1),
-            stiffness=(0.95, 1.05),
-            damping=(0.95, 1.05),
-            joint_noise=0.001,
-            position_noise=0.002,
-            rotation_noise=0.01,
-            move=0.01,
-            turn=0.1,
-            table_height=0.01,
+            light_turn=0.2, light_color=0.1, ambient=(0.85, 1.15),
+            camera_move=0.01, camera_turn=0.02, camera_fov=0.02, tint=0.15,
+            mass=(0.85, 1.15), friction=(0.9, 1.1), stiffness=(0.95, 1.05), damping=(0.95, 1.05),
+            joint_noise=0.001, position_noise=0.002, rotation_noise=0.01,
+            move=0.01, turn=0.1, table_height=0.01,
         ),
         "strong": Randomization(
-            light_turn=0.6,
-            light_color=0.3,
-            ambient=(0.5, 1.4),
-            camera_move=0.04,
-            camera_turn=0.06,
-            camera_fov=0.08,
-            tint=0.5,
-            mass=(0.6, 1.6),
-            friction=(0.7, 1.3),
-            stiffness=(0.8, 1.2),
-            damping=(0.8, 1.2),
-            delay=2,
-            joint_noise=0.003,
-            position_noise=0.005,
-            rotation_noise=0.03,
-            move=0.03,
-            turn=0.5,
-            table_height=0.03,
-            distractors=(0, 8),
+            light_turn=0.6, light_color=0.3, ambient=(0.5, 1.4),
+            camera_move=0.04, camera_turn=0.06, camera_fov=0.08, tint=0.5,
+            mass=(0.6, 1.6), friction=(0.7, 1.3), stiffness=(0.8, 1.2), damping=(0.8, 1.2),
+            delay=2, joint_noise=0.003, position_noise=0.005, rotation_noise=0.03,
+            move=0.03, turn=0.5, table_height=0.03, distractors=(0, 8),
         ),
     }
-)
+)  # fmt: skip
 """Settings by name: nothing, where a text is wanted (recipes); starts alone, as certificates are
 made with; a little of everything but delays and missing objects; much of everything."""
 

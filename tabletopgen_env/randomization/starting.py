@@ -2,25 +2,24 @@
 
 Things are displaced once the goal is drawn, about the table, by a move along x and y and a yaw.
 What a thing carries, touches or stands against goes with it, as one *bundle*. Each bundle takes the
-first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
+first of ``len(_SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
 
 - nothing comes nearer than ``ROOM`` to anything, than ``HAND_ROOM`` to what the goals are about
-  (what rises beside it into the way of the palm: than ``PALM_ROOM``),
-  than ``EDGE`` to the table's edge or than ``CLEARANCE`` to the robot's base, or than it was if
-  that is less;
+  (than ``PALM_ROOM`` if it rises into the way of the palm), than ``EDGE`` to the table's edge or
+  than ``CLEARANCE`` to the robot's base, or than it was if that is less;
 - what the arm reaches it still does, and nothing tall comes between it and what the goals are
   about;
 - marked spots, the ways of pushes, and the room at a place where a thing is to go stay free.
 
 With no such draw it stays. Where the expert then finds no stroke for what is to be pushed, or no
-grasp that the arm reaches of what is to be taken (``feasible``), ``LESS`` of all draws is tried,
-then none. All moves keep what rests on the flat top at rest, so nothing is
-simulated. Goals that say where a thing stood follow it (``goals.goal.begun``), marked spots
-stay.
+grasp that the arm reaches of what is to be taken (``feasible``), ``_LESS`` of all draws is tried,
+then none. What rests on the flat top stays at rest, so nothing is simulated. Goals that say where a
+thing stood follow it (``goals.goal.begun``), marked spots stay.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -36,24 +35,18 @@ from ..robot.mount import CLEARANCE, TALL, obstacle
 from ..world.workspace import FREE_MARGIN
 from .arranging import bundles, move
 from .feasible import Feasible, touches_robot
-from .outlines import Outline, apart, carry, hull, keeps, near
+from .outlines import Moves, Outline, Outlines, Point, apart, carry, hull, keeps, near
 
 if TYPE_CHECKING:
     from ..world.world import World
     from .settings import Randomization
 
-SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])
-"""What share of the largest move and turn each draw of a bundle may be."""
-
-LESS = 0.3
-"""What share of all draws is taken where they leave no way to push or take what is asked for."""
-
 ROOM, HAND_ROOM, PALM_ROOM, EDGE = 0.01, 0.04, 0.08, 0.01
 """Least room between things, about those of the goals, and to the table's edge, metres."""
 
-TOGETHER = 0.002
-"""Things that stand nearer than this to each other are moved together, metres."""
-
+_SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])  # of move and turn, by draw
+_LESS = 0.3  # share of all draws where they leave no way to push or take what is asked for
+_TOGETHER = 0.002  # things nearer to each other are moved together, metres
 _PALM_Z = 0.045  # metres above the table at which the palm is when flat things are taken
 _BESIDE = 0.1  # metres about a point in the air, and behind what is pushed, kept for the hand
 _CIRCLE = np.column_stack([f(np.arange(12) * np.pi / 6) for f in (np.cos, np.sin)])
@@ -66,17 +59,22 @@ def start_off(
     """Put the arm and the things at an episode's start a little off; return by how much.
 
     The world, at its start, is left at the new one. ``rng`` draws as much for every world of as
-    many things. Returned are "joints", the seven angles added to the arm's, rad (zeros where the
-    arm would touch something); and "moved", the move (x, y, metres) and turn (rad) of each bundle
-    that is displaced, by its first thing.
+    many things. Returned are "joints", the seven angles added to the arm's, rad (zeros if the arm
+    would touch something), and "moved", each displaced bundle's move (x, y, metres) and turn (rad).
     """
     joints = rng.uniform(-settings.start_joints, settings.start_joints, 7)
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])
-    tries = most * rng.uniform(-1, 1, (len(world.names), len(SHARES), 3)) * SHARES[:, None]
+    tries = most * rng.uniform(-1, 1, (len(world.names), len(_SHARES), 3)) * _SHARES[:, None]
     before, home = world.scene, world.data.qpos[world.arm_qpos].copy()
     feasible = Feasible(world, goals)
-    for share in (1.0, LESS) if most.any() else ():
-        moves = _displace(world, goals, share * tries)
+    for share in (1.0, _LESS) if most.any() else ():
+        table = _Tabletop(world, goals)
+        for first in table.order:
+            table.displace(first, share * tries[world.index(first)])
+        moves = table.moves
+        if moves:
+            world.rearrange(table.scene)
+            world.reset()
         world.place_arm(home + joints)
         if feasible.now():
             break
@@ -91,33 +89,15 @@ def start_off(
     return {"joints": joints.tolist(), "moved": moves}
 
 
-def _displace(
-    world: World, goals: Sequence[Goal], tries: Float[np.ndarray, "n c 3"]
-) -> dict[str, list[float]]:
-    """Displace the bundles by what will do of ``tries``; return how each was, by its first."""
-    table = _Tabletop(world, goals)
-    for first in table.order:
-        table.displace(first, tries[world.index(first)])
-    if table.moves:
-        world.rearrange(table.scene)
-        world.reset()
-    return table.moves
-
-
 @dataclass(frozen=True, eq=False)
 class _Zone:
-    """An outline on the table to be kept free of all but ``of`` (bundles, by their first).
-
-    It moves with the bundle ``carrier``, if there is one.
-    """
+    """An outline on the table to be kept free of all bundles but ``of``; moves with ``carrier``."""
 
     outline: Outline
     of: tuple[str, ...]
     carrier: str | None = None
 
-    def carry(
-        self, first: str, centre: Float[np.ndarray, "2"], move: Float[np.ndarray, "3"]
-    ) -> _Zone:
+    def carry(self, first: str, centre: Point, move: Float[np.ndarray, "3"]) -> _Zone:
         """Return the zone once a bundle is moved (x, y) and turned about its centre."""
         if first != self.carrier:
             return self
@@ -125,11 +105,7 @@ class _Zone:
 
 
 class _Tabletop:
-    """Bundles on a table, seen from above, of which one after the other is displaced.
-
-    ``order``: the bundles that may be, by their first thing, those of the goals first; ``moves``:
-    how those were that have been.
-    """
+    """Bundles, by their first thing, that are displaced: in which ``order``, by what ``moves``."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._before = world.scene
@@ -144,13 +120,12 @@ class _Tabletop:
         listed = dict.fromkeys([*wanted, *self._outlines])
         self.order = [name for name in listed if self._free(name)]
 
-    def displace(self, first: str, tries: Float[np.ndarray, "c 3"]) -> None:
-        """Move a bundle by the first of ``tries`` (x, y, turn) that will do, if one does."""
+    def displace(self, first: str, tries: Moves) -> None:
+        """Move a bundle by the first of ``tries`` that will do, if one does."""
         centre = self._before.object(first).pose.position[:2]
         own = carry(self._outlines[first], centre, tries)
         good = self._on_table(first, own) & self._in_reach(first, tries)
-        good &= self._clear(first, own, centre, tries)
-        for k in np.flatnonzero(good):
+        for k in np.flatnonzero(good & self._clear(first, own, centre, tries)):
             moves = {**self.moves, first: tries[k].tolist()}
             if self._in_the_way(moves):
                 continue
@@ -175,7 +150,7 @@ class _Tabletop:
         below = max(self._tops[first], _PALM_Z)
         return PALM_ROOM if self._tops[other] > below else HAND_ROOM
 
-    def _on_table(self, first: str, own: Float[np.ndarray, "c k 2"]) -> Bool[np.ndarray, "c"]:
+    def _on_table(self, first: str, own: Outlines) -> Bool[np.ndarray, "c"]:
         """Return which outlines keep off the table's edge and the robot's base."""
         top, base = self._before.table.outline, self._world.base_position[None, :2]
         inner = inside_margin(own.reshape(-1, 2), top).reshape(own.shape[:2]).min(1)
@@ -183,7 +158,7 @@ class _Tabletop:
         clear = min(CLEARANCE, float(apart(self._then[first][None], base)[0]))
         return (inner >= edge) & (apart(own, base) >= clear)
 
-    def _in_reach(self, first: str, tries: Float[np.ndarray, "c 3"]) -> Bool[np.ndarray, "c"]:
+    def _in_reach(self, first: str, tries: Moves) -> Bool[np.ndarray, "c"]:
         """Return which moves leave in the arm's reach what was."""
         good = np.ones(len(tries), bool)
         centre = self._before.object(first).pose.position
@@ -198,11 +173,7 @@ class _Tabletop:
         return good
 
     def _clear(
-        self,
-        first: str,
-        own: Float[np.ndarray, "c k 2"],
-        centre: Float[np.ndarray, "2"],
-        tries: Float[np.ndarray, "c 3"],
+        self, first: str, own: Outlines, centre: Point, tries: Moves
     ) -> Bool[np.ndarray, "c"]:
         """Return which outlines leave room to other bundles and to what is to stay free."""
         good = np.ones(len(own), bool)
@@ -237,9 +208,8 @@ def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
     """Return how high each bundle, by its first thing, rises above the table, metres."""
     tops: dict[str, float] = {}
     for name, first in root.items():
-        high = world.position(name)[2] + np.abs(world.rotation(name))[2] @ (
-            world.scene.object(name).scale / 2
-        )
+        half = world.scene.object(name).scale / 2
+        high = world.position(name)[2] + np.abs(world.rotation(name))[2] @ half
         tops[first] = max(float(high) - world.scene.table.height, tops.get(first, 0.0))
     return tops
 
@@ -260,12 +230,9 @@ def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
 
 def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
     """Return the first two outlines that stand together, if any do."""
-    names = list(outlines)
-    for k, one in enumerate(names):
-        for other in names[k + 1 :]:
-            a, b = outlines[one], outlines[other]
-            if near(a[None], b, TOGETHER) and apart(a[None], b)[0] < TOGETHER:
-                return one, other
+    for (one, a), (other, b) in itertools.combinations(outlines.items(), 2):
+        if near(a[None], b, _TOGETHER) and apart(a[None], b)[0] < _TOGETHER:
+            return one, other
     return None
 
 

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 Format = Literal["minari", "hdf5", "npz"]
 FORMATS: tuple[Format, ...] = get_args(Format)
 
-LARGEST_SEED = 2**31 - 1
-
 
 @dataclass(frozen=True)
 class RecordConfig:
@@ -69,7 +67,7 @@ class RecordConfig:
         if self.name not in NAMES:
             raise InputError(f"Unknown task {self.task!r}." + choices(self.name, NAMES))
         require(self, "episodes", minimum=1, integer=True)
-        require_seed(self.seed, LARGEST_SEED)
+        require_seed(self.seed, 2**31 - 1)
         require(self, "noise", minimum=0)
 
     def environment(self) -> gym.Env[Any, Any]:

@@ -59,8 +59,8 @@ def play_episodes(
 ) -> Generator[RecordedEpisode | SceneError, None, None]:
     """Yield one episode after the other without end, or why there is none to keep.
 
-    Which they are does not depend on the number of ``workers``, of which a single one plays in
-    ``env``. Close it when done with it.
+    They do not depend on the number of ``workers``; a single one plays in ``env``. Close it in the
+    end.
 
     Raises:
         SceneError: a process has ended abruptly.
@@ -78,8 +78,7 @@ def play_episodes(
             yield from ahead.popleft().result()
 
 
-_environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")
-"""Where this process plays; set by ``_begin``."""
+_environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")  # of this process
 
 
 def _begin(config: RecordConfig) -> None:

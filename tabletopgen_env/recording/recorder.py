@@ -23,8 +23,7 @@ from .config import FORMATS, Format, RecordConfig
 from .playing import RecordedEpisode, play_episodes
 from .writers import Writer, check_installed, writer
 
-MOST_MISSES = 50
-"""So many episodes in a row may give nothing to keep."""
+_MOST_MISSES = 50  # episodes in a row that may give nothing to keep
 
 
 def record(
@@ -39,16 +38,15 @@ def record(
     It is there once it is whole: whatever goes wrong before leaves nothing behind. ``out`` is its
     own folder, or file ("hdf5"), which must not be there yet. The name of a Minari dataset is its
     id and ends with a version ("data/lift-v0"); None is ``TabletopGen-<task>-v0`` in the user's
-    Minari store. ``workers`` are processes that play. They do not change what is recorded, unless
-    the scenes are renewed by the clock ("refreshing"). ``report`` is called with how many episodes
-    are kept and how many were played, first before any is, once nothing is found wrong, and then
-    after each.
+    Minari store. ``workers`` are processes that play; they change what is recorded only where the
+    clock renews the scenes ("refreshing"). ``report`` is called with how many episodes are kept and
+    how many were played: before any is, once nothing is found wrong, and after each.
 
     Raises:
         InputError: a setting is wrong, a package is missing, or ``out`` is there already.
         BundleError: no bundle fits the scenes, or one is damaged.
-        SceneError: the expert solved none of ``MOST_MISSES`` episodes in a row, or a process that
-            played has ended abruptly.
+        SceneError: the expert solved none of 50 episodes in a row, or a process that played has
+            ended abruptly.
         StorageError: the disk refused.
     """
     if format not in FORMATS:
@@ -64,7 +62,7 @@ def record(
             closing(writer(format, part, config, env)) as dataset,
             closing(play_episodes(config, env, workers)) as episodes,
         ):
-            _write(config, episodes, dataset, report)
+            _write(config, episodes, dataset, report or (lambda kept, played: None))
     finally:
         env.close()
     return target
@@ -74,16 +72,15 @@ def _write(
     config: RecordConfig,
     episodes: Iterable[RecordedEpisode | SceneError],
     dataset: Writer,
-    report: Callable[[int, int], None] | None,
+    report: Callable[[int, int], None],
 ) -> None:
     """Write as many episodes as are asked for."""
     kept = missed = 0
-    if report:
-        report(0, 0)
+    report(0, 0)
     for number, episode in enumerate(episodes, 1):
         if isinstance(episode, SceneError):
             missed += 1
-            if missed == MOST_MISSES:
+            if missed == _MOST_MISSES:
                 raise SceneError(
                     f"{missed} episodes in a row gave nothing to keep. Use other scenes, another "
                     f"task or less noise. Of the last: {episode}"
@@ -92,18 +89,13 @@ def _write(
             missed = 0
             kept += 1
             dataset.add(episode)
-        if report:
-            report(kept, number)
+        report(kept, number)
         if kept == config.episodes:
             return
 
 
 def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Path:
-    """Return where the dataset goes.
-
-    Raises:
-        InputError: nothing says where, the name is no dataset's, or something is there already.
-    """
+    """Return where the dataset goes: a place that is free, and has a dataset's name."""
     if out is None and format != "minari":
         raise InputError(f"Say where the {format} dataset goes, with 'out'.")
     if out is None:
@@ -130,10 +122,7 @@ def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Pat
 
 @contextmanager
 def _publish(target: Path) -> Iterator[Path]:
-    """Give a place beside ``target``, and move what was made there to it at the end.
-
-    If something goes wrong, or Ctrl-C is pressed, all of it is removed.
-    """
+    """Give a place beside ``target``, and move what was made there to it if nothing goes wrong."""
     part = None
     try:
         target.parent.mkdir(parents=True, exist_ok=True)

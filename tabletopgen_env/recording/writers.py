@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     import h5py
     from minari import MinariDataset
 
-EXPERT = "tabletopgen_env.expert.run.TaskExpert"
-
+_EXPERT = "tabletopgen_env.expert.run.TaskExpert"
 _VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "numpy")
 
 
@@ -67,7 +66,8 @@ class MinariWriter:
         """Return the dataset of the first episode."""
         import minari
 
-        used = versions(_VERSIONS)
+        about = _about(self._config, self._env)
+        used = about["versions"]
         with _minari_root(self._place.parent), warnings.catch_warnings():
             # Authors, a link to code and the like are for who publishes the dataset.
             warnings.filterwarnings("ignore", category=UserWarning, module="minari")
@@ -75,13 +75,13 @@ class MinariWriter:
                 dataset_id=self._place.name,
                 buffer=[first],
                 env=self._env,
-                algorithm_name=EXPERT,
-                description=f"The scripted expert of {_id(self._env)} at work.",
+                algorithm_name=_EXPERT,
+                description=f"The scripted expert of {about['environment']['id']} at work.",
                 requirements=[f"{name}=={used[name]}" for name in ("tabletopgen", "mujoco")],
                 data_format="hdf5",
                 jpeg_encoding=False,  # it is lossy
             )
-        dataset.storage.update_metadata({"tabletopgen": _about(self._config, self._env)})
+        dataset.storage.update_metadata({"tabletopgen": about})
         return dataset
 
 
@@ -128,12 +128,13 @@ def _fill(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
     for name, value in arrays.items():
         if isinstance(value, Mapping):
             _fill(group.create_group(name), value)
-        elif isinstance(value, list):
-            group.create_dataset(name, data=value, dtype=h5py.string_dtype())
+            continue
+        how: dict[str, Any] = {}
+        if isinstance(value, list):
+            how = {"dtype": h5py.string_dtype()}
         elif value.ndim > 2:  # pictures, to be read one by one
-            group.create_dataset(name, data=value, chunks=(1, *value.shape[1:]), compression="gzip")
-        else:
-            group.create_dataset(name, data=value)
+            how = {"chunks": (1, *value.shape[1:]), "compression": "gzip"}
+        group.create_dataset(name, data=value, **how)
 
 
 class NpzWriter:
@@ -192,12 +193,7 @@ def _about(config: RecordConfig, env: gym.Env[Any, Any]) -> dict[str, Any]:
     assert env.spec is not None
     return {
         "environment": json.loads(env.spec.to_json()),
-        "expert": EXPERT,
+        "expert": _EXPERT,
         "settings": asdict(config),
         "versions": versions(_VERSIONS),
     }
-
-
-def _id(env: gym.Env[Any, Any]) -> str:
-    assert env.spec is not None
-    return env.spec.id

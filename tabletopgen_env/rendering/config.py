@@ -112,7 +112,7 @@ class RenderConfig:
         return self.size
 
 
-def _check_name(what: str, name: Any, known: Sequence[str]) -> None:
+def _check_name(what: str, name: Any, known: Collection[str]) -> None:
     if name not in known:
         raise InputError(f"Unknown {what} {name!r}." + choices(str(name), known))
 
@@ -133,8 +133,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
     several = isinstance(wanted, Iterable) and not isinstance(wanted, str)
     names: tuple[Any, ...] = tuple(wanted) if several else (wanted,)
     for name in names:
-        if name not in known:
-            raise InputError(f"Unknown {what} {name!r}." + choices(str(name), known))
+        _check_name(what, name, known)
     if not names or len(set(names)) < len(names):
         raise InputError(
             f"An observation needs one {what} or more, each once, got {names}." + choices("", known)

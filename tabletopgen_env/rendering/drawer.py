@@ -1,14 +1,13 @@
 """Pictures of a world: through OpenGL where there is any, in software everywhere.
 
-MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. ``Drawer`` looks for one of
-them, once; without any, ``renderer="auto"`` draws with the project's own software renderer
-(slower, plainer, the same cameras), while ``renderer="gl"`` says what to install.
+MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. Without any of them,
+``renderer="auto"`` draws with the project's own software renderer (slower, plainer, the same
+cameras), and ``renderer="gl"`` says what to install. A process that was forked after GL was used
+cannot use it, for a GL driver's threads are not forked: in it, "auto" draws in software, with a
+warning, and "gl" is an error.
 
-A process that was forked after GL was used cannot use it, for the threads of a GL driver are not
-forked: in it, "auto" draws in software, with a warning, and "gl" is an error.
-
-Two profiles: "fast" leaves out shadows, reflections and antialiasing and is meant for
-learning; "full" is for people.
+Two profiles: "fast", for learning, leaves out shadows, reflections and antialiasing; "full" is for
+people.
 """
 
 from __future__ import annotations
@@ -19,7 +18,6 @@ import os
 import threading
 import warnings
 import weakref
-from collections import OrderedDict
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
@@ -42,16 +40,11 @@ if TYPE_CHECKING:
 
 @dataclass
 class _GlUse:
-    """How this process uses GL.
+    """How this process uses GL."""
 
-    Attributes:
-        lock: GL bindings set themselves up on first use, one thread at a time.
-        process: the id of the process that used GL first: this one, or one it was forked from;
-            None before.
-    """
-
+    # GL bindings set themselves up on first use, one thread at a time.
     lock: threading.Lock = field(default_factory=threading.Lock)
-    process: int | None = None
+    process: int | None = None  # that used GL first: this one, or one it was forked from
 
     def is_forked(self) -> bool:
         """Tell whether this process was forked after GL was used."""
@@ -110,9 +103,8 @@ class GlDrawer(Drawer):
         self._process = os.getpid()
         self._at_exit = partial(_close, weakref.ref(self))
         atexit.register(self._at_exit)  # GL contexts must go before the interpreter does
-        self._held: OrderedDict[int, tuple[World, mujoco.MjrContext, mujoco.MjvScene]] = (
-            OrderedDict()
-        )
+        # By the world's id; the one used last is at the end.
+        self._held: dict[int, tuple[World, mujoco.MjrContext, mujoco.MjvScene]] = {}
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
@@ -171,13 +163,11 @@ class GlDrawer(Drawer):
         self._gl.make_current()
         context, scene = self._hold(world)
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
-        view = mujoco.MjvCamera()
+        view, option = mujoco.MjvCamera(), mujoco.MjvOption()
         view.type = mujoco.mjtCamera.mjCAMERA_FIXED
         view.fixedcamid = world.model.camera(camera).id
-        option = mujoco.MjvOption()
-        mujoco.mjv_updateScene(
-            world.model, world.data, option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, scene
-        )
+        everything = mujoco.mjtCatBit.mjCAT_ALL.value
+        mujoco.mjv_updateScene(world.model, world.data, option, None, view, everything, scene)
         return context, scene, mujoco.MjrRect(0, 0, self._size[1], self._size[0])
 
     def _hold(self, world: World) -> tuple[mujoco.MjrContext, mujoco.MjvScene]:
@@ -199,8 +189,8 @@ class GlDrawer(Drawer):
                     scene.flags[getattr(mujoco.mjtRndFlag, f"mjRND_{flag}")] = 0
             scene.flags[int(mujoco.mjtRndFlag.mjRND_FOG)] = 1  # the floor's way into the haze
             self._held[id(world)] = (world, context, scene)
-        self._held.move_to_end(id(world))
-        return self._held[id(world)][1:]
+        held = self._held[id(world)] = self._held.pop(id(world))
+        return held[1:]
 
 
 @contextmanager
@@ -244,12 +234,7 @@ def _close(reference: weakref.ref[GlDrawer]) -> None:
 
 
 def _gl_context(width: int, height: int) -> Any:
-    """Return a GL context: the kind ``MUJOCO_GL`` names, else the display's, else EGL, OSMesa.
-
-    Raises:
-        BackendError: there is none; says what to install. Or this process was forked from one
-            that had used it.
-    """
+    """Return a GL context: the kind ``MUJOCO_GL`` names, else the display's, else EGL, OSMesa."""
     if _GL_USE.is_forked():
         raise BackendError(_FORKED)
     failures = []

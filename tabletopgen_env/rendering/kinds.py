@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
 import numpy as np
 from jaxtyping import Float, Shaped, UInt8
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ..world.world import World
 
 RendererChoice = Literal["auto", "gl", "software"]
-RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
+RENDERERS: tuple[RendererChoice, ...] = get_args(RendererChoice)
 Profile = Literal["fast", "full"]
 Kind = Literal["rgb", "depth", "segmentation"]
 
@@ -23,10 +23,9 @@ class Drawer(Protocol):
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
     ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
-        """Return the pictures of some kinds, drawn together.
+        """Return the pictures of some kinds, drawn together: as ``rgb`` and ``depth`` return them.
 
-        "rgb" and "depth" are as ``rgb`` and ``depth`` return them; "segmentation" holds the id of
-        the geom that each pixel shows, -1 where nothing is.
+        "segmentation" holds the id of the geom that each pixel shows, -1 where nothing is.
         """
         ...
 

@@ -81,12 +81,9 @@ def _fit(
     kept = np.arange(len(points))
     if len(points) > count:
         kept = np.arange(count) * len(points) // count
-    cloud = {
-        "points": np.zeros((count, 3), np.float32),
-        "point_ids": np.zeros(count, np.uint8),
-        "point_mask": np.zeros(count, np.uint8),
+    padding = (0, count - len(kept))
+    return {
+        "points": np.pad(points[kept].astype(np.float32), (padding, (0, 0))),
+        "point_ids": np.pad(ids[kept], padding),
+        "point_mask": np.pad(np.ones(len(kept), np.uint8), padding),
     }
-    cloud["points"][: len(kept)] = points[kept]
-    cloud["point_ids"][: len(kept)] = ids[kept]
-    cloud["point_mask"][: len(kept)] = 1
-    return cloud

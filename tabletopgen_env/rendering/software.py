@@ -20,7 +20,7 @@ from .kinds import Drawer, Kind
 if TYPE_CHECKING:
     import mujoco
 
-    from generator.render.raster import Item, Rendered
+    from generator.render.raster import Item
     from generator.render.shading import Light
 
     from ..world.world import World
@@ -54,13 +54,22 @@ class SoftwareDrawer(Drawer):
         self, world: World, camera: str, kinds: Collection[Kind]
     ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
         """Return the pictures of some kinds, drawn together."""
-        samples = 2 if self._full and "rgb" in kinds else 1
-        made = self._render(world, camera, samples)
+        from generator.render.raster import render
+
+        if world not in self._shapes:
+            self._shapes[world] = visible_shapes(world.model)
+        shapes = self._shapes[world] = [_paint(world.model, s) for s in self._shapes[world]]
+        made = render(
+            [item for shape in shapes if (item := _item(world, shape))],
+            model_camera(world, camera, *self._size),
+            light=_light(world.model),
+            supersample=2 if self._full and "rgb" in kinds else 1,
+            shadows=self._full,
+            backdrop=backdrop(world.model),
+        )
         drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {
-            "rgb": made.image,
-            "depth": made.depth,
-            "segmentation": made.ids,
-        }
+            "rgb": made.image, "depth": made.depth, "segmentation": made.ids,
+        }  # fmt: skip
         return {kind: drawn[kind] for kind in kinds}
 
     def forget(self, world: World) -> None:
@@ -70,23 +79,6 @@ class SoftwareDrawer(Drawer):
     def close(self) -> None:
         """Free all triangles."""
         self._shapes.clear()
-
-    def _render(self, world: World, camera: str, samples: int) -> Rendered:
-        from generator.render.raster import render
-
-        if world not in self._shapes:
-            self._shapes[world] = visible_shapes(world.model)
-        shapes = self._shapes[world] = [_paint(world.model, s) for s in self._shapes[world]]
-        items = [item for shape in shapes if (item := _item(world, shape))]
-        view = model_camera(world, camera, *self._size)
-        return render(
-            items,
-            view,
-            light=_light(world.model),
-            supersample=samples,
-            shadows=self._full,
-            backdrop=backdrop(world.model),
-        )
 
 
 def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
@@ -140,12 +132,9 @@ def visible_shapes(model: mujoco.MjModel) -> list[VisibleGeom]:
     """Return every geom of the visible groups but the floor as triangles."""
     shapes = []
     for k in range(model.ngeom):
-        if model.geom_group[k] < _VISIBLE_GROUPS:
-            mesh = _triangles(model, k)
-            if mesh is not None:
-                vertices, faces, uv = mesh
-                tint = _color(model, k)[:3].copy()
-                shapes.append(VisibleGeom(k, vertices, faces, uv, _texture(model, k), tint))
+        if model.geom_group[k] < _VISIBLE_GROUPS and (mesh := _triangles(model, k)):
+            tint = _color(model, k)[:3].copy()
+            shapes.append(VisibleGeom(k, *mesh, _texture(model, k), tint))
     return shapes
 
 

@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 class Window:
     """A viewer that follows the environment from world to world, every ``frame`` seconds at most.
 
-    Without a display it says so once, through Gymnasium's logger, and shows nothing: a run that was
-    started on a server goes on.
+    Without a display it says so once, through Gymnasium's logger, and shows nothing.
     """
 
     def __init__(self, frame: float) -> None:

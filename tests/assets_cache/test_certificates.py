@@ -69,7 +69,7 @@ def test_it_lists_what_the_bundle_offers_and_environments_keep_to_it(name: str) 
         listed = [i for i in found.instances if i.name == kind]
         if find_instances(world, task_named(*kind), DEFAULT.seed, 1):
             assert listed, f"{kind} is offered, but not listed"
-        assert all(i.episodes == DEFAULT.episodes for i in listed if i.share == 1)
+        assert all(i.episodes == DEFAULT.episodes for i in listed if i.successes == i.episodes)
         env = make_env(path, task=kind.task, preset=kind.preset, masters=masters)
         if known := solved(path, kind):
             assert {played(env, seed) for seed in range(3)} <= known

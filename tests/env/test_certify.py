@@ -318,8 +318,6 @@ def test_terms_are_alike_however_they_are_given() -> None:
     assert terms == TERMS and type(terms.episodes) is int
 
 
-def test_shares_are_of_the_episodes() -> None:
-    assert TaskInstance("Lift", "a", None, 3, 4).share == 0.75
-    assert TaskInstance("Lift", "a", None).share == 0.0
+def test_options_ask_for_the_instance() -> None:
     assert TaskInstance("Push", "a", "spot").options == {"target": "a", "goal": "spot"}
     assert TaskInstance("Reach", None, None).options == {}

@@ -5,47 +5,22 @@ The largest file that passes is read within 20 seconds and 2 GB.
 
 from __future__ import annotations
 
-MOST_BYTES = 256 * 2**20
-"""Larger files are refused."""
+MOST_BYTES = 256 * 2**20  # of a file
+MOST_FACES = 2_000_000  # triangles of a mesh, and a third of its vertices
+MOST_PARTS = 5_000  # pieces of a file, repeated ones counted each time
+MOST_TEXELS = 64 * 2**20  # pixels of a picture: a small file may unpack to any size
+MOST_TEXELS_TOGETHER = 128 * 2**20  # of a file's colour textures, equal ones counted once
 
-MOST_FACES = 2_000_000
-"""Meshes of more triangles are refused, and of more than three vertices for each of these."""
+# Of a GLB
+MOST_HEADER = 32 * 2**20  # bytes of its JSON
+MOST_NODES = 20_000  # places in its tree, however deep
+MOST_MESHES = 20_000  # meshes, and the pieces of all of them, shown or not
+MOST_MATERIALS = 5_000  # materials, textures and pictures, each; also of an OBJ
+MOST_COLUMNS = 100_000  # accessors, and views of its bytes, each
+CLAIMED = 4  # times the file's size that its numbers, or its views of its bytes, may take together
 
-MOST_PARTS = 5_000
-"""Files of more pieces, repeated ones counted each time, are refused."""
-
-MOST_NODES = 20_000
-"""Places in a GLB's tree, however deep."""
-
-MOST_MESHES = 20_000
-"""Meshes of a GLB, and the pieces of all of them, shown or not."""
-
-MOST_MATERIALS = 5_000
-"""Materials, textures and pictures, each."""
-
-MOST_COLUMNS = 100_000
-"""Accessors of a GLB, and views of its bytes, each."""
-
-MOST_TEXELS = 64 * 2**20
-"""Pictures of more pixels are refused: a small file may unpack to any size."""
-
-MOST_TEXELS_TOGETHER = 128 * 2**20
-"""Files whose colour textures have more pixels together, equal ones counted once, are refused."""
-
-MOST_HEADER = 32 * 2**20
-"""Bytes of a GLB's JSON."""
-
-CLAIMED = 4
-"""Times the file's size that the numbers of a GLB, or its views of its bytes, may take together."""
-
-MOST_OBJ_BYTES = 128 * 2**20
-"""An OBJ file is text, of which a parser makes many words."""
-
-MOST_GROUPS = 2_000
-"""Times that an OBJ file changes its material, object or group."""
-
-MOST_LINE = 2**16
-"""Bytes of a line of an OBJ file, or of its materials."""
-
-MOST_LIBRARY = 4 * 2**20
-"""Bytes of a file of an OBJ's materials."""
+# Of an OBJ
+MOST_OBJ_BYTES = 128 * 2**20  # of a file: it is text, of which a parser makes many words
+MOST_GROUPS = 2_000  # changes of material, object or group
+MOST_LINE = 2**16  # bytes of a line of it, or of its materials
+MOST_LIBRARY = 4 * 2**20  # bytes of a file of its materials

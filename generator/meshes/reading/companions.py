@@ -25,7 +25,7 @@ def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes
         BackendError: a file is missing, outside the folder, too large, or no picture.
     """
     found: dict[str, bytes] = {}
-    shown: dict[str, bytes] = {}
+    shown: dict[str, bytes] = {}  # the pictures of these
     for library in _names(_LIBRARY, raw, what, _MOST_LIBRARIES):
         text = _read(library, what, folder, MOST_LIBRARY)
         check_lines(text, f"{what}: {library[:80]!r}")
@@ -33,10 +33,8 @@ def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes
         if text.count(b"newmtl") > MOST_MATERIALS:
             raise BackendError(f"{what} has more than {MOST_MATERIALS} materials.")
         for picture in _names(_PICTURE, found[library], what, MOST_MATERIALS):
-            found[picture] = _read(picture, what, folder, MOST_BYTES)
-            shown[picture] = found[picture]
-    reason = check_pictures(shown.values())
-    if reason:
+            found[picture] = shown[picture] = _read(picture, what, folder, MOST_BYTES)
+    if reason := check_pictures(shown.values()):
         raise BackendError(f"{what} {reason} It names {', '.join(shown):.300}.")
     return found
 

@@ -32,11 +32,11 @@ class Crooked(ValueError):
 def flatten(raw: bytes, header: Header) -> bytes:
     """Return an inspected GLB with nothing in it but what is looked at.
 
-    Each shown mesh hangs where its nodes put it, without any node between. Of each material the
-    base colour stays, so that no other picture is ever decoded; the old form by specular and
-    glossiness gives its diffuse colour.
+    Each shown mesh hangs where its nodes put it, without any node between. Of each material only
+    the base colour stays (of specular and glossiness, the diffuse one): no other picture is
+    decoded.
     """
-    places = [(mesh, matrix) for mesh, matrix in mesh_places(header)]
+    places = list(mesh_places(header))
     meshes = [_plain_mesh(header, mesh) for mesh in header.get("meshes", ())]
     shown = sorted({mesh for mesh, _ in places})
     numbers = {mesh: k for k, mesh in enumerate(shown)}
@@ -51,7 +51,13 @@ def flatten(raw: bytes, header: Header) -> bytes:
         "scenes": [{"nodes": list(range(len(nodes)))}],
         "nodes": nodes,
         "meshes": [meshes[mesh] for mesh in shown],
-        "materials": [_plain_material(material) for material in header.get("materials", ())],
+        "materials": [
+            {
+                "pbrMetallicRoughness": base_color(material),
+                "alphaMode": "BLEND" if material.get("alphaMode") == "BLEND" else "OPAQUE",
+            }
+            for material in header.get("materials", ())
+        ],
         **_columns(header, [meshes[mesh] for mesh in shown]),
     }
     text = json.dumps(small).encode()
@@ -136,29 +142,20 @@ def _plain_mesh(header: Header, mesh: Header) -> dict[str, Any]:
     return {"primitives": pieces, "name": "mesh"}
 
 
-def _plain_material(material: Header) -> dict[str, Any]:
-    blend = "BLEND" if material.get("alphaMode") == "BLEND" else "OPAQUE"
-    return {"pbrMetallicRoughness": base_color(material), "alphaMode": blend}
-
-
 def _columns(header: Header, meshes: Sequence[Header]) -> dict[str, Any]:
     """Return accessors, views, buffers, textures and pictures; those not looked at hold nothing."""
-    used: set[int] = set()
-    for mesh in meshes:
-        for primitive in mesh["primitives"]:
-            used.update(primitive["attributes"].values())
-            used.update([primitive["indices"]] if "indices" in primitive else ())
+    primitives = [primitive for mesh in meshes for primitive in mesh["primitives"]]
+    used = {index for primitive in primitives for index in primitive["attributes"].values()}
+    used |= {primitive["indices"] for primitive in primitives if "indices" in primitive}
     seen = {picture_of(header, material) for material in header.get("materials", ())}
     images, accessors = header.get("images", ()), header.get("accessors", ())
     read = {accessors[k].get("bufferView") for k in used}
     read |= {images[k].get("bufferView") for k in seen if k is not None}
     none = {"buffer": 0, "byteLength": 0}
-    kept: dict[str, Any] = {
+    views = header.get("bufferViews", ())
+    return {
         "accessors": [a if k in used else _NOTHING for k, a in enumerate(accessors)],
-        "bufferViews": [
-            v if k in read else none for k, v in enumerate(header.get("bufferViews", ()))
-        ],
+        "bufferViews": [v if k in read else none for k, v in enumerate(views)],
         "images": [image if k in seen else {} for k, image in enumerate(images)],
+        **{key: header[key] for key in ("buffers", "textures") if key in header},
     }
-    kept |= {key: header[key] for key in ("buffers", "textures") if key in header}
-    return kept

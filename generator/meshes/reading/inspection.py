@@ -15,22 +15,7 @@ from PIL import Image
 
 from ...errors import BackendError
 from ...io.reading import parse_object
-from .bounds import (
-    CLAIMED,
-    MOST_BYTES,
-    MOST_COLUMNS,
-    MOST_FACES,
-    MOST_GROUPS,
-    MOST_HEADER,
-    MOST_LINE,
-    MOST_MATERIALS,
-    MOST_MESHES,
-    MOST_NODES,
-    MOST_OBJ_BYTES,
-    MOST_PARTS,
-    MOST_TEXELS,
-    MOST_TEXELS_TOGETHER,
-)
+from . import bounds
 from .flattening import (
     FAN,
     JSON_CHUNK,
@@ -44,21 +29,19 @@ from .flattening import (
 )
 
 _FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TGA")  # of a texture; others' readers are many
-_LONG_LINE = re.compile(rb"^[^\n]{%d}" % (MOST_LINE + 1), re.MULTILINE)
+_LONG_LINE = re.compile(rb"^[^\n]{%d}" % (bounds.MOST_LINE + 1), re.MULTILINE)
 _FACE = re.compile(rb"\nf[^\n]*+")
 _SCANS = 100  # of a JPEG; each goes over all of the picture, and takes next to no bytes
 _MOST = {
-    "nodes": MOST_NODES, "meshes": MOST_MESHES, "materials": MOST_MATERIALS,
-    "textures": MOST_MATERIALS, "images": MOST_MATERIALS, "scenes": MOST_MATERIALS,
-    "accessors": MOST_COLUMNS, "bufferViews": MOST_COLUMNS, "buffers": 100,
+    "nodes": bounds.MOST_NODES, "meshes": bounds.MOST_MESHES,
+    **dict.fromkeys(("materials", "textures", "images", "scenes"), bounds.MOST_MATERIALS),
+    **dict.fromkeys(("accessors", "bufferViews"), bounds.MOST_COLUMNS), "buffers": 100,
 }  # fmt: skip
 
 _COMPRESSED = {
-    "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression",
-    "KHR_meshopt_compression",
+    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
     "KHR_texture_basisu",
-}
+}  # fmt: skip
 _UNDERSTOOD = ("KHR_materials_", "KHR_lights_punctual", "EXT_texture_webp", "KHR_texture_transform")
 _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 _WIDTHS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
@@ -68,14 +51,14 @@ _DAMAGE = (KeyError, IndexError, TypeError, AttributeError, ValueError)
 def inspect_glb(
     raw: bytes,
     what: str,
-    most_faces: int = MOST_FACES,
-    most_texels: int = MOST_TEXELS_TOGETHER,
+    most_faces: int = bounds.MOST_FACES,
+    most_texels: int = bounds.MOST_TEXELS_TOGETHER,
 ) -> Header:
     """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
 
-    ``what`` names the backend and the thing it was asked for in messages. Refused are meshes of
-    more than ``most_faces`` triangles, repeated ones counted each time, and colour textures of more
-    than ``most_texels`` pixels together, equal ones counted once.
+    ``what`` names it in messages. Refused are meshes of more than ``most_faces`` triangles,
+    repeated ones counted each time, and colour textures of more than ``most_texels`` pixels
+    together, equal ones counted once.
 
     Raises:
         BackendError: no GLB, cut off, too large, compressed, with files outside itself, without
@@ -100,13 +83,13 @@ def inspect_glb(
     return header
 
 
-def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
+def inspect_obj(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> None:
     """Check that an OBJ file is text with faces, and not too many: of each face its triangles.
 
     Raises:
         BackendError: it is none, or too large.
     """
-    _check_size(raw, what, MOST_OBJ_BYTES)
+    _check_size(raw, what, bounds.MOST_OBJ_BYTES)
     if b"\0" in raw[:4096]:
         raise BackendError(f"{what} is no OBJ file: it is not text. Export it again.")
     text = b"\n" + raw.replace(b"\r\n", b"\n").replace(b"\\\n", b"")  # lines may be continued
@@ -119,10 +102,10 @@ def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
             name = "vertices" if kind == b"v" else f"lines {kind.decode()!r}"
             raise BackendError(f"{what} has {count} {name}; at most {3 * most_faces} are read.")
     count = text.count(b"usemtl") + text.count(b"\no") + text.count(b"\ng")
-    if count > MOST_GROUPS:
+    if count > bounds.MOST_GROUPS:
         raise BackendError(
-            f"{what} changes material, object or group {count} times; at most {MOST_GROUPS} are "
-            "read. Sort its faces by material."
+            f"{what} changes material, object or group {count} times; at most "
+            f"{bounds.MOST_GROUPS} are read. Sort its faces by material."
         )
     check_lines(text, what)
     count = sum(max(len(face[0].split()) - 3, 0) for face in _FACE.finditer(text))
@@ -137,10 +120,14 @@ def check_lines(text: bytes, what: str) -> None:
         BackendError: one is.
     """
     if _LONG_LINE.search(text):
-        raise BackendError(f"{what} has a line of more than the {MOST_LINE} bytes that are read.")
+        raise BackendError(
+            f"{what} has a line of more than the {bounds.MOST_LINE} bytes that are read."
+        )
 
 
-def check_pictures(pictures: Iterable[bytes], maximum: int = MOST_TEXELS_TOGETHER) -> str | None:
+def check_pictures(
+    pictures: Iterable[bytes], maximum: int = bounds.MOST_TEXELS_TOGETHER
+) -> str | None:
     """Return why pictures cannot be used, or None. Only their headers are read.
 
     ``maximum`` bounds their pixels together; equal pictures count once.
@@ -157,8 +144,9 @@ def check_pictures(pictures: Iterable[bytes], maximum: int = MOST_TEXELS_TOGETHE
             return f"has a texture that cannot be read ({error}). Use PNG or JPEG."
         if scans > _SCANS:
             return f"has a JPEG texture of {scans} scans; at most {_SCANS} are read."
-        if width * height > MOST_TEXELS:
-            return f"has a texture of {width} x {height} pixels; at most {MOST_TEXELS} are read."
+        if width * height > bounds.MOST_TEXELS:
+            most = bounds.MOST_TEXELS
+            return f"has a texture of {width} x {height} pixels; at most {most} are read."
         sizes[hashlib.sha256(raw).digest()] = width * height
         if sum(sizes.values()) > maximum:
             return (
@@ -176,7 +164,7 @@ def _check_size(raw: bytes, what: str, maximum: int) -> None:
 
 def _chunks(raw: bytes, what: str) -> tuple[Header, bytes]:
     """Return the JSON header and the binary chunk (empty where there is none)."""
-    _check_size(raw, what, MOST_BYTES)
+    _check_size(raw, what, bounds.MOST_BYTES)
     if raw[:4] != b"glTF" or len(raw) < 20:
         raise BackendError(
             f"{what} is no GLB file: its {len(raw)} bytes begin with {raw[:12]!r}. "
@@ -188,7 +176,7 @@ def _chunks(raw: bytes, what: str) -> tuple[Header, bytes]:
     if length > len(raw) or size > length - 20:
         raise BackendError(f"{what} is cut off: {len(raw)} of {max(length, size)} bytes are there.")
     text, problem = raw[20 : 20 + size], f"{what} has a damaged header: it"
-    header = parse_object(text, problem, BackendError, max_bytes=MOST_HEADER)
+    header = parse_object(text, problem, BackendError, max_bytes=bounds.MOST_HEADER)
     return header, raw[28 + size :]
 
 
@@ -219,8 +207,7 @@ def _extensions(header: Header) -> str | None:
 
 def _links(header: Header) -> str | None:
     for entry in (*header.get("buffers", ()), *header.get("images", ())):
-        uri = entry.get("uri", "data:")
-        if not uri.startswith("data:"):
+        if not (uri := entry.get("uri", "data:")).startswith("data:"):
             return f"names a file outside itself, {uri[:80]!r}. Export one GLB with all in it."
     return None
 
@@ -234,10 +221,10 @@ def _amounts(header: Header, size: int) -> str | None:
         if count < 0:
             return f"is damaged (an accessor of {count} elements). Export it again."
         claimed += count * _COLUMNS[accessor["type"]] * _WIDTHS[accessor["componentType"]]
-    if claimed > CLAIMED * size:
+    if claimed > bounds.CLAIMED * size:
         return f"is damaged: its accessors claim {claimed} bytes, the file has {size}."
     lengths = [int(view["byteLength"]) for view in header.get("bufferViews", ())]
-    if sum(lengths) > CLAIMED * size or min(lengths, default=0) < 0:
+    if sum(lengths) > bounds.CLAIMED * size or min(lengths, default=0) < 0:
         return f"is damaged: its views claim {sum(lengths)} bytes, the file has {size}."
     return None
 
@@ -245,8 +232,8 @@ def _amounts(header: Header, size: int) -> str | None:
 def _faces(header: Header, maximum: int) -> str | None:
     """Count triangles as they would be drawn: a mesh at two nodes is there twice."""
     per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
-    if sum(parts for *_, parts in per_mesh) > MOST_MESHES:
-        return f"has meshes of more than {MOST_MESHES} pieces. Join them."
+    if sum(parts for *_, parts in per_mesh) > bounds.MOST_MESHES:
+        return f"has meshes of more than {bounds.MOST_MESHES} pieces. Join them."
     drawn = Counter(mesh for mesh, _ in mesh_places(header))
     if drawn and not 0 <= min(drawn) <= max(drawn) < len(per_mesh):
         return "is damaged: a node names a mesh that is not there. Export it again."
@@ -257,8 +244,8 @@ def _faces(header: Header, maximum: int) -> str | None:
         return f"has {faces} triangles; 1 to {maximum} are read."
     if vertices > 3 * maximum:
         return f"has {vertices} vertices; at most {3 * maximum} are read. Leave out unused ones."
-    if parts > MOST_PARTS:
-        return f"has {parts} pieces; at most {MOST_PARTS} are read. Join them."
+    if parts > bounds.MOST_PARTS:
+        return f"has {parts} pieces; at most {bounds.MOST_PARTS} are read. Join them."
     return None
 
 
@@ -270,9 +257,10 @@ def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
         index = primitive.get("indices", place)
         count = int(header["accessors"][index]["count"]) if index is not None else 0
         mode = primitive.get("mode", 4)
-        faces += (
-            count // 3 if mode == TRIANGLES else max(count - 2, 0) if mode in (STRIP, FAN) else 0
-        )
+        if mode == TRIANGLES:
+            faces += count // 3
+        elif mode in (STRIP, FAN):
+            faces += max(count - 2, 0)
         vertices += int(header["accessors"][place]["count"]) if place is not None else 0
     return faces, vertices, len(mesh["primitives"])
 

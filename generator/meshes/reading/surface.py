@@ -117,7 +117,7 @@ def surface_of(
 ) -> ColoredSurface:
     """Return meshes in one frame as one surface; ``what`` names them in messages.
 
-    Plain colours are ``linear`` as glTF has them (trimesh writes them as they look).
+    Plain colours are ``linear`` as in glTF, or as they look (trimesh's).
 
     Raises:
         BackendError: none has faces, they have more than ``most_faces``, or a vertex is not there,
@@ -129,11 +129,11 @@ def surface_of(
     if count > most_faces:
         raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
     for part in parts:
-        if part.vertices.shape[1:] != (3,) or part.faces.shape[1:] != (3,):
+        faces = np.asarray(part.faces)
+        if part.vertices.shape[1:] != (3,) or faces.shape[1:] != (3,):
             raise BackendError(f"{what} is damaged: its vertices are no points in space.")
         if not np.isfinite(np.asarray(part.vertices, np.float32)).all():
             raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
-        faces = np.asarray(part.faces)
         if len(faces) and not 0 <= faces.min() <= faces.max() < len(part.vertices):
             raise BackendError(f"{what} is damaged: faces name vertices that are not there.")
     pictures = Pictures(what)
@@ -152,10 +152,8 @@ def surface_of(
 
 
 def _place_meshes(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
-    """Return the meshes of a scene where its nodes have them, their materials shared.
-
-    trimesh's own ``dump`` copies, and so decodes, the pictures of each.
-    """
+    """Return the meshes of a scene where its nodes have them, their materials shared."""
+    # trimesh's own ``dump`` copies, and so decodes, the pictures of each.
     placed = []
     for node in scene.graph.nodes_geometry:
         transform, name = scene.graph[node]
@@ -201,13 +199,12 @@ def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
     """Return a material's plain colour, grey where there is no material at all."""
     if material is None:
         return np.array(_GREY, np.uint8)
-    plain = getattr(material, "baseColorFactor", None)
-    if plain is None:
-        plain = getattr(material, "diffuse", None)
+    given = (getattr(material, name, None) for name in ("baseColorFactor", "diffuse"))
+    plain = next((color for color in given if color is not None), None)
     found = np.full(4, 255, np.uint8)
     if plain is not None:
-        given = _bytes(np.asarray(plain))[:4]
-        found[: len(given)] = given
+        channels = _bytes(np.asarray(plain))[:4]
+        found[: len(channels)] = channels
     return found
 
 

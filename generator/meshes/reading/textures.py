@@ -25,12 +25,7 @@ class Pictures:
     """Textures taken in one after the other; ``kept`` has each of them once for each tint."""
 
     def __init__(self, what: str, maximum: int = MOST_TEXELS_TOGETHER) -> None:
-        """Begin with none.
-
-        Args:
-            what: how messages call the mesh.
-            maximum: texels that are kept.
-        """
+        """Begin with none; ``what`` names the mesh in messages, ``maximum`` texels are kept."""
         self.kept: list[Texels] = []
         self._what = what
         self._room = maximum
@@ -50,7 +45,9 @@ class Pictures:
         at = (key, tint.tobytes())
         if at not in self._places:
             if key not in self._plain:
-                self._plain[key] = _small(image.copy() if file is None else _open(file))
+                self._plain[key] = _small(
+                    image.copy() if file is None else Image.open(io.BytesIO(file))
+                )
             plain = self._plain[key]
             self._room -= plain.shape[0] * plain.shape[1]
             if self._room < 0:
@@ -65,8 +62,9 @@ class Pictures:
         """Return the same for equal files, and for the same picture without one."""
         if id(source) not in self._keys:
             self._sources.append(source)
-            equal = hashlib.sha256(source).digest() if isinstance(source, bytes) else id(source)
-            self._keys[id(source)] = equal
+            self._keys[id(source)] = (
+                hashlib.sha256(source).digest() if isinstance(source, bytes) else id(source)
+            )
         return self._keys[id(source)]
 
 
@@ -84,10 +82,6 @@ def _file(image: Image.Image) -> bytes | None:
     """Return the file of a picture that is not decoded yet, as long as it is in memory."""
     file = getattr(image, "fp", None)
     return file.getvalue() if isinstance(file, io.BytesIO) else None
-
-
-def _open(file: bytes) -> Image.Image:
-    return Image.open(io.BytesIO(file))
 
 
 def _small(image: Image.Image) -> Texels:

@@ -127,7 +127,7 @@ def test_repeated_meshes_count_each_time(monkeypatch):
     raw = glb(trimesh.Trimesh(np.random.default_rng(0).random((90, 3)), [[0, 1, 2]], process=False))
     with pytest.raises(BackendError, match=f"has {51 * 90} vertices; at most 600 are read"):
         inspect_glb(edited(raw, many), "it", most_faces=200)
-    monkeypatch.setattr(inspection, "MOST_PARTS", 50)
+    monkeypatch.setattr(inspection.bounds, "MOST_PARTS", 50)
     assert "has 51 pieces; at most 50" in refusal(edited(GOOD, many))
 
 
@@ -240,7 +240,7 @@ def test_pictures_lie_where_they_are_looked_for():
 
 
 def test_large_files_are_refused(monkeypatch):
-    monkeypatch.setattr(inspection, "MOST_BYTES", len(GOOD) - 1)
+    monkeypatch.setattr(inspection.bounds, "MOST_BYTES", len(GOOD) - 1)
     assert "MiB; at most" in refusal(GOOD)
 
 
