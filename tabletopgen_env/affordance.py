@@ -12,6 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy import ndimage
+from scipy.spatial import ConvexHull
 
 from generator.geometry import convex_outline, quaternion_matrix
 from generator.scene import ConvexPart, Object
@@ -263,8 +265,6 @@ def part_span(
     The part is the intersection of its hull's half-spaces; over a point it spans from the highest
     downward-facing plane to the lowest upward-facing one.
     """
-    from scipy.spatial import ConvexHull
-
     low, high = part.bounds[:, :2]
     near = np.flatnonzero(((points >= low) & (points <= high)).all(1))
     if not len(near):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Unpack
+from typing import Any, Unpack
 
 import gymnasium as gym
 import numpy as np
+from numpy.typing import ArrayLike
 
 from generator.errors import BundleError, InputError, SceneError, choices, require_seed
 
@@ -32,9 +33,6 @@ from .tasks.registry import task_named
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .world.composition import FRONT_CAMERA
 from .world.world import World
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
 
 OPTIONS = ("scene", "target", "goal")
 """What ``TabletopEnv.reset`` takes as ``options``."""

@@ -16,8 +16,9 @@ from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar, Unpack
+from typing import Any, TypeVar, Unpack
 
+import gymnasium as gym
 import numpy as np
 from gymnasium import spaces
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
@@ -34,9 +35,6 @@ from .scenes import SceneChoice, SharedScenes, resolve
 from .settings import EnvConfig, Settings, check_settings, read_settings
 from .tasks.task import Task
 from .world.worlds import Masters
-
-if TYPE_CHECKING:
-    import gymnasium as gym
 
 T = TypeVar("T")
 

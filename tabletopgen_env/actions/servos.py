@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, Protocol, get_args
+from typing import Literal, Protocol, get_args
 
 import numpy as np
 from gymnasium import spaces
 from jaxtyping import Float
+from numpy.typing import ArrayLike
 
 from generator.errors import InputError, choices
 
 from ..robot.panda import HOME_CTRL
 from ..world.composition import TIMESTEP
 from ..world.world import World
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
 
 GripperMode = Literal["continuous", "binary"]
 

@@ -7,7 +7,7 @@ is not always the shorter one.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -15,16 +15,8 @@ from jaxtyping import Bool, Float
 from generator.geometry import rotation_yaw, wrap
 
 from ..robot.kinematics import HOME, LOWER, UPPER, forward, pointing_down, solve_ik
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from ..world.world import World
-    from .planning.heights import HeightMap
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    pass
+from ..world.world import World
+from .planning.heights import HeightMap
 
 INSIDE = 0.05
 """Radians that planned joints keep from their limits."""

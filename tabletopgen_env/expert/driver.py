@@ -7,7 +7,7 @@ present pose, so that demonstrations depend only on what a learner can observe.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float
@@ -20,9 +20,7 @@ from ..robot import franka
 from ..robot.panda import HOME_CTRL
 from .arm import around, turn_left
 from .path import ROOM, clear_height
-
-if TYPE_CHECKING:
-    from .plant import Plant
+from .plant import Plant
 
 NEAR = 0.02
 """Distance at which a waypoint counts as reached, metres."""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
-if TYPE_CHECKING:
-    from ..actions.servos import Controller
-    from ..goals.goal import Goal
-    from ..world.world import World
-    from .planning.choosing import Chooser, GraspPlan
-    from .planning.dropping import Drop
+from ..actions.servos import Controller
+from ..goals.goal import Goal
+from ..world.world import World
+from .planning.choosing import Chooser, GraspPlan
+from .planning.dropping import Drop
 
 
 class Advice(Protocol):

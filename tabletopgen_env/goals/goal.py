@@ -24,7 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 import numpy as np
 from jaxtyping import Float
@@ -32,10 +32,8 @@ from jaxtyping import Float
 from generator.geometry import rotation_yaw
 
 from ..affordance import Opening, Plateau
+from ..world.world import World
 from .instructions import refer
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 SPOT = "spot"
 """Name of the goal that is a marked free spot."""

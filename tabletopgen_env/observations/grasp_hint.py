@@ -43,7 +43,7 @@ of the vertical over the end of the way entry 6 is 0.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Float
@@ -59,12 +59,9 @@ from ..expert.planning.dropping import Drop, breadth, hanging, let_go_at, lift_o
 from ..expert.planning.grasps import TIP, Grasp
 from ..expert.planning.placing import Placer, middle_place, plan_place
 from ..expert.planning.plans import first_plan
-from ..goals.goal import Pushed, Raised
+from ..goals.goal import Goal, Pushed, Raised
 from ..rendering.config import HintKind
-
-if TYPE_CHECKING:
-    from ..goals.goal import Goal
-    from ..world.world import World
+from ..world.world import World
 
 HINT_BOUNDS = np.array([3.0] * 3 + [7.0] + [0.1] * 2 + [3.0] + [1.0])
 """Largest magnitude of each entry."""

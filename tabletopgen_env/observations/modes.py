@@ -53,7 +53,7 @@ The modes
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from gymnasium import spaces
@@ -62,6 +62,7 @@ from scipy.spatial.transform import Rotation
 
 from generator.geometry import rotation_yaw, wrap
 
+from ..goals.goal import Goal
 from ..rendering.config import ObservationConfig
 from ..rendering.point_cloud import point_cloud_spaces
 from ..rendering.views import SLOTS, picture_spaces
@@ -70,9 +71,6 @@ from ..robot.panda import HOME_CTRL
 from ..tasks.task import center
 from ..world.world import World
 from .grasp_hint import HINT_BOUNDS, misread
-
-if TYPE_CHECKING:
-    from ..goals.goal import Goal
 
 ROBOT_BOUNDS = np.array(
     [4.0] * 7 + [10.0] * 7 + [0.1] + [3.0] * 3 + [1.0] * 6 + [4.0] * 7 + [1.0] * 3 + [3.0] * 6

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,11 +13,9 @@ from generator.errors import InputError
 from generator.scene import Object
 
 from ..goals.goal import Raised
+from ..world.world import World
 from .sampling import draw_episode, liftable
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 
 class Lift(Task):

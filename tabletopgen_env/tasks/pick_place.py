@@ -7,12 +7,12 @@ spot, or a point (x, y) of the table in the world frame. Goals: `Into` or `OnSpo
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from generator.scene import Object
 
+from ..world.world import World
 from .sampling import (
     check_known,
     containers,
@@ -24,9 +24,6 @@ from .sampling import (
     target_of,
 )
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 
 class PickPlace(Task):

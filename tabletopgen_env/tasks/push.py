@@ -9,7 +9,6 @@ which turn aside when they are pushed at an end. ``reset`` options: ``target`` a
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -22,11 +21,9 @@ from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.planning.strokes import beside, plan_stroke
 from ..goals.goal import SPOT, Pushed
 from ..goals.needs import LOW
+from ..world.world import World
 from .sampling import Reasons, blocking_reason, draw_episode, given_point, on_table, rest_height
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 WAY = (0.08, 0.25)
 """Shortest and longest way to push, metres."""

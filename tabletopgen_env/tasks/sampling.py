@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -17,10 +16,8 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import SPOT, Into, OnSpot
 from ..robot.mount import obstacle, reachable
 from ..world.workspace import free_spot
+from ..world.world import World
 from .task import Choice, Episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 ROOM = 0.008
 """What the hollow of a container must be wider than what is put into it, however that is turned."""

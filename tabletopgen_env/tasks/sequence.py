@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -30,6 +30,7 @@ from generator.scene import Object
 from ..expert.planning.plans import has_grasp
 from ..goals.goal import SPOT, Goal
 from ..goals.needs import FLAT, SMALL, TRAYS
+from ..world.world import World
 from .names import TaskName
 from .sampling import (
     NO_GRASP,
@@ -44,10 +45,6 @@ from .sampling import (
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
-
 
 NEEDS: Needs = (SMALL, SMALL, (*FLAT, *TRAYS))
 """What tables for drawn steps hold: two things to move, and something for one to go to."""

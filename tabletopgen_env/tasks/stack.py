@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -22,11 +21,9 @@ from ..expert.planning.plans import first_plan
 from ..goals.goal import OnTop
 from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
+from ..world.world import World
 from .sampling import draw_episode, given_object, liftable, on_table, rest_height
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 LEAST_TOP = 0.022
 """Least radius of a flat top to put things on, metres."""

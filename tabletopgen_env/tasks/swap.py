@@ -9,7 +9,6 @@ first object stands where the second stood; what is asked for in the end are the
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,11 +19,9 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import Goal, OnSpot, the
 from ..goals.needs import SMALL
 from ..world.workspace import FREE_MARGIN
+from ..world.world import World
 from .sampling import draw_episode, given_object, in_stead, liftable, on_spot, on_table, spot_of
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 
 class Swap(Task):

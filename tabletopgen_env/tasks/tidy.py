@@ -8,9 +8,9 @@ several things; the task's own tables (``SCENES``) have.
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
 from generator.errors import InputError
 from generator.scene import Object
@@ -19,11 +19,9 @@ from ..affordance import Opening, grasp_width, resting_height
 from ..expert.planning.plans import has_grasp
 from ..goals.goal import INSIDE, Goal, Into, the
 from ..goals.needs import TINY, TRAYS
+from ..world.world import World
 from .sampling import containers, given_object, into, liftable, nothing
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 SCENES = "tidy-task-*"
 """The bundles (a glob) with a tray and small things."""
@@ -101,6 +99,4 @@ def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
 
 def _area(world: World, obj: Object) -> float:
     """Return the area of what an object covers, square metres."""
-    from scipy.spatial import ConvexHull
-
     return float(ConvexHull(world.footprints[obj.name]).volume)  # of a polygon its area

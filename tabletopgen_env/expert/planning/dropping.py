@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import rotation_z
 
-from ...goals.goal import RAISED, Raised, at_rest
+from ...goals.goal import RAISED, Goal, Raised, Region, at_rest
+from ...world.world import World
 from ..arm import turn_left
 from .grasps import TIP, Grasp
 from .placing import Placer, plan_place
-
-if TYPE_CHECKING:
-    from ...goals.goal import Goal, Region
-    from ...world.world import World
 
 ABOVE = 0.04
 """Metres above the place at which what is held is brought into line with it."""

@@ -9,22 +9,19 @@ straight down meets the rest of the world as a height map.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy.ndimage import maximum_filter1d
 
 from generator.geometry import rotation_yaw, rotation_z
 
 from ...robot import franka
+from ...world.world import World
 from .heights import HeightMap, VoxelSolid, move_parts, solid, surroundings
 from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from ...world.world import World
 
 TIP = 0.0088
 """How far the fingertips reach beyond the tool centre point, metres."""
@@ -138,8 +135,6 @@ def _along(
     floor: float,
 ) -> Iterator[Grasp]:
     """Yield grasps whose fingers open along ``angle``."""
-    from scipy.ndimage import maximum_filter1d
-
     across = np.array([np.cos(angle), np.sin(angle)])
     along = np.array([-across[1], across[0]])
     shape, cut, middle = seen.shape, seen.cut, seen.middle

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -12,9 +11,7 @@ from jaxtyping import Bool, Float, Int
 from generator.scene import ConvexPart
 
 from ...affordance import part_span, top_surface
-
-if TYPE_CHECKING:
-    from ...world.world import World
+from ...world.world import World
 
 
 @dataclass(frozen=True, eq=False)

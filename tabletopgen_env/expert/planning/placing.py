@@ -8,20 +8,19 @@ one is low, near the middle and well supported, with the shortest fall.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from jaxtyping import Float
+from scipy import ndimage
 
 from generator.geometry import rotation_z, wrap
 
 from ...goals.goal import INSIDE, Goal, Into, OnTop, Region
+from ...world.world import World
 from ..arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
 from .heights import HeightMap, move_parts, solid, surroundings
-
-if TYPE_CHECKING:
-    from ...world.world import World
 
 RELEASE = 0.004
 """Height from which a thing is let go, metres."""
@@ -173,8 +172,6 @@ def _base(world: World, goal: Goal, region: Region) -> float:
 
 
 def _room(world: World, target: str, region: Region, held: Underside) -> HeightMap:
-    from scipy import ndimage
-
     reach = float(region.semi[:2].max() + 2 * np.linalg.norm(held.at, axis=1).max() + 0.15)
     low, high = region.center[:2] - reach, region.center[:2] + reach
     found = surroundings(world, target, low, high, _CELL)

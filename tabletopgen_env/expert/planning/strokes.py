@@ -7,7 +7,7 @@ fingers and the palm over them need room all along that way.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from jaxtyping import Float
@@ -15,12 +15,10 @@ from jaxtyping import Float
 from generator.geometry import wrap
 from generator.scene import ConvexPart
 
+from ...world.world import World
 from ..arm import stretch, turn_left, wrist_is_free
 from .grasps import TIP
 from .heights import HeightMap, height_map, move_parts, surroundings
-
-if TYPE_CHECKING:
-    from ...world.world import World
 
 BEHIND = 0.025
 """Metres between the fingers and the object before a stroke."""
