@@ -129,8 +129,6 @@ def opening(obj: Object) -> Opening | None:
     model calls a container is looked at more finely if that shows none: its wall may be thinner
     than a cell, or a handle rise above its rim. The rim is then where the hollow would spill.
     """
-    from scipy import ndimage
-
     scan = _scan(obj, np.array([_GRID, _GRID]))
     top, outside = scan.top, _outside(scan.top)
     rim = float(np.quantile(top[np.isfinite(top)], 0.98))
@@ -203,8 +201,6 @@ def plateau(obj: Object) -> Plateau | None:
     The collision parts are scanned from above on a grid: flat is what lies within ``LEVEL`` of the
     highest surface; the disc is the largest whose cells all are.
     """
-    from scipy import ndimage
-
     turn = quaternion_matrix(obj.pose.quaternion)
     parts = tuple(ConvexPart(part.vertices @ turn.T) for part in obj.parts)
     points = np.concatenate([part.vertices for part in parts])
@@ -224,8 +220,6 @@ def plateau(obj: Object) -> Plateau | None:
 
 def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
     """Return the cells beside the solid, and those of its own that touch them."""
-    from scipy import ndimage
-
     # Parts may leave hairline gaps between them.
     whole = np.asarray(ndimage.binary_fill_holes(np.isfinite(top)), dtype=bool)
     return ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
@@ -235,8 +229,6 @@ def _hollow(
     top: Float[np.ndarray, "nx ny"], level: float, outside: Bool[np.ndarray, "nx ny"]
 ) -> Bool[np.ndarray, "nx ny"]:
     """Return the largest connected region below a level that never reaches the outside."""
-    from scipy import ndimage
-
     labels = np.empty(top.shape, dtype=np.int32)
     ndimage.label(np.isfinite(top) & (top < level), output=labels)  # type: ignore[arg-type]
     sizes = np.bincount(labels.ravel())
