@@ -17,21 +17,17 @@ class Advice(Protocol):
     @property
     def planned(self) -> GraspPlan | None:
         """The grasp that is hinted at."""
-        ...
 
     @property
     def drop(self) -> Drop | None:
         """Where to let go, once the target is raised."""
-        ...
 
     @property
     def choose(self) -> Chooser:
         """What the hints are chosen by."""
-        ...
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
         """Return the grasp of an object where it is now; None if it is not the active target."""
-        ...
 
 
 class Plant(Protocol):
@@ -43,14 +39,11 @@ class Plant(Protocol):
     @property
     def world(self) -> World:
         """The simulated world."""
-        ...
 
     @property
     def goal(self) -> Goal:
         """The goal that is active."""
-        ...
 
     @property
     def hint(self) -> Advice | None:
         """The grasp hint, if the environment gives one."""
-        ...

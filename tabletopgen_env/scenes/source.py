@@ -81,7 +81,6 @@ class SceneSource(Protocol):
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw the next scene with ``rng``."""
-        ...
 
 
 def record(source: SceneSource, success: bool) -> None:

@@ -39,7 +39,6 @@ class Chooser(Protocol):
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
         """Return a grasp of ``target`` where it is now, None if there is none; as ``choose``."""
-        ...
 
 
 def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> GraspPlan | None:
