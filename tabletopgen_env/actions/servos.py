@@ -104,9 +104,11 @@ class Controller(Protocol):
 
     def reset(self, world: World) -> None:
         """Start from the robot's present pose."""
+        ...
 
     def apply(self, world: World, action: Float[np.ndarray, "a"]) -> None:
         """Write the servo commands of one checked action to ``world.data.ctrl``."""
+        ...
 
 
 def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:

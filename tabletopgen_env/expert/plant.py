@@ -12,38 +12,28 @@ from .planning.dropping import Drop
 
 
 class Advice(Protocol):
-    """The grasp hint of an environment, which the expert follows if there is one."""
+    """The grasp hint of an environment, which the expert follows if there is one.
 
-    @property
-    def planned(self) -> GraspPlan | None:
-        """The grasp that is hinted at."""
+    Attributes:
+        planned: the grasp that is hinted at.
+        drop: where to let go, once the target is raised.
+        choose: what the hints are chosen by.
+    """
 
-    @property
-    def drop(self) -> Drop | None:
-        """Where to let go, once the target is raised."""
-
-    @property
-    def choose(self) -> Chooser:
-        """What the hints are chosen by."""
+    planned: GraspPlan | None
+    drop: Drop | None
+    choose: Chooser
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
         """Return the grasp of an object where it is now; None if it is not the active target."""
+        ...
 
 
 class Plant(Protocol):
-    """An environment in the action mode "ee_delta"."""
+    """An environment in the action mode "ee_delta"; ``goal`` is the active one."""
 
     action_mode: str
     controller: Controller
-
-    @property
-    def world(self) -> World:
-        """The simulated world."""
-
-    @property
-    def goal(self) -> Goal:
-        """The goal that is active."""
-
-    @property
-    def hint(self) -> Advice | None:
-        """The grasp hint, if the environment gives one."""
+    world: World
+    goal: Goal
+    hint: Advice | None

@@ -25,6 +25,7 @@ class Predicts(Protocol):
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
         """Return the action, and a state that is not used."""
+        ...
 
 
 @dataclass(frozen=True)

@@ -81,6 +81,7 @@ class SceneSource(Protocol):
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw the next scene with ``rng``."""
+        ...
 
 
 def record(source: SceneSource, success: bool) -> None:

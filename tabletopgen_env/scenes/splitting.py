@@ -112,9 +112,11 @@ class Described(Protocol):
 
     def digest(self) -> str:
         """Return what ``generator.bundle.digest`` says of the scene."""
+        ...
 
     def kinds(self) -> frozenset[str]:
         """Return the kinds of its objects; see ``kinds_of``."""
+        ...
 
 
 def admits(rule: SplitRule, ref: SceneRef) -> bool:

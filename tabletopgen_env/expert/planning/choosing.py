@@ -39,6 +39,7 @@ class Chooser(Protocol):
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
         """Return a grasp of ``target`` where it is now, None if there is none; as ``choose``."""
+        ...
 
 
 def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> GraspPlan | None:

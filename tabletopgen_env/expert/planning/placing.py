@@ -57,6 +57,7 @@ class Placer(Protocol):
 
     def __call__(self, world: World, goal: Goal, yaw: float, opening: float) -> Place:
         """Return a place; see ``plan_place``."""
+        ...
 
 
 class Underside(NamedTuple):
