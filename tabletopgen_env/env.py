@@ -10,7 +10,14 @@ import gymnasium as gym
 import numpy as np
 from numpy.typing import ArrayLike
 
-from generator.errors import BundleError, InputError, SceneError, choices, require_seed
+from generator.errors import (
+    BundleError,
+    InputError,
+    SceneError,
+    choices,
+    require_known,
+    require_seed,
+)
 
 from .actions import check_action
 from .certificates.instances import sample_episode
@@ -241,8 +248,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
         """Start an episode; return what ``reset`` does."""
         for key in options:
-            if key not in OPTIONS:
-                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), OPTIONS))
+            require_known(key, OPTIONS, "Unknown reset option")
         self._tell_source()
         self._world, self._episode, self._certified = self._draw(options)
         self._instruction = self.task.instruction(self._world, self._episode.goals)

@@ -10,7 +10,7 @@ from gymnasium import spaces
 from jaxtyping import Float
 from numpy.typing import ArrayLike
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, require_known
 
 from ..robot.panda import HOME_CTRL
 from ..world.composition import TIMESTEP
@@ -51,11 +51,7 @@ class Servos:
                 f"control_hz must divide the {_STEPS} simulation steps of a second, got "
                 f"{self.hz!r}; use one of {rates}."
             )
-        if self.gripper not in get_args(GripperMode):
-            raise InputError(
-                f"Unknown gripper mode {self.gripper!r}."
-                + choices(str(self.gripper), get_args(GripperMode))
-            )
+        require_known(self.gripper, get_args(GripperMode), "Unknown gripper mode")
 
     @property
     def substeps(self) -> int:

@@ -23,11 +23,10 @@ from stable_baselines3.common.torch_layers import (
 from stable_baselines3.common.vec_env import DummyVecEnv, VecEnv, VecMonitor
 from torch import nn
 
-from generator.bundle import digest
-from generator.errors import InputError, choices, require_number
+from generator.errors import InputError, require_known, require_number
 
-from ..scenes import FRESH, REFRESHING, STARTER, FreshScenes, SceneRef, SceneSource, resolve, split
-from ..scenes.splitting import Described, Side
+from ..scenes import FRESH, REFRESHING, STARTER, FreshScenes, SceneSource, resolve, split
+from ..scenes.splitting import Side, digest_of
 from ..tasks.task import Task
 from ..vector import TabletopVectorEnv
 from .networks.goal_extractor import GoalExtractor
@@ -102,11 +101,7 @@ def count_shared(source: SceneSource, other: SceneSource) -> int:
 def _at_hand(source: SceneSource) -> set[str]:
     """Return the digests of the scenes that a source has before it makes any."""
     held = (source, getattr(source, "initial", None))
-    return {_digest(ref) for each in held for ref in getattr(each, "refs", ())}
-
-
-def _digest(ref: SceneRef) -> str:
-    return ref.load.digest() if isinstance(ref.load, Described) else digest(ref.load())
+    return {digest_of(ref) for each in held for ref in getattr(each, "refs", ())}
 
 
 def single_env(
@@ -144,10 +139,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
     options = dict(recipe.options)
     known = set(inspect.signature(kind.__init__).parameters) - _OURS - {"self"}
     for key in options:
-        if key not in known:
-            raise InputError(
-                f"{recipe.name}: {kind.__name__} has no option {key!r}." + choices(key, known)
-            )
+        require_known(key, known, f"{recipe.name}: {kind.__name__} has no option")
     noise = options.pop("action_noise", None)
     if noise is not None:
         require_number(f"{recipe.name} needs options.action_noise", noise, minimum=0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, require_known
 
 from .lift import Lift
 from .pick_place import PickPlace
@@ -29,8 +29,7 @@ def task_named(name: str, preset: str | None = None) -> Task:
     Raises:
         InputError: no such task or preset, or a preset for another task.
     """
-    if name not in TASKS:
-        raise InputError(f"Unknown task {name!r}." + choices(str(name), TASKS))
+    require_known(name, TASKS, "Unknown task")
     if name == "Sequence":
         return Sequence(preset)
     if preset is not None:

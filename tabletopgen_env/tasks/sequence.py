@@ -23,7 +23,7 @@ from typing import Literal
 
 import numpy as np
 
-from generator.errors import InputError, SceneError, choices
+from generator.errors import InputError, SceneError, require_known
 from generator.language.distribution import Needs
 from generator.scene import Object
 
@@ -116,8 +116,8 @@ class Sequence(Task):
     most = 3
 
     def __init__(self, preset: str | None = None) -> None:
-        if preset is not None and preset not in PRESETS:
-            raise InputError(f"Sequence has no preset {preset!r}." + choices(str(preset), PRESETS))
+        if preset is not None:
+            require_known(preset, PRESETS, "Sequence has no preset")
         self._name = preset
         self.preset = None if preset is None else PRESETS[preset]
         self.scenes = Task.scenes if self.preset is None else self.preset.scenes

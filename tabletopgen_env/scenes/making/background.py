@@ -11,9 +11,11 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
 
+from generator.bundle import save
 from generator.errors import StorageError
 from generator.jobs.workers import WorkerDied, WorkerPool
 
+from ..difficulty import difficulty
 from .recipe import SceneRecipe
 
 TIMEOUT = 1800.0
@@ -123,10 +125,6 @@ def _step_back() -> None:
 
 def _make(recipe: SceneRecipe, folder: Path) -> MadeScene:
     """Make a scene and save it as a bundle in a folder."""
-    from generator.bundle import save
-
-    from ..difficulty import difficulty
-
     scene = recipe.make()
     path = save(scene, folder, allow_failed=True)  # recipes judge what needs judging
     return MadeScene(recipe, path, difficulty(scene))
