@@ -303,9 +303,7 @@ class Picker(Expert):
         return bool(np.linalg.norm(self._object - self._plan.seen) > _MOVED)
 
     def _is_moving(self) -> bool:
-        world = self._env.world
-        speed = world.velocities()[world.index(self._target)]
-        return bool(np.linalg.norm(speed[:3]) > _MOVING)
+        return bool(np.linalg.norm(self._env.world.velocity(self._target)[:3]) > _MOVING)
 
     def _in_object(self) -> Float[np.ndarray, "3"]:
         """Return where the tool is in the object's frame, metres."""
