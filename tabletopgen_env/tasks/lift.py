@@ -31,7 +31,6 @@ class Lift(Task):
             raise InputError("Lift has no goal to choose; leave the option 'goal' out.")
 
         def make(obj: Object) -> Episode:
-            goals = (Raised(obj.name, world.position(obj.name)),)
-            return episode(world, goals)
+            return episode(world, (Raised(obj.name, world.position(obj.name)),))
 
         return draw_episode(world, rng, target, liftable(world), make, "")

@@ -106,11 +106,9 @@ def tips(obj: Object) -> bool:
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
     """Draw where to push an object: along a way free of others, with room for the hand behind."""
-    begin = obj.pose.position[:2]
-    outline = world.footprints[obj.name]
+    begin, table = obj.pose.position[:2], world.scene.table
+    outline, others = world.footprints[obj.name], beside(world, obj.name)
     radius = float(np.linalg.norm(outline - begin, axis=1).max())
-    table = world.scene.table
-    others = beside(world, obj.name)
     plans = 0
     for _ in range(_TRIES):
         angle, way = rng.uniform(0, 2 * np.pi), rng.uniform(*WAY)

@@ -191,13 +191,13 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
 def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
     """Return the object that a goal option names, None without one.
 
-    ``use`` says what it is for, ``wanted`` what the option has to be.
+    ``use`` says what it is for, ``wanted`` what the option of which task has to be.
 
     Raises:
         InputError: the option is a spot or a point, or the scene has no such object.
     """
     if goal is not None and target_of(goal) is None:
-        raise InputError(f"{wanted}, got {goal!r}.")
+        raise InputError(f"The goal of {wanted}, got {goal!r}.")
     return None if goal is None else check_known(world, str(goal), use)
 
 

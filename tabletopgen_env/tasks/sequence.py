@@ -145,8 +145,7 @@ class Sequence(Task):
             return Swap().sample(world, rng, first.name, second.name)
         for step in self.preset.steps:
             _movable(world, step.target)
-        goals = tuple(_goal(world, step) for step in self.preset.steps)
-        return episode(world, goals)
+        return episode(world, tuple(_goal(world, step) for step in self.preset.steps))
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
         """Return the preset's sentence, or what the drawn ``goals`` ask for."""
@@ -168,10 +167,7 @@ def _resolve_label(world: World, label: str) -> Object:
 
 
 def _movable(world: World, label: str, broad: bool = False) -> Object:
-    """Return the object that a preset means, which the expert has to be able to take.
-
-    ``broad`` allows for what nearly fills the gripper, as mugs and apples do.
-    """
+    """Return the object that a preset means, if it can be taken; as ``broad`` as the gripper."""
     obj = _resolve_label(world, label)
     reason = blocking_reason(world, obj) if broad else liftable(world)[obj.name]
     if reason is None and not has_grasp(world, obj.name):
@@ -215,10 +211,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
 ) -> Goal | None:
-    """Return a drawn goal of ``obj``, or None.
-
-    ``busy`` things are left alone, and the spots of the goals ``before`` this one.
-    """
+    """Return a goal of ``obj`` clear of ``busy`` things and the spots of ``before``, or None."""
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
     ways: list[Goal] = []

@@ -33,12 +33,7 @@ class Drop:
     """
 
     def __init__(
-        self,
-        world: World,
-        goal: Goal,
-        yaw: float,
-        opening: float,
-        plan: Placer = plan_place,
+        self, world: World, goal: Goal, yaw: float, opening: float, plan: Placer = plan_place
     ) -> None:
         assert goal.target is not None
         self._target, self._goal = goal.target, goal
@@ -91,10 +86,9 @@ def hanging(world: World, target: str) -> float:
 
 
 def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
-    """Return where from the tool the middle of the held object is, and how far it reaches about it.
+    """Return where from the tool a held object's middle is and how far it reaches about it.
 
-    Metres, along the table, world frame. With a large ``turn`` (radians) left, the middle may end
-    up anywhere around the tool.
+    Metres, along the table, world frame. With a large ``turn`` (radians) left it may be anywhere.
     """
     if abs(turn) > _TURNING:
         return np.zeros(3), breadth(world, target)

@@ -43,6 +43,12 @@ def move_parts(
     return tuple(ConvexPart(part.vertices @ rotation.T + position) for part in parts)
 
 
+def parts_of(world: World, name: str) -> tuple[ConvexPart, ...]:
+    """Return an object's convex parts where they are now, world frame."""
+    parts = world.scene.object(name).parts
+    return move_parts(parts, world.position(name), world.rotation(name))
+
+
 def height_map(
     parts: Iterable[ConvexPart],
     low: Float[np.ndarray, "2"],
@@ -81,12 +87,7 @@ def surroundings(
     cell: float,
 ) -> HeightMap:
     """Return the height map of every object but ``target``, where they are now."""
-    parts = [
-        part
-        for obj in world.scene.objects
-        if obj.name != target
-        for part in move_parts(obj.parts, world.position(obj.name), world.rotation(obj.name))
-    ]
+    parts = [p for o in world.scene.objects if o.name != target for p in parts_of(world, o.name)]
     return height_map(parts, low, high, cell)
 
 

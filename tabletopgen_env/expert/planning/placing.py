@@ -20,7 +20,7 @@ from ...goals.goal import INSIDE, Goal, Into, OnTop, Region
 from ...world.world import World
 from ..arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
-from .heights import HeightMap, move_parts, solid, surroundings
+from .heights import HeightMap, parts_of, solid, surroundings
 
 RELEASE = 0.004
 """Height from which a thing is let go, metres."""
@@ -140,11 +140,11 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
     tip = float(tool[2]) - TIP
-    if not wrist_is_free(world, others, tool[None, :2], tip):
-        return False
-    if not knuckle_is_free(world, others, tool[:2], tip, yaw):
-        return False
-    return _stretched(world, tool, yaw)
+    return (
+        wrist_is_free(world, others, tool[None, :2], tip)
+        and knuckle_is_free(world, others, tool[:2], tip, yaw)
+        and _stretched(world, tool, yaw)
+    )
 
 
 def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
@@ -182,10 +182,7 @@ def _room(world: World, target: str, region: Region, held: Underside) -> HeightM
 
 def _held_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
     """Return the underside of the target as it hangs in the hand."""
-    own = move_parts(
-        world.scene.object(target).parts, world.position(target), world.rotation(target)
-    )
-    shape = solid(own, _CELL, _CELL)
+    shape = solid(parts_of(world, target), _CELL, _CELL)
     i, j = np.nonzero(shape.filled.any(-1))
     low = shape.levels[shape.filled[i, j].argmax(-1)] - _CELL / 2
     at = shape.origin + _CELL * np.column_stack([i, j])
