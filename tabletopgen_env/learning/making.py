@@ -25,7 +25,8 @@ from torch import nn
 
 from generator.errors import InputError, require_known, require_number
 
-from ..scenes import FRESH, REFRESHING, STARTER, FreshScenes, SceneSource, resolve, split
+from ..scenes import STARTER, FreshScenes, SceneSource, resolve, split
+from ..scenes.finding import on_demand
 from ..scenes.splitting import Side, digest_of
 from ..tasks.task import Task
 from ..vector import TabletopVectorEnv
@@ -71,9 +72,9 @@ def source_of(
         InputError: no source is called so.
     """
     chosen = list(scenes) if isinstance(scenes, tuple) else scenes
-    on_demand = isinstance(chosen, str) and chosen.partition(":")[0] in (FRESH, REFRESHING)
     needs, start = ((), STARTER) if task is None else (task.needs, task.scenes)
-    source = split(chosen, side, needs=needs, start=start) if on_demand else resolve(chosen)
+    made = on_demand(chosen)
+    source = split(chosen, side, needs=needs, start=start) if made else resolve(chosen)
     if isinstance(source, FreshScenes) and variants is not None:
         return replace(source, variants=variants)
     return source

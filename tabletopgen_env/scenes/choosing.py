@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from generator.errors import InputError
 from generator.language.distribution import Needs, SceneDistribution
 
-from .finding import FRESH, REFRESHING, STARTER, FixedChoice, fixed_scenes
+from .finding import FRESH, STARTER, FixedChoice, fixed_scenes, on_demand
 from .fresh import FreshScenes
 from .refreshing import RefreshingScenes
 from .source import SceneSource
@@ -44,9 +44,7 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
     """
     if isinstance(scenes, SceneSource):
         return scenes
-    if isinstance(scenes, str) and _on_demand(scenes):
-        return _make(scenes, needs, start)
-    return fixed_scenes(scenes)
+    return _make(str(scenes), needs, start) if on_demand(scenes) else fixed_scenes(scenes)
 
 
 def split(
@@ -96,14 +94,5 @@ def _make(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
     fresh.check()
     if head == FRESH:
         return fresh
-    return RefreshingScenes(fresh, initial=None if colon else _fixed_choice(start))
-
-
-def _on_demand(scenes: SceneChoice) -> bool:
-    """Return whether tables are made, by a form of ``FRESH`` or ``REFRESHING``."""
-    return isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING)
-
-
-def _fixed_choice(scenes: SceneChoice) -> FixedChoice | None:
-    """Return what names fixed scenes, None for anything else."""
-    return None if isinstance(scenes, SceneSource) or _on_demand(scenes) else scenes
+    made = colon or isinstance(start, SceneSource) or on_demand(start)
+    return RefreshingScenes(fresh, initial=None if made else start)  # pyright: ignore

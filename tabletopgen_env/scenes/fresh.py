@@ -73,7 +73,11 @@ class FreshScenes:
             SceneError: none of ``DRAWS`` drawn ones is.
         """
         for _ in range(DRAWS):
-            recipe = self._any_recipe(rng)
+            what = self.prompts
+            if not isinstance(what, SceneDistribution):
+                what = what[int(rng.integers(len(what)))]
+            seed = int(rng.integers(self.variants))
+            recipe = SceneRecipe(what, seed, self.making, self.rules)
             if recipe.admitted():
                 return recipe
         sides = " and ".join(str(rule) for rule in self.rules)
@@ -81,12 +85,6 @@ class FreshScenes:
             f"None of {DRAWS} drawn scenes is for {sides}. Choose another share or other "
             f"categories, other prompts, or more variants than {self.variants}."
         )
-
-    def _any_recipe(self, rng: np.random.Generator) -> SceneRecipe:
-        what = self.prompts
-        if not isinstance(what, SceneDistribution):
-            what = what[int(rng.integers(len(what)))]
-        return SceneRecipe(what, int(rng.integers(self.variants)), self.making, self.rules)
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw what decides a scene; the scene is made when it is loaded.

@@ -173,8 +173,7 @@ class AdmittedScenes:
         Raises:
             SceneError: none of ``DRAWS`` drawn scenes is.
         """
-        for _ in range(DRAWS):
-            ref = self.source.draw(rng)
+        for ref in (self.source.draw(rng) for _ in range(DRAWS)):
             if self._known.of(ref, partial(admits, self.rule)):
                 return ref
         raise SceneError(

@@ -69,22 +69,18 @@ class ScenePool:
     ) -> None:
         fresh.check()
         self.owner = os.getpid()
-        self.renewals = 0
-        self.failures = 0
+        self.renewals = self.failures = 0
         self._fresh, self._size, self._pace, self._seed = fresh, size, pace, seed
-        self._made = 0
-        self._warned = False
-        self._draws = 0
-        self._owed = 0.0
+        self._made = self._draws = 0
+        self._owed = self._resting_until = 0.0
         self._last = time.monotonic()
-        self._resting_until = 0.0
+        self._warned = False
         self.refs: list[SceneRef] = []
-        if initial is not None:
-            rng = np.random.default_rng([seed, 1])
-            few = rng.permutation(len(initial))[:size]
-            self.refs = [initial.refs[k] for k in few]
-        else:
+        if initial is None:
             self._fill()
+        else:
+            few = np.random.default_rng([seed, 1]).permutation(len(initial))[:size]
+            self.refs = [initial.refs[k] for k in few]
         self.background = Background(workers) if workers else None
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
