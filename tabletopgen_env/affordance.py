@@ -124,10 +124,10 @@ def is_upright(obj: Object) -> bool:
 def opening(obj: Object) -> Opening | None:
     """Return the hollow of an object that can hold things, or None if it has none.
 
-    The collision parts are scanned from above on a grid: the hollow is the region around the
-    centre that lies at least ``WALL_DEPTH`` below the rim, the highest surface around it. What the
-    model calls a container is looked at more finely if that shows none: its wall may be thinner
-    than a cell, or a handle rise above its rim. The rim is then where the hollow would spill.
+    The collision parts are scanned from above on a grid: the hollow is the region that lies at
+    least ``WALL_DEPTH`` below the rim, the highest surface around it. If that shows none, what the
+    model calls a container is scanned more finely (its wall may be thinner than a cell, or a handle
+    rise above its rim); the rim is then where the hollow would spill.
     """
     scan = _scan(obj, np.array([_GRID, _GRID]))
     top, outside = scan.top, _outside(scan.top)
@@ -198,8 +198,8 @@ class Plateau:
 def plateau(obj: Object) -> Plateau | None:
     """Return the flat top on which things can stand as the object rests, or None if it has none.
 
-    The collision parts are scanned from above on a grid: flat is what lies within ``LEVEL`` of the
-    highest surface; the disc is the largest whose cells all are.
+    On a grid, flat is what lies within ``LEVEL`` of the highest surface; the disc is the largest
+    whose cells all are.
     """
     turn = quaternion_matrix(obj.pose.quaternion)
     parts = tuple(ConvexPart(part.vertices @ turn.T) for part in obj.parts)
@@ -254,8 +254,7 @@ def part_span(
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
     """Return which of the points (x, y) lie over a part, and from where to where it reaches there.
 
-    The part is the intersection of its hull's half-spaces; over a point it spans from the highest
-    downward-facing plane to the lowest upward-facing one.
+    Of its hull's planes these are the highest downward-facing and the lowest upward-facing one.
     """
     low, high = part.bounds[:, :2]
     near = np.flatnonzero(((points >= low) & (points <= high)).all(1))

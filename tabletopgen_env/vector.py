@@ -26,7 +26,7 @@ from gymnasium.vector.utils import concatenate, create_empty_array, iterate
 from gymnasium.wrappers import TimeLimit
 from jaxtyping import Bool, Float
 
-from generator.errors import InputError, choices, require_number, require_seed
+from generator.errors import InputError, require_known, require_number, require_seed
 from generator.threads import cores
 
 from .actions import check_action
@@ -300,9 +300,8 @@ def _note(error: Exception, k: int) -> Exception:
 
 
 def _mode(mode: str | AutoresetMode) -> AutoresetMode:
-    names = [m.value for m in AutoresetMode]
-    if not isinstance(mode, AutoresetMode) and mode not in names:
-        raise InputError(f"Unknown autoreset mode {mode!r}." + choices(str(mode), names))
+    if not isinstance(mode, AutoresetMode):
+        require_known(mode, [m.value for m in AutoresetMode], "Unknown autoreset mode")
     return AutoresetMode(mode)
 
 

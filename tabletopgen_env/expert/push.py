@@ -136,7 +136,8 @@ class Pusher(Expert):
         # What is touched in one point turns away from the hand's way, the more the nearer its
         # centre of mass is: the hand turns its way beyond that centre. What is touched flat keeps
         # its place before the hand, so the line of the stroke is what counts, not the way left.
-        speed = float(np.clip(0.25 * left, _SLOW, self._fast))
+        high = stroke.start[2] - world.scene.table.height > _TALL  # it might topple
+        speed = float(np.clip(0.25 * left, _SLOW, _STEADY if high else _FAST))
         speed *= float(np.clip(1.3 - off / 0.02, 0.3, 1.0))
         behind = max(float(ahead @ to_mass) - PAD, _SMALL)
         steer = _STEER * speed * soon / behind
@@ -190,12 +191,6 @@ class Pusher(Expert):
     def _is_there(self) -> bool:
         away = self._goal.spot - self._env.world.position(self._goal.target)
         return bool(np.linalg.norm(away[:2]) < _ENOUGH)
-
-    @property
-    def _fast(self) -> float:
-        """The pace, metres a step: what is pushed high up might topple."""
-        high = self._plan.start[2] - self._env.world.scene.table.height
-        return _STEADY if high > _TALL else _FAST
 
     @property
     def _way(self) -> Float[np.ndarray, "2"]:

@@ -136,7 +136,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
     Raises:
         InputError: the algorithm has no such option, or an option does not fit.
     """
-    kind = _CLASSES[recipe.algorithm]
+    kind: Any = _CLASSES[recipe.algorithm]
     options = dict(recipe.options)
     known = set(inspect.signature(kind.__init__).parameters) - _OURS - {"self"}
     for key in options:
@@ -154,8 +154,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
         options["replay_buffer_kwargs"] = {"n_sampled_goal": recipe.hindsight}
     policy = "MultiInputPolicy" if isinstance(env.observation_space, spaces.Dict) else "MlpPolicy"
     try:
-        made: Any = kind
-        return made(
+        return kind(
             policy, env, seed=seed, device="cpu",
             policy_kwargs=policy_keywords(recipe.network, env.observation_space), **options,
         )  # fmt: skip

@@ -78,16 +78,13 @@ class Mount:
         that can be reached; a place near an object loses, and of equal places the one on the
         viewer's side (-y) nearest the middle wins.
         """
-        candidates = _candidates(scene)
-        scores = [_score(mount, scene) for mount in candidates]
-        return candidates[int(np.argmax(scores))]
+        return max(_candidates(scene), key=lambda mount: _score(mount, scene))
 
     def reaches(self, points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
         """Return which world points the tool centre point reaches with the hand pointing down.
 
-        An estimate from the arm's geometry (the wrist must lie within ``STRETCH`` of the shoulder,
-        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead); it ignores
-        obstacles.
+        An estimate that ignores obstacles: the wrist must lie within ``STRETCH`` of the shoulder,
+        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead.
         """
         offset = np.atleast_2d(np.asarray(points, float)) - self.position
         radius = np.hypot(offset[:, 0], offset[:, 1])

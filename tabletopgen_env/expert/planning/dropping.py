@@ -7,7 +7,7 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z
 
-from ...goals.goal import RAISED, Goal, Raised, Region, at_rest
+from ...goals.goal import RAISED, Goal, Raised, at_rest
 from ...world.world import World
 from ..arm import turn_left
 from .grasps import TIP, Grasp
@@ -28,8 +28,7 @@ _PUSHED = 0.02  # metres above the place below which a goal that moves is being 
 class Drop:
     """The way of a held object to the place that ``plan`` has for it in its goal's region.
 
-    ``yaw`` is the hand's, now, in the base frame, radians; ``opening`` how far the fingers will
-    open to let go, metres.
+    ``yaw`` is the hand's now (base frame, radians); ``opening`` lets go, metres.
     """
 
     def __init__(
@@ -45,15 +44,12 @@ class Drop:
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Update the place by how the object has shifted in the hand and the goal has moved.
-
-        A released object no longer counts, nor does a goal that moves while the hand is at it.
-        """
+        """Update the place by how the object has shifted in the hand and the goal has moved."""
         left, right, _ = world.touches(self._target)
-        if not (left and right):
+        if not (left and right):  # what is let go no longer counts
             return
         place, tool = self._place, world.data.site_xpos[world.tcp]
-        if tool[2] > self.tool[2] + _PUSHED:
+        if tool[2] > self.tool[2] + _PUSHED:  # else the hand is at the goal and moves it
             self._shift = self._goal.region(world).center - place.seen
         offset = rotation_z(self.turn(world))[:2, :2] @ (world.position(self._target) - tool)[:2]
         sunk = tool[2] - world.lowest(self._target) - place.hanging
@@ -107,7 +103,11 @@ def breadth(world: World, target: str) -> float:
 def met(world: World, goal: Goal) -> bool:
     """Return whether the goal's target is where it asks for, and as it asks."""
     assert goal.target is not None
-    return goal.settled(world) and _within(goal.region(world), world.position(goal.target))
+    if not goal.settled(world):
+        return False
+    region = goal.region(world)
+    away = rotation_z(region.yaw).T @ (world.position(goal.target) - region.center) / region.semi
+    return bool(np.linalg.norm(away[:2]) <= 1.0 and abs(away[2]) <= 1.0)
 
 
 def lost(world: World, goal: Goal) -> bool:
@@ -115,8 +115,3 @@ def lost(world: World, goal: Goal) -> bool:
     assert goal.target is not None
     still = not world.touches(goal.target)[2] and at_rest(world, goal.target)
     return still and not met(world, goal)
-
-
-def _within(region: Region, point: Float[np.ndarray, "3"]) -> bool:
-    local = rotation_z(region.yaw).T @ (point - region.center) / region.semi
-    return bool(np.linalg.norm(local[:2]) <= 1.0 and abs(local[2]) <= 1.0)
