@@ -43,9 +43,8 @@ _PULL = 0.05  # towards the home posture, per action at 20 Hz
 class Arm:
     """A commanded point of the tool, and joints that follow a commanded pose.
 
-    The commanded joints follow by damped least squares (``robot.kinematics.ik_step``), drawn
-    towards the home posture where the arm is redundant, and never faster than the joints' rated
-    speed.
+    They follow by damped least squares (``robot.kinematics.ik_step``), drawn towards home where the
+    arm is redundant, and never faster than the joints' rated speed.
     """
 
     def __init__(self, servos: Servos) -> None:

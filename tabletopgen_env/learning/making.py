@@ -60,12 +60,8 @@ def source_of(
 ) -> SceneSource:
     """Return the source of a recipe's scenes; those made on demand are kept to one side.
 
-    Args:
-        scenes: where.
-        side: which side.
-        variants: how many "fresh" tables there are on both sides; None for as many as
-            ``FreshScenes`` has.
-        task: what those made on demand are for; see ``Task.needs``. None for anything.
+    ``variants`` is how many "fresh" tables there are on both sides, None for the usual number;
+    ``task`` what those made on demand are for, None for anything.
 
     Raises:
         BundleError: no bundle fits.
@@ -88,21 +84,19 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Return how many tables two sources have in common, of those they have at hand.
+    """Return how many tables two sources have in common, by digest, of those they have at hand.
 
-    Tables are told apart by what they are, not by where they are kept. Of a refreshing pool those
-    it begins with count, too.
+    Of a refreshing pool those it begins with count, too.
 
     Raises:
         BundleError: a bundle is gone or damaged.
     """
-    return len(_at_hand(source) & _at_hand(other))
 
+    def at_hand(source: SceneSource) -> set[str]:
+        held = (source, getattr(source, "initial", None))
+        return {digest_of(ref) for each in held for ref in getattr(each, "refs", ())}
 
-def _at_hand(source: SceneSource) -> set[str]:
-    """Return the digests of the scenes that a source has before it makes any."""
-    held = (source, getattr(source, "initial", None))
-    return {digest_of(ref) for each in held for ref in getattr(each, "refs", ())}
+    return len(at_hand(source) & at_hand(other))
 
 
 def single_env(
@@ -114,10 +108,7 @@ def single_env(
 
 
 def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
-    """Return a recipe's environments for training; each slot has a seed of its own.
-
-    The scenes are left to who made them.
-    """
+    """Return a recipe's environments for training, a seed each; the scenes are left open."""
     limit = spec_of(recipe.task).max_episode_steps
     slots = TabletopVectorEnv(
         recipe.envs, autoreset_mode="SameStep", max_episode_steps=limit, task=recipe.task,

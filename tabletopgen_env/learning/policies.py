@@ -122,10 +122,9 @@ def policy_from(
     validation: Mapping[str, Any] | None = None,
     steps: int | None = None,
 ) -> TrainedPolicy:
-    """Return a copy of what a model, made by ``making.new_model`` with ``recipe``, does now.
+    """Return a copy of what a model of ``making.new_model`` does now; ``validation`` is the card's.
 
-    ``validation`` is what the card says of an evaluation, ``steps`` what it was trained for; None
-    for what the model says.
+    ``steps`` is what it was trained for; None for what the model says.
     """
     actor, squash = actor_of(model, recipe.network)
     card = Card(

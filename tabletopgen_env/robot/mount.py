@@ -102,8 +102,7 @@ def reachable(mount: Mount, point: Float[np.ndarray, "3"]) -> bool:
 def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
     """Return the tall object that stands between the base and object ``name``, or None.
 
-    What rises more than ``TALL`` above the table within an arm's breadth of the straight way is in
-    the arm's way: the hand works below the forearm.
+    In the way is what rises above ``TALL`` within ``ARM_BREADTH``: the hand is below the forearm.
     """
     start, end = mount.position[:2], scene.object(name).pose.position[:2]
     way = end - start

@@ -28,14 +28,13 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
             - "fresh": made again for each draw, of every theme and for the task at hand (see
               ``needs``); "fresh:PROMPT": of a text;
-            - "refreshing": a pool that begins with ``start`` and is renewed in the background
-              while training goes on, of every theme; "refreshing:PROMPT": of a text from the
-              start, which takes about a second a scene at the first reset;
+            - "refreshing": a pool that begins with ``start`` and is renewed in the background, of
+              every theme; "refreshing:PROMPT": of a text from the start, which takes about a second
+              a scene at the first reset;
             - a ``Scene``, or a sequence of scenes, names, paths and globs;
             - a ``SceneSource``, which is returned as it is.
 
-        needs: what each table holds that "fresh" or "refreshing" draws of every theme, beside what
-            is its theme's, as a task has them (``Task.needs``); nothing is added to a text.
+        needs: what each table of every theme holds besides (``Task.needs``); not those of a text.
         start: what the pool of "refreshing" begins with (``Task.scenes``), if these are fixed.
 
     Raises:

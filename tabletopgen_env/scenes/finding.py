@@ -32,11 +32,7 @@ FixedChoice = str | Path | Scene | Sequence["str | Path | Scene"]
 
 
 def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
-    """Find fixed scenes, in a fixed order.
-
-    Args:
-        scenes: a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
-            "starter", "starter:train" or "starter:held_out"; a ``Scene``; or several of these.
+    """Find fixed scenes, in a fixed order; ``choosing.resolve`` says what they may be called.
 
     Raises:
         BundleError: no bundle fits; the message says what there is.

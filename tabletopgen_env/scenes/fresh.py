@@ -67,11 +67,7 @@ class FreshScenes:
                     recipe.plan()
 
     def recipe(self, rng: np.random.Generator) -> SceneRecipe:
-        """Draw what decides one scene, on the right side of every split.
-
-        Raises:
-            SceneError: none of ``DRAWS`` drawn ones is.
-        """
+        """Draw what decides one scene; as ``draw``, which makes a reference of it."""
         for _ in range(DRAWS):
             what = self.prompts
             if not isinstance(what, SceneDistribution):
@@ -91,7 +87,7 @@ class FreshScenes:
 
         Raises:
             InputError: a text cannot be planned.
-            SceneError: no drawn scene is on the right side of a split.
+            SceneError: none of ``DRAWS`` drawn scenes is on the right side of every split.
         """
         recipe = self.recipe(rng)
         return SceneRef(recipe.key, recipe.make)

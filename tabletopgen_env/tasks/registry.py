@@ -17,10 +17,8 @@ from .swap import Swap
 from .task import Task
 from .tidy import Tidy
 
-TASKS: Mapping[str, type[Task]] = MappingProxyType({
-    "Reach": Reach, "Lift": Lift, "Push": Push, "PickPlace": PickPlace, "Stack": Stack,
-    "Swap": Swap, "Sequence": Sequence, "Tidy": Tidy,
-})  # fmt: skip
+_ALL = (Reach, Lift, Push, PickPlace, Stack, Swap, Sequence, Tidy)
+TASKS: Mapping[str, type[Task]] = MappingProxyType({task.__name__: task for task in _ALL})
 
 
 def task_named(name: str, preset: str | None = None) -> Task:

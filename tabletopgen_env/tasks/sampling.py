@@ -62,7 +62,7 @@ def draw_episode(
     Args:
         world: the world, at its start.
         rng: draws the order in which targets are tried.
-        target: the object asked for, which is tried whatever ``reasons`` says; None draws.
+        target: the one asked for, which is tried whatever ``reasons`` says; None draws.
         reasons: why objects cannot be targets; what is found on the way is added.
         make: returns an object's episode, or None if there is none.
         lacks: the reason to report if there is none.

@@ -144,10 +144,7 @@ class World:
         self.base_position = np.asarray(mount.position, float)
 
     def rearrange(self, scene: Scene) -> None:
-        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there.
-
-        What is known of the scene as it was given is kept for when it comes back.
-        """
+        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there."""
         self.scene = scene
         self._start = self._start_qpos()
         self._known = self._known_of_given if scene is self._given else {}
@@ -238,10 +235,9 @@ class World:
         return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
 
     def remember(self, key: Hashable, find: Callable[[], T]) -> T:
-        """Return what ``find`` returns, found once where all is as ``reset`` puts it.
+        """Return what ``find`` does, found once for each ``key`` where all is as ``reset`` puts it.
 
-        Where the base stands elsewhere, or anything is off or absent, which hardly recurs, it is
-        found anew. ``key`` tells it from all else that is remembered of an arrangement.
+        Where the base stands elsewhere, or anything is off or absent, it is found anew.
         """
         off = not np.array_equal(self.data.qpos, self._start)
         if off or self.absent or self.mount is not self._own_mount:

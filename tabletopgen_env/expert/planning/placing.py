@@ -114,11 +114,10 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the middle of a goal's region, for its target as the hand holds it.
+    """Return the middle of a goal's region, for its target as the hand holds it, as ``plan_place``.
 
     The hand is not turned, or by half a turn where its arm reaches the place only so. It
     takes the height map of all else, and the box of what is held with its lowest point.
-    The arguments are those of ``plan_place``.
     """
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()

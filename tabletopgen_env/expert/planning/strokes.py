@@ -81,10 +81,9 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Return the stroke that pushes an object, as it is now, towards a spot; None if none can.
+    """Return the stroke that pushes an object's centre towards a spot (x, y, world); None if none.
 
-    ``spot`` is where its centre is to go (x, y, world), ``others`` what is ``beside`` it, if known,
-    and ``care`` how much room the hand has to have.
+    ``others`` is what is ``beside`` it, if known.
     """
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))

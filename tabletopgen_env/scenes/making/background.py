@@ -46,12 +46,10 @@ class FailedScene:
 
 
 class Background:
-    """Scenes in the making, ``count`` at a time, in a temporary folder that ends with this.
+    """Scenes in the making, ``count`` at a time, each in a process, in a temporary folder.
 
-    Args:
-        count: number of scenes at a time, each in a process.
-        rest: pause after a failure, seconds; it doubles with each further one in a row.
-        timeout: seconds after which a scene that is not done is given up.
+    ``rest`` is the pause after a failure, seconds, which doubles with each further one in a row;
+    after ``timeout`` seconds a scene that is not done is given up.
 
     Raises:
         StorageError: there is no place for temporary files.
