@@ -1,7 +1,7 @@
 """The errors this project raises on purpose, below one base class.
 
-Each message says what was wrong, what exists instead, and what to do: ``choices`` helps with names,
-``require`` with the numbers of settings.
+Each message says what was wrong, what exists instead, and what to do: ``choices`` and
+``require_known`` help with names, ``require`` with the numbers of settings.
 """
 
 from __future__ import annotations
