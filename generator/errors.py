@@ -1,7 +1,7 @@
 """The errors this project raises on purpose, below one base class.
 
-Each message says what was wrong, what exists instead, and what to do: ``choices`` helps with names,
-``require`` with the numbers of settings.
+Each message says what was wrong, what exists instead, and what to do: ``choices`` and
+``require_known`` help with names, ``require`` with the numbers of settings.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import difflib
 import math
 import numbers
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 
 class TabletopError(Exception):
@@ -88,6 +88,16 @@ def choices(wrong: str, available: Iterable[str]) -> str:
     hint = f" Did you mean {near[0]!r}?" if near else ""
     listed = ", ".join(names) if names else "nothing"
     return f"{hint} Available: {listed}."
+
+
+def require_known(value: object, known: Collection[str], unknown: str) -> None:
+    """Check that a value is one of the names ``known``; ``unknown`` begins the message.
+
+    Raises:
+        InputError: it is none of them: "Unknown task 'Lif'. Did you mean 'Lift'? Available: ...".
+    """
+    if not isinstance(value, str) or value not in known:
+        raise InputError(f"{unknown} {value!r}." + choices(str(value), known))
 
 
 def require(

@@ -12,6 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy import ndimage
+from scipy.spatial import ConvexHull
 
 from generator.geometry import convex_outline, quaternion_matrix
 from generator.scene import ConvexPart, Object
@@ -122,13 +124,11 @@ def is_upright(obj: Object) -> bool:
 def opening(obj: Object) -> Opening | None:
     """Return the hollow of an object that can hold things, or None if it has none.
 
-    The collision parts are scanned from above on a grid: the hollow is the region around the
-    centre that lies at least ``WALL_DEPTH`` below the rim, the highest surface around it. What the
-    model calls a container is looked at more finely if that shows none: its wall may be thinner
-    than a cell, or a handle rise above its rim. The rim is then where the hollow would spill.
+    The collision parts are scanned from above on a grid: the hollow is the region that lies at
+    least ``WALL_DEPTH`` below the rim, the highest surface around it. If that shows none, what the
+    model calls a container is scanned more finely (its wall may be thinner than a cell, or a handle
+    rise above its rim); the rim is then where the hollow would spill.
     """
-    from scipy import ndimage
-
     scan = _scan(obj, np.array([_GRID, _GRID]))
     top, outside = scan.top, _outside(scan.top)
     rim = float(np.quantile(top[np.isfinite(top)], 0.98))
@@ -198,11 +198,9 @@ class Plateau:
 def plateau(obj: Object) -> Plateau | None:
     """Return the flat top on which things can stand as the object rests, or None if it has none.
 
-    The collision parts are scanned from above on a grid: flat is what lies within ``LEVEL`` of the
-    highest surface; the disc is the largest whose cells all are.
+    On a grid, flat is what lies within ``LEVEL`` of the highest surface; the disc is the largest
+    whose cells all are.
     """
-    from scipy import ndimage
-
     turn = quaternion_matrix(obj.pose.quaternion)
     parts = tuple(ConvexPart(part.vertices @ turn.T) for part in obj.parts)
     points = np.concatenate([part.vertices for part in parts])
@@ -222,8 +220,6 @@ def plateau(obj: Object) -> Plateau | None:
 
 def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
     """Return the cells beside the solid, and those of its own that touch them."""
-    from scipy import ndimage
-
     # Parts may leave hairline gaps between them.
     whole = np.asarray(ndimage.binary_fill_holes(np.isfinite(top)), dtype=bool)
     return ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
@@ -233,8 +229,6 @@ def _hollow(
     top: Float[np.ndarray, "nx ny"], level: float, outside: Bool[np.ndarray, "nx ny"]
 ) -> Bool[np.ndarray, "nx ny"]:
     """Return the largest connected region below a level that never reaches the outside."""
-    from scipy import ndimage
-
     labels = np.empty(top.shape, dtype=np.int32)
     ndimage.label(np.isfinite(top) & (top < level), output=labels)  # type: ignore[arg-type]
     sizes = np.bincount(labels.ravel())
@@ -260,11 +254,8 @@ def part_span(
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
     """Return which of the points (x, y) lie over a part, and from where to where it reaches there.
 
-    The part is the intersection of its hull's half-spaces; over a point it spans from the highest
-    downward-facing plane to the lowest upward-facing one.
+    Of its hull's planes these are the highest downward-facing and the lowest upward-facing one.
     """
-    from scipy.spatial import ConvexHull
-
     low, high = part.bounds[:, :2]
     near = np.flatnonzero(((points >= low) & (points <= high)).all(1))
     if not len(near):

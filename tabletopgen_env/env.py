@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Unpack
+from functools import partial
+from typing import Any, Unpack
 
 import gymnasium as gym
 import numpy as np
+from numpy.typing import ArrayLike
 
-from generator.errors import BundleError, InputError, SceneError, choices, require_seed
+from generator.errors import (
+    BundleError,
+    InputError,
+    SceneError,
+    choices,
+    require_known,
+    require_seed,
+)
 
 from .actions import check_action
 from .certificates.instances import sample_episode
@@ -23,7 +32,7 @@ from .rendering.kinds import Drawer
 from .rendering.point_cloud import point_cloud
 from .rendering.views import pictures
 from .rendering.window import Window
-from .scenes import STARTER, SceneChoice, SceneRef, resolve
+from .scenes import STARTER, SceneChoice, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
 from .settings import Settings, read_settings
@@ -32,9 +41,6 @@ from .tasks.registry import task_named
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .world.composition import FRONT_CAMERA
 from .world.world import World
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
 
 OPTIONS = ("scene", "target", "goal")
 """What ``TabletopEnv.reset`` takes as ``options``."""
@@ -49,37 +55,25 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     Args:
         scenes: where tables come from; see ``scenes.resolve``.
         task: what to do; None for ``PickPlace()``. See ``tasks``.
-        settings: how it is played. Each group of ``settings.EnvConfig`` is given as a whole::
+        settings: how it is played: ``reward``, ``randomization``, ``certified`` and the groups of
+            ``settings.EnvConfig``, each as a whole (``observation=ObservationConfig("pixels",
+            image_size=64)``) or by its fields as keywords of their own:
 
-                TabletopEnv("starter", observation=ObservationConfig("pixels", image_size=64))
-
-            or by keywords of their own, whose defaults and meaning are those of the group's fields:
-
-            ==================  ==============================================================
-            ``observation``     an ``ObservationConfig``, or: ``observation`` (the mode),
-                                ``cameras``, ``kinds``, ``image_size``, ``points``,
-                                ``grasp_hint``. ("goal" is ``GoalTabletopEnv``; ``make_env``
-                                chooses.)
-            ``action``          an ``ActionConfig``, or: ``action`` (the mode), ``gripper``,
-                                ``control_hz``
-            ``render``          a ``RenderConfig``, or: ``render_mode``, ``render_size``,
-                                ``renderer``
-            ``worlds``          a ``WorldConfig``, or: ``robot``, ``cache``, ``masters``
-            ``reward``          "dense" or "sparse"
-            ``randomization``   what differs between episodes
-            ``certified``       whether certificates are followed
-            ==================  ==============================================================
+            - ``observation`` (the mode; of "goal" it takes a ``GoalTabletopEnv``, see
+              ``make_env``), ``cameras``, ``kinds``, ``image_size``, ``points``, ``grasp_hint``;
+            - ``action`` (the mode), ``gripper``, ``control_hz``;
+            - ``render_mode``, ``render_size``, ``renderer``;
+            - ``robot``, ``cache``, ``masters``.
 
     Raises:
         InputError: a setting that there is not, or a wrong one; a group and its field together.
         BundleError: no bundle fits ``scenes``.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
-    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page). What
-    options ask for need not be certified. A certificate is of the table as the scene has it: where
-    ``randomization`` has moved things, and where a certificate was not made for the task, targets
-    and goals are drawn freely. A scene of which it lists only what the expert does not solve
-    offers nothing to do.
+    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page). They
+    need not be certified. A certificate is of the table as the scene has it: where
+    ``randomization`` has moved things, or it was not made for the task, targets and goals are
+    drawn freely. A scene of which it lists only what the expert fails at offers nothing to do.
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
     "instruction", "scene", "target" (of the active goal; None for the tool), "goal" (the object
@@ -89,9 +83,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     also "randomization", what was drawn. An episode never terminates by itself, since the dense
     reward stays highest where the task stays done; the time limit truncates it.
 
-    A copy (``pickle``, ``copy.deepcopy``) is a new environment with the same settings and random
-    state: it has no episode, compiled world or window, and has to be reset first. What its next
-    ``reset`` gives is what that of the original would.
+    A copy (``pickle``, ``copy.deepcopy``) has the same settings and random state, so the same next
+    ``reset``, but no episode, compiled world or window: it has to be reset first.
     """
 
     def __init__(
@@ -101,12 +94,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         task: Task | None = None,
         **settings: Unpack[Settings],
     ) -> None:
-        config = read_settings(settings)
+        self._config = config = read_settings(settings)
         self.task = task or PickPlace()
         self.source = resolve(scenes, self.task.needs, self.task.scenes)
         self._closes_source = self.source is not scenes  # else others may draw from it, too
         self._randomizer = Randomizer(config.randomization)
-        self._wants_certified = config.certified
         self._views = config.observation
         self.hint = grasp_hint_of(config.observation.grasp_hint)
         self.observation_space = observation_space(config.observation, self.task.most)
@@ -117,7 +109,6 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self.metadata = {"render_modes": list(RENDER_MODES), "render_fps": rate}
         self.reward = config.reward
         self.render_mode = config.render.mode
-        self._render = config.render
         self._worlds = config.worlds.worlds()
         self._drawers: dict[tuple[str, int], Drawer] = {}
         self._window = Window(1 / rate)
@@ -178,9 +169,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         achieved, desired, terms = self._look()
         if self.render_mode == "human":
             self.render()
-        reward = self._reward(terms)
+        reward = self._weigh(terms)
         self._succeeded = bool(terms["success"])
-        return self._observe(achieved, desired), reward, False, False, self._info(terms)
+        info = self._info(terms)
+        return self._observe(achieved, desired), float(reward), False, False, info
 
     def render(self) -> Any:
         """Return the picture of ``render_mode``, or show it ("human")."""
@@ -219,18 +211,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def world(self) -> World:
-        """The world of the current episode.
-
-        Raises:
-            InputError: there is no episode yet.
-        """
+        """The world of the current episode (InputError: there is none yet)."""
         if self._world is None:
             raise InputError("Call reset() before stepping, rendering or looking at the world.")
         return self._world
 
     @property
     def episode(self) -> Episode:
-        """What the current episode asks for."""
+        """What the current episode asks for (InputError: there is none yet)."""
         if self._episode is None:
             raise InputError("Call reset() before asking for the episode.")
         return self._episode
@@ -243,9 +231,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
         """Start an episode; return what ``reset`` does."""
         for key in options:
-            if key not in OPTIONS:
-                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), OPTIONS))
-        self._tell_source()
+            require_known(key, OPTIONS, "Unknown reset option")
+        if self._from_source and self._succeeded is not None:  # it drew the episode that is over
+            record(self.source, self._succeeded)
+        self._succeeded = None
         self._world, self._episode, self._certified = self._draw(options)
         self._instruction = self.task.instruction(self._world, self._episode.goals)
         self._from_source = "scene" not in options
@@ -258,10 +247,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._observe(achieved, desired), info
 
     def _look(self) -> tuple[np.ndarray, np.ndarray, dict[str, float]]:
-        """Return the goal vectors, achieved and desired, and the reward's terms as things are.
-
-        The active goal and its marker follow.
-        """
+        """Return achieved and desired goal vector and reward terms; the active goal follows."""
         world, episode = self.world, self.episode
         desired = self.task.desired_goal(world, episode)
         achieved = self.task.achieved_goal(world, episode, desired)
@@ -273,12 +259,6 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 self.hint.begin(world, self.goal)
             world.show_marker(self.goal.spot, self.task.marker_radius)
         return achieved, desired, self.task.terms(world, episode, agreement)
-
-    def _tell_source(self) -> None:
-        """Tell the source how the episode that is over has ended, if it drew its scene."""
-        if self._from_source and self._succeeded is not None:
-            record(self.source, self._succeeded)
-        self._succeeded = None
 
     def _draw(self, options: dict[str, Any]) -> tuple[World, Episode, bool]:
         """Draw scenes until one can be made and offers something; tell whether it is certified."""
@@ -292,84 +272,73 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             ref = source.draw(self.np_random)
             seen.add(ref.key)
             try:
-                world = self._world_of(ref)
+                world = self._worlds.get(ref, self._forget)
                 self._randomizer.begin(world)
-                certified = self._wants_certified and not self._randomizer.rearranged
+                certified = self._config.certified and not self._randomizer.rearranged
                 episode, known = sample_episode(
                     self.task, world, self.np_random, options, certified
                 )
                 return world, self._randomizer.finish(world, episode), known
-            except SceneError as error:
+            except (SceneError, BundleError) as error:
+                if isinstance(error, BundleError) and is_there(ref):
+                    raise  # else a pool dropped it between its draw and its loading
                 tried.add(str(error))
-            except BundleError as error:
-                if is_there(ref):
-                    raise
-                tried.add(str(error))  # a pool dropped it between its draw and its loading
         drawn = "the one scene drawn" if len(seen) == 1 else f"{len(seen)} drawn scenes"
         raise SceneError(f"Nothing to do in {drawn}. " + " ".join(sorted(tried)[:3]))
 
-    def _world_of(self, ref: SceneRef) -> World:
-        def drop(world: World) -> None:
-            for held in self._drawers.values():
-                held.forget(world)
+    def _forget(self, world: World) -> None:
+        for held in self._drawers.values():
+            held.forget(world)
 
-        return self._worlds.get(ref, drop)
+    @property
+    def _weights(self) -> Mapping[str, float]:
+        return self.task.weights
 
-    def _reward(self, terms: dict[str, float]) -> float:
+    def _weigh(self, terms: Mapping[str, Any]) -> Any:
+        """Return the reward of terms, numbers or arrays."""
         if self.reward == "sparse":
             return terms["success"] - 1.0
-        return float(sum(weight * terms[name] for name, weight in self.task.weights.items()))
+        return sum(weight * terms[name] for name, weight in self._weights.items())
 
     def _observe(self, achieved: np.ndarray, desired: np.ndarray) -> Any:
-        world = self.world
+        world, views = self.world, self._views
         noise = self._randomizer.noise()
         hint = None if self.hint is None else self.hint.entries(world, self.goal)
-        bare = self._views.mode == "goal"
-
-        def state() -> np.ndarray:
-            return flat_state(world, self._order, self.goal, bare, noise, hint)
-
-        if self._views.mode == "state":
+        bare = views.mode == "goal"
+        state = partial(flat_state, world, self._order, self.goal, bare, noise, hint)
+        if views.mode == "state":
             return state()
         if bare:
             return {"observation": state(), "achieved_goal": achieved, "desired_goal": desired}
-        look = pictures if self._views.mode.startswith("pixels") else point_cloud
-        seen = look(self._views, world, self._drawer("pixels"), self._order)
-        if self._views.mode.endswith("+state"):
+        look = pictures if views.mode.startswith("pixels") else point_cloud
+        seen = look(views, world, self._drawer("pixels"), self._order)
+        if views.mode.endswith("+state"):
             seen["state"] = state()
         return seen
 
     def _info(self, terms: dict[str, float]) -> dict[str, Any]:
-        success = bool(terms["success"])
+        goal, success = self.goal, bool(terms["success"])
+        marked = goal.spot is not None and goal.target is not None
         return {
             "reward_terms": terms,
             "success": success,
             "is_success": success,
             "instruction": self._instruction,
             "scene": self.world.scene.name,
-            "target": self.goal.target,
-            "goal": self._place(),
+            "target": goal.target,
+            "goal": goal.reference or (SPOT if marked else None),
             "goals": (self._active, len(self.episode.goals)),
             "certified": self._certified,
             "off_table": self.world.off_table(),
         }
 
-    def _place(self) -> str | None:
-        """Return what the active goal is at, by a word that ``reset`` takes."""
-        marked = self.goal.spot is not None and self.goal.target is not None
-        return self.goal.reference or (SPOT if marked else None)
-
     def _drawer(self, purpose: str) -> Drawer:
-        """Return the drawer for "pixels" or "render", made on first use.
-
-        A forked copy of the environment makes its own; see ``rendering``.
-        """
+        """Return the drawer for "pixels" or "render", made on first use, anew in a fork."""
         key = purpose, os.getpid()
         if key not in self._drawers:
-            pixels = purpose == "pixels"
-            size = self._views.size if pixels else self._render.shape
-            profile = "fast" if pixels else "full"
-            self._drawers[key] = drawer(self._render.renderer, *size, profile)
+            render, pixels = self._config.render, purpose == "pixels"
+            size = self._views.size if pixels else render.shape
+            self._drawers[key] = drawer(render.renderer, *size, "fast" if pixels else "full")
         return self._drawers[key]
 
 
@@ -379,13 +348,9 @@ class GoalTabletopEnv(TabletopEnv):
     Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with goals of its own.
     """
 
-    def _reward(self, terms: dict[str, float]) -> float:
-        return float(self._weigh(terms))
-
-    def _weigh(self, terms: dict[str, Any]) -> Any:
-        if self.reward == "sparse":
-            return terms["success"] - 1.0
-        return sum(weight * terms[name] for name, weight in GOAL_WEIGHTS.items())
+    @property
+    def _weights(self) -> Mapping[str, float]:
+        return GOAL_WEIGHTS
 
     def compute_reward(self, achieved_goal: np.ndarray, desired_goal: np.ndarray, info: Any) -> Any:
         """Return the reward of reaching ``achieved_goal`` when ``desired_goal`` was wanted.

@@ -16,8 +16,9 @@ from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar, Unpack
+from typing import Any, TypeVar, Unpack
 
+import gymnasium as gym
 import numpy as np
 from gymnasium import spaces
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
@@ -25,7 +26,7 @@ from gymnasium.vector.utils import concatenate, create_empty_array, iterate
 from gymnasium.wrappers import TimeLimit
 from jaxtyping import Bool, Float
 
-from generator.errors import InputError, choices, require_number, require_seed
+from generator.errors import InputError, require_known, require_number, require_seed
 from generator.threads import cores
 
 from .actions import check_action
@@ -34,9 +35,6 @@ from .scenes import SceneChoice, SharedScenes, resolve
 from .settings import EnvConfig, Settings, check_settings, read_settings
 from .tasks.task import Task
 from .world.worlds import Masters
-
-if TYPE_CHECKING:
-    import gymnasium as gym
 
 T = TypeVar("T")
 
@@ -56,19 +54,18 @@ class _Turn:
 class TabletopVectorEnv(SyncVectorEnv):
     """``num_envs`` environments stepped together, as ``gymnasium.vector.VectorEnv`` says.
 
-    Observations, rewards and ends come in arrays of one row a slot; infos in Gymnasium's vector
-    format. ``reset`` takes one seed (slot k gets seed + k) or a list, the options of
-    ``TabletopEnv.reset`` for all slots alike, and the option "reset_mask", an array of bools, to
-    reset some slots only.
+    Arrays have one row a slot; infos have Gymnasium's vector format. ``reset`` takes one seed (slot
+    k gets seed + k) or a list, the options of ``TabletopEnv.reset`` for all slots alike, and the
+    option "reset_mask", an array of bools, to reset some slots only.
 
     A copy (``pickle``, ``copy.deepcopy``) has copies of the slots, as ``TabletopEnv`` says: all are
     to be reset first. A fork has no threads, and cannot step it; send it a pickled copy.
 
     Args:
         num_envs: how many slots.
-        scenes: where tables come from, as for ``env.make_env``: one source, which all slots draw
-            from in turn. What is renewed, or becomes harder, does so for all of them together. A
-            ``SceneSource`` is left to who made it; no other thread may draw from it meanwhile.
+        scenes: where tables come from, as for ``env.make_env``: one source for all slots, renewed
+            and made harder for all together. A ``SceneSource`` is left to who made it; no other
+            thread may draw from it meanwhile.
         task, preset: what to do; see ``env.make_env``.
         threads: how many threads step them; None for one a core. Each slot keeps to one thread,
             as OpenGL contexts have to.
@@ -152,11 +149,7 @@ class TabletopVectorEnv(SyncVectorEnv):
     def step(
         self, actions: Any
     ) -> tuple[
-        Any,
-        Float[np.ndarray, "n"],
-        Bool[np.ndarray, "n"],
-        Bool[np.ndarray, "n"],
-        dict[str, Any],
+        Any, Float[np.ndarray, "n"], Bool[np.ndarray, "n"], Bool[np.ndarray, "n"], dict[str, Any]
     ]:
         """Step every slot, or reset it, as ``metadata["autoreset_mode"]`` says.
 
@@ -245,12 +238,11 @@ class TabletopVectorEnv(SyncVectorEnv):
         if self._over[k]:
             return _Turn(*self._restart(k))
         observation, reward, terminated, truncated, info = env.step(action)
-        ended = bool(terminated or truncated)
-        if not (ended and self.autoreset_mode == AutoresetMode.SAME_STEP):
-            return _Turn(observation, info, float(reward), bool(terminated), bool(truncated))
-        fresh, began = self._restart(k)
-        last = (observation, info)
-        return _Turn(fresh, began, float(reward), bool(terminated), bool(truncated), last)
+        last = None
+        if (terminated or truncated) and self.autoreset_mode == AutoresetMode.SAME_STEP:
+            last = observation, info
+            observation, info = self._restart(k)
+        return _Turn(observation, info, float(reward), bool(terminated), bool(truncated), last)
 
     def _restart(self, k: int, **given: Any) -> tuple[Any, dict[str, Any]]:
         """Reset slot ``k``, which has nothing to show until that is done."""
@@ -258,10 +250,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         return self.envs[k].reset(**given)
 
     def _each(self, work: Callable[[int], T], slots: Iterable[int]) -> list[T]:
-        """Do the work of each slot in the slot's thread; return the results in order.
-
-        If slots fail, the first one's error is raised once all are done.
-        """
+        """Do each slot's work in its thread; raise the first slot's error once all are done."""
         if not self._workers:
             raise InputError("This vector environment is closed; make a new one.")
         if self._process != os.getpid():
@@ -311,9 +300,8 @@ def _note(error: Exception, k: int) -> Exception:
 
 
 def _mode(mode: str | AutoresetMode) -> AutoresetMode:
-    names = [m.value for m in AutoresetMode]
-    if not isinstance(mode, AutoresetMode) and mode not in names:
-        raise InputError(f"Unknown autoreset mode {mode!r}." + choices(str(mode), names))
+    if not isinstance(mode, AutoresetMode):
+        require_known(mode, [m.value for m in AutoresetMode], "Unknown autoreset mode")
     return AutoresetMode(mode)
 
 

@@ -39,9 +39,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Literal, get_args
+from typing import Literal
 
-from generator.errors import InputError, choices
+from generator.errors import require_known
 
 from .joints import JOINT_LEASH, JOINT_STEP, JointDelta, JointTarget
 from .servos import CONTROL_HZ, Controller, GripperMode, Servos, check_action
@@ -111,10 +111,7 @@ class ActionConfig:
     control_hz: int = Servos.hz
 
     def __post_init__(self) -> None:
-        if self.mode not in get_args(ActionMode):  # an invalid value may be unhashable
-            raise InputError(
-                f"Unknown action mode {self.mode!r}." + choices(str(self.mode), ACTIONS)
-            )
+        require_known(self.mode, ACTIONS, "Unknown action mode")
         Servos(self.control_hz, self.gripper)
 
     def controller(self) -> Controller:

@@ -38,21 +38,12 @@ class JointDelta:
         self.servos.command(world, before, self.command, action[7])
 
 
-class JointTarget:
+class JointTarget(JointDelta):
     """Joint positions to go to, over the joints' ranges."""
-
-    def __init__(self, servos: Servos) -> None:
-        self.space = box(8)
-        self.servos = servos
-        self._way = JointDelta(servos)
-
-    def reset(self, world: World) -> None:
-        """Start from the robot's present joints."""
-        self._way.reset(world)
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
         """Advance the commanded joints towards those of ``action``."""
         low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
-        left = low + (action[:7] + 1) / 2 * (high - low) - self._way.command
+        left = low + (action[:7] + 1) / 2 * (high - low) - self.command
         step = np.clip(left / (JOINT_STEP * self.servos.share), -1.0, 1.0)
-        self._way.apply(world, np.array([*step, action[7]]))
+        super().apply(world, np.array([*step, action[7]]))

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, Protocol, get_args
+from typing import Literal, Protocol, get_args
 
 import numpy as np
 from gymnasium import spaces
 from jaxtyping import Float
+from numpy.typing import ArrayLike
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, require_known
 
 from ..robot.panda import HOME_CTRL
 from ..world.composition import TIMESTEP
 from ..world.world import World
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
 
 GripperMode = Literal["continuous", "binary"]
 
@@ -53,11 +51,7 @@ class Servos:
                 f"control_hz must divide the {_STEPS} simulation steps of a second, got "
                 f"{self.hz!r}; use one of {rates}."
             )
-        if self.gripper not in get_args(GripperMode):
-            raise InputError(
-                f"Unknown gripper mode {self.gripper!r}."
-                + choices(str(self.gripper), get_args(GripperMode))
-            )
+        require_known(self.gripper, get_args(GripperMode), "Unknown gripper mode")
 
     @property
     def substeps(self) -> int:

@@ -43,9 +43,8 @@ _PULL = 0.05  # towards the home posture, per action at 20 Hz
 class Arm:
     """A commanded point of the tool, and joints that follow a commanded pose.
 
-    The commanded joints follow by damped least squares (``robot.kinematics.ik_step``), drawn
-    towards the home posture where the arm is redundant, and never faster than the joints' rated
-    speed.
+    They follow by damped least squares (``robot.kinematics.ik_step``), drawn towards home where the
+    arm is redundant, and never faster than the joints' rated speed.
     """
 
     def __init__(self, servos: Servos) -> None:
@@ -82,8 +81,10 @@ class Arm:
 class ToolDelta:
     """Increments of the tool centre point and of the hand's yaw."""
 
+    size = 5  # entries of an action
+
     def __init__(self, servos: Servos) -> None:
-        self.space = box(5)
+        self.space = box(self.size)
         self.servos = servos
         self.arm = Arm(servos)
         self.yaw = 0.0
@@ -101,21 +102,14 @@ class ToolDelta:
         self.arm.follow(world, pointing_down(self.yaw), action[4])
 
 
-class ToolDeltaPosition:
+class ToolDeltaPosition(ToolDelta):
     """Increments of the tool centre point alone."""
 
-    def __init__(self, servos: Servos) -> None:
-        self.space = box(4)
-        self.servos = servos
-        self._way = ToolDelta(servos)
-
-    def reset(self, world: World) -> None:
-        """Start from the tool's present position and yaw."""
-        self._way.reset(world)
+    size = 4
 
     def apply(self, world: World, action: Float[np.ndarray, "4"]) -> None:
         """Advance the commanded point by ``action``."""
-        self._way.apply(world, np.array([*action[:3], 0.0, action[3]]))
+        super().apply(world, np.array([*action[:3], 0.0, action[3]]))
 
 
 class ToolDelta6D:
@@ -142,24 +136,15 @@ class ToolDelta6D:
         self._arm.follow(world, self._rotation, action[6])
 
 
-class ToolAbsolute:
+class ToolAbsolute(ToolDelta):
     """A pose for the tool to go to, the hand pointing down."""
-
-    def __init__(self, servos: Servos) -> None:
-        self.space = box(5)
-        self.servos = servos
-        self._way = ToolDelta(servos)
-
-    def reset(self, world: World) -> None:
-        """Start from the tool's present position and yaw."""
-        self._way.reset(world)
 
     def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
         """Advance the commanded pose towards that of ``action``.
 
         The hand turns through yaw 0, never through the half turn that joint 7 cannot make.
         """
-        move = _LOWEST + (action[:3] + 1) / 2 * (_HIGHEST - _LOWEST) - self._way.arm.point
+        move = _LOWEST + (action[:3] + 1) / 2 * (_HIGHEST - _LOWEST) - self.arm.point
         move /= max(EE_STEP * self.servos.share, float(np.linalg.norm(move)))
-        turn = (YAW_REACH * action[3] - self._way.yaw) / (EE_TURN * self.servos.share)
-        self._way.apply(world, np.array([*move, np.clip(turn, -1.0, 1.0), action[4]]))
+        turn = (YAW_REACH * action[3] - self.yaw) / (EE_TURN * self.servos.share)
+        super().apply(world, np.array([*move, np.clip(turn, -1.0, 1.0), action[4]]))

@@ -7,7 +7,7 @@ is not always the shorter one.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -15,16 +15,8 @@ from jaxtyping import Bool, Float
 from generator.geometry import rotation_yaw, wrap
 
 from ..robot.kinematics import HOME, LOWER, UPPER, forward, pointing_down, solve_ik
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from ..world.world import World
-    from .planning.heights import HeightMap
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    pass
+from ..world.world import World
+from .planning.heights import HeightMap
 
 INSIDE = 0.05
 """Radians that planned joints keep from their limits."""
@@ -74,10 +66,9 @@ def easiest(world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: flo
 
 
 def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
-    """Return how far the hand has yet to turn to be at ``yaw`` (base frame) at a world point.
+    """Return how far the last joint has yet to turn, in its range, for the hand to be at ``yaw``.
 
-    The turn is that of the last joint, so that a hand on its way keeps its place in that joint's
-    range.
+    Radians, base frame; ``at`` is where the tool is then, world frame.
     """
     relative = rotation_yaw(world.hand) - _bearing(world, world.data.site_xpos[world.tcp])
     middle = _ROLL + float(HOME[6])  # the last joint at zero

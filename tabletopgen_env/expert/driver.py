@@ -7,7 +7,7 @@ present pose, so that demonstrations depend only on what a learner can observe.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float
@@ -18,11 +18,9 @@ from generator.geometry import rotation_yaw
 from ..actions import EE_STEP, EE_TURN, Servos
 from ..robot import franka
 from ..robot.panda import HOME_CTRL
-from .arm import around, turn_left
+from .arm import around
 from .path import ROOM, clear_height
-
-if TYPE_CHECKING:
-    from .plant import Plant
+from .plant import Plant
 
 NEAR = 0.02
 """Distance at which a waypoint counts as reached, metres."""
@@ -86,10 +84,6 @@ class Expert(ABC):
         share = float(world.data.ctrl[world.actuators[7]]) / HOME_CTRL[7]
         return 2 * franka.FINGER_STROKE * share
 
-    def _turn_to(self, yaw: float, at: Float[np.ndarray, "3"]) -> float:
-        """Return how far the hand has to turn to be at ``yaw`` (base frame) there, radians."""
-        return turn_left(self._env.world, yaw, at)
-
     def _over(
         self,
         point: Float[np.ndarray, "3"],
@@ -98,12 +92,11 @@ class Expert(ABC):
         load: tuple[Float[np.ndarray, "3"], float] | None = None,
         narrow: float = 1.0,
     ) -> Float[np.ndarray, "3"]:
-        """Return where to go now on the way to ``point``, over whatever is between.
+        """Return where to go now on the way to ``point``, over whatever but ``but`` is between.
 
-        ``depth`` is how far below the tool something reaches; ``but`` is not in the way. The hand
-        is as broad as it is; ``load`` is where from the tool the middle of what it holds is
-        (metres, world frame) and how far that reaches about its middle along the table. With
-        ``narrow`` below 1 both are taken for so much less broad.
+        ``depth`` is how far below the tool something reaches, ``load`` where from the tool the
+        middle of what it holds is (m, world frame) and how far that reaches along the table. With
+        ``narrow`` below 1 hand and load are taken for so much less broad.
         """
         tool, world = self._tool, self._env.world
         if np.linalg.norm((point - tool)[:2]) < NEAR:

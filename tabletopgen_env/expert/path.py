@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from jaxtyping import Float
 
-if TYPE_CHECKING:
-    from ..world.world import World
+from ..world.world import World
 
 ROOM = 0.1
 """Breadth of the corridor on either side of the way, metres: half a hand."""

@@ -17,7 +17,6 @@ stuck      stand still: no grasp can reach the object where it lies now
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Literal
 
 import numpy as np
@@ -27,7 +26,7 @@ from generator.errors import SceneError
 
 from ..goals.goal import Goal, Raised
 from ..robot import franka
-from .arm import up
+from .arm import turn_left, up
 from .driver import NEAR, Expert
 from .planning.choosing import HOVER, GraspPlan, choose
 from .planning.dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
@@ -101,20 +100,7 @@ class Picker(Expert):
         """Return the next action, ``float32`` in [-1, 1]."""
         self._steps += 1
         late = self._steps > self._patience * _PATIENCE[self.phase]
-        phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
-            "wait": self._wait,
-            "approach": self._approach,
-            "descend": self._descend,
-            "close": self._close,
-            "lift": self._lift,
-            "hold": self._hold,
-            "carry": self._carry,
-            "lower": self._lower,
-            "release": self._release,
-            "retreat": self._retreat,
-            "stuck": self._recover,
-        }
-        return phases[self.phase](late)
+        return getattr(self, f"_{self.phase}")(late)
 
     def _wait(self, late: bool) -> Float[np.ndarray, "5"]:
         if late or (self._steps > 4 and not self._is_moving()):
@@ -250,6 +236,11 @@ class Picker(Expert):
         rise = self._placed[2] + _RISE - self._tool[2]
         return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, let_go_at(self._plan.grasp))
 
+    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+        if late:
+            return self._retry(failed=False)
+        return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
+
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self, failed: bool = False) -> bool:
@@ -272,17 +263,9 @@ class Picker(Expert):
         self.phase, self._steps = "stuck", 0
         return False
 
-    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
-        if late:
-            return self._retry(failed=False)
-        return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
-
     def _retry(self, failed: bool = True) -> Float[np.ndarray, "5"]:
-        """Plan again, counting this grasp as failed or not, and let go for this step.
-
-        If a policy drives the hand, the goal may be met already; then the hand only retreats.
-        """
-        if self._goal.released and met(self._env.world, self._goal):
+        """Plan again, counting this grasp as failed or not, and let go for this step."""
+        if self._goal.released and met(self._env.world, self._goal):  # a policy drives the hand
             return self._enter("retreat")
         self._begin(failed)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
@@ -297,25 +280,20 @@ class Picker(Expert):
         """Return the yaw still to turn, radians."""
         if self.phase in ("carry", "lower"):
             return self._drop.turn(self._env.world)
-        return self._turn_to(self._plan.yaw, self._plan.grasp.point)
+        return turn_left(self._env.world, self._plan.yaw, self._plan.grasp.point)
 
     def _has_moved(self) -> bool:
         return bool(np.linalg.norm(self._object - self._plan.seen) > _MOVED)
 
     def _is_moving(self) -> bool:
-        world = self._env.world
-        speed = world.velocities()[world.index(self._target)]
-        return bool(np.linalg.norm(speed[:3]) > _MOVING)
+        return bool(np.linalg.norm(self._env.world.velocity(self._target)[:3]) > _MOVING)
 
     def _in_object(self) -> Float[np.ndarray, "3"]:
         """Return where the tool is in the object's frame, metres."""
         return (self._tool - self._object) @ self._env.world.rotation(self._target)
 
     def _stalls(self, over: Float[np.ndarray, "3"]) -> bool:
-        """Return whether the carrying hand came no nearer in the last ``_STALLED`` steps.
-
-        ``over`` is where it goes now: above itself, while it rises.
-        """
+        """Return whether the hand, on its way to ``over``, has long come no nearer to the place."""
         left = float(np.linalg.norm((self._drop.tool - self._tool)[:2]))
         if left < self._left - _ON:
             self._left, self._still = left, 0
@@ -324,21 +302,15 @@ class Picker(Expert):
         return self._still > _STALLED
 
     def _has_slipped(self) -> bool:
-        """Return whether the fingers are elsewhere on the object than where they closed.
-
-        A thing that only turns about the fingers, as a bowl held by its rim does, is still in the
-        hand.
-        """
+        """Return whether the fingers are elsewhere on the object than where they closed."""
         return bool(np.linalg.norm(self._in_object() - self._held) > _SLIP)
 
     # ------------------------------------------------------------------------------------ moving
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
         """Change to ``phase`` and stand still for this step."""
-        self.phase = phase
-        self._steps = 0
-        self._last_gap = self._gap
-        self._placed = self._tool
+        self.phase, self._steps = phase, 0
+        self._last_gap, self._placed = self._gap, self._tool
         closed = phase in ("close", "lift", "hold", "carry", "lower")
         return self._act(np.zeros(3), 0.0, 0.0 if closed else self._plan.grasp.opening)
 

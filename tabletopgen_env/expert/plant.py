@@ -2,33 +2,27 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
-if TYPE_CHECKING:
-    from ..actions.servos import Controller
-    from ..goals.goal import Goal
-    from ..world.world import World
-    from .planning.choosing import Chooser, GraspPlan
-    from .planning.dropping import Drop
+from ..actions.servos import Controller
+from ..goals.goal import Goal
+from ..world.world import World
+from .planning.choosing import Chooser, GraspPlan
+from .planning.dropping import Drop
 
 
 class Advice(Protocol):
-    """The grasp hint of an environment, which the expert follows if there is one."""
+    """The grasp hint of an environment, which the expert follows if there is one.
 
-    @property
-    def planned(self) -> GraspPlan | None:
-        """The grasp that is hinted at."""
-        ...
+    Attributes:
+        planned: the grasp that is hinted at.
+        drop: where to let go, once the target is raised.
+        choose: what the hints are chosen by.
+    """
 
-    @property
-    def drop(self) -> Drop | None:
-        """Where to let go, once the target is raised."""
-        ...
-
-    @property
-    def choose(self) -> Chooser:
-        """What the hints are chosen by."""
-        ...
+    planned: GraspPlan | None
+    drop: Drop | None
+    choose: Chooser
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
         """Return the grasp of an object where it is now; None if it is not the active target."""
@@ -36,22 +30,10 @@ class Advice(Protocol):
 
 
 class Plant(Protocol):
-    """An environment in the action mode "ee_delta"."""
+    """An environment in the action mode "ee_delta"; ``goal`` is the active one."""
 
     action_mode: str
     controller: Controller
-
-    @property
-    def world(self) -> World:
-        """The simulated world."""
-        ...
-
-    @property
-    def goal(self) -> Goal:
-        """The goal that is active."""
-        ...
-
-    @property
-    def hint(self) -> Advice | None:
-        """The grasp hint, if the environment gives one."""
-        ...
+    world: World
+    goal: Goal
+    hint: Advice | None

@@ -12,9 +12,7 @@ stuck      stand still: no stroke can be made from where the object is
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
-from typing import Any, ClassVar, Literal
+from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import Float
@@ -22,7 +20,7 @@ from jaxtyping import Float
 from generator.errors import SceneError
 
 from ..goals.goal import Pushed
-from .arm import up
+from .arm import turn_left, up
 from .driver import Expert
 from .path import clear_height
 from .planning.grasps import TIP
@@ -92,12 +90,12 @@ class Pusher(Expert):
         self._speed = self._tool - self._before
         self._before = self._tool
         late = self._steps > self._patience * _PATIENCE[self.phase]
-        return self._acts[self.phase](self, late)
+        return getattr(self, f"_{self.phase}")(late)
 
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
-        above = self._stroke.start + up(HOVER)
+        above = self._plan.start + up(HOVER)
         near = np.linalg.norm((self._tool - above)[:2]) < 0.008
-        turned = abs(self._turn_to(self._stroke.yaw, above)) < 0.08
+        turned = abs(turn_left(self._env.world, self._plan.yaw, above)) < 0.08
         if near and turned and self._tool[2] < above[2] + 0.03:
             return self._enter("descend")
         if late:
@@ -108,15 +106,15 @@ class Pusher(Expert):
         return self._to(self._over(above, TIP, None))
 
     def _descend(self, late: bool) -> Float[np.ndarray, "5"]:
-        low = self._stroke.start
+        low = self._plan.start
         if late and self._tool[2] > low[2] + _BLOCKED:
             return self._bar()
         if late or self._tool[2] < low[2] + 0.007:
             return self._enter("stroke")
         return self._to(low - self._speed, slow=0.7)  # the tool lags behind its command
 
-    def _push(self, late: bool) -> Float[np.ndarray, "5"]:
-        world, name, stroke = self._env.world, self._goal.target, self._stroke
+    def _stroke(self, late: bool) -> Float[np.ndarray, "5"]:
+        world, name, stroke = self._env.world, self._goal.target, self._plan
         way = self._way
         left = float(np.linalg.norm(way))
         if left > _STRAIGHT or self._steps == 1:
@@ -138,18 +136,19 @@ class Pusher(Expert):
         # What is touched in one point turns away from the hand's way, the more the nearer its
         # centre of mass is: the hand turns its way beyond that centre. What is touched flat keeps
         # its place before the hand, so the line of the stroke is what counts, not the way left.
-        speed = float(np.clip(0.25 * left, _SLOW, self._fast))
+        high = stroke.start[2] - world.scene.table.height > _TALL  # it might topple
+        speed = float(np.clip(0.25 * left, _SLOW, _STEADY if high else _FAST))
         speed *= float(np.clip(1.3 - off / 0.02, 0.3, 1.0))
         behind = max(float(ahead @ to_mass) - PAD, _SMALL)
         steer = _STEER * speed * soon / behind
         steer *= min(1.0, speed / max(float(np.linalg.norm(steer)), 1e-9))
         rise = stroke.start[2] - self._tool[2] - _LAG * self._speed[2]
         move = np.array([*(speed * ahead + steer), 0.5 * rise])
-        return self._act(move / 0.3, self._turn_to(stroke.yaw, self._tool), 0.0, slow=0.6)
+        return self._act(move / 0.3, turn_left(world, stroke.yaw, self._tool), 0.0, slow=0.6)
 
     def _back(self, late: bool) -> Float[np.ndarray, "5"]:
         if not late:
-            return self._act(np.array([*(-0.03 * self._stroke.ahead), 0.06]), 0.0, 0.0)
+            return self._act(np.array([*(-0.03 * self._plan.ahead), 0.06]), 0.0, 0.0)
         if self._is_there():
             return self._enter("retreat")
         return self._begin()
@@ -157,24 +156,11 @@ class Pusher(Expert):
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._steps > 10 and not self._is_there():
             return self._begin()
-        rise = self._stroke.start[2] + 0.15 - self._tool[2]
+        rise = self._plan.start[2] + 0.15 - self._tool[2]
         return self._act(up(max(rise, 0.0)), 0.0, 0.0)
 
-    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
         return self._begin() if late else self._act(np.zeros(3), 0.0, 0.0)
-
-    _acts: ClassVar[Mapping[Phase, Callable[[Pusher, bool], Float[np.ndarray, "5"]]]] = (
-        MappingProxyType(
-            {
-                "approach": _approach,
-                "descend": _descend,
-                "stroke": _push,
-                "back": _back,
-                "retreat": _retreat,
-                "stuck": _recover,
-            }
-        )
-    )
 
     # ---------------------------------------------------------------------------------- planning
 
@@ -192,7 +178,7 @@ class Pusher(Expert):
                 continue
             found = plan_stroke(world, name, self._aim, others, care)
             if found is not None:
-                self._stroke, self._length = found, length + _FURTHER
+                self._plan, self._length = found, length + _FURTHER
                 self._behind = found.ahead @ (mass_center(world, name) - found.start)[:2]
                 return self._enter("approach")
         return self._enter("stuck")
@@ -207,17 +193,11 @@ class Pusher(Expert):
         return bool(np.linalg.norm(away[:2]) < _ENOUGH)
 
     @property
-    def _fast(self) -> float:
-        """The pace, metres a step: what is pushed high up might topple."""
-        high = self._stroke.start[2] - self._env.world.scene.table.height
-        return _STEADY if high > _TALL else _FAST
-
-    @property
     def _way(self) -> Float[np.ndarray, "2"]:
         return self._aim - self._env.world.position(self._goal.target)[:2]
 
     def _to(self, point: Float[np.ndarray, "3"], slow: float = 1.0) -> Float[np.ndarray, "5"]:
-        turn = self._turn_to(self._stroke.yaw, self._stroke.start)
+        turn = turn_left(self._env.world, self._plan.yaw, self._plan.start)
         return self._act(point - self._tool, turn, 0.0, slow)
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:

@@ -28,9 +28,6 @@ class Reacher(Expert):
 
     def act(self) -> Float[np.ndarray, "5"]:
         """Return the next action, ``float32`` in [-1, 1]."""
-        tool = self._tool
-        aim = self._goal.spot if self._straight(tool) else self._over(self._goal.spot, TIP, None)
-        return self._act(aim - tool, 0.0, 0.0)
-
-    def _straight(self, tool: Float[np.ndarray, "3"]) -> bool:
-        return bool(np.linalg.norm((tool - self._goal.spot)[:2]) < 0.05)
+        tool, spot = self._tool, self._goal.spot
+        near = np.linalg.norm((tool - spot)[:2]) < 0.05
+        return self._act((spot if near else self._over(spot, TIP, None)) - tool, 0.0, 0.0)

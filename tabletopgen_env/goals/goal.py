@@ -22,9 +22,10 @@ At rest is below 2 cm/s and 0.3 rad/s.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Protocol
+from typing import ClassVar
 
 import numpy as np
 from jaxtyping import Float
@@ -32,10 +33,8 @@ from jaxtyping import Float
 from generator.geometry import rotation_yaw
 
 from ..affordance import Opening, Plateau
+from ..world.world import World
 from .instructions import refer
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 SPOT = "spot"
 """Name of the goal that is a marked free spot."""
@@ -74,73 +73,61 @@ class Region:
     yaw: float = 0.0
 
 
-class Goal(Protocol):
-    """One thing that has to be somewhere."""
+class Goal(ABC):
+    """One thing that has to be somewhere.
 
-    @property
-    def target(self) -> str | None:
-        """The object to bring there; None for the tool centre point."""
-        ...
+    Attributes:
+        target: the object to bring there; None for the tool centre point.
+        reference: the object that carries the region, if one does.
+        spot: the point to mark, world frame, if there is one.
+        released: whether the hand has nothing left to do once the target is in the region.
+        sentence: what to do, with places for what target and reference are called.
+    """
 
-    @property
-    def reference(self) -> str | None:
-        """The object that carries the region, if one does."""
-        ...
+    target: str | None
+    reference: str | None
+    spot: Float[np.ndarray, "3"] | None
+    released: ClassVar[bool] = True
+    sentence: ClassVar[str]
 
-    @property
-    def spot(self) -> Float[np.ndarray, "3"] | None:
-        """The point to mark, world frame, if there is one."""
-        ...
-
-    @property
-    def released(self) -> bool:
-        """Whether the hand has nothing left to do once the target is in the region."""
-        ...
-
+    @abstractmethod
     def region(self, world: World) -> Region:
         """Return where the target's centre has to be now."""
-        ...
 
     def settled(self, world: World) -> bool:
         """Return whether the target is in the state asked for, wherever it is."""
-        ...
+        return True
 
     def words(self, world: World) -> str:
         """Return what to do, in words that fit what is on the table now."""
-        ...
+        named = {"target": self.target, "reference": self.reference}
+        return self.sentence.format(**{k: the(world, name) for k, name in named.items() if name})
 
 
 @dataclass(frozen=True, eq=False)
-class Reached:
+class Reached(Goal):
     """The tool centre point at a point of the world frame."""
 
     spot: Float[np.ndarray, "3"]
     target: None = None
     reference: None = None
-    released: bool = True
+    sentence = "move the hand to the marked point"
 
     def region(self, world: World) -> Region:
         """Return the point's surroundings."""
         return Region(self.spot, np.full(3, REACHED))
 
-    def settled(self, world: World) -> bool:
-        """Return True: being in the region is enough."""
-        return True
-
-    def words(self, world: World) -> str:
-        """Return what to do."""
-        return "move the hand to the marked point"
-
 
 @dataclass(frozen=True, eq=False)
-class Raised:
+class Raised(Goal):
     """An object held in the air above where it stood; ``start`` was its centre, world frame."""
 
     target: str
     start: Float[np.ndarray, "3"]
     reference: None = None
     spot: None = None
-    released: bool = False
+    released = False
+    sentence = "lift {target}"
 
     def region(self, world: World) -> Region:
         """Return the space above where it stood."""
@@ -153,13 +140,9 @@ class Raised:
         left, right, _ = world.touches(self.target)
         return left and right
 
-    def words(self, world: World) -> str:
-        """Return what to do."""
-        return f"lift {the(world, self.target)}"
-
 
 @dataclass(frozen=True, eq=False)
-class Pushed:
+class Pushed(Goal):
     """An object slid to a spot; ``rest`` is the height of its centre above what it stands on.
 
     ``up`` is the world's up in the object's frame at the start.
@@ -170,7 +153,7 @@ class Pushed:
     rest: float
     up: Float[np.ndarray, "3"]
     reference: None = None
-    released: bool = True
+    sentence = "push {target} to the marked spot"
 
     def region(self, world: World) -> Region:
         """Return where its centre is when it stands on the spot."""
@@ -182,13 +165,9 @@ class Pushed:
         lying = world.lowest(self.target) <= world.scene.table.height + _LYING
         return bool(upright and lying and at_rest(world, self.target))
 
-    def words(self, world: World) -> str:
-        """Return what to do."""
-        return f"push {the(world, self.target)} to the marked {SPOT}"
-
 
 @dataclass(frozen=True, eq=False)
-class OnSpot:
+class OnSpot(Goal):
     """An object put down on a spot; ``rest`` as in `Pushed`.
 
     ``stead`` is the object whose place at the start the spot is, if it is one's.
@@ -199,7 +178,7 @@ class OnSpot:
     rest: float
     stead: str | None = None
     reference: None = None
-    released: bool = True
+    sentence = "move {target} to the marked spot"
 
     def region(self, world: World) -> Region:
         """Return where its centre is when it stands on the spot."""
@@ -209,13 +188,9 @@ class OnSpot:
         """Return whether it rests, let go."""
         return at_rest(world, self.target) and not world.touches(self.target)[2]
 
-    def words(self, world: World) -> str:
-        """Return what to do."""
-        return f"move {the(world, self.target)} to the marked {SPOT}"
-
 
 @dataclass(frozen=True, eq=False)
-class Into:
+class Into(Goal):
     """An object in the hollow of a container; ``height`` is the target's as it stood, metres."""
 
     target: str
@@ -223,7 +198,7 @@ class Into:
     opening: Opening
     height: float
     spot: None = None
-    released: bool = True
+    sentence = "put {target} into {reference}"
 
     def region(self, world: World) -> Region:
         """Return the clear opening, from the hollow's floor to a target's height over the rim."""
@@ -243,13 +218,9 @@ class Into:
         floor = base + up[2] * (hollow.floor - hollow.thickness / 2)
         return bool(up[2] >= _UPRIGHT and floor <= below <= base + up[2] * hollow.rim - INSIDE)
 
-    def words(self, world: World) -> str:
-        """Return what to do."""
-        return f"put {the(world, self.target)} into {the(world, self.reference)}"
-
 
 @dataclass(frozen=True, eq=False)
-class OnTop:
+class OnTop(Goal):
     """An object standing on another's flat top; ``rest`` as in `Pushed`.
 
     ``up`` is the world's up in the support's frame at the start.
@@ -261,7 +232,7 @@ class OnTop:
     rest: float
     up: Float[np.ndarray, "3"]
     spot: None = None
-    released: bool = True
+    sentence = "put {target} on {reference}"
 
     def region(self, world: World) -> Region:
         """Return where its centre is when it stands on the flat part."""
@@ -282,10 +253,6 @@ class OnTop:
             return False
         top = world.position(self.reference) + world.rotation(self.reference) @ self.plateau.center
         return abs(world.lowest(self.target) - float(top[2])) <= _GAP
-
-    def words(self, world: World) -> str:
-        """Return what to do."""
-        return f"put {the(world, self.target)} on {the(world, self.reference)}"
 
 
 def named_by(goals: Iterable[Goal]) -> list[str]:

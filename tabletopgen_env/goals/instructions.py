@@ -16,13 +16,8 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
     """Return a phrase that means ``obj`` and nothing else in ``scene``, such as "the red mug".
 
     The label alone if it is unique; with its colour if the plan tells colours apart; otherwise
-    counted from the left.
-
-    Args:
-        scene: the table.
-        obj: what is meant.
-        yaw: viewing direction for counting: that of the robot's x axis, radians.
-        absent: objects that are not there and are not counted.
+    counted from the left, seen along ``yaw`` (of the robot's x axis, radians). ``absent`` objects
+    are not counted.
     """
     alike = [o for o in scene.objects if o.label == obj.label and o.name not in absent]
     colors = {o.name: _color(scene, o.name) for o in alike}
@@ -45,7 +40,5 @@ def _rightwards(obj: Object, yaw: float) -> float:
 
 def _color(scene: Scene, name: str) -> str | None:
     """Return the colour that the plan gives the object, if there is a plan."""
-    for planned in scene.plan.objects if scene.plan else ():
-        if planned.name == name:
-            return planned.attributes.get("color")
-    return None
+    planned = scene.plan.objects if scene.plan else ()
+    return next((p.attributes.get("color") for p in planned if p.name == name), None)

@@ -30,10 +30,7 @@ class Predicts(Protocol):
 
 @dataclass(frozen=True)
 class EpisodeResult:
-    """One episode: whether it was solved, after how many steps, the mean reward of a step.
-
-    ``table`` is the digest of the table and its objects.
-    """
+    """One episode: ``reward`` is the mean of a step, ``table`` the table's and objects' digest."""
 
     solved: bool
     steps: int
@@ -44,10 +41,7 @@ class EpisodeResult:
 
 @dataclass(frozen=True)
 class PolicyEvaluation:
-    """What some episodes came to, at ``tables`` different tables.
-
-    ``reward`` and ``steps`` are means over them.
-    """
+    """What episodes at ``tables`` different tables came to; ``reward`` and ``steps`` are means."""
 
     episodes: int
     solved: int

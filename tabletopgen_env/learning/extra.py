@@ -22,11 +22,7 @@ def need(package: str, what: str, extra: str) -> None:
 
 
 def need_sb3() -> None:
-    """Make sure that Stable-Baselines3 is there.
-
-    Raises:
-        InputError: it is not installed.
-    """
+    """Make sure that Stable-Baselines3 is there (InputError: it is not installed)."""
     need("stable_baselines3", "Policies need Stable-Baselines3", "train")
 
 

@@ -23,11 +23,11 @@ from stable_baselines3.common.torch_layers import (
 from stable_baselines3.common.vec_env import DummyVecEnv, VecEnv, VecMonitor
 from torch import nn
 
-from generator.bundle import digest
-from generator.errors import InputError, choices, require_number
+from generator.errors import InputError, require_known, require_number
 
-from ..scenes import FRESH, REFRESHING, STARTER, FreshScenes, SceneRef, SceneSource, resolve, split
-from ..scenes.splitting import Described, Side
+from ..scenes import STARTER, FreshScenes, SceneSource, resolve, split
+from ..scenes.finding import on_demand
+from ..scenes.splitting import Side, digest_of
 from ..tasks.task import Task
 from ..vector import TabletopVectorEnv
 from .networks.goal_extractor import GoalExtractor
@@ -60,21 +60,17 @@ def source_of(
 ) -> SceneSource:
     """Return the source of a recipe's scenes; those made on demand are kept to one side.
 
-    Args:
-        scenes: where.
-        side: which side.
-        variants: how many "fresh" tables there are on both sides; None for as many as
-            ``FreshScenes`` has.
-        task: what those made on demand are for; see ``Task.needs``. None for anything.
+    ``variants`` is how many "fresh" tables there are on both sides, None for the usual number;
+    ``task`` what those made on demand are for, None for anything.
 
     Raises:
         BundleError: no bundle fits.
         InputError: no source is called so.
     """
     chosen = list(scenes) if isinstance(scenes, tuple) else scenes
-    on_demand = isinstance(chosen, str) and chosen.partition(":")[0] in (FRESH, REFRESHING)
     needs, start = ((), STARTER) if task is None else (task.needs, task.scenes)
-    source = split(chosen, side, needs=needs, start=start) if on_demand else resolve(chosen)
+    made = on_demand(chosen)
+    source = split(chosen, side, needs=needs, start=start) if made else resolve(chosen)
     if isinstance(source, FreshScenes) and variants is not None:
         return replace(source, variants=variants)
     return source
@@ -88,25 +84,19 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Return how many tables two sources have in common, of those they have at hand.
+    """Return how many tables two sources have in common, by digest, of those they have at hand.
 
-    Tables are told apart by what they are, not by where they are kept. Of a refreshing pool those
-    it begins with count, too.
+    Of a refreshing pool those it begins with count, too.
 
     Raises:
         BundleError: a bundle is gone or damaged.
     """
-    return len(_at_hand(source) & _at_hand(other))
 
+    def at_hand(source: SceneSource) -> set[str]:
+        held = (source, getattr(source, "initial", None))
+        return {digest_of(ref) for each in held for ref in getattr(each, "refs", ())}
 
-def _at_hand(source: SceneSource) -> set[str]:
-    """Return the digests of the scenes that a source has before it makes any."""
-    held = (source, getattr(source, "initial", None))
-    return {_digest(ref) for each in held for ref in getattr(each, "refs", ())}
-
-
-def _digest(ref: SceneRef) -> str:
-    return ref.load.digest() if isinstance(ref.load, Described) else digest(ref.load())
+    return len(at_hand(source) & at_hand(other))
 
 
 def single_env(
@@ -118,10 +108,7 @@ def single_env(
 
 
 def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
-    """Return a recipe's environments for training; each slot has a seed of its own.
-
-    The scenes are left to who made them.
-    """
+    """Return a recipe's environments for training, a seed each; the scenes are left open."""
     limit = spec_of(recipe.task).max_episode_steps
     slots = TabletopVectorEnv(
         recipe.envs, autoreset_mode="SameStep", max_episode_steps=limit, task=recipe.task,
@@ -140,14 +127,11 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
     Raises:
         InputError: the algorithm has no such option, or an option does not fit.
     """
-    kind = _CLASSES[recipe.algorithm]
+    kind: Any = _CLASSES[recipe.algorithm]
     options = dict(recipe.options)
     known = set(inspect.signature(kind.__init__).parameters) - _OURS - {"self"}
     for key in options:
-        if key not in known:
-            raise InputError(
-                f"{recipe.name}: {kind.__name__} has no option {key!r}." + choices(key, known)
-            )
+        require_known(key, known, f"{recipe.name}: {kind.__name__} has no option")
     noise = options.pop("action_noise", None)
     if noise is not None:
         require_number(f"{recipe.name} needs options.action_noise", noise, minimum=0)
@@ -161,8 +145,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
         options["replay_buffer_kwargs"] = {"n_sampled_goal": recipe.hindsight}
     policy = "MultiInputPolicy" if isinstance(env.observation_space, spaces.Dict) else "MlpPolicy"
     try:
-        made: Any = kind
-        return made(
+        return kind(
             policy, env, seed=seed, device="cpu",
             policy_kwargs=policy_keywords(recipe.network, env.observation_space), **options,
         )  # fmt: skip

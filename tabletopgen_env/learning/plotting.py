@@ -43,10 +43,10 @@ def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
     """Return a band a recipe, by its name, interpolated between evaluations.
 
     Runs make one band if their recipes say the same but for the number of steps. If recipes of one
-    name do not, what differs stands beside the name.
+    name do not, what differs stands beside the name. A run that is given twice counts once.
 
     Args:
-        runs: the runs; one that is given twice counts once.
+        runs: the runs.
         by: "steps" of the training environments (of cloning, the states in which the expert gave
             advice), or "hours" of a run, evaluations included.
 

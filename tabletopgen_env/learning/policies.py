@@ -94,12 +94,9 @@ class TrainedPolicy:
     actor: Actor
 
     def predict(
-        self,
-        observation: Any,
-        state: Any = None,
-        episode_start: Any = None,
+        self, observation: Any, state: Any = None, episode_start: Any = None,
         deterministic: bool = True,
-    ) -> tuple[np.ndarray, Any]:
+    ) -> tuple[np.ndarray, Any]:  # fmt: skip
         """Return the action for one observation, or those of a batch, and ``state`` as it is.
 
         Raises:
@@ -125,10 +122,9 @@ def policy_from(
     validation: Mapping[str, Any] | None = None,
     steps: int | None = None,
 ) -> TrainedPolicy:
-    """Return a copy of what a model, made by ``making.new_model`` with ``recipe``, does now.
+    """Return a copy of what a model of ``making.new_model`` does now; ``validation`` is the card's.
 
-    ``validation`` is what the card says of an evaluation, ``steps`` what it was trained for; None
-    for what the model says.
+    ``steps`` is what it was trained for; None for what the model says.
     """
     actor, squash = actor_of(model, recipe.network)
     card = Card(
@@ -156,11 +152,7 @@ def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> 
 
 
 def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
-    """Return a policy file's content; see ``save_policy``.
-
-    Raises:
-        InputError: it is larger than ``MOST_BYTES``, or a text of its card cannot be shown.
-    """
+    """Return a policy file's content; raises InputError as ``save_policy``."""
     kind = torch.float16 if half else torch.float32
     weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
     kept = Actor(policy.card.network, policy.card.inputs, policy.card.actions)
@@ -278,10 +270,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
-    inputs = {
-        check_type(k, str): check_type(v, int)
-        for k, v in check_type(payload["inputs"], dict).items()
-    }
+    inputs = _table(payload["inputs"], int)
     sizes = (*inputs.values(), payload["actions"])
     if not inputs or ("" in inputs and len(inputs) > 1) or len(inputs) > 8:
         raise ValueError(f"a policy cannot look at {inputs}")
@@ -296,10 +285,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         raise ValueError(f"there is no task {task!r} with {squash!r}")
     env = check_type(payload["env"], dict)
     Recipe("its card", task, "sac", env=env, network=network)  # checks that they go together
-    versions = {
-        check_type(k, str): check_type(v, str)
-        for k, v in check_type(payload["versions"], dict).items()
-    }
+    versions = _table(payload["versions"], str)
     answers = [check_type(v, float) for v in check_type(payload["answers"], list)]
     return Card(
         task, env, network, inputs, payload["actions"], squash,  # pyright: ignore
@@ -308,6 +294,10 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         tuple(check_type(v, str) for v in check_type(payload["scenes"], list)),
         _validation(check_type(payload["validation"], dict)), versions,
     ), answers  # fmt: skip
+
+
+def _table(payload: Any, kind: type) -> dict[str, Any]:
+    return {check_type(k, str): check_type(v, kind) for k, v in check_type(payload, dict).items()}
 
 
 def _validation(payload: dict[str, Any]) -> dict[str, Any]:
@@ -321,11 +311,7 @@ def _validation(payload: dict[str, Any]) -> dict[str, Any]:
 
 
 def _check_printable(value: Any) -> None:
-    """Refuse texts that would do something to a terminal they are shown at.
-
-    Raises:
-        InputError: there is one.
-    """
+    """Refuse texts that would do something to a terminal (InputError: there is one)."""
     if isinstance(value, str) and not value.isprintable():
         raise InputError(f"A policy's card has only text that can be shown, got {value!r}.")
     if isinstance(value, dict):

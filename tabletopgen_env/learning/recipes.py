@@ -14,7 +14,7 @@ from datetime import date, time
 from pathlib import Path
 from typing import Any, Literal, get_args
 
-from generator.errors import InputError, choices, require
+from generator.errors import InputError, choices, require, require_known
 from generator.io.reading import parse_toml, printable, read_regular
 
 from ..scenes.making.recipe import MOST_SEEDS
@@ -56,8 +56,8 @@ class Network:
     activation: Activation = "relu"
 
     def __post_init__(self) -> None:
-        _one_of(self, "extractor", get_args(Extractor))
-        _one_of(self, "activation", get_args(Activation))
+        require_known(self.extractor, get_args(Extractor), "Network has no extractor")
+        require_known(self.activation, get_args(Activation), "Network has no activation")
         require(self, "width", minimum=1, maximum=1024, integer=True)
         sizes = self.layers if isinstance(self.layers, tuple) else ()
         if not (0 < len(sizes) <= 8 and all(type(s) is int and 0 < s <= 4096 for s in sizes)):
@@ -112,8 +112,8 @@ class Recipe:
     cloning: Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
-        _one_of(self, "task", NAMES)
-        _one_of(self, "algorithm", get_args(Algorithm))
+        require_known(self.task, NAMES, "Recipe has no task")
+        require_known(self.algorithm, get_args(Algorithm), "Recipe has no algorithm")
         require(self, "steps", "envs", minimum=1, integer=True)
         require(self, "hindsight", "demonstrations", minimum=0, integer=True)
         require(self, "variants", minimum=1, maximum=MOST_SEEDS, integer=True)
@@ -121,10 +121,7 @@ class Recipe:
             _check_scenes(self.name, side, getattr(self, side))
         known = env_keywords()
         for key in self.env:
-            if key not in known:
-                raise InputError(
-                    f"{self.name}: an environment has no {key!r}." + choices(key, known)
-                )
+            require_known(key, known, f"{self.name}: an environment has no")
         self._check_together()
 
     @property
@@ -213,8 +210,7 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
     name = printable(payload.get("name", "recipe"), "A recipe's name", InputError)
     known = {f.name for f in fields(Recipe)}
     for key in payload:
-        if key not in known:
-            raise InputError(f"{name}: a recipe has no {key!r}." + choices(key, known))
+        require_known(key, known, f"{name}: a recipe has no")
     for key in ("task", "algorithm"):
         if key not in payload:
             raise InputError(f"{name}: a recipe needs {key!r}.")
@@ -244,20 +240,11 @@ def network_of(payload: Mapping[str, Any], name: str) -> Network:
     """
     known = {f.name for f in fields(Network)}
     for key in payload:
-        if key not in known:
-            raise InputError(f"{name}: a network has no {key!r}." + choices(str(key), known))
+        require_known(key, known, f"{name}: a network has no")
     values = dict(payload)
     if isinstance(values.get("layers"), list):
         values["layers"] = tuple(values["layers"])
     return Network(**values)
-
-
-def _one_of(settings: object, name: str, known: Iterable[str]) -> None:
-    value = getattr(settings, name)
-    if value not in known:
-        raise InputError(
-            f"{type(settings).__name__} has no {name} {value!r}." + choices(str(value), known)
-        )
 
 
 def _check_scenes(name: str, side: str, value: Any) -> None:

@@ -121,11 +121,7 @@ class Run:
                 self.path.rmdir()
 
     def rows(self) -> list[EvaluationRow]:
-        """Return the run's evaluations.
-
-        Raises:
-            InputError: the table is damaged.
-        """
+        """Return the run's evaluations; see ``read_rows``."""
         return read_rows(self.path)
 
     def add(self, steps: int, seconds: float, seen: PolicyEvaluation) -> None:
@@ -134,9 +130,8 @@ class Run:
         Raises:
             StorageError: it cannot be written.
         """
-        row = EvaluationRow(
-            steps, round(seconds, 1), seen.episodes, seen.solved, seen.reward, seen.steps
-        )
+        spent = round(seconds, 1)
+        row = EvaluationRow(steps, spent, seen.episodes, seen.solved, seen.reward, seen.steps)
         _write_rows(self.path, [*self.rows(), row])
 
     def save(self, model: BaseAlgorithm, counts: Counts, replay: bool) -> None:
@@ -192,13 +187,12 @@ class Run:
             ) from error
         model.num_timesteps, model._episode_num = counts.steps, counts.episodes
         model._n_updates = counts.updates
-        kept = found / "replay.npz"
-        there = isinstance(model, OffPolicyAlgorithm) and kept.is_file()
-        if isinstance(model, OffPolicyAlgorithm) and there:
+        replayed = isinstance(model, OffPolicyAlgorithm) and (found / "replay.npz").is_file()
+        if isinstance(model, OffPolicyAlgorithm) and replayed:
             assert model.replay_buffer is not None
-            read_buffer(model.replay_buffer, kept)
+            read_buffer(model.replay_buffer, found / "replay.npz")
         _write_rows(self.path, [r for r in self.rows() if r.steps <= counts.steps])
-        return counts, there
+        return counts, replayed
 
 
 def begin(path: Path, recipe: Recipe, seed: int) -> Run:
@@ -220,10 +214,10 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
     except OSError as error:
         raise StorageError(f"{path} cannot be made: {error.strerror or error}.") from error
     facts = {"format": FORMAT, "seed": seed, "recipe": recipe.facts()}
-    text = json.dumps(facts, indent=1) + "\n"
     run = Run(path, recipe, seed)
     try:
         _write_rows(path, [])
+        text = json.dumps(facts, indent=1) + "\n"
         write_whole(path / _RECIPE, text, "The recipe", "Choose another --out.")
     except StorageError:
         run.take_back(folder_too=not there)
@@ -243,9 +237,8 @@ def open_run(path: Path) -> Run:
         payload = _object(path / _RECIPE)
         if check_type(payload.get("format"), int) != FORMAT:
             raise ValueError(f"it is not of format {FORMAT}")
-        return Run(
-            path, recipe_of(check_type(payload["recipe"], dict)), check_type(payload["seed"], int)
-        )
+        recipe = recipe_of(check_type(payload["recipe"], dict))
+        return Run(path, recipe, check_type(payload["seed"], int))
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise InputError(f"{path / _RECIPE} is damaged ({str(error)!r}).") from error
 
@@ -299,17 +292,12 @@ def _object(path: Path) -> dict[str, Any]:
 
 
 def _write_rows(path: Path, rows: list[EvaluationRow]) -> None:
-    lines = [",".join(COLUMNS), *(",".join(f"{getattr(r, c)}" for c in COLUMNS) for r in rows)]
-    write_whole(
-        path / _EVALUATIONS,
-        "\n".join(lines) + "\n",
-        "The table of evaluations",
-        "Make room for it.",
-    )
+    lines = [",".join(COLUMNS), *(",".join(f"{getattr(r, c)}" for c in COLUMNS) for r in rows), ""]
+    table = path / _EVALUATIONS
+    write_whole(table, "\n".join(lines), "The table of evaluations", "Make room for it.")
 
 
 def differences(one: Recipe, other: Recipe) -> list[str]:
     """Return what two recipes say differently, but for how many steps they take."""
-    a: dict[str, Any] = one.facts()
-    b: dict[str, Any] = other.facts()
+    a, b = one.facts(), other.facts()
     return [key for key in a if key != "steps" and a[key] != b[key]]

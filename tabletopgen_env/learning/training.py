@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack, closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -120,9 +120,7 @@ def _resume(out: Path, recipe: Recipe, seed: int) -> Run:
 def _learn(tracker: Tracker, scenes: SceneSource) -> int:
     """Train with Stable-Baselines3; return the steps there are now."""
     run, seed = tracker.run, tracker.plan.seed
-    with ExitStack() as last:
-        envs = many_envs(run.recipe, scenes, seed)
-        last.callback(envs.close)
+    with closing(many_envs(run.recipe, scenes, seed)) as envs:
         model = new_model(run.recipe, envs, seed)
         model.set_logger(tracker.logger)
         tracker.counts, replayed = run.restore(model)
@@ -183,14 +181,10 @@ def _demonstrate(tracker: Tracker, model: OffPolicyAlgorithm, scenes: SceneSourc
     recipe = tracker.run.recipe
     if not recipe.demonstrations:
         return
-    env = single_env(recipe.task, recipe.env, scenes)
-    try:
+    with closing(single_env(recipe.task, recipe.env, scenes)) as env:
         assert model.replay_buffer is not None
-        count = fill(
-            model.replay_buffer, env, recipe.demonstrations, tracker.plan.seed, tracker.heed
-        )
-    finally:
-        env.close()
+        seed = tracker.plan.seed
+        count = fill(model.replay_buffer, env, recipe.demonstrations, seed, tracker.heed)
     tracker.say(f"{count} demonstrations in the replay buffer")
     if not tracker.counts.steps:
         tracker.checkpoint(model, 0)
@@ -199,12 +193,8 @@ def _demonstrate(tracker: Tracker, model: OffPolicyAlgorithm, scenes: SceneSourc
 def _clone_alone(tracker: Tracker, scenes: SceneSource) -> int:
     """Clone the expert, evaluated after each round; return the states it gave advice in."""
     model = new_model(tracker.run.recipe, tracker.trials, tracker.plan.seed)
-
-    def report(r: Round) -> None:
-        tracker.evaluate(model, r.states)
-
     with suppress(StopAsked):
-        _clone(tracker, model, scenes, report)
+        _clone(tracker, model, scenes, lambda r: tracker.evaluate(model, r.states))
     tracker.checkpoint(model, tracker.counts.steps)
     return tracker.counts.steps
 
@@ -231,11 +221,8 @@ def _clone(
         if r.number + 1 < config.rounds:
             tracker.heed()
 
-    env = single_env(recipe.task, recipe.env, scenes)
-    try:
+    with closing(single_env(recipe.task, recipe.env, scenes)) as env:
         clone(model, env, config, tracker.plan.seed, report)
-    finally:
-        env.close()
 
 
 def cloning_config(recipe: Recipe) -> CloningConfig:

@@ -43,7 +43,6 @@ of the vertical over the end of the way entry 6 is 0.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from jaxtyping import Float
@@ -59,12 +58,9 @@ from ..expert.planning.dropping import Drop, breadth, hanging, let_go_at, lift_o
 from ..expert.planning.grasps import TIP, Grasp
 from ..expert.planning.placing import Placer, middle_place, plan_place
 from ..expert.planning.plans import first_plan
-from ..goals.goal import Pushed, Raised
+from ..goals.goal import Goal, Pushed, Raised
 from ..rendering.config import HintKind
-
-if TYPE_CHECKING:
-    from ..goals.goal import Goal
-    from ..world.world import World
+from ..world.world import World
 
 HINT_BOUNDS = np.array([3.0] * 3 + [7.0] + [0.1] * 2 + [3.0] + [1.0])
 """Largest magnitude of each entry."""
@@ -92,10 +88,9 @@ def misread(
     tool: Float[np.ndarray, "3"],
     yaw: float,
 ) -> Float[np.ndarray, "8"]:
-    """Return the entries as sensors that err give them.
+    """Return the entries as sensors give them that err by ``target``, ``tool`` (m) and ``yaw``.
 
-    ``target`` and ``tool`` are by how much the readings of the places err, base frame, metres,
-    ``yaw`` by how much that of the hand's yaw does, radians.
+    These are errors of the two places, base frame, and of the hand's yaw, radians.
     """
     if not entries[-1]:
         return entries
@@ -112,10 +107,9 @@ def misread(
 class GraspHint:
     """The grasp of the active target, carried along with the object, and then its place.
 
-    ``kind`` says whether the expert's planners are asked, or the detector. A grasp is planned anew
-    when the object has come to rest elsewhere, untouched by the robot, or was lost. ``drop`` is the
-    place while there is one, ``planned`` the grasp as it was planned, ``choose`` who is asked for
-    one.
+    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
+    was lost. ``planned`` is the grasp as it was planned, ``drop`` the place while there is one,
+    ``choose`` who is asked for a grasp.
     """
 
     def __init__(self, kind: HintKind = "planned") -> None:
@@ -167,28 +161,27 @@ class GraspHint:
             if risen > _HIGH and not isinstance(goal, Raised):
                 yaw = rotation_yaw(world.hand)
                 self.drop = Drop(world, goal, yaw, let_go_at(grasp), self._place)
-        if self.drop is not None:
+        if self.drop is None:
+            end, opening, depth, broad = grasp.point, grasp.opening, TIP, 0.0
+            turn = turn_left(world, plan.yaw, grasp.point)
+            if held:
+                tool = world.data.site_xpos[world.tcp]
+                end, opening = np.array([*tool[:2], self._low + lift_of(goal)]), let_go_at(grasp)
+        else:
             self.drop.follow(world)
+            end, opening, turn = self.drop.tool, self.drop.opening, self.drop.turn(world)
             depth, broad = hanging(world, name), breadth(world, name)
-            way = _Way(self.drop.tool, self.drop.turn(world), depth, broad)
-            return _entries(world, name, way, self.drop.opening, grasp.width, -1.0)
-        turn = turn_left(world, plan.yaw, grasp.point)
-        if held:
-            tool = world.data.site_xpos[world.tcp]
-            end = np.array([*tool[:2], self._low + lift_of(goal)])
-            return _entries(
-                world, name, _Way(end, turn, TIP, 0.0), let_go_at(grasp), grasp.width, -1.0
-            )
-        way = _Way(grasp.point, turn, TIP, 0.0)
-        return _entries(world, name, way, grasp.opening, grasp.width, 1.0)
+        rise = _rise(world, name, end, depth, broad)
+        left = world.base_rotation.T @ (end - world.data.site_xpos[world.tcp])
+        kind = -1.0 if held or self.drop else 1.0
+        return np.array([*left, turn, opening, grasp.width, rise, kind])
 
     def _take(self, world: World, name: str, blamed: bool = False) -> None:
         """Plan a grasp; the last one, if it is to be ``blamed``, and those before rank last."""
         lost = (*self._lost, self.planned) if blamed and self.planned else self._lost
         self._lost = tuple(self._carry(world, name, plan) for plan in lost)
-        started = world.data.time > 0
-        failed = tuple(plan.grasp for plan in self._lost)
-        if started:
+        if world.data.time > 0:
+            failed = tuple(plan.grasp for plan in self._lost)
             self.planned = self.choose(world, name, failed)
         else:
             self.planned = first_plan(world, name, self.choose)
@@ -210,9 +203,8 @@ class GraspHint:
         if float(speed @ speed) > _STILL**2:
             return False
         moved = world.position(name) - self._seen
-        if float(moved @ moved) > _MOVED**2:
-            return True
-        return float((world.rotation(name) @ self._rotation.T)[2, 2]) < _TILTED
+        tilt = (world.rotation(name) @ self._rotation.T)[2, 2]
+        return bool(moved @ moved > _MOVED**2 or tilt < _TILTED)
 
 
 def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
@@ -232,22 +224,12 @@ def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
     return GraspHint(asked)
 
 
-class _Way(NamedTuple):
-    """The end of the tool's way (world), the turn left, and how far what is held reaches."""
-
-    end: Float[np.ndarray, "3"]
-    turn: float
-    depth: float
-    broad: float
-
-
-def _entries(
-    world: World, name: str, way: _Way, opening: float, width: float, kind: float
-) -> Float[np.ndarray, "8"]:
+def _rise(
+    world: World, name: str, end: Float[np.ndarray, "3"], depth: float, broad: float
+) -> float:
+    """Return entry 6 on the way to ``end`` of what reaches ``depth`` down and ``broad`` aside."""
     tool = world.data.site_xpos[world.tcp]
-    left = way.end - tool
-    rise = 0.0
-    if math.hypot(left[0], left[1]) > NEAR:
-        high = clear_height(world, name, tool, way.end, max(ROOM, way.broad)) + way.depth
-        rise = min(max(high - float(tool[2]), 0.0), _HIGHER)
-    return np.array([*(world.base_rotation.T @ left), way.turn, opening, width, rise, kind])
+    if math.hypot(*(end - tool)[:2]) <= NEAR:
+        return 0.0
+    high = clear_height(world, name, tool, end, max(ROOM, broad)) + depth
+    return min(max(high - float(tool[2]), 0.0), _HIGHER)

@@ -53,7 +53,7 @@ The modes
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from gymnasium import spaces
@@ -62,6 +62,7 @@ from scipy.spatial.transform import Rotation
 
 from generator.geometry import rotation_yaw, wrap
 
+from ..goals.goal import Goal
 from ..rendering.config import ObservationConfig
 from ..rendering.point_cloud import point_cloud_spaces
 from ..rendering.views import SLOTS, picture_spaces
@@ -71,9 +72,6 @@ from ..tasks.task import center
 from ..world.world import World
 from .grasp_hint import HINT_BOUNDS, misread
 
-if TYPE_CHECKING:
-    from ..goals.goal import Goal
-
 ROBOT_BOUNDS = np.array(
     [4.0] * 7 + [10.0] * 7 + [0.1] + [3.0] * 3 + [1.0] * 6 + [4.0] * 7 + [1.0] * 3 + [3.0] * 6
 )
@@ -82,21 +80,17 @@ GOAL_BOUNDS = np.array([1.0] + [3.0] * 3 + [4.0] * 4 + [3.0] * 3)
 GOAL_VECTOR_BOUNDS = np.array([3.0] * 3 + [4.0] * 4 + [1.0])
 
 _BARE_BOUNDS = np.concatenate([ROBOT_BOUNDS, np.tile(SLOT_BOUNDS, SLOTS)])
-_FULL_BOUNDS = np.concatenate([_BARE_BOUNDS, GOAL_BOUNDS])
-_HINTED_BARE_BOUNDS = np.concatenate([_BARE_BOUNDS, HINT_BOUNDS])
-_HINTED_BOUNDS = np.concatenate([_FULL_BOUNDS, HINT_BOUNDS])
-for _constant in (
-    ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, GOAL_VECTOR_BOUNDS,
-    _BARE_BOUNDS, _FULL_BOUNDS, _HINTED_BARE_BOUNDS, _HINTED_BOUNDS,
-):  # fmt: skip
+_GOAL_VECTORS = ("achieved_goal", "desired_goal")
+_NONE = np.empty(0)
+_BOUNDS = {  # of the flat state's entries, by whether there is a hint and whether the goal is out
+    (hinted, bare): np.concatenate(
+        [_BARE_BOUNDS, _NONE if bare else GOAL_BOUNDS, HINT_BOUNDS if hinted else _NONE]
+    )
+    for hinted in (False, True)
+    for bare in (False, True)
+}
+for _constant in (ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, GOAL_VECTOR_BOUNDS, *_BOUNDS.values()):
     _constant.setflags(write=False)
-
-
-def _bounds(hinted: bool, bare: bool) -> Float[np.ndarray, "n"]:
-    """Return the largest magnitudes of the flat state's entries, or of those without the goal."""
-    if hinted:
-        return _HINTED_BARE_BOUNDS if bare else _HINTED_BOUNDS
-    return _BARE_BOUNDS if bare else _FULL_BOUNDS
 
 
 def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
@@ -106,23 +100,16 @@ def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
 
 def observation_space(config: ObservationConfig, goals: int = 1) -> spaces.Space[Any]:
     """Return the space of an observation; ``goals`` is how many a goal vector has room for."""
-    mode, hint = config.mode, bool(config.grasp_hint)
-    full, bare = _bounds(hint, bare=False), _bounds(hint, bare=True)
+    mode = config.mode
+    state = _box(_BOUNDS[bool(config.grasp_hint), mode == "goal"])
     if mode == "state":
-        return _box(full)
+        return state
     if mode == "goal":
-        return spaces.Dict(
-            {
-                "observation": _box(bare),
-                "achieved_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
-                "desired_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
-            }
-        )
+        vectors = {k: _box(np.tile(GOAL_VECTOR_BOUNDS, goals)) for k in _GOAL_VECTORS}
+        return spaces.Dict({"observation": state, **vectors})
     pixels = mode.startswith("pixels")
     entries = picture_spaces(config) if pixels else point_cloud_spaces(config.points)
-    if mode.endswith("+state"):
-        entries["state"] = _box(full)
-    return spaces.Dict(entries)
+    return spaces.Dict({**entries, "state": state} if mode.endswith("+state") else entries)
 
 
 def slot_order(world: World, goal: Goal) -> list[str]:
@@ -136,11 +123,10 @@ def slot_order(world: World, goal: Goal) -> list[str]:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """What is added to one reading of the state.
+    """What is added to one reading of the state, but not to goals.
 
-    ``joints`` (rad) are added to the arm's, and the tool's pose follows; ``positions`` (m, base
-    frame) and ``turns`` (rotation vectors, base frame) are added to the objects by slot. Goals
-    have none.
+    ``joints`` (rad) are added to the arm's, and the tool's pose follows; ``positions`` (m) and
+    ``turns`` (rotation vectors) are added to the objects by slot, base frame.
     """
 
     joints: Float[np.ndarray, "7"]
@@ -213,7 +199,7 @@ def flat_state(
     ``bare`` leaves out all but entries 0-267; ``noise`` is that of this reading, None none;
     ``hint`` the entries of ``grasp_hint``, the last ones.
     """
-    bounds = _bounds(hint is not None, bare)
+    bounds = _BOUNDS[hint is not None, bare]
     robot, slots = robot_state(world, goal, noise), object_slots(world, order, noise)
     state = np.empty(len(bounds))
     state[: len(robot)] = robot

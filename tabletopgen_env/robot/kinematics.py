@@ -131,12 +131,11 @@ def ik_step(
     joints: Float[np.ndarray, "7"],
     position: Float[np.ndarray, "3"],
     rotation: Float[np.ndarray, "3 3"],
-    posture: Float[np.ndarray, "7"] = HOME,
     pull: float = 0.05,
 ) -> tuple[Float[np.ndarray, "7"], float, float]:
     """Take one damped-least-squares step towards a tool pose given in the base frame.
 
-    ``dq = p + J^T (J J^T + lambda^2 I)^-1 (e - J p)``, ``p = pull (posture - q)``, with lambda
+    ``dq = p + J^T (J J^T + lambda^2 I)^-1 (e - J p)``, ``p = pull (HOME - q)``, with lambda
     shrinking with the error: of the pull remains what lies in J's null space. Joints that would
     leave their range go to its end and the others make up for it. The elbow stays short of
     straight. No joint moves by more than 0.2 rad, also where it comes back from out of its range.
@@ -150,7 +149,7 @@ def ik_step(
     error[3:] = rotation_vector(rotation @ frames[7, :3, :3].T)
     full = jacobian(frames)
     damping = (1e-5 + 1e-2 * min(1.0, float(error @ error))) * _EYE
-    free, jac, rest = np.ones(7, bool), full, pull * (posture - joints)
+    free, jac, rest = np.ones(7, bool), full, pull * (HOME - joints)
     # What is out of its range, such as a straight elbow, comes back by no more than a step.
     lowest = np.minimum(_LOWEST, joints + _MAX_STEP)
     highest = np.maximum(_HIGHEST, joints - _MAX_STEP)
@@ -178,9 +177,8 @@ def solve_ik(
 ) -> IkSolution:
     """Find joints that bring the tool centre point to a pose in the base frame (metres).
 
-    Starts from ``start``, on whose branch the solution stays where it can; if that fails, from home
-    turned towards the target and from a few bent variants of it, each for ``iterations`` steps. Of
-    the attempts the best is returned, so look at ``solved``.
+    Starts from ``start``, on whose branch it stays where it can, then from a few postures that face
+    the target, each for ``iterations`` steps. Returns the best attempt, so look at ``solved``.
     """
     bearing = float(np.arctan2(position[1], position[0]))
     seeds = [np.asarray(start, float)]
@@ -189,15 +187,12 @@ def solve_ik(
         for shoulder, elbow, wrist in ((0.0, -1.57, 1.57), (0.4, -2.2, 2.6), (-0.4, -2.4, 2.2))
         for roll in (-0.785, 1.5, -2.3)
     ]
-    best: IkSolution | None = None
+    found: list[IkSolution] = []
     for seed in seeds:
-        found = _descend(position, rotation, seed, iterations)
-        if found.solved:
-            return found
-        if best is None or _badness(found) < _badness(best):
-            best = found
-    assert best is not None
-    return best
+        found.append(_descend(position, rotation, seed, iterations))
+        if found[-1].solved:
+            return found[-1]
+    return min(found, key=_badness)
 
 
 def _badness(solution: IkSolution) -> float:

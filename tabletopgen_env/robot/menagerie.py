@@ -42,11 +42,7 @@ def menagerie() -> mujoco.MjSpec:
 
 
 def _folder() -> Path:
-    """Return the folder that holds Menagerie's ``panda.xml``.
-
-    Raises:
-        BackendError: neither ``$MENAGERIE_ROOT`` nor the package's cache has it.
-    """
+    """Return the folder that holds Menagerie's ``panda.xml`` (BackendError: there is none)."""
     places = []
     if root := os.environ.get("MENAGERIE_ROOT"):
         places.append(Path(root) / _FOLDER)

@@ -78,16 +78,13 @@ class Mount:
         that can be reached; a place near an object loses, and of equal places the one on the
         viewer's side (-y) nearest the middle wins.
         """
-        candidates = _candidates(scene)
-        scores = [_score(mount, scene) for mount in candidates]
-        return candidates[int(np.argmax(scores))]
+        return max(_candidates(scene), key=lambda mount: _score(mount, scene))
 
     def reaches(self, points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
         """Return which world points the tool centre point reaches with the hand pointing down.
 
-        An estimate from the arm's geometry (the wrist must lie within ``STRETCH`` of the shoulder,
-        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead); it ignores
-        obstacles.
+        An estimate that ignores obstacles: the wrist must lie within ``STRETCH`` of the shoulder,
+        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead.
         """
         offset = np.atleast_2d(np.asarray(points, float)) - self.position
         radius = np.hypot(offset[:, 0], offset[:, 1])
@@ -105,8 +102,7 @@ def reachable(mount: Mount, point: Float[np.ndarray, "3"]) -> bool:
 def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
     """Return the tall object that stands between the base and object ``name``, or None.
 
-    What rises more than ``TALL`` above the table within an arm's breadth of the straight way is in
-    the arm's way: the hand works below the forearm.
+    In the way is what rises above ``TALL`` within ``ARM_BREADTH``: the hand is below the forearm.
     """
     start, end = mount.position[:2], scene.object(name).pose.position[:2]
     way = end - start

@@ -46,19 +46,6 @@ _LINKS = tuple(f"link{i}" for i in range(8))
 _FINGERS = ("left_finger", "right_finger")
 
 
-def panda(robot: Panda | None) -> Panda:
-    """Return the robot that a user may pass; None is ``Panda()``.
-
-    Raises:
-        InputError: it is no robot of this module.
-    """
-    if robot is not None and not isinstance(robot, Panda):
-        raise InputError(
-            f"robot must be a Panda (tabletopgen_env.robot.panda) or None, got {robot!r}."
-        )
-    return robot or Panda()
-
-
 @dataclass(frozen=True)
 class Panda:
     """A Franka Panda.
@@ -173,12 +160,9 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
 
 
 def _add_pad(finger: mujoco.MjsBody) -> None:
-    """Give a finger its pad: six knobs, and behind them a box that closes the gaps.
-
-    A sphere touches whatever it meets in one point that moves smoothly, so six of them hold like
-    a soft pad; a single box meets curved things in a point that jumps from edge to edge, and what
-    it holds wanders out of the hand.
-    """
+    """Give a finger its pad: six knobs, and behind them a box that closes the gaps."""
+    # A sphere touches in one point that moves smoothly, so six hold like a soft pad; on a box that
+    # point jumps from edge to edge, and a curved thing wanders out of the hand.
     import mujoco
 
     grip: dict[str, Any] = {
@@ -293,10 +277,7 @@ def _add_actuators(spec: mujoco.MjSpec) -> None:
 
 
 def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
-    """Let no two bodies collide that are within three joints of one another, nor the fingers.
-
-    The slides' limits stop the closing fingers; contact between the pads would add nothing.
-    """
+    """Let no two bodies collide within three joints of one another, nor the fingers (limits do)."""
     chain = [*_LINKS, "hand"]
     pairs = [(a, b) for i, a in enumerate(chain) for b in chain[i + 1 : i + 4]]
     pairs += [(link, finger) for link in chain[-4:] for finger in _FINGERS]

@@ -46,15 +46,10 @@ def _rings(rings: Float[np.ndarray, "k s 3"], color: str) -> RobotShell:
     k, s = rings.shape[:2]
     a = np.arange(s)
     b = (a + 1) % s
-    sides = [
-        np.concatenate(
-            [
-                np.column_stack([i * s + a, i * s + b, (i + 1) * s + b]),
-                np.column_stack([i * s + a, (i + 1) * s + b, (i + 1) * s + a]),
-            ]
-        )
-        for i in range(k - 1)
-    ]
+    sides = []
+    for low in range(0, (k - 1) * s, s):
+        sides.append(np.column_stack([low + a, low + b, low + s + b]))
+        sides.append(np.column_stack([low + a, low + s + b, low + s + a]))
     low, high = k * s, k * s + 1
     bottom = np.column_stack([np.full(s, low), b, a])
     top = np.column_stack([np.full(s, high), (k - 1) * s + a, (k - 1) * s + b])
@@ -66,14 +61,14 @@ def tube(
     color: str,
     spine: list[tuple[float, float, float]],
     radii: list[float],
-    rings: int = 6,
+    rings: int = 5,
     sides: int = 12,
-    caps: tuple[bool, bool] = (False, False),
+    cap: bool = False,
 ) -> RobotShell:
     """Sweep a circle along a smooth curve.
 
     ``spine`` are the control points of a Bezier curve (m) and ``radii`` the radius at equal
-    steps along it (m); ``caps`` rounds the start and the end by a quarter of a sphere.
+    steps along it (m); ``cap`` rounds the end by a quarter of a sphere.
     """
     t = np.linspace(0.0, 1.0, rings)
     points = np.repeat(np.array(spine, float)[None], rings, 0)
@@ -83,19 +78,12 @@ def tube(
     radius = np.interp(t, np.linspace(0, 1, len(radii)), radii)
     tangents = np.gradient(centers, axis=0)
     tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
-    for at_end in (0, 1):
-        if caps[at_end]:
-            i = -1 if at_end else 0
-            outward = tangents[i] if at_end else -tangents[i]
-            angles = np.deg2rad([35.0, 70.0])
-            more = centers[i] + radius[i] * 0.8 * np.sin(angles)[:, None] * outward
-            small = radius[i] * np.cos(angles)
-            same = np.repeat(tangents[i][None], 2, 0)
-            order = slice(None) if at_end else slice(None, None, -1)
-            parts = [(centers, more), (radius, small), (tangents, same)]
-            centers, radius, tangents = (
-                np.concatenate([x, y[order]] if at_end else [y[order], x]) for x, y in parts
-            )
+    if cap:
+        angles = np.deg2rad([35.0, 70.0])
+        more = centers[-1] + radius[-1] * 0.8 * np.sin(angles)[:, None] * tangents[-1]
+        centers = np.concatenate([centers, more])
+        radius = np.append(radius, radius[-1] * np.cos(angles))
+        tangents = np.concatenate([tangents, tangents[[-1, -1]]])
     return _rings(_circles(centers, tangents, radius, sides), color)
 
 
@@ -147,8 +135,7 @@ def slab(
 @cache
 def arm_shells() -> Mapping[str, tuple[RobotShell, ...]]:
     """Return the shells of every body of the robot, by body name; built once, read-only."""
-    r = 0.054
-    ring = 0.0565
+    r, ring = 0.054, 0.0565
     shells = {
         "link0": (
             tube(WHITE, [(0, 0, 0.0), (0, 0, 0.14)], [0.088, 0.078, 0.066, 0.058, r], rings=3),
@@ -156,54 +143,36 @@ def arm_shells() -> Mapping[str, tuple[RobotShell, ...]]:
             slab(DARK, (-0.118, 0, 0.044), (0.034, 0.05, 0.026), round_off=0.006),
         ),
         "link1": (
-            tube(DARK, [(0, 0, -0.193), (0, 0, -0.187)], [ring, ring], rings=2),
-            tube(
-                WHITE,
-                [(0, 0, -0.187), (0, 0, -0.08), (0, -0.02, -0.04), (0, -0.064, 0.0)],
-                [r, r, r, r],
-                rings=5,
-            ),
-            tube(WHITE, [(0, 0.0, 0), (0, -0.082, 0)], [r, r], rings=2, caps=(False, True)),
+            tube(DARK, [(0, 0, -0.193), (0, 0, -0.187)], [ring], rings=2),
+            tube(WHITE, [(0, 0, -0.187), (0, 0, -0.08), (0, -0.02, -0.04), (0, -0.064, 0.0)], [r]),
+            tube(WHITE, [(0, 0.0, 0), (0, -0.082, 0)], [r], rings=2, cap=True),
         ),
         "link2": (
-            tube(DARK, [(0, 0, -0.003), (0, 0, 0.004)], [ring, ring], rings=2),
-            tube(WHITE, [(0, 0, 0.004), (0, 0, 0.082)], [r, r], rings=2, caps=(False, True)),
-            tube(
-                WHITE,
-                [(0, 0, 0.064), (0, -0.04, 0.02), (0, -0.08, 0.0), (0, -0.19, 0)],
-                [r, r, r, r],
-                rings=5,
-            ),
+            tube(DARK, [(0, 0, -0.003), (0, 0, 0.004)], [ring], rings=2),
+            tube(WHITE, [(0, 0, 0.004), (0, 0, 0.082)], [r], rings=2, cap=True),
+            tube(WHITE, [(0, 0, 0.064), (0, -0.04, 0.02), (0, -0.08, 0.0), (0, -0.19, 0)], [r]),
         ),
         "link3": (
-            tube(DARK, [(0, 0, -0.123), (0, 0, -0.117)], [ring, ring], rings=2),
+            tube(DARK, [(0, 0, -0.123), (0, 0, -0.117)], [ring], rings=2),
             tube(
                 WHITE,
                 [(0, 0, -0.117), (0, 0, -0.05), (0.03, 0.03, -0.02), (0.0825, 0.058, 0)],
                 [r, r, 0.05, 0.05],
-                rings=5,
             ),
             tube(DARK, [(0.0825, 0.002, 0), (0.0825, 0.078, 0)], [0.058, 0.06, 0.052], rings=3),
-            tube(
-                WHITE,
-                [(0.0825, 0.07, 0), (0.0825, 0.084, 0)],
-                [0.044, 0.04],
-                rings=2,
-                caps=(False, True),
-            ),
+            tube(WHITE, [(0.0825, 0.07, 0), (0.0825, 0.084, 0)], [0.044, 0.04], rings=2, cap=True),
         ),
         "link4": (
             tube(DARK, [(0, 0, 0.002), (0, 0, 0.078)], [0.058, 0.06, 0.052], rings=3),
-            tube(WHITE, [(0, 0, 0.07), (0, 0, 0.084)], [0.044, 0.04], rings=2, caps=(False, True)),
+            tube(WHITE, [(0, 0, 0.07), (0, 0, 0.084)], [0.044, 0.04], rings=2, cap=True),
             tube(
                 WHITE,
                 [(0, 0, 0.055), (-0.05, 0.03, 0.03), (-0.0825, 0.05, 0), (-0.0825, 0.122, 0)],
                 [0.05, 0.05, r, r],
-                rings=5,
             ),
         ),
         "link5": (
-            tube(DARK, [(0, 0, -0.262), (0, 0, -0.256)], [ring, ring], rings=2),
+            tube(DARK, [(0, 0, -0.262), (0, 0, -0.256)], [ring], rings=2),
             tube(
                 WHITE,
                 [(0, 0, -0.256), (0, 0.0, -0.16), (0, 0.075, -0.12), (0, 0.078, 0.0)],
@@ -214,7 +183,7 @@ def arm_shells() -> Mapping[str, tuple[RobotShell, ...]]:
             tube(WHITE, [(0, 0.108, 0), (0, 0.116, 0)], [0.036, 0.03], rings=2),
         ),
         "link6": (
-            tube(DARK, [(0, 0, -0.048), (0, 0, 0.05)], [0.048, 0.048], rings=2),
+            tube(DARK, [(0, 0, -0.048), (0, 0, 0.05)], [0.048], rings=2),
             tube(WHITE, [(0, 0, 0.046), (0, 0, 0.056)], [0.034, 0.03], rings=2),
             tube(
                 WHITE,
@@ -226,28 +195,18 @@ def arm_shells() -> Mapping[str, tuple[RobotShell, ...]]:
             tube(DARK, [(0.088, 0.066, 0), (0.088, 0.08, 0)], [0.045, 0.036], rings=2),
         ),
         "link7": (
-            tube(WHITE, [(0, 0, 0.05), (0, 0, 0.088)], [0.044, 0.044], rings=2),
+            tube(WHITE, [(0, 0, 0.05), (0, 0, 0.088)], [0.044], rings=2),
             tube(DARK, [(0, 0, 0.088), (0, 0, 0.107)], [0.041, 0.038], rings=2),
             tube(
-                WHITE,
-                [(0.0, 0.0, 0.078), (0.058, 0.058, 0.078)],
-                [0.026, 0.022],
-                rings=2,
-                caps=(False, True),
+                WHITE, [(0.0, 0.0, 0.078), (0.058, 0.058, 0.078)], [0.026, 0.022], rings=2, cap=True
             ),
-            tube(
-                BLUE,
-                [(0.061, 0.061, 0.094), (0.061, 0.061, 0.1005)],
-                [0.009, 0.009],
-                rings=2,
-                sides=6,
-            ),
+            tube(BLUE, [(0.061, 0.061, 0.094), (0.061, 0.061, 0.1005)], [0.009], rings=2, sides=6),
         ),
         "hand": (
-            tube(DARK, [(0, 0, 0.0), (0, 0, 0.012)], [0.036, 0.036], rings=2),
+            tube(DARK, [(0, 0, 0.0), (0, 0, 0.012)], [0.036], rings=2),
             slab(WHITE, (0, 0, 0.031), (0.0315, 0.102, 0.033), taper=(0.86, 1.0), power=6),
-            slab(GREY, (0, 0, 0.0635), (0.019, 0.094, 0.0035), round_off=0.002, power=8, sides=12),
-            slab(GREY, (0.028, 0, 0.03), (0.0055, 0.06, 0.014), round_off=0.003, power=8, sides=12),
+            slab(GREY, (0, 0, 0.0635), (0.019, 0.094, 0.0035), round_off=0.002, power=8),
+            slab(GREY, (0.028, 0, 0.03), (0.0055, 0.06, 0.014), round_off=0.003, power=8),
         ),
         "left_finger": _finger(),
         "right_finger": _finger(),
@@ -265,12 +224,12 @@ def _finger() -> tuple[RobotShell, ...]:
     )
 
 
-def arm_points(joints: Float[np.ndarray, "7"] = HOME) -> Float[np.ndarray, "n 3"]:
-    """Return points all over the arm's links and the tool centre point, in the base frame.
+def arm_points() -> Float[np.ndarray, "n 3"]:
+    """Return points all over the links at home and the tool centre point, in the base frame.
 
     They are what a camera has to show to have the whole robot in the picture.
     """
-    frames = [np.eye(4), *link_frames(joints)]
+    frames = [np.eye(4), *link_frames(HOME)]
     points = [frames[-1][None, :3, 3]]
     for number, frame in enumerate(frames[:-1]):
         shells = np.concatenate([shell.vertices for shell in arm_shells()[f"link{number}"]])

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from generator.errors import InputError
 from generator.language.distribution import Needs, SceneDistribution
 
-from .finding import FRESH, REFRESHING, STARTER, FixedChoice, fixed_scenes
+from .finding import FRESH, STARTER, FixedChoice, fixed_scenes, on_demand
 from .fresh import FreshScenes
 from .refreshing import RefreshingScenes
 from .source import SceneSource
@@ -28,14 +28,13 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
             - "fresh": made again for each draw, of every theme and for the task at hand (see
               ``needs``); "fresh:PROMPT": of a text;
-            - "refreshing": a pool that begins with ``start`` and is renewed in the background
-              while training goes on, of every theme; "refreshing:PROMPT": of a text from the
-              start, which takes about a second a scene at the first reset;
+            - "refreshing": a pool that begins with ``start`` and is renewed in the background, of
+              every theme; "refreshing:PROMPT": of a text from the start, which takes about a second
+              a scene at the first reset;
             - a ``Scene``, or a sequence of scenes, names, paths and globs;
             - a ``SceneSource``, which is returned as it is.
 
-        needs: what each table holds that "fresh" or "refreshing" draws of every theme, beside what
-            is its theme's, as a task has them (``Task.needs``); nothing is added to a text.
+        needs: what each table of every theme holds besides (``Task.needs``); not those of a text.
         start: what the pool of "refreshing" begins with (``Task.scenes``), if these are fixed.
 
     Raises:
@@ -44,9 +43,7 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
     """
     if isinstance(scenes, SceneSource):
         return scenes
-    if isinstance(scenes, str) and _on_demand(scenes):
-        return _make(scenes, needs, start)
-    return fixed_scenes(scenes)
+    return _make(str(scenes), needs, start) if on_demand(scenes) else fixed_scenes(scenes)
 
 
 def split(
@@ -96,14 +93,5 @@ def _make(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
     fresh.check()
     if head == FRESH:
         return fresh
-    return RefreshingScenes(fresh, initial=None if colon else _fixed_choice(start))
-
-
-def _on_demand(scenes: SceneChoice) -> bool:
-    """Return whether tables are made, by a form of ``FRESH`` or ``REFRESHING``."""
-    return isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING)
-
-
-def _fixed_choice(scenes: SceneChoice) -> FixedChoice | None:
-    """Return what names fixed scenes, None for anything else."""
-    return None if isinstance(scenes, SceneSource) or _on_demand(scenes) else scenes
+    made = colon or isinstance(start, SceneSource) or on_demand(start)
+    return RefreshingScenes(fresh, initial=None if made else start)  # pyright: ignore

@@ -34,9 +34,9 @@ class CurriculumScenes:
     episode ended. Of the last ``episodes``, all since the level last moved, the share that
     succeeded moves it: ``raise_at`` or more one ``step`` up, ``lower_at`` or less one down.
 
-    What a scene's difficulty is, its reference says; where it does not, the scene is loaded once
-    and ``difficulty.difficulty`` asked. So wrap fixed or refreshing scenes: of a source that makes
-    each scene when it is drawn, ``LOOKS_AT_UNMADE`` are made for every draw.
+    A scene whose reference says no difficulty is loaded once for ``difficulty.difficulty``. So wrap
+    fixed or refreshing scenes: of a source that makes scenes when they are drawn,
+    ``LOOKS_AT_UNMADE`` are made for every draw.
 
     Attributes:
         source: where scenes come from; anything ``resolve`` takes.
@@ -82,10 +82,8 @@ class CurriculumScenes:
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw a scene inside the window, all equally likely."""
-        candidates = self._candidates(rng)
-        ranked = sorted(candidates, key=self._difficulty)
-        low, high = self.window
-        ends = np.round(np.array([low, high]) * len(ranked), 6)
+        ranked = sorted(self._candidates(rng), key=self._difficulty)
+        ends = np.round(np.array(self.window) * len(ranked), 6)
         first = min(int(ends[0]), len(ranked) - 1)
         last = max(int(np.ceil(ends[1])), first + 1)
         return ranked[int(rng.integers(first, last))]
@@ -117,7 +115,10 @@ class CurriculumScenes:
         at_hand: Sequence[SceneRef] | None = getattr(self._source, "refs", None)
         if at_hand is None:
             more = [self._source.draw(rng) for _ in range(LOOKS_AT_UNMADE - 1)]
-            return [_loaded_once(ref) for ref in (drawn, *more)]
+            return [
+                ref if isinstance(ref, HeldRef) else dataclasses.replace(ref, load=cache(ref.load))
+                for ref in (drawn, *more)  # each is made but once
+            ]
         order = rng.permutation(len(at_hand))[:LOOKS]
         return [ref for k in order if is_there(ref := at_hand[k])] or [drawn]
 
@@ -125,10 +126,3 @@ class CurriculumScenes:
         if ref.difficulty is not None:
             return ref.difficulty
         return self._known.of(ref, lambda ref: difficulty(ref.load()))
-
-
-def _loaded_once(ref: SceneRef) -> SceneRef:
-    """Return a reference to the same scene that makes it but once."""
-    if isinstance(ref, HeldRef):
-        return ref
-    return SceneRef(ref.key, cache(ref.load), ref.difficulty)

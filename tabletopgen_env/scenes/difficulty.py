@@ -70,13 +70,11 @@ def difficulty_terms(scene: Scene) -> Mapping[str, float]:
     """
     if not scene.objects:
         return dict.fromkeys(("clutter", "clearance", "distance", "size"), 0.0)
-    mount = Mount.beside(scene)
+    misfits = [misfit for o in scene.objects if (misfit := _misfit(o)) is not None]
     return {
         **_crowding(scene),
-        "distance": float(_distances(scene, mount).mean()),
-        "size": float(
-            np.mean([m for o in scene.objects if (m := _misfit(o)) is not None] or [1.0])
-        ),
+        "distance": float(_distances(scene).mean()),
+        "size": float(np.mean(misfits or [1.0])),
     }
 
 
@@ -98,8 +96,8 @@ def _crowding(scene: Scene) -> dict[str, float]:
     }
 
 
-def _distances(scene: Scene, mount: Mount) -> Float[np.ndarray, "k"]:
-    places = np.array([o.pose.position for o in scene.objects])
+def _distances(scene: Scene) -> Float[np.ndarray, "k"]:
+    mount, places = Mount.beside(scene), np.array([o.pose.position for o in scene.objects])
     away = np.hypot(*(places - mount.position)[:, :2].T)
     far = np.clip((away - NEAR) / (FAR - NEAR), 0, 1)
     return np.where(mount.reaches(places), far, 1.0)

@@ -32,11 +32,7 @@ FixedChoice = str | Path | Scene | Sequence["str | Path | Scene"]
 
 
 def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
-    """Find fixed scenes, in a fixed order.
-
-    Args:
-        scenes: a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
-            "starter", "starter:train" or "starter:held_out"; a ``Scene``; or several of these.
+    """Find fixed scenes, in a fixed order; ``choosing.resolve`` says what they may be called.
 
     Raises:
         BundleError: no bundle fits; the message says what there is.
@@ -52,13 +48,18 @@ def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
     )
 
 
+def on_demand(scenes: object) -> bool:
+    """Return whether tables are made: ``scenes`` is a form of ``FRESH`` or ``REFRESHING``."""
+    return isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING)
+
+
 def _find(item: str | Path | Scene) -> list[SceneRef]:
     """Return the references that one item stands for, in a fixed order."""
     if isinstance(item, Scene):
         return [HeldRef(item)]
     if not isinstance(item, str | Path):
         raise InputError(f"A list of scenes holds a {type(item).__name__}: {item!r}.")
-    if isinstance(item, str) and item.partition(":")[0] in (FRESH, REFRESHING):
+    if on_demand(item):
         raise InputError(
             f"{item!r} is no fixed scene, and cannot be one of a list; for several prompts pass "
             "scenes=FreshScenes([prompt, ...])."

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from generator.bundle import load, load_digest, load_kinds
 from generator.errors import BundleError, InputError
 from generator.scene import Scene
 
@@ -27,8 +28,6 @@ class Bundle:
         Raises:
             BundleError: the bundle is gone or damaged.
         """
-        from generator.bundle import load
-
         return load(self.path)
 
     def exists(self) -> bool:
@@ -37,14 +36,10 @@ class Bundle:
 
     def digest(self) -> str:
         """Return the digest of what is on the table."""
-        from generator.bundle import load_digest
-
         return load_digest(self.path)
 
     def kinds(self) -> frozenset[str]:
         """Return the kinds of its objects."""
-        from generator.bundle import load_kinds
-
         return kinds_of(load_kinds(self.path))
 
 

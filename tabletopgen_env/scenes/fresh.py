@@ -67,13 +67,13 @@ class FreshScenes:
                     recipe.plan()
 
     def recipe(self, rng: np.random.Generator) -> SceneRecipe:
-        """Draw what decides one scene, on the right side of every split.
-
-        Raises:
-            SceneError: none of ``DRAWS`` drawn ones is.
-        """
+        """Draw what decides one scene; as ``draw``, which makes a reference of it."""
         for _ in range(DRAWS):
-            recipe = self._any_recipe(rng)
+            what = self.prompts
+            if not isinstance(what, SceneDistribution):
+                what = what[int(rng.integers(len(what)))]
+            seed = int(rng.integers(self.variants))
+            recipe = SceneRecipe(what, seed, self.making, self.rules)
             if recipe.admitted():
                 return recipe
         sides = " and ".join(str(rule) for rule in self.rules)
@@ -82,18 +82,12 @@ class FreshScenes:
             f"categories, other prompts, or more variants than {self.variants}."
         )
 
-    def _any_recipe(self, rng: np.random.Generator) -> SceneRecipe:
-        what = self.prompts
-        if not isinstance(what, SceneDistribution):
-            what = what[int(rng.integers(len(what)))]
-        return SceneRecipe(what, int(rng.integers(self.variants)), self.making, self.rules)
-
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw what decides a scene; the scene is made when it is loaded.
 
         Raises:
             InputError: a text cannot be planned.
-            SceneError: no drawn scene is on the right side of a split.
+            SceneError: none of ``DRAWS`` drawn scenes is on the right side of every split.
         """
         recipe = self.recipe(rng)
         return SceneRef(recipe.key, recipe.make)

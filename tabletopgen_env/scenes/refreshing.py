@@ -31,12 +31,12 @@ class RefreshingScenes:
     The oldest scene goes as a new one comes. A draw never waits for a new scene: it takes over what
     is finished, orders what is due, and draws from what is there. Only the first draw makes its
     pool itself, about a second a scene, where ``initial`` gives it none. Where processes die or
-    scenes cannot be made, the pool stays as it is, with one warning, and it is tried again after
+    scenes cannot be made, the pool stays as it is, with one warning, and new ones are tried after
     ever longer pauses; see ``failures``.
 
-    Each process takes 150 to 300 MB and steps back for all others (nice 10). All ends with
-    ``close``, or with the process that drew, however that ends; then a draw begins anew. A pickled
-    or forked copy begins anew, too. Threads of your own draw through ``SharedScenes``.
+    Each process takes 150 to 300 MB at nice 10. All ends with ``close``, or with the process that
+    drew; the next draw begins anew, and so does a pickled or forked copy. Threads of your own draw
+    through ``SharedScenes``.
 
     Attributes:
         fresh: where new scenes come from: a ``FreshScenes``, or what that takes as ``prompts``.
@@ -99,15 +99,12 @@ class RefreshingScenes:
             SceneError: the first pool could not be made, or is all lost.
         """
         if self._pool is None or self._pool.owner != os.getpid():
-            self._pool = self._start(rng)
+            fresh, initial = self._parts()
+            seed = int(rng.integers(2**31)) if self.seed is None else self.seed
+            pace = RenewalPace(self.per_minute, self.every_resets)
+            workers = 0 if self.synchronous else self.workers
+            self._pool = ScenePool(fresh, self.size, initial, pace, workers, seed)
         return self._pool.draw(rng)
-
-    def _start(self, rng: np.random.Generator) -> ScenePool:
-        fresh, initial = self._parts()
-        seed = int(rng.integers(2**31)) if self.seed is None else self.seed
-        pace = RenewalPace(self.per_minute, self.every_resets)
-        workers = 0 if self.synchronous else self.workers
-        return ScenePool(fresh, self.size, initial, pace, workers, seed)
 
     @property
     def refs(self) -> tuple[SceneRef, ...]:
@@ -135,13 +132,9 @@ class RefreshingScenes:
         Where that leaves none of the first ones, the first pool is made.
         """
         fresh, initial = self._parts()
-        if initial is not None and not any(admits(rule, ref) for ref in initial.refs):
-            initial = None
-        return dataclasses.replace(
-            self,
-            fresh=fresh.admitting(rule),
-            initial=None if initial is None else initial.admitting(rule),
-        )
+        some = initial is not None and any(admits(rule, ref) for ref in initial.refs)
+        kept = initial.admitting(rule) if initial is not None and some else None
+        return dataclasses.replace(self, fresh=fresh.admitting(rule), initial=kept)
 
     def close(self) -> None:
         """End the processes and delete what they made. May be called twice."""

@@ -39,10 +39,9 @@ class HeldRef(SceneRef):
 
 
 class Remembered(Generic[T]):
-    """What was found out about scenes, each once, of some ten thousand.
+    """What was found out about scenes, each once, of some ten thousand; a copy knows nothing.
 
-    A scene in memory is known by its place there, which another may have once it is gone: what was
-    found out about it goes with it. A copy knows nothing.
+    Of a scene in memory it is kept as long as the scene, whose key another may have afterwards.
     """
 
     def __init__(self) -> None:
@@ -55,16 +54,12 @@ class Remembered(Generic[T]):
         if known is None or known[0]() is not scene:
             if len(self._known) >= _REMEMBERED:
                 self._known.clear()
-            known = (_nothing if scene is None else weakref.ref(scene)), find(ref)
+            known = ((lambda: None) if scene is None else weakref.ref(scene)), find(ref)
             self._known[ref.key] = known
         return known[1]
 
     def __reduce__(self) -> tuple[type[Remembered[T]], tuple[()]]:
         return type(self), ()
-
-
-def _nothing() -> None:
-    """Return None, as the reference to a scene does that is gone."""
 
 
 @runtime_checkable
@@ -86,13 +81,11 @@ class SceneSource(Protocol):
 
 def record(source: SceneSource, success: bool) -> None:
     """Tell a source how an episode ended, if it wants to know."""
-    record = getattr(source, "record", None)
-    if record is not None:
-        record(success)
+    if (told := getattr(source, "record", None)) is not None:
+        told(success)
 
 
 def close(source: SceneSource) -> None:
     """End what a source has running, if it can have anything running."""
-    closing = getattr(source, "close", None)
-    if closing is not None:
+    if (closing := getattr(source, "close", None)) is not None:
         closing()

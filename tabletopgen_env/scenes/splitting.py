@@ -19,7 +19,9 @@ from typing import Literal, Protocol, get_args, runtime_checkable
 
 import numpy as np
 
-from generator.errors import InputError, SceneError, choices
+from generator.bundle import digest
+from generator.errors import InputError, SceneError, require_known
+from generator.language.distribution import categories_known
 from generator.scene import Scene
 
 from .source import Remembered, SceneRef, SceneSource, close, record
@@ -58,11 +60,8 @@ class SplitRule:
     categories: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        for name, given, known in (("side", self.side, Side), ("by", self.by, By)):
-            if given not in get_args(known):
-                raise InputError(
-                    f"A split has no {name} {given!r}." + choices(str(given), get_args(known))
-                )
+        require_known(self.side, get_args(Side), "A split has no side")
+        require_known(self.by, get_args(By), "A split has no by")
         if not 0 < self.share < 1:
             raise InputError(f"A split's share is in (0, 1), got {self.share}.")
         if isinstance(self.categories, str):
@@ -94,12 +93,9 @@ class SplitRule:
         Raises:
             InputError: there is no such category.
         """
-        from generator.language.distribution import categories_known
-
         known = {*categories_known(), *present}
         for category in self.categories:
-            if category not in known:
-                raise InputError(f"There is no category {category!r}." + choices(category, known))
+            require_known(category, known, "There is no category")
 
     def __str__(self) -> str:
         how = f"share={self.share:g}" if self.by == "digest" else f"categories={self.categories}"
@@ -121,13 +117,12 @@ class Described(Protocol):
 
 def admits(rule: SplitRule, ref: SceneRef) -> bool:
     """Tell whether a scene is on the side of a rule, loading it only if there is no other way."""
+    return rule.admits(lambda: digest_of(ref), lambda: kinds(ref))
 
-    def identity() -> str:
-        from generator.bundle import digest
 
-        return ref.load.digest() if isinstance(ref.load, Described) else digest(ref.load())
-
-    return rule.admits(identity, lambda: kinds(ref))
+def digest_of(ref: SceneRef) -> str:
+    """Return the digest of a scene, loading it only if there is no other way."""
+    return ref.load.digest() if isinstance(ref.load, Described) else digest(ref.load())
 
 
 def kinds(ref: SceneRef) -> frozenset[str]:
@@ -178,8 +173,7 @@ class AdmittedScenes:
         Raises:
             SceneError: none of ``DRAWS`` drawn scenes is.
         """
-        for _ in range(DRAWS):
-            ref = self.source.draw(rng)
+        for ref in (self.source.draw(rng) for _ in range(DRAWS)):
             if self._known.of(ref, partial(admits, self.rule)):
                 return ref
         raise SceneError(

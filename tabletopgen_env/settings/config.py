@@ -7,7 +7,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, require_known
 
 from ..actions import ActionConfig
 from ..randomization import Randomization
@@ -49,8 +49,6 @@ class EnvConfig:
     certified: bool = True
 
     def __post_init__(self) -> None:
-        if self.reward not in get_args(RewardMode):
-            known = get_args(RewardMode)
-            raise InputError(f"Unknown reward {self.reward!r}." + choices(str(self.reward), known))
+        require_known(self.reward, get_args(RewardMode), "Unknown reward")
         if not isinstance(self.certified, bool | np.bool_):
             raise InputError(f"certified must be True or False, got {self.certified!r}.")

@@ -7,7 +7,7 @@ from dataclasses import fields
 from types import MappingProxyType
 from typing import Any, TypedDict
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, require_known
 
 from ..actions import ActionConfig, ActionMode, GripperMode
 from ..randomization import Randomization
@@ -102,8 +102,7 @@ def check_settings(given: Iterable[str], *more: str) -> None:
     """
     known = {*KEYWORDS, "scenes", "task", "preset", *more}
     for name in given:
-        if name not in known:
-            raise InputError(f"An environment has no setting {name!r}." + choices(name, known))
+        require_known(name, known, "An environment has no setting")
 
 
 def _read_group(group: str, rest: dict[str, Any]) -> Any:
@@ -122,8 +121,6 @@ def _read_group(group: str, rest: dict[str, Any]) -> Any:
         )
     if isinstance(whole, kind):
         return whole
-    known = set(names.values())
     for name in whole:
-        if name not in known:
-            raise InputError(f"{kind.__name__} has no {name!r}." + choices(str(name), known))
+        require_known(name, names.values(), f"{kind.__name__} has no")
     return kind(**whole)

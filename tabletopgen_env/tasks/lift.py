@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,11 +13,9 @@ from generator.errors import InputError
 from generator.scene import Object
 
 from ..goals.goal import Raised
+from ..world.world import World
 from .sampling import draw_episode, liftable
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 
 class Lift(Task):
@@ -34,7 +31,6 @@ class Lift(Task):
             raise InputError("Lift has no goal to choose; leave the option 'goal' out.")
 
         def make(obj: Object) -> Episode:
-            goals = (Raised(obj.name, world.position(obj.name)),)
-            return episode(world, goals)
+            return episode(world, (Raised(obj.name, world.position(obj.name)),))
 
         return draw_episode(world, rng, target, liftable(world), make, "")

@@ -7,12 +7,12 @@ spot, or a point (x, y) of the table in the world frame. Goals: `Into` or `OnSpo
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from generator.scene import Object
 
+from ..world.world import World
 from .sampling import (
     check_known,
     containers,
@@ -24,9 +24,6 @@ from .sampling import (
     target_of,
 )
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 
 class PickPlace(Task):
@@ -40,14 +37,12 @@ class PickPlace(Task):
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a goal, or take those given; see ``Task.sample``."""
-        reasons = liftable(world)
-        wanted = (
-            None if target_of(goal) is None else check_known(world, str(goal), "to put things into")
-        )
-        for name, reason in reasons.items():
-            fits = containers(world, world.scene.object(name)) if wanted and not reason else ()
-            if wanted and not reason and wanted not in {o.name for o in fits}:
-                reasons[name] = f"does not go into {wanted}"
+        reasons, wanted = liftable(world), target_of(goal)
+        if wanted is not None:
+            check_known(world, wanted, "to put things into")
+            for obj in world.scene.objects:
+                if not reasons[obj.name] and wanted not in {o.name for o in containers(world, obj)}:
+                    reasons[obj.name] = f"does not go into {wanted}"
 
         def make(obj: Object) -> Episode | None:
             if wanted is not None:

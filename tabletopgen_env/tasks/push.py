@@ -9,7 +9,6 @@ which turn aside when they are pushed at an end. ``reset`` options: ``target`` a
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -22,11 +21,9 @@ from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.planning.strokes import beside, plan_stroke
 from ..goals.goal import SPOT, Pushed
 from ..goals.needs import LOW
+from ..world.world import World
 from .sampling import Reasons, blocking_reason, draw_episode, given_point, on_table, rest_height
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 WAY = (0.08, 0.25)
 """Shortest and longest way to push, metres."""
@@ -109,11 +106,9 @@ def tips(obj: Object) -> bool:
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
     """Draw where to push an object: along a way free of others, with room for the hand behind."""
-    begin = obj.pose.position[:2]
-    outline = world.footprints[obj.name]
+    begin, table = obj.pose.position[:2], world.scene.table
+    outline, others = world.footprints[obj.name], beside(world, obj.name)
     radius = float(np.linalg.norm(outline - begin, axis=1).max())
-    table = world.scene.table
-    others = beside(world, obj.name)
     plans = 0
     for _ in range(_TRIES):
         angle, way = rng.uniform(0, 2 * np.pi), rng.uniform(*WAY)

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -15,11 +14,9 @@ from generator.errors import InputError, SceneError
 
 from ..expert.path import clear_height
 from ..goals.goal import Reached
+from ..world.world import World
 from .sampling import coordinates
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 HEIGHTS = (0.05, 0.30)
 """Lowest and highest goal above what stands below it, metres."""

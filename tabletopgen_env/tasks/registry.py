@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, require_known
 
 from .lift import Lift
 from .pick_place import PickPlace
@@ -17,10 +17,8 @@ from .swap import Swap
 from .task import Task
 from .tidy import Tidy
 
-TASKS: Mapping[str, type[Task]] = MappingProxyType({
-    "Reach": Reach, "Lift": Lift, "Push": Push, "PickPlace": PickPlace, "Stack": Stack,
-    "Swap": Swap, "Sequence": Sequence, "Tidy": Tidy,
-})  # fmt: skip
+_ALL = (Reach, Lift, Push, PickPlace, Stack, Swap, Sequence, Tidy)
+TASKS: Mapping[str, type[Task]] = MappingProxyType({task.__name__: task for task in _ALL})
 
 
 def task_named(name: str, preset: str | None = None) -> Task:
@@ -29,8 +27,7 @@ def task_named(name: str, preset: str | None = None) -> Task:
     Raises:
         InputError: no such task or preset, or a preset for another task.
     """
-    if name not in TASKS:
-        raise InputError(f"Unknown task {name!r}." + choices(str(name), TASKS))
+    require_known(name, TASKS, "Unknown task")
     if name == "Sequence":
         return Sequence(preset)
     if preset is not None:

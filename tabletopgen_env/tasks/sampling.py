@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -17,10 +16,8 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import SPOT, Into, OnSpot
 from ..robot.mount import obstacle, reachable
 from ..world.workspace import free_spot
+from ..world.world import World
 from .task import Choice, Episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 ROOM = 0.008
 """What the hollow of a container must be wider than what is put into it, however that is turned."""
@@ -65,7 +62,7 @@ def draw_episode(
     Args:
         world: the world, at its start.
         rng: draws the order in which targets are tried.
-        target: the object asked for, which is tried whatever ``reasons`` says; None draws.
+        target: the one asked for, which is tried whatever ``reasons`` says; None draws.
         reasons: why objects cannot be targets; what is found on the way is added.
         make: returns an object's episode, or None if there is none.
         lacks: the reason to report if there is none.
@@ -194,13 +191,13 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
 def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
     """Return the object that a goal option names, None without one.
 
-    ``use`` says what it is for, ``wanted`` what the option has to be.
+    ``use`` says what it is for, ``wanted`` what the option of which task has to be.
 
     Raises:
         InputError: the option is a spot or a point, or the scene has no such object.
     """
     if goal is not None and target_of(goal) is None:
-        raise InputError(f"{wanted}, got {goal!r}.")
+        raise InputError(f"The goal of {wanted}, got {goal!r}.")
     return None if goal is None else check_known(world, str(goal), use)
 
 

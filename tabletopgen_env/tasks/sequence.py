@@ -19,17 +19,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
-from generator.errors import InputError, SceneError, choices
+from generator.errors import InputError, SceneError, require_known
 from generator.language.distribution import Needs
 from generator.scene import Object
 
 from ..expert.planning.plans import has_grasp
 from ..goals.goal import SPOT, Goal
 from ..goals.needs import FLAT, SMALL, TRAYS
+from ..world.world import World
 from .names import TaskName
 from .sampling import (
     NO_GRASP,
@@ -44,10 +45,6 @@ from .sampling import (
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
-
 
 NEEDS: Needs = (SMALL, SMALL, (*FLAT, *TRAYS))
 """What tables for drawn steps hold: two things to move, and something for one to go to."""
@@ -119,8 +116,8 @@ class Sequence(Task):
     most = 3
 
     def __init__(self, preset: str | None = None) -> None:
-        if preset is not None and preset not in PRESETS:
-            raise InputError(f"Sequence has no preset {preset!r}." + choices(str(preset), PRESETS))
+        if preset is not None:
+            require_known(preset, PRESETS, "Sequence has no preset")
         self._name = preset
         self.preset = None if preset is None else PRESETS[preset]
         self.scenes = Task.scenes if self.preset is None else self.preset.scenes
@@ -148,8 +145,7 @@ class Sequence(Task):
             return Swap().sample(world, rng, first.name, second.name)
         for step in self.preset.steps:
             _movable(world, step.target)
-        goals = tuple(_goal(world, step) for step in self.preset.steps)
-        return episode(world, goals)
+        return episode(world, tuple(_goal(world, step) for step in self.preset.steps))
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
         """Return the preset's sentence, or what the drawn ``goals`` ask for."""
@@ -171,10 +167,7 @@ def _resolve_label(world: World, label: str) -> Object:
 
 
 def _movable(world: World, label: str, broad: bool = False) -> Object:
-    """Return the object that a preset means, which the expert has to be able to take.
-
-    ``broad`` allows for what nearly fills the gripper, as mugs and apples do.
-    """
+    """Return the object that a preset means, if it can be taken; as ``broad`` as the gripper."""
     obj = _resolve_label(world, label)
     reason = blocking_reason(world, obj) if broad else liftable(world)[obj.name]
     if reason is None and not has_grasp(world, obj.name):
@@ -218,10 +211,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
 ) -> Goal | None:
-    """Return a drawn goal of ``obj``, or None.
-
-    ``busy`` things are left alone, and the spots of the goals ``before`` this one.
-    """
+    """Return a goal of ``obj`` clear of ``busy`` things and the spots of ``before``, or None."""
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
     ways: list[Goal] = []

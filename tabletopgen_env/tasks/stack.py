@@ -6,8 +6,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,17 +14,16 @@ from generator.geometry import quaternion_matrix
 from generator.scene import Object
 
 from ..affordance import grasp_width, resting_height
-from ..expert.arm import stretch
+from ..expert.arm import stretch, up
 from ..expert.planning.choosing import HOVER, choose
 from ..expert.planning.plans import first_plan
 from ..goals.goal import OnTop
 from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
+from ..world.world import World
+from .pick_place import PickPlace
 from .sampling import draw_episode, given_object, liftable, on_table, rest_height
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 LEAST_TOP = 0.022
 """Least radius of a flat top to put things on, metres."""
@@ -41,24 +38,19 @@ TALLEST = 0.25
 class Stack(Task):
     """Put one object on another; see the module's page."""
 
-    weights = MappingProxyType(
-        {"reach": 0.10, "grasp": 0.15, "lift": 0.15, "place": 0.30, "success": 0.30}
-    )
+    weights = PickPlace.weights
     needs = (FLAT, STANDING)
 
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a support, or take those given; see ``Task.sample``."""
-        asked = "The goal of Stack is an object's name"
-        wanted = given_object(world, goal, "to put things on", asked)
+        wanted = given_object(world, goal, "to put things on", "Stack is an object's name")
 
         def make(obj: Object) -> Episode | None:
             found = list(supports(world, obj, wanted))
-            if not found:
-                return None
-            base = found[int(rng.integers(len(found)))]
-            return episode(world, (on_top(world, obj, base),))
+            base = found[int(rng.integers(len(found)))] if found else None
+            return base and episode(world, (on_top(world, obj, base),))
 
         lacks = "no flat top in reach that carries it"
         return draw_episode(world, rng, target, liftable(world), make, lacks)
@@ -88,12 +80,9 @@ def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[O
 
 
 def _is_carried_to(world: World, obj: Object, base: Object, held: float) -> bool:
-    """Return whether the arm reaches over ``base`` with ``obj`` in the hand, at some turn.
-
-    ``held`` is how far above the object's centre it is held, metres.
-    """
-    tool = on_top(world, obj, base).region(world).center + np.array([0.0, 0.0, held])
-    ends = (tool, tool + np.array([0.0, 0.0, HOVER]))
+    """Return whether the arm carries ``obj``, held so far above its centre, over ``base``."""
+    tool = on_top(world, obj, base).region(world).center + up(held)
+    ends = (tool, tool + up(HOVER))
     return any(stretch(world, ends, float(yaw)) is not None for yaw in _YAWS)
 
 
@@ -106,5 +95,5 @@ def on_top(world: World, obj: Object, base: Object) -> OnTop:
     top = world.plateaus[base.name]
     if top is None or base.name == obj.name:
         raise InputError(f"{base.name!r} has no flat top to put {obj.name!r} on.")
-    up = quaternion_matrix(base.pose.quaternion)[2]
-    return OnTop(obj.name, base.name, top, rest_height(world, obj.name), up)
+    upwards = quaternion_matrix(base.pose.quaternion)[2]
+    return OnTop(obj.name, base.name, top, rest_height(world, obj.name), upwards)

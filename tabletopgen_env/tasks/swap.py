@@ -9,7 +9,6 @@ first object stands where the second stood; what is asked for in the end are the
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,14 +16,12 @@ from generator.geometry import inside_margin
 from generator.scene import Object
 
 from ..expert.planning.plans import has_grasp
-from ..goals.goal import Goal, OnSpot, the
+from ..goals.goal import Goal, the
 from ..goals.needs import SMALL
 from ..world.workspace import FREE_MARGIN
+from ..world.world import World
 from .sampling import draw_episode, given_object, in_stead, liftable, on_spot, on_table, spot_of
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 
 class Swap(Task):
@@ -41,8 +38,7 @@ class Swap(Task):
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw two objects, or take those given; see ``Task.sample``."""
-        asked = "The goal of Swap is the other object's name"
-        wanted = given_object(world, goal, "to swap with", asked)
+        wanted = given_object(world, goal, "to swap with", "Swap is the other object's name")
         reasons = liftable(world)
         for obj in world.scene.objects:
             if not on_table(obj):
@@ -57,7 +53,10 @@ class Swap(Task):
                     continue
                 spot = spot_of(world, other, None, rng)
                 if spot is not None and _fits(world, obj, other) and _fits(world, other, obj):
-                    return swap(world, obj, other, on_spot(world, other, spot))
+                    aside = on_spot(world, other, spot)
+                    return episode(
+                        world, (aside, in_stead(world, obj, other), in_stead(world, other, obj))
+                    )
             return None
 
         lacks = "nothing else that could change places with it"
@@ -67,11 +66,6 @@ class Swap(Task):
         """Return what ``goals`` ask for in the end."""
         first, second = (str(goals[k].target) for k in (1, 2))
         return f"swap {the(world, first)} and {the(world, second)}"
-
-
-def swap(world: World, obj: Object, other: Object, aside: OnSpot) -> Episode:
-    """Return the episode in which two objects change places by way of ``aside``."""
-    return episode(world, (aside, in_stead(world, obj, other), in_stead(world, other, obj)))
 
 
 def _fits(world: World, obj: Object, place: Object) -> bool:

@@ -36,7 +36,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -44,10 +44,8 @@ from jaxtyping import Bool, Float
 from generator.language.distribution import Needs
 
 from ..goals.goal import SPOT_RADIUS, Goal
+from ..world.world import World
 from .names import TaskName
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 GOAL_WEIGHTS: Mapping[str, float] = MappingProxyType({"place": 0.5, "met": 0.5})
 """Weights when only the achieved and the desired goal are known."""

@@ -7,23 +7,20 @@ several things; the task's own tables (``SCENES``) have.
 
 from __future__ import annotations
 
-from types import MappingProxyType
-from typing import TYPE_CHECKING
-
 import numpy as np
+from scipy.spatial import ConvexHull
 
 from generator.errors import InputError
 from generator.scene import Object
 
 from ..affordance import Opening, grasp_width, resting_height
 from ..expert.planning.plans import has_grasp
-from ..goals.goal import INSIDE, Goal, Into, the
+from ..goals.goal import INSIDE, Goal, the
 from ..goals.needs import TINY, TRAYS
+from ..world.world import World
 from .sampling import containers, given_object, into, liftable, nothing
+from .swap import Swap
 from .task import Choice, Episode, Task, episode
-
-if TYPE_CHECKING:
-    from ..world.world import World
 
 SCENES = "tidy-task-*"
 """The bundles (a glob) with a tray and small things."""
@@ -35,9 +32,7 @@ FULL = 0.45
 class Tidy(Task):
     """Put all small things into one container; see the module's page."""
 
-    weights = MappingProxyType(
-        {"reach": 0.05, "grasp": 0.10, "lift": 0.10, "place": 0.25, "met": 0.25, "success": 0.25}
-    )
+    weights = Swap.weights
     most = 4
     scenes = SCENES
     needs = (TRAYS, TINY, TINY, TINY)
@@ -48,8 +43,7 @@ class Tidy(Task):
         """Draw a container, or take the one given; see ``Task.sample``."""
         if target is not None:
             raise InputError("Tidy takes all things that fit; leave the option 'target' out.")
-        asked = "The goal of Tidy is a container's name"
-        wanted = given_object(world, goal, "to put things into", asked)
+        wanted = given_object(world, goal, "to put things into", "Tidy is a container's name")
         reasons = liftable(world)
         small = [o for o in world.scene.objects if reasons[o.name] is None]
         loads: dict[str, list[Object]] = {}
@@ -64,8 +58,7 @@ class Tidy(Task):
             container = world.scene.object(names[k])
             taken = _together(world, container, loads[container.name])
             if len(taken) >= 2:
-                goals: tuple[Into, ...] = tuple(into(world, o, container) for o in taken)
-                return episode(world, goals)
+                return episode(world, tuple(into(world, o, container) for o in taken))
         raise nothing(world, reasons)
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
@@ -101,6 +94,4 @@ def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
 
 def _area(world: World, obj: Object) -> float:
     """Return the area of what an object covers, square metres."""
-    from scipy.spatial import ConvexHull
-
     return float(ConvexHull(world.footprints[obj.name]).volume)  # of a polygon its area

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from generator.geometry import Camera, framing_camera, rotation_z, yaw_quaternion
+from generator.physics.mjcf import FRICTION_STIFFNESS, scene_spec
 from generator.scene import Scene, View
 
 from ..robot.mount import Mount, add_pedestal
@@ -46,8 +47,6 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     """Return the specification of ``scene`` with ``robot`` at ``mount``."""
     import mujoco
 
-    from generator.physics.mjcf import FRICTION_STIFFNESS, scene_spec
-
     spec = scene_spec(scene)
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
@@ -64,7 +63,13 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     add_pedestal(spec, mount)
     front = front_camera(scene, mount, 4, 3)
     furnish(spec, scene, mount, front)
-    _add_front_camera(spec, front)
+    right, down, _ = front.rotation
+    spec.worldbody.add_camera(
+        name=FRONT_CAMERA,
+        pos=front.position,
+        xyaxes=[*right, *-down],
+        fovy=float(np.rad2deg(front.fov)),
+    )
     _add_top_camera(spec, scene, mount)
     marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
     marker.add_geom(
@@ -91,16 +96,6 @@ def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
     view = View(mount.yaw + np.pi / 2, _FRONT_ELEVATION, _FRONT_FOV)
     camera = framing_camera(shown, view, 1, 1, _FRONT_MARGIN)
     return replace(camera, width=width, height=height)
-
-
-def _add_front_camera(spec: mujoco.MjSpec, camera: Camera) -> None:
-    right, down, _ = camera.rotation
-    spec.worldbody.add_camera(
-        name=FRONT_CAMERA,
-        pos=camera.position,
-        xyaxes=[*right, *-down],
-        fovy=float(np.rad2deg(camera.fov)),
-    )
 
 
 def _add_top_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:

@@ -61,8 +61,7 @@ def furnish(spec: mujoco.MjSpec, scene: Scene, mount: Mount, front: Camera) -> N
     ``front`` is the camera that shows table and robot: the haze begins behind them.
     """
     middle = np.array([0.0, 0.0, scene.table.height])
-    _lay_floor(spec)
-    _add_sky(spec)
+    _paint(spec)
     _shine(spec, middle, rotation_z(mount.yaw) @ _SUNBEAM)
     spec.stat.center, spec.stat.extent = middle, 1.0  # what follows is in extents, so in metres
     sight, distance = spec.visual.map, float(front.to_camera(middle[None])[0, 2])
@@ -86,8 +85,8 @@ def backdrop(model: mujoco.MjModel) -> Backdrop:
     return Backdrop(TILES, TILE, FLOOR_HALF, HAZE, fade, model.geom(FLOOR).id)
 
 
-def _lay_floor(spec: mujoco.MjSpec) -> None:
-    """Tile the floor."""
+def _paint(spec: mujoco.MjSpec) -> None:
+    """Tile the floor, and add the sky."""
     import mujoco
 
     spec.add_texture(
@@ -107,12 +106,7 @@ def _lay_floor(spec: mujoco.MjSpec) -> None:
     floor = spec.geom(FLOOR)
     floor.size = [FLOOR_HALF, FLOOR_HALF, 0.05]
     floor.material, floor.rgba = FLOOR, [1, 1, 1, 1]
-
-
-def _add_sky(spec: mujoco.MjSpec) -> None:
-    """Add the sky. MuJoCo's gradient runs on below the horizon, which shows the colour halfway."""
-    import mujoco
-
+    # MuJoCo's gradient runs on below the horizon, which shows the colour halfway.
     spec.add_texture(
         name="sky",
         type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import inside_margin
 
-if TYPE_CHECKING:
-    from .world import World
+from .world import World
 
 FREE_MARGIN = 0.015
 """Room left around a thing put on a free spot, metres."""

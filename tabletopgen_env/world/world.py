@@ -12,7 +12,6 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -54,14 +53,6 @@ _FIXED_REACH = 0.4
 T = TypeVar("T")
 
 
-@dataclass(eq=False)
-class _Known:
-    """What has been found out about an arrangement of the objects."""
-
-    found: dict[Hashable, Any] = field(default_factory=dict)
-    footprints: Mapping[str, Float[np.ndarray, "k 2"]] | None = None
-
-
 class World:
     """One scene with a robot, compiled, and its state.
 
@@ -82,11 +73,7 @@ class World:
     """
 
     def __init__(
-        self,
-        scene: Scene,
-        robot: Panda,
-        mount: Mount | None = None,
-        bundle: Path | None = None,
+        self, scene: Scene, robot: Panda, mount: Mount | None = None, bundle: Path | None = None
     ) -> None:
         import mujoco
 
@@ -125,15 +112,13 @@ class World:
         self._base_reach = _FIXED_REACH + np.linalg.norm(self.half_extent, axis=1)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
-        self._known = self._known_of_given = _Known()
+        self._known: dict[Hashable, Any] = {}  # of this arrangement of the objects
+        self._known_of_given = self._known
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
         self.notes: dict[Hashable, Any] = {}
 
     def twin(self) -> World:
-        """Return a world of the same scene with a model and a state of its own.
-
-        What is known of the scene is shared; it depends on the scene alone.
-        """
+        """Return a world of the same scene that shares what is known of it, with its own model."""
         import mujoco
 
         other = copy.copy(self)
@@ -159,13 +144,10 @@ class World:
         self.base_position = np.asarray(mount.position, float)
 
     def rearrange(self, scene: Scene) -> None:
-        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there.
-
-        What is known of the scene as it was given is kept for when it comes back.
-        """
+        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there."""
         self.scene = scene
         self._start = self._start_qpos()
-        self._known = self._known_of_given if scene is self._given else _Known()
+        self._known = self._known_of_given if scene is self._given else {}
 
     def reset(self) -> None:
         """Put every object at its settled pose and the robot at home, everything at rest."""
@@ -175,8 +157,7 @@ class World:
         self.data.qpos[:] = self._start
         self.data.ctrl[self.actuators] = HOME_CTRL
         self._commanded = self.data.ctrl[self.actuators[:7]]
-        self._touches.clear()
-        mujoco.mj_forward(self.model, self.data)
+        self._forward()
 
     def step(self, substeps: int) -> None:
         """Simulate ``substeps`` steps of ``TIMESTEP`` seconds.
@@ -187,8 +168,7 @@ class World:
         import mujoco
 
         model, data, ctrl, servos = self.model, self.data, self.data.ctrl, self.actuators[:7]
-        wanted = ctrl[servos]
-        mj_step = mujoco.mj_step
+        wanted, mj_step = ctrl[servos], mujoco.mj_step
         for command in _ramp(self._commanded, wanted, substeps):
             ctrl[servos] = command
             mj_step(model, data)
@@ -197,15 +177,12 @@ class World:
 
     def place_arm(self, joints: Float[np.ndarray, "7"]) -> None:
         """Put the arm's joints at rest at angles (rad), and have the servos keep them there."""
-        import mujoco
-
         servos = self.actuators[:7]
         self.data.qpos[self.arm_qpos] = joints
         self.data.qvel[self.arm_dof] = 0
         self.data.ctrl[servos] = joints
         self._commanded = self.data.ctrl[servos]
-        self._touches.clear()
-        mujoco.mj_forward(self.model, self.data)
+        self._forward()
 
     def teleport(
         self,
@@ -214,14 +191,18 @@ class World:
         quaternion: Float[np.ndarray, "4"] | None = None,
     ) -> None:
         """Put an object, at rest, at a world position (and wxyz orientation; None keeps it)."""
-        import mujoco
-
         k = self.index(name)
         address = self._object_qpos[k]
         self.data.qpos[address[:3]] = position
         if quaternion is not None:
             self.data.qpos[address[3:]] = quaternion
         self.data.qvel[self._object_dof[k]] = 0
+        self._forward()
+
+    def _forward(self) -> None:
+        """Let everything follow from a state that was written."""
+        import mujoco
+
         self._touches.clear()
         mujoco.mj_forward(self.model, self.data)
 
@@ -254,24 +235,23 @@ class World:
         return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
 
     def remember(self, key: Hashable, find: Callable[[], T]) -> T:
-        """Return what ``find`` returns, found once where all is as ``reset`` puts it.
+        """Return what ``find`` does, found once for each ``key`` where all is as ``reset`` puts it.
 
-        Where the base stands elsewhere, or anything is off or absent, which hardly recurs, it is
-        found anew. ``key`` tells it from all else that is remembered of an arrangement.
+        Where the base stands elsewhere, or anything is off or absent, it is found anew.
         """
         off = not np.array_equal(self.data.qpos, self._start)
         if off or self.absent or self.mount is not self._own_mount:
             return find()
-        if key not in self._known.found:
-            self._known.found[key] = find()
-        return self._known.found[key]
+        if key not in self._known:
+            self._known[key] = find()
+        return self._known[key]
 
     @property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:
         """The convex outline of each object seen from above where it rests, world frame."""
-        if self._known.footprints is None:
-            self._known.footprints = {o.name: footprint(o) for o in self.scene.objects}
-        return self._known.footprints
+        if "footprints" not in self._known:
+            self._known["footprints"] = {o.name: footprint(o) for o in self.scene.objects}
+        return self._known["footprints"]
 
     def index(self, name: str) -> int:
         """Return the row of object ``name`` in per-object arrays.
@@ -336,23 +316,20 @@ class World:
         return 2 in sides, 3 in sides, bool(sides - {0})
 
     def _at_base(self, row: int) -> bool:
-        """Return whether an object lies against a fixed part of the robot.
-
-        MuJoCo lists no contact between what sleeps and what is fixed.
-        """
+        """Return whether an object, asleep and so without contacts, lies against a fixed part."""
         import mujoco
 
-        away = self.data.xpos[self.bodies[row]] - self.base_position
+        model, data, body = self.model, self.data, self.bodies[row]
+        away = data.xpos[body] - self.base_position
         if math.sqrt(away @ away) > self._base_reach[row]:
             return False
-        for fixed in self._fixed_geoms:
-            first = self.model.body_geomadr[self.bodies[row]]
-            geoms = first + np.arange(self.model.body_geomnum[self.bodies[row]])
-            for own in geoms[self.model.geom_contype[geoms] > 0]:
-                gap = mujoco.mj_geomDistance(self.model, self.data, int(own), int(fixed), 1.0, None)
-                if gap <= _CONTACT:
-                    return True
-        return False
+        geoms = model.body_geomadr[body] + np.arange(model.body_geomnum[body])
+        own = geoms[model.geom_contype[geoms] > 0]
+        return any(
+            mujoco.mj_geomDistance(model, data, int(one), int(fixed), 1.0, None) <= _CONTACT
+            for fixed in self._fixed_geoms
+            for one in own
+        )
 
     # -------------------------------------------------------------------------------- base frame
 
@@ -394,9 +371,10 @@ def _ramp(
 
 def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
     """Label bodies: 0 not the robot's, 1 robot, 2 left finger, 3 right finger."""
-    sides = np.zeros(model.nbody, dtype=int)
-    for k in range(model.nbody):
-        name = model.body(k).name
-        if name.startswith(PREFIX):
-            sides[k] = 1 + ("left_finger" in name) + 2 * ("right_finger" in name)
-    return sides
+    names = (model.body(k).name for k in range(model.nbody))
+    return np.array(
+        [
+            name.startswith(PREFIX) * (1 + ("left_finger" in name) + 2 * ("right_finger" in name))
+            for name in names
+        ]
+    )

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from generator.errors import require_number
+from generator.errors import InputError, require_number
 
-from ..robot.panda import Panda, panda
+from ..robot.panda import Panda
 from ..scenes import SceneRef
 from ..scenes.fixed import folder
 from .world import World
@@ -20,14 +20,9 @@ KEPT = 16
 
 
 class WorldCache:
-    """The ``size`` worlds used last, by the key of their scene.
+    """The ``size`` worlds used last, by the key of their scene: a reset only writes the state.
 
-    A reset onto one of them only writes the start state.
-
-    Args:
-        robot: stands at every table.
-        size: how many worlds are kept.
-        masters: where new worlds are copied from; None to compile each.
+    New ones, with ``robot`` at the table, are copied from ``masters``; None compiles each.
     """
 
     def __init__(self, robot: Panda, size: int, masters: Masters | None = None) -> None:
@@ -37,10 +32,7 @@ class WorldCache:
         self._worlds: OrderedDict[str, World] = OrderedDict()
 
     def get(self, ref: SceneRef, on_drop: Callable[[World], None]) -> World:
-        """Return the world of ``ref``, composing it if it is not held.
-
-        ``on_drop`` is told of each world that leaves the cache.
-        """
+        """Return the world of ``ref``; ``on_drop`` is told of each that leaves the cache for it."""
         world = self._worlds.get(ref.key)
         if world is None:
             world = self._masters.twin(ref) if self._masters else _world(ref, self._robot)
@@ -68,13 +60,9 @@ class _Master:
 
 
 class Masters:
-    """Compiled scenes that environments of one process copy, each scene compiled once.
+    """The ``size`` scenes used last, compiled once with ``robot``, for environments to copy.
 
     May be used by several threads. A copy has a model of its own, for environments write to it.
-
-    Args:
-        robot: stands at every table.
-        size: how many scenes are kept.
     """
 
     def __init__(self, robot: Panda, size: int = KEPT) -> None:
@@ -121,13 +109,16 @@ class WorldConfig:
     masters: Masters | None = None
 
     def __post_init__(self) -> None:
-        panda(self.robot)
+        if not isinstance(self.robot, Panda | None):
+            raise InputError(
+                f"robot must be a Panda (tabletopgen_env.robot.panda) or None, got {self.robot!r}."
+            )
         require_number("The environment needs cache", self.cache, minimum=1, integer=True)
 
     @property
     def arm(self) -> Panda:
         """The robot, ``Panda()`` where none was named."""
-        return panda(self.robot)
+        return self.robot or Panda()
 
     def worlds(self) -> WorldCache:
         """Return an empty cache of worlds."""

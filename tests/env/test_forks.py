@@ -149,7 +149,7 @@ def anew(get: Callable[..., Any]) -> Callable[..., Any]:
 
     def got(*args: Any) -> Any:
         world = get(*args)
-        world._known.found.clear()
+        world._known.clear()
         return world
 
     return got

@@ -114,7 +114,7 @@ def test_the_hand_turns_above_what_stands_around() -> None:
     pusher.reset()
     while pusher.phase != "descend":
         env.step(pusher.act())
-    pusher._stroke = replace(pusher._stroke, yaw=pusher._stroke.yaw + 1.5)
+    pusher._plan = replace(pusher._plan, yaw=pusher._plan.yaw + 1.5)
     pusher._enter("approach")
     assert pusher.act()[2] > 0.5, "up, for the palm is lower than the post"
 

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import compress
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import wrap
 
+from ...world.world import World
 from ..arm import easiest, knuckle_is_free, stretch, up, wrists_are_free
 from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
-
-if TYPE_CHECKING:
-    from ...world.world import World
 
 HOVER = 0.06
 """Metres above a grasp from which the hand goes straight down."""

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import rotation_z
 
-from ...goals.goal import RAISED, Raised, at_rest
+from ...goals.goal import RAISED, Goal, Raised, at_rest
+from ...world.world import World
 from ..arm import turn_left
 from .grasps import TIP, Grasp
 from .placing import Placer, plan_place
-
-if TYPE_CHECKING:
-    from ...goals.goal import Goal, Region
-    from ...world.world import World
 
 ABOVE = 0.04
 """Metres above the place at which what is held is brought into line with it."""
@@ -33,17 +28,11 @@ _PUSHED = 0.02  # metres above the place below which a goal that moves is being 
 class Drop:
     """The way of a held object to the place that ``plan`` has for it in its goal's region.
 
-    ``yaw`` is the hand's, now, in the base frame, radians; ``opening`` how far the fingers will
-    open to let go, metres.
+    ``yaw`` is the hand's now (base frame, radians); ``opening`` lets go, metres.
     """
 
     def __init__(
-        self,
-        world: World,
-        goal: Goal,
-        yaw: float,
-        opening: float,
-        plan: Placer = plan_place,
+        self, world: World, goal: Goal, yaw: float, opening: float, plan: Placer = plan_place
     ) -> None:
         assert goal.target is not None
         self._target, self._goal = goal.target, goal
@@ -55,15 +44,12 @@ class Drop:
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Update the place by how the object has shifted in the hand and the goal has moved.
-
-        A released object no longer counts, nor does a goal that moves while the hand is at it.
-        """
+        """Update the place by how the object has shifted in the hand and the goal has moved."""
         left, right, _ = world.touches(self._target)
-        if not (left and right):
+        if not (left and right):  # what is let go no longer counts
             return
         place, tool = self._place, world.data.site_xpos[world.tcp]
-        if tool[2] > self.tool[2] + _PUSHED:
+        if tool[2] > self.tool[2] + _PUSHED:  # else the hand is at the goal and moves it
             self._shift = self._goal.region(world).center - place.seen
         offset = rotation_z(self.turn(world))[:2, :2] @ (world.position(self._target) - tool)[:2]
         sunk = tool[2] - world.lowest(self._target) - place.hanging
@@ -96,10 +82,9 @@ def hanging(world: World, target: str) -> float:
 
 
 def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
-    """Return where from the tool the middle of the held object is, and how far it reaches about it.
+    """Return where from the tool a held object's middle is and how far it reaches about it.
 
-    Metres, along the table, world frame. With a large ``turn`` (radians) left, the middle may end
-    up anywhere around the tool.
+    Metres, along the table, world frame. With a large ``turn`` (radians) left it may be anywhere.
     """
     if abs(turn) > _TURNING:
         return np.zeros(3), breadth(world, target)
@@ -118,7 +103,11 @@ def breadth(world: World, target: str) -> float:
 def met(world: World, goal: Goal) -> bool:
     """Return whether the goal's target is where it asks for, and as it asks."""
     assert goal.target is not None
-    return goal.settled(world) and _within(goal.region(world), world.position(goal.target))
+    if not goal.settled(world):
+        return False
+    region = goal.region(world)
+    away = rotation_z(region.yaw).T @ (world.position(goal.target) - region.center) / region.semi
+    return bool(np.linalg.norm(away[:2]) <= 1.0 and abs(away[2]) <= 1.0)
 
 
 def lost(world: World, goal: Goal) -> bool:
@@ -126,8 +115,3 @@ def lost(world: World, goal: Goal) -> bool:
     assert goal.target is not None
     still = not world.touches(goal.target)[2] and at_rest(world, goal.target)
     return still and not met(world, goal)
-
-
-def _within(region: Region, point: Float[np.ndarray, "3"]) -> bool:
-    local = rotation_z(region.yaw).T @ (point - region.center) / region.semi
-    return bool(np.linalg.norm(local[:2]) <= 1.0 and abs(local[2]) <= 1.0)

@@ -9,22 +9,19 @@ straight down meets the rest of the world as a height map.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy.ndimage import maximum_filter1d
 
 from generator.geometry import rotation_yaw, rotation_z
 
 from ...robot import franka
+from ...world.world import World
 from .heights import HeightMap, VoxelSolid, move_parts, solid, surroundings
 from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
-    from ...world.world import World
 
 TIP = 0.0088
 """How far the fingertips reach beyond the tool centre point, metres."""
@@ -56,14 +53,9 @@ class Grasp:
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
     """Return top grasps of ``target`` where it is now, best first; those like ``avoid`` last."""
-    candidates = grasps_along(world, target, _angles(world, target))
-    found = [_demote(grasp, avoid) for grasp in candidates]
+    angles = rotation_yaw(world.rotation(target)) + np.arange(_TURNS) * np.pi / _TURNS
+    found = [_demote(grasp, avoid) for grasp in grasps_along(world, target, angles.tolist())]
     return sorted(found, key=lambda grasp: -grasp.score)
-
-
-def _angles(world: World, target: str) -> list[float]:
-    facing = rotation_yaw(world.rotation(target))
-    return (facing + np.arange(_TURNS) * np.pi / _TURNS).tolist()
 
 
 def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator[Grasp]:
@@ -77,22 +69,16 @@ def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator
     floor = world.scene.table.height
     # Cut in the object's own heading, so that what fits stays so wherever it is moved and turned.
     heading = rotation_z(rotation_yaw(rotation))
-    shape = solid(move_parts(own, -_level(position) @ heading, heading.T), STEP_U, RISE)
-    cut = slabs(shape, floor)
+    shape = solid(move_parts(own, -position * [1, 1, 0] @ heading, heading.T), STEP_U, RISE)
+    seen = _Seen(shape, slabs(shape, floor), position[:2], heading[:2, :2])
     for angle in angles:
-        yield from _along(
-            _Seen(shape, cut, position[:2], heading[:2, :2]), others, com, angle, floor
-        )
-
-
-def _level(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
-    return np.array([point[0], point[1], 0.0])
+        yield from _along(seen, others, com, angle, floor)
 
 
 def _demote(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
     for failed in avoid:
         if is_like(grasp, failed):
-            grasp = Grasp(grasp.point, grasp.angle, grasp.opening, grasp.width, grasp.score - 4.0)
+            grasp = replace(grasp, score=grasp.score - 4.0)
     return grasp
 
 
@@ -105,10 +91,7 @@ def is_like(grasp: Grasp, other: Grasp) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Seen:
-    """An object's voxels in its own heading, and where they are: ``center`` is their origin.
-
-    ``heading`` turns from their frame into the world's, along the table.
-    """
+    """An object's voxels; ``center`` is their origin, ``heading`` turns them into the world."""
 
     shape: VoxelSolid
     cut: Slabs
@@ -131,15 +114,9 @@ class _Seen:
 
 
 def _along(
-    seen: _Seen,
-    others: HeightMap,
-    com: Float[np.ndarray, "3"],
-    angle: float,
-    floor: float,
+    seen: _Seen, others: HeightMap, com: Float[np.ndarray, "3"], angle: float, floor: float
 ) -> Iterator[Grasp]:
     """Yield grasps whose fingers open along ``angle``."""
-    from scipy.ndimage import maximum_filter1d
-
     across = np.array([np.cos(angle), np.sin(angle)])
     along = np.array([-across[1], across[0]])
     shape, cut, middle = seen.shape, seen.cut, seen.middle
@@ -181,10 +158,7 @@ def _room(
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return the widest openings (m) whose fingers come down free, NaN where none does.
-
-    ``beside`` are the highest surfaces in the fingers' strips.
-    """
+    """Return the widest openings (m) whose fingers come down free ``beside``, NaN where none."""
     distance = np.abs(u - center[:, None])
 
     def free(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -12,9 +11,7 @@ from jaxtyping import Bool, Float, Int
 from generator.scene import ConvexPart
 
 from ...affordance import part_span, top_surface
-
-if TYPE_CHECKING:
-    from ...world.world import World
+from ...world.world import World
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +41,12 @@ def move_parts(
 ) -> tuple[ConvexPart, ...]:
     """Return convex parts carried from the body frame into the world."""
     return tuple(ConvexPart(part.vertices @ rotation.T + position) for part in parts)
+
+
+def parts_of(world: World, name: str) -> tuple[ConvexPart, ...]:
+    """Return an object's convex parts where they are now, world frame."""
+    parts = world.scene.object(name).parts
+    return move_parts(parts, world.position(name), world.rotation(name))
 
 
 def height_map(
@@ -84,12 +87,7 @@ def surroundings(
     cell: float,
 ) -> HeightMap:
     """Return the height map of every object but ``target``, where they are now."""
-    parts = [
-        part
-        for obj in world.scene.objects
-        if obj.name != target
-        for part in move_parts(obj.parts, world.position(obj.name), world.rotation(obj.name))
-    ]
+    parts = [p for o in world.scene.objects if o.name != target for p in parts_of(world, o.name)]
     return height_map(parts, low, high, cell)
 
 

@@ -8,20 +8,19 @@ one is low, near the middle and well supported, with the shortest fall.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from jaxtyping import Float
+from scipy import ndimage
 
 from generator.geometry import rotation_z, wrap
 
 from ...goals.goal import INSIDE, Goal, Into, OnTop, Region
+from ...world.world import World
 from ..arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
-from .heights import HeightMap, move_parts, solid, surroundings
-
-if TYPE_CHECKING:
-    from ...world.world import World
+from .heights import HeightMap, parts_of, solid, surroundings
 
 RELEASE = 0.004
 """Height from which a thing is let go, metres."""
@@ -115,11 +114,10 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the middle of a goal's region, for its target as the hand holds it.
+    """Return the middle of a goal's region, for its target as the hand holds it, as ``plan_place``.
 
     The hand is not turned, or by half a turn where its arm reaches the place only so. It
     takes the height map of all else, and the box of what is held with its lowest point.
-    The arguments are those of ``plan_place``.
     """
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
@@ -141,11 +139,11 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
     tip = float(tool[2]) - TIP
-    if not wrist_is_free(world, others, tool[None, :2], tip):
-        return False
-    if not knuckle_is_free(world, others, tool[:2], tip, yaw):
-        return False
-    return _stretched(world, tool, yaw)
+    return (
+        wrist_is_free(world, others, tool[None, :2], tip)
+        and knuckle_is_free(world, others, tool[:2], tip, yaw)
+        and _stretched(world, tool, yaw)
+    )
 
 
 def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
@@ -173,8 +171,6 @@ def _base(world: World, goal: Goal, region: Region) -> float:
 
 
 def _room(world: World, target: str, region: Region, held: Underside) -> HeightMap:
-    from scipy import ndimage
-
     reach = float(region.semi[:2].max() + 2 * np.linalg.norm(held.at, axis=1).max() + 0.15)
     low, high = region.center[:2] - reach, region.center[:2] + reach
     found = surroundings(world, target, low, high, _CELL)
@@ -185,10 +181,7 @@ def _room(world: World, target: str, region: Region, held: Underside) -> HeightM
 
 def _held_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
     """Return the underside of the target as it hangs in the hand."""
-    own = move_parts(
-        world.scene.object(target).parts, world.position(target), world.rotation(target)
-    )
-    shape = solid(own, _CELL, _CELL)
+    shape = solid(parts_of(world, target), _CELL, _CELL)
     i, j = np.nonzero(shape.filled.any(-1))
     low = shape.levels[shape.filled[i, j].argmax(-1)] - _CELL / 2
     at = shape.origin + _CELL * np.column_stack([i, j])

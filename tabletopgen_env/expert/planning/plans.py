@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from ...world.world import World
 from .choosing import Chooser, GraspPlan, choose
-
-if TYPE_CHECKING:
-    from ...world.world import World
 
 
 def first_plan(world: World, name: str, chooser: Chooser = choose) -> GraspPlan | None:

@@ -135,13 +135,10 @@ def _windows(
 def _quality(
     by_line: Bool[np.ndarray, "r b w"], by_layer: Bool[np.ndarray, "r b w"]
 ) -> Float[np.ndarray, "r"]:
-    """Rate the two sides of each run, NaN if the fingers would slide off.
-
-    A side is where the run begins or ends, by line (along the finger's breadth) and by level. Its
-    *slope* along the breadth, the *squeeze* by which the run narrows upwards (it would pop out) and
-    the *lean* of its middle (the fingers would meet at different heights) stay below limits that
-    lie well within the pads' friction cone. Levels much narrower than the widest are not touched.
-    """
+    """Rate the two sides of each run, NaN if the fingers would slide off."""
+    # A side's *slope* along the finger's breadth, the *squeeze* by which the run narrows upwards
+    # (it would pop out) and the *lean* of its middle (fingers would meet at different heights) stay
+    # well within the pads' friction cone. Levels much narrower than the widest are not touched.
     lines, widths = np.asarray(by_line.any(2)), by_layer.sum(2)
     layers = widths >= _TOUCHED * widths.max(1, keepdims=True)
     share, hold = lines.sum(1) / _LINES, layers.sum(1) * RISE
@@ -171,10 +168,7 @@ def _ends(
 def _trend(
     side: Float[np.ndarray, "r b"], used: Bool[np.ndarray, "r b"], step: float
 ) -> Float[np.ndarray, "r"]:
-    """Return the slope of a straight line through the ``used`` points of each ``side``.
-
-    They are ``step`` apart; one point alone has slope zero.
-    """
+    """Return the slope of the line through each side's ``used`` points, ``step`` apart, else 0."""
     at = np.arange(used.shape[1]) * step
     middle = (used * at).sum(1) / used.sum(1)
     offset = np.where(used, at - middle[:, None], 0.0)

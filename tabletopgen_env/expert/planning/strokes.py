@@ -7,7 +7,7 @@ fingers and the palm over them need room all along that way.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from jaxtyping import Float
@@ -15,12 +15,10 @@ from jaxtyping import Float
 from generator.geometry import wrap
 from generator.scene import ConvexPart
 
+from ...world.world import World
 from ..arm import stretch, turn_left, wrist_is_free
 from .grasps import TIP
-from .heights import HeightMap, height_map, move_parts, surroundings
-
-if TYPE_CHECKING:
-    from ...world.world import World
+from .heights import HeightMap, height_map, parts_of, surroundings
 
 BEHIND = 0.025
 """Metres between the fingers and the object before a stroke."""
@@ -83,18 +81,15 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Return the stroke that pushes an object, as it is now, towards a spot; None if none can.
+    """Return the stroke that pushes an object's centre towards a spot (x, y, world); None if none.
 
-    ``spot`` is where its centre is to go (x, y, world), ``others`` what is ``beside`` it, if known,
-    and ``care`` how much room the hand has to have.
+    ``others`` is what is ``beside`` it, if known.
     """
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))
     ahead = way / max(length, 1e-9)
     bearing = float(np.arctan2(ahead[1], ahead[0]))
-    parts = move_parts(
-        world.scene.object(target).parts, world.position(target), world.rotation(target)
-    )
+    parts = parts_of(world, target)
     com = mass_center(world, target)[:2]
     others = others or beside(world, target)
     own = _tops(parts)
@@ -143,10 +138,7 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return where the tool (x, y) and how high it is when the fingers touch, world frame.
-
-    As low as possible, with the palm over the object; None if the fingers would miss it.
-    """
+    """Return where (x, y, world) and how high the tool is at a touch, low; None for a miss."""
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()
     palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
@@ -167,11 +159,7 @@ def _contact(
 def _behind(
     parts: list[ConvexPart], com: Float[np.ndarray, "2"], ahead: Float[np.ndarray, "2"]
 ) -> float | None:
-    """Return where along ``ahead`` from the centre of mass the fingers meet parts, metres.
-
-    What they meet is the part of the outline in their way: the outline of each part is cut to the
-    strip that they sweep. None if that is nothing.
-    """
+    """Return where along ``ahead`` from ``com`` the strip that the fingers sweep meets parts, m."""
     across = np.array([-ahead[1], ahead[0]])
     found: list[float] = []
     for part in parts:
@@ -204,10 +192,10 @@ def _is_free(
     hand: tuple[tuple[float, float], tuple[float, float]] = (_FINGERS, _PALM),
 ) -> bool:
     """Return whether fingers and palm pass along a line with the hand opening along ``opening``."""
-    for half, height in zip(hand, (tip - 0.001, tip + _PALM_Z), strict=True):
-        if others.at(line[:, None] + _rectangle(half, opening)).max() > height:
-            return False
-    return True
+    return all(
+        others.at(line[:, None] + _rectangle(half, opening)).max() <= height
+        for half, height in zip(hand, (tip - 0.001, tip + _PALM_Z), strict=True)
+    )
 
 
 def _rectangle(half: tuple[float, float], opening: float) -> Float[np.ndarray, "n 2"]:

@@ -54,11 +54,10 @@ def demonstrate(
 ) -> Demonstration | None:
     """Play one episode of "ee_delta" with the expert watching; None if it knows no way.
 
-    It ends when success has held (``episodes.Held``), or at the time limit. ``policy`` acts, or the
-    expert itself. ``noise`` is the standard deviation of what is added to the expert's motion (not
-    to the gripper), so that it shows how to come back. ``report`` gets the info of ``reset`` and of
-    each step. ``to_the_limit`` goes on to the time limit in any case; solved is then what ends in a
-    success that has held.
+    It ends when success has held (``episodes.Held``), or at the time limit; ``to_the_limit``: only
+    there. ``policy`` acts, or the expert itself. ``noise`` is the standard deviation of what is
+    added to the expert's motion (not to the gripper), so that it shows how to come back. ``report``
+    gets the info of ``reset`` and of each step.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)

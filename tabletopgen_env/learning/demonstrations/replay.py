@@ -34,10 +34,9 @@ def fill(
 ) -> int:
     """Put episodes of the expert that end in success into a buffer; return how many.
 
-    Episodes go on to the time limit, so that the buffer shows what staying there is worth; their
-    last transitions are marked as timeouts, not as ends. A buffer of several environments takes as
-    many episodes at a time, so the number is rounded up to a multiple of theirs. ``between`` is
-    called before each episode, and may raise to end it.
+    Episodes go on to the time limit, so that the buffer shows what staying there is worth, and end
+    as timeouts. Their number is rounded up to a multiple of the buffer's environments. ``between``
+    is called before each episode, and may raise to end it.
 
     Raises:
         InputError: the buffer has no room for them.
@@ -70,11 +69,10 @@ def _solved_episodes(
     while missed < MISSES:
         between()
         shown = demonstrate(env, next(seeds), to_the_limit=True)
+        missed += 1
         if shown is not None and shown.solved:
             missed = 0
             yield shown
-        else:
-            missed += 1
     raise SceneError(
         f"The expert solves none of {MISSES} episodes here; use other scenes, or no demonstrations."
     )

@@ -11,9 +11,11 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
 
+from generator.bundle import save
 from generator.errors import StorageError
 from generator.jobs.workers import WorkerDied, WorkerPool
 
+from ..difficulty import difficulty
 from .recipe import SceneRecipe
 
 TIMEOUT = 1800.0
@@ -44,12 +46,10 @@ class FailedScene:
 
 
 class Background:
-    """Scenes in the making, ``count`` at a time, in a temporary folder that ends with this.
+    """Scenes in the making, ``count`` at a time, each in a process, in a temporary folder.
 
-    Args:
-        count: number of scenes at a time, each in a process.
-        rest: pause after a failure, seconds; it doubles with each further one in a row.
-        timeout: seconds after which a scene that is not done is given up.
+    ``rest`` is the pause after a failure, seconds, which doubles with each further one in a row;
+    after ``timeout`` seconds a scene that is not done is given up.
 
     Raises:
         StorageError: there is no place for temporary files.
@@ -123,10 +123,6 @@ def _step_back() -> None:
 
 def _make(recipe: SceneRecipe, folder: Path) -> MadeScene:
     """Make a scene and save it as a bundle in a folder."""
-    from generator.bundle import save
-
-    from ..difficulty import difficulty
-
     scene = recipe.make()
     path = save(scene, folder, allow_failed=True)  # recipes judge what needs judging
     return MadeScene(recipe, path, difficulty(scene))

@@ -33,25 +33,16 @@ class RenewalPace:
     every_resets: int | None
 
     def due(self, draws: int, seconds: float) -> float:
-        """Return how many scenes to renew before draw number ``draws``, ``seconds`` after the last.
-
-        The first draw has number 0.
-        """
+        """Return how many to renew before draw ``draws`` (from 0), ``seconds`` after the last."""
         if self.every_resets is not None:
             return float(draws > 0 and draws % self.every_resets == 0)
         return seconds * (self.per_minute or 0.0) / 60
 
 
 class ScenePool:
-    """At most ``size`` scenes, the oldest first.
+    """At most ``size`` scenes, the oldest first, renewed by ``fresh`` with ``seed`` at a ``pace``.
 
-    Args:
-        fresh: where new scenes come from.
-        size: how many scenes are held.
-        initial: the first ones; None has them made here and now.
-        pace: how often one is renewed.
-        workers: how many processes make them; 0 for none: they are made in this one.
-        seed: of the scenes made.
+    The first are ``initial``, or made here and now; ``workers`` processes make others, 0 this one.
 
     Raises:
         InputError: a text cannot be planned.
@@ -69,22 +60,18 @@ class ScenePool:
     ) -> None:
         fresh.check()
         self.owner = os.getpid()
-        self.renewals = 0
-        self.failures = 0
+        self.renewals = self.failures = 0
         self._fresh, self._size, self._pace, self._seed = fresh, size, pace, seed
-        self._made = 0
-        self._warned = False
-        self._draws = 0
-        self._owed = 0.0
+        self._made = self._draws = 0
+        self._owed = self._resting_until = 0.0
         self._last = time.monotonic()
-        self._resting_until = 0.0
+        self._warned = False
         self.refs: list[SceneRef] = []
-        if initial is not None:
-            rng = np.random.default_rng([seed, 1])
-            few = rng.permutation(len(initial))[:size]
-            self.refs = [initial.refs[k] for k in few]
-        else:
+        if initial is None:
             self._fill()
+        else:
+            few = np.random.default_rng([seed, 1]).permutation(len(initial))[:size]
+            self.refs = [initial.refs[k] for k in few]
         self.background = Background(workers) if workers else None
 
     def draw(self, rng: np.random.Generator) -> SceneRef:

@@ -97,7 +97,8 @@ class SceneRecipe:
             SceneError: no sound scene of the right side came of any attempt.
         """
         make = maker(self.making)
-        what = self.plan() if self.making == COMPOSE else self._input()
+        text = isinstance(self.what, str) and self.making != COMPOSE
+        what = str(self.what) if text else self.plan()
         failures: list[str] = []
         for attempt in range(ATTEMPTS):
             try:
@@ -108,9 +109,6 @@ class SceneRecipe:
             f"{ATTEMPTS} attempts at a scene of {self.identity!r} failed: "
             + " ".join(dict.fromkeys(failures))
         )
-
-    def _input(self) -> str | ScenePlan:
-        return self.what if isinstance(self.what, str) else self.plan()
 
     def _check(self, scene: Scene) -> Scene:
         """Return the scene if it is what the rules ask for; what is planned may turn out else."""
@@ -124,9 +122,7 @@ class SceneRecipe:
 def _facts(distribution: SceneDistribution) -> dict[str, Any]:
     """Return a distribution as plain JSON values; without needs as before there were any."""
     facts = dataclasses.asdict(distribution)
-    if not distribution.needs:
-        del facts["needs"]
-    return facts
+    return {k: v for k, v in facts.items() if k != "needs" or v}
 
 
 def maker(making: str) -> Maker:
@@ -148,13 +144,12 @@ def maker(making: str) -> Maker:
             + choices(making, (COMPOSE, GENERATE, "module:function"))
         )
     try:
-        found = getattr(importlib.import_module(module), name)
+        return getattr(importlib.import_module(module), name)
     except (ImportError, AttributeError, ValueError) as error:
         raise InputError(
             f"Scenes cannot be made by {making!r}: {error}. Name a module that can be imported "
             "and a function in it."
         ) from error
-    return found
 
 
 def _generate(what: str | ScenePlan, seed: int) -> Scene:
