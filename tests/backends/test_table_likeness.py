@@ -59,10 +59,7 @@ NOTHING = np.zeros((HEIGHT, WIDTH), bool)
 
 
 def found_plane(
-    top: np.ndarray,
-    view: View,
-    told: View,
-    hidden: np.ndarray = NOTHING,
+    top: np.ndarray, view: View, told: View, hidden: np.ndarray = NOTHING
 ) -> TablePlane:
     """Find the plane of a top (metres) from its picture."""
     camera = Camera.looking_at(np.zeros(3), view, 3.0, WIDTH, HEIGHT)

@@ -105,9 +105,7 @@ def test_a_handshake_byte_by_byte_is_left_in_time() -> None:
 
 
 @pytest.mark.slow
-def test_a_name_that_is_looked_up_for_ever_is_left_in_time(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_name_that_is_looked_up_for_ever_is_left_in_time(monkeypatch: pytest.MonkeyPatch) -> None:
     asked, done = threading.Event(), threading.Event()
 
     def lookup(*given: object, **more: object) -> list:

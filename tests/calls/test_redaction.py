@@ -14,13 +14,7 @@ KEY = 'mark/er+"7f3a'
 
 
 @pytest.mark.parametrize(
-    "written",
-    [
-        KEY,
-        quote(KEY, safe=""),
-        json.dumps(KEY),
-        base64.b64encode(KEY.encode()).decode(),
-    ],
+    "written", [KEY, quote(KEY, safe=""), json.dumps(KEY), base64.b64encode(KEY.encode()).decode()]
 )
 def test_a_secret_goes_in_every_form(written: str) -> None:
     text = redact(f"Incorrect key provided: {written}. Look it up.", (KEY,))

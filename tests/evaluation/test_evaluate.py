@@ -233,10 +233,7 @@ def test_the_command_takes_another_picture_and_refuses_a_foreign_one(
 
 @pytest.mark.slow
 def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
-    store: Path,
-    taken: Shot,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few = (Station(50, 1.3), Station(0, 2.5))
     monkeypatch.setattr("generator.evaluation.surfaces.sweep.stations", lambda config: few)
@@ -271,10 +268,7 @@ def test_the_command_reports_all_four_defects_of_one_bundle(
 
 @pytest.mark.slow
 def test_the_command_asks_a_judge_for_marks_and_a_ranking(
-    store: Path,
-    taken: Shot,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(TABLE, "strict", {"reasoner": "judging:Judging"})  # type: ignore[arg-type]
     monkeypatch.setattr("generator.evaluation.report._draw", lambda *_: taken.picture)
@@ -375,8 +369,7 @@ def test_settings_of_money_need_a_judge(
 
 
 @pytest.mark.parametrize(
-    ("name", "words"),
-    [("embedded", "cannot judge scenes"), ("embeded", "Did you mean 'embedded'")],
+    ("name", "words"), [("embedded", "cannot judge scenes"), ("embeded", "Did you mean 'embedded'")]
 )
 def test_a_backend_that_cannot_judge_is_refused_before_anything_is_measured(
     name: str,

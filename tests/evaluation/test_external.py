@@ -258,9 +258,7 @@ def test_values_of_other_types_and_unprintable_names_are_refused(
     assert str(told.value).isprintable()
 
 
-def test_faces_of_vertices_that_are_not_there_and_chains_of_nodes_are_refused(
-    folder: Path,
-) -> None:
+def test_faces_of_vertices_that_are_not_there_and_chains_of_nodes_are_refused(folder: Path) -> None:
     box = trimesh.Trimesh(np.eye(3), [[0, 1, 2]], process=False)
     raw = trimesh.Scene([box]).export(file_type="glb")
     index = np.array([0, 1, 2], "<u4").tobytes()

@@ -83,10 +83,7 @@ def test_a_ball_put_into_a_cup_lies_on_its_floor() -> None:
     scene = build(
         {
             "cup_1": (cup((0.1, 0.1, 0.09)), put("cup_1", (0.1, 0.1), (0.1, 0.1, 0.09))),
-            "ball_1": (
-                ball(),
-                put("ball_1", (0.11, 0.1), (0.04,) * 3, on="cup_1", inside=True),
-            ),
+            "ball_1": (ball(), put("ball_1", (0.11, 0.1), (0.04,) * 3, on="cup_1", inside=True)),
         }
     )
     assert scene.report is not None

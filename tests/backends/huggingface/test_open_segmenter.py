@@ -122,9 +122,7 @@ def test_anything_is_called_as_the_catalogue_s_categories_where_it_looks_like_on
 
 
 @pytest.mark.parametrize("detector", DETECTORS)
-def test_the_table_by_another_word_is_no_thing_on_it_and_takes_no_table_away(
-    detector: str,
-) -> None:
+def test_the_table_by_another_word_is_no_thing_on_it_and_takes_no_table_away(detector: str) -> None:
     shape = (120, 160)
     table, mug = block(shape, 5, 5, 155, 115), block(shape, 60, 50, 90, 80)
     truth = [("desk", table), (TABLE, block(shape, 5, 5, 152, 115)), ("mug", mug)]

@@ -44,16 +44,11 @@ class PlayedTripoSR(Network):
 def in_process(environment: pytest.MonkeyPatch, folder: Path) -> dict[str, Callable[[], Modeler]]:
     """Play the packages that make meshes in this process; return what asks them."""
     fake_trellis(
-        environment,
-        lambda app_rep, mesh, simplify, texture_size, verbose: striped_box(SIZE),
+        environment, lambda app_rep, mesh, simplify, texture_size, verbose: striped_box(SIZE)
     )
     install(environment, "tsr.system", TSR=PlayedTripoSR)
     played = checkout(folder, "[1, 0, 0, 0]")
-    return {
-        "trellis": Trellis,
-        "triposr": lambda: TripoSR(device="cpu"),
-        "sam3d": lambda: played,
-    }
+    return {"trellis": Trellis, "triposr": lambda: TripoSR(device="cpu"), "sam3d": lambda: played}
 
 
 @pytest.fixture(params=selected.names("modeler"), scope="module")

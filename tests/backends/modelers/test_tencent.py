@@ -424,17 +424,7 @@ def test_looks_at_a_job_are_free_whatever_the_table_says(looks):
             return httpx2.Response(200, headers={KEPT: "k"}, json={"Response": {"JobId": "1"}})
 
     prices = Prices(models={"hunyuan-3d-pro": Price(call=0.4), **looks})
-    service = Service(
-        Client(),
-        (ID, KEY),
-        "https://h",
-        "r",
-        "w",
-        quick(),
-        1.0,
-        1.0,
-        Used(None),
-    )
+    service = Service(Client(), (ID, KEY), "https://h", "r", "w", quick(), 1.0, 1.0, Used(None))
     service.submit({}, "yes")
     service.look("1", "renew")
     assert [question(call, "tencent", prices).most for call in sent] == [0.4, 0.0]
