@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import pytest
+
 from generator import cli
 
 
@@ -11,3 +17,33 @@ def command(*args: str) -> int:
         return cli.run(list(args))
     except SystemExit as stop:  # wrong usage, or --help
         return int(stop.code or 0)
+
+
+class Shown(NamedTuple):
+    """What a command printed."""
+
+    out: str
+    err: str
+
+    @property
+    def facts(self) -> Any:
+        """The JSON that it printed."""
+        return json.loads(self.out)
+
+
+@dataclass(frozen=True)
+class Shell:
+    """Runs commands that end with an exit code, and tells what each of them printed."""
+
+    capsys: pytest.CaptureFixture[str]
+    before: tuple[str, ...] = ()
+    """Words that every command begins with."""
+
+    def of(self, *words: str) -> Shell:
+        """Return a shell whose commands begin with these words."""
+        return Shell(self.capsys, words)
+
+    def __call__(self, *args: str, code: int = 0) -> Shown:
+        self.capsys.readouterr()  # of what came before
+        assert command(*self.before, *args) == code
+        return Shown(*self.capsys.readouterr())

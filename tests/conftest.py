@@ -7,6 +7,7 @@ import signal
 from pathlib import Path
 
 import pytest
+from command import Shell
 
 if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
     import typechecking
@@ -33,3 +34,9 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty store of its own for a test."""
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
     return tmp_path / "store"
+
+
+@pytest.fixture
+def shell(capsys: pytest.CaptureFixture[str]) -> Shell:
+    """Runs commands and tells what they print."""
+    return Shell(capsys)

@@ -19,7 +19,7 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
-from command import command
+from command import Shell, command
 from forging import derive, rewrite
 from toy import toy_object, toy_scene
 
@@ -242,14 +242,13 @@ def flatten(payload: dict[str, Any]) -> None:
     ],
 )
 def test_bodies_that_no_simulator_takes(
-    store: Path, change: Callable[[dict[str, Any]], None], capsys: pytest.CaptureFixture[str]
+    store: Path, change: Callable[[dict[str, Any]], None], shell: Shell
 ) -> None:
     forged = rewrite(bundle.save(sound(), store), change)
     derive(forged)
     with pytest.raises(BundleError, match="MuJoCo cannot build"):
         make_env(forged).reset(seed=0)
-    assert command("verify", str(forged)) == 1
-    assert "MuJoCo cannot build" in capsys.readouterr().out
+    assert "MuJoCo cannot build" in shell("verify", str(forged), code=1).out
 
 
 @pytest.mark.parametrize(
@@ -292,7 +291,7 @@ def full() -> None:
 @pytest.mark.parametrize("after", [0, 1, 3])
 def test_trouble_while_writing_leaves_nothing(
     trouble: Callable[[], None], code: int, after: int, store: Path,
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch, shell: Shell,
 ) -> None:  # fmt: skip
     """Half of a file is on the disk when it happens."""
     written: list[Path] = []
@@ -309,10 +308,9 @@ def test_trouble_while_writing_leaves_nothing(
     monkeypatch.setattr("generator.composition.compose", lambda *args, **kwargs: sound())
     monkeypatch.setattr("generator.method.figures.preview", lambda scene: plain(200, 8, 8))
     monkeypatch.setattr(Path, "write_bytes", write)
-    assert command("compose", TEXT) == code
+    assert len(shell("compose", TEXT, code=code).err.strip().splitlines()) == 1
     assert len(written) == after
     assert left_over(store) == []
-    assert len(capsys.readouterr().err.strip().splitlines()) == 1
 
 
 def test_trouble_at_the_last_rename_leaves_nothing(
@@ -331,7 +329,7 @@ STAGE_FUNCTIONS = ("refer", "extract", "estimate_view", "make_models", "estimate
 
 @pytest.mark.parametrize("at", range(len(STAGES)), ids=STAGES)
 def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
-    at: int, store: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    at: int, store: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
     """The stages before are stubs; the one in question is interrupted."""
     reference = SimpleNamespace(prompt=TEXT, plan=None, image=np.zeros((4, 4, 3), np.uint8))
@@ -360,9 +358,8 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
     monkeypatch.setattr(
         "generator.backends.embedded.reasoner.EmbeddedReasoner.estimate_sizes", lambda *args: {}
     )
-    assert command("generate", TEXT) == 130
+    *progress, last = shell("generate", TEXT, code=130).err.strip().splitlines()
     assert ran == list(STAGE_FUNCTIONS[: at + 1])
-    *progress, last = capsys.readouterr().err.strip().splitlines()
     assert last == "interrupted; nothing was published"
     assert len(progress) == at + 1
     assert left_over(store) == []

@@ -12,7 +12,7 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
-from command import command
+from command import Shell, command
 from forging import derive, put, rewrite
 from toy import toy_object, toy_scene
 
@@ -156,7 +156,7 @@ def test_numbers_too_small_for_mujoco_are_zero() -> None:
 
 @pytest.mark.parametrize("character", ["\x1b", "\x00", "\r", "\x7f", "\x9b", "\u202e", "\u2028"])
 def test_no_text_reaches_a_terminal_that_would_change_it(
-    path: Path, character: str, capsys: pytest.CaptureFixture[str]
+    path: Path, character: str, shell: Shell
 ) -> None:
     text = f"a{character}b"
     places = (("models", None, "label"), ("provenance", "prompt"), ("name",), ("report", text),
@@ -172,8 +172,7 @@ def test_no_text_reaches_a_terminal_that_would_change_it(
                 read(path)
             assert character not in str(caught.value)
     assert command("inspect", str(path)) == 4
-    assert command("verify", str(path)) == 1
-    shown = capsys.readouterr()
+    shown = shell("verify", str(path), code=1)
     assert character not in (shown.out + shown.err).replace("\r\n", "\n")
 
 

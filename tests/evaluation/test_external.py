@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
-from command import command
+from command import Shell, command
 from PIL import Image
 
 from generator.errors import InputError
@@ -173,15 +173,11 @@ def test_a_foreign_scene_is_scored_as_ours(folder: Path) -> None:
     assert "book_3" in soundness(scene).floating
 
 
-def test_the_command_takes_a_foreign_folder(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_command_takes_a_foreign_folder(folder: Path, shell: Shell) -> None:
     write(folder, payload(thing("book_1", (0, 0, 0.77))))
     assert command("evaluate", str(folder)) == 0
     write(folder, payload(thing("book_1", (0, 0, 0.9))))
-    capsys.readouterr()
-    assert command("evaluate", str(folder), "--json") == 1
-    (scene,) = json.loads(capsys.readouterr().out)["scenes"]
+    (scene,) = shell("evaluate", str(folder), "--json", code=1).facts["scenes"]
     assert {f["kind"] for f in scene["findings"]} == {"floats", "unstable"}
 
 
