@@ -79,23 +79,19 @@ def test_errors_are_one_line_and_an_exit_code(
 
 
 @pytest.mark.slow
-def test_an_interrupt_leaves_nothing(
-    store: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
+@pytest.mark.parametrize(
+    "words",
+    [("compose", TEXT, "--out", "file/scenes"), ("view", "reading", "--picture", "file/view.png")],
+    ids=["folder", "picture"],
+)
+def test_what_cannot_be_written_is_a_storage_error(
+    words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
-    def interrupt(*args, **kwargs):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("generator.bundle.folder.encode_png", interrupt)
-    assert "nothing was published" in shell("compose", TEXT, code=130).err
-    assert not store.exists() or list(store.iterdir()) == []
-
-
-@pytest.mark.slow
-def test_an_unwritable_folder_is_a_storage_error(tmp_path: Path, shell: Shell) -> None:
-    blocked = tmp_path / "file"
-    blocked.write_text("")
-    told = shell("compose", TEXT, "--out", str(blocked / "scenes"), code=5).err
-    assert "cannot be written" in told
+    monkeypatch.chdir(tmp_path)
+    Path("file").write_text("")
+    if words[0] == "view":
+        shell("compose", TEXT, "--name", "reading")
+    assert "cannot be written" in shell(*words, code=5).err
 
 
 def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -164,15 +160,6 @@ def test_a_name_that_is_no_folders_is_refused_before_any_work(
     monkeypatch.setattr("generator.composition.compose", work)
     monkeypatch.setattr("generator.pipeline.generate", work)
     assert command(name, TEXT, "--name", "../reading") == 6
-
-
-@pytest.mark.slow
-def test_a_picture_that_cannot_be_written_is_a_storage_error(tmp_path: Path, shell: Shell) -> None:
-    blocked = tmp_path / "file"
-    blocked.write_text("")
-    assert command("compose", TEXT, "--name", "reading") == 0
-    told = shell("view", "reading", "--picture", str(blocked / "view.png"), code=5).err
-    assert "cannot be written" in told
 
 
 @pytest.mark.slow
