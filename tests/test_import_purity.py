@@ -31,7 +31,12 @@ def loaded_by(statement: str) -> list[str]:
     return done.stdout.split()
 
 
-@pytest.mark.parametrize("package", ["generator", "tabletopgen_env", "assets_cache"])
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "package",
+    ["generator", "tabletopgen_env", "assets_cache", "generator.composition",
+     "generator.evaluation.report"],
+)  # fmt: skip
 def test_import_is_light(package: str) -> None:
     assert "torch" not in loaded_by(f"import {package}")
 
@@ -48,21 +53,8 @@ def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:
 
 
 def test_registration_needs_no_simulator() -> None:
-    loaded = loaded_by(
-        "import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')"
-    )
-    assert "torch" not in loaded
-    assert "mujoco" not in loaded
-
-
-@pytest.mark.slow
-def test_composing_needs_no_torch() -> None:
-    assert "torch" not in loaded_by("import generator.composition")
-
-
-@pytest.mark.slow
-def test_evaluating_geometry_needs_no_torch() -> None:
-    assert "torch" not in loaded_by("import generator.evaluation.report")
+    registered = "import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')"
+    assert not {"torch", "mujoco"} & set(loaded_by(registered))
 
 
 @pytest.mark.slow

@@ -173,17 +173,7 @@ def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
         models[instance.name] = align_canonically(raw, instance, sizes[instance.name], reasoner)
     rotations = {name: Rotation(name, 0.4, 0.0) for name in names}
     nobody: object = None
-    return align(
-        reference,
-        instances,
-        models,
-        sizes,
-        rotations,
-        view,
-        imager,
-        nobody,
-        reasoner,  # type: ignore[arg-type]
-    )
+    return align(reference, instances, models, sizes, rotations, view, imager, nobody, reasoner)
 
 
 @pytest.mark.slow

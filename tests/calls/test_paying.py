@@ -11,6 +11,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from command import Shell, Shown
 from paid_server import KEY, Says, Served, ask, remote_backend, serving
 from toy import toy_scene
 

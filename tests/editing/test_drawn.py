@@ -15,7 +15,6 @@ from toy import cube_mesh, toy_object, toy_scene
 from generator import bundle, editing
 from generator.backends import Backends
 from generator.bundle import Segments
-from generator.editing import edited
 from generator.geometry import mask_box
 from generator.physics.gate import judge
 from generator.scene import (
@@ -29,6 +28,7 @@ from generator.scene import (
     View,
 )
 
+pytestmark = pytest.mark.usefixtures("small")
 PICTURE = np.full((60, 80, 3), 255, np.uint8)
 VIEW = View(0.0, 0.9, 0.6)
 
@@ -88,12 +88,6 @@ class Painter:
         raise AssertionError
 
     top_view = stacking_order
-
-
-@pytest.fixture(autouse=True)
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Previews of a few pixels."""
-    monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))
 
 
 @pytest.fixture

@@ -29,7 +29,7 @@ def lift(**settings) -> TabletopEnv:
     return make_env(toy_scene(), **{"task": "Lift", "grasp_hint": True, **settings})
 
 
-def begun(options: dict = CUBE, **settings) -> tuple[TabletopEnv, np.ndarray, TaskExpert]:
+def started(options: dict = CUBE, **settings) -> tuple[TabletopEnv, np.ndarray, TaskExpert]:
     """Return an environment, what it shows first, and the expert that begins there."""
     env = lift(**settings)
     seen = env.reset(seed=0, options=options)[0]
@@ -57,7 +57,7 @@ def test_the_state_ends_with_the_planned_grasp() -> None:
 
 
 def test_the_hint_leads_to_the_grasp() -> None:
-    env, seen, expert = begun()
+    env, seen, expert = started()
     while expert.phase != "close":
         seen = env.step(expert.act())[0]
     assert np.linalg.norm(seen[279:282]) < 0.01 and abs(seen[282]) < 0.06
@@ -171,7 +171,7 @@ def test_every_mode_has_room_for_it(mode) -> None:
 
 def placing(**settings) -> tuple[TabletopEnv, TaskExpert]:
     """Return an environment of PickPlace, and its expert, that is about to carry."""
-    env, _, expert = begun({**CUBE, "goal": (0.2, -0.15)}, task="PickPlace", **settings)
+    env, _, expert = started({**CUBE, "goal": (0.2, -0.15)}, task="PickPlace", **settings)
     for _ in range(100):
         env.step(expert.act())
         assert env.hint is not None
@@ -181,7 +181,7 @@ def placing(**settings) -> tuple[TabletopEnv, TaskExpert]:
 
 
 def test_what_is_held_is_to_be_raised_before_it_goes_anywhere() -> None:
-    env, seen, expert = begun()
+    env, seen, expert = started()
     kinds, ways = [seen[286]], [seen[279:282]]
     for _ in range(60):
         seen, _, _, _, info = env.step(expert.act())
@@ -271,7 +271,7 @@ def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
     """Neither the grasps nor the places of the expert's planners are behind it."""
     for planner in ("choosing.plan_grasps", "placing._held_underside"):
         monkeypatch.setattr(f"tabletopgen_env.expert.planning.{planner}", lambda *_: 1 / 0)
-    env, seen, expert = begun({**CUBE, "goal": "spot"}, task="PickPlace", grasp_hint="detected")
+    env, seen, expert = started({**CUBE, "goal": "spot"}, task="PickPlace", grasp_hint="detected")
     hint = env.hint
     assert hint is not None
     while hint.drop is None and env.world.data.time < 4.0:
@@ -334,7 +334,7 @@ def test_a_detected_hint_needs_no_torch() -> None:
 
 def test_the_experts_advice_follows_the_hint_at_once() -> None:
     """No standing still where the hint already shows the way up, or to the place."""
-    env, seen, expert = begun({**CUBE, "goal": "spot"}, task="PickPlace")
+    env, seen, expert = started({**CUBE, "goal": "spot"}, task="PickPlace")
     moved = {}
     while expert.phase != "release":
         before = expert.phase

@@ -8,12 +8,12 @@ from typing import Any, cast
 import numpy as np
 import pytest
 from toy import toy_object, toy_scene
+from worlds import begun
 
 from generator.scene import Object
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.planning.strokes import plan_stroke
 from tabletopgen_env.expert.push import Pusher
-from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.goals.goal import Pushed
 from tabletopgen_env.world.world import World
 
@@ -61,9 +61,7 @@ def test_a_wall_beside_the_way_stops_the_palm_unless_room_is_tight() -> None:
 def test_it_begins_with_little_room_where_there_is_no_more() -> None:
     walls = [toy_object(f"wall_{k}", (0.3, 0.02, 0.2), (0.0, k * 0.09)) for k in (-1, 1)]
     env = make_env(toy_scene((BOOK, *walls)), task="Push")
-    env.reset(seed=0, options={"target": "book", "goal": (0.12, 0.0)})
-    expert = TaskExpert(env)
-    expert.reset()
+    expert = begun(env, 0, target="book", goal=(0.12, 0.0))
     assert any(env.step(expert.act())[4]["success"] for _ in range(120)), expert.phase
 
 
@@ -83,9 +81,7 @@ def test_the_fingers_meet_the_wall_of_a_hollow_thing_under_what_stands_out() -> 
 def test_it_pushes_a_long_thing_across_the_table() -> None:
     bar = toy_object("bar", (0.2, 0.03, 0.03), (0.0, 0.0), mass=0.3)
     env = make_env(toy_scene((bar,)), task="Push")
-    env.reset(seed=0, options={"target": "bar", "goal": (0.03, 0.13)})
-    expert = TaskExpert(env)
-    expert.reset()
+    expert = begun(env, 0, target="bar", goal=(0.03, 0.13))
     assert any(env.step(expert.act())[4]["success"] for _ in range(120)), expert.phase
 
 
@@ -125,9 +121,7 @@ def test_a_cube_pushed_at_its_edge_stays_before_the_hand(
 ) -> None:
     cube = toy_object("cube", (0.04, 0.04, 0.04), (0.0, 0.0), yaw=yaw, mass=0.1)
     env = make_env(toy_scene((cube,)), task="Push")
-    env.reset(seed=0, options={"target": "cube", "goal": goal})
-    expert = TaskExpert(env)
-    expert.reset()
+    expert = begun(env, 0, target="cube", goal=goal)
     assert any(env.step(expert.act())[4]["success"] for _ in range(70)), expert.phase
     assert expert.attempts == 1
 
@@ -135,9 +129,7 @@ def test_a_cube_pushed_at_its_edge_stays_before_the_hand(
 def test_it_gives_up_a_stroke_whose_start_is_taken() -> None:
     env = make_env(toy_scene((BOOK, toy_object("box", (0.08, 0.08, 0.08), (0.3, 0.2), mass=1.0))),
                    task="Push")  # fmt: skip
-    env.reset(seed=0, options={"target": "book", "goal": (0.15, 0.0)})
-    expert = TaskExpert(env)
-    expert.reset()
+    expert = begun(env, 0, target="book", goal=(0.15, 0.0))
     env.world.teleport("box", np.array([-0.105, 0.0, TOP + 0.04]))
     phases: list[str] = []
     for _ in range(75):

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from calls.paid_server import Says, Served, ask, remote_backend, serving
+from command import Shell
 from toy import toy_object, toy_scene
 from toy_maker import ToyMaker, made
 

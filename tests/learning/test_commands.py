@@ -13,10 +13,10 @@ import gymnasium as gym
 import numpy as np
 import pytest
 import torch
+from command import command
 from PIL import Image
 from stable_baselines3 import SAC
 
-from generator.cli import run
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.evaluating import evaluate, play, seeds
 from tabletopgen_env.learning.making import single_env, source_of
@@ -33,13 +33,6 @@ steps = 32
 network = {layers = [8]}
 options = {n_steps = 16, batch_size = 16, n_epochs = 1}
 """
-
-
-def command(*args: str) -> int:
-    try:
-        return run(list(args))
-    except SystemExit as stop:  # wrong usage
-        return int(stop.code or 0)
 
 
 @pytest.fixture(scope="session")

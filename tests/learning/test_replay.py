@@ -56,14 +56,8 @@ class Slipping(gym.Wrapper):
     def step(self, action):
         self.steps += 1
         seen, reward, ended, cut, info = super().step(action)
-        return (
-            seen,
-            reward,
-            ended,
-            cut,
-            info
-            | {"success": HOLD < self.steps < LIMIT if self.episodes == 1 else info["success"]},
-        )
+        holds = HOLD < self.steps < LIMIT if self.episodes == 1 else info["success"]
+        return seen, reward, ended, cut, info | {"success": holds}
 
 
 def test_only_what_ends_in_success_is_kept(small) -> None:

@@ -249,18 +249,14 @@ def test_the_environment_chooses_the_detector(monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.parametrize(
-    "setting",
-    [{"threshold": 0.0}, {"tiles": 0}, {"tiles": 2.5}, {"overlap": 0.9}, {"side": 1}, {"words": 0}],
-)
-def test_settings_out_of_range_are_refused(setting: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=f"Segmenter needs {next(iter(setting))}"):
-        HuggingFaceSegmenter(**setting)
-
-
-@pytest.mark.parametrize("setting", [{"side": 13}, {"batch": 0}])
-def test_encoder_settings_out_of_range_are_refused(setting: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=f"Encoder needs {next(iter(setting))}"):
-        HuggingFaceEncoder(**setting)
+    ("kind", "setting"),
+    [(HuggingFaceSegmenter, s) for s in ({"threshold": 0.0}, {"tiles": 0}, {"tiles": 2.5},
+                                         {"overlap": 0.9}, {"side": 1}, {"words": 0})]
+    + [(HuggingFaceEncoder, s) for s in ({"side": 13}, {"batch": 0})],
+)  # fmt: skip
+def test_settings_out_of_range_are_refused(kind: type, setting: dict[str, Any]) -> None:
+    with pytest.raises(InputError, match=f"^{kind.__name__} needs {next(iter(setting))}"):
+        kind(**setting)
 
 
 def test_threads_that_ask_at_once_share_what_one_of_them_made() -> None:
