@@ -12,7 +12,6 @@ from generator import cli
 
 
 def command(*args: str) -> int:
-    """Run a command; return its exit code."""
     try:
         return cli.run(list(args))
     except SystemExit as stop:  # wrong usage, or --help
@@ -20,14 +19,11 @@ def command(*args: str) -> int:
 
 
 class Shown(NamedTuple):
-    """What a command printed."""
-
     out: str
     err: str
 
     @property
     def facts(self) -> Any:
-        """The JSON that it printed."""
         return json.loads(self.out)
 
 
@@ -40,7 +36,6 @@ class Shell:
     """Words that every command begins with."""
 
     def of(self, *words: str) -> Shell:
-        """Return a shell whose commands begin with these words."""
         return Shell(self.capsys, words)
 
     def __call__(self, *args: str, code: int = 0) -> Shown:

@@ -26,7 +26,6 @@ def mass_of(model: Model) -> float:
 
 
 def fingerprint(model: Model) -> tuple[bytes, ...]:
-    """All bytes that make up a model."""
     parts = b"".join(p.vertices.tobytes() for p in model.parts)
     mesh = model.mesh
     arrays = (mesh.vertices, mesh.faces, mesh.uv, mesh.texture, model.size)

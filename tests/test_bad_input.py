@@ -8,7 +8,6 @@ import select
 import signal
 import subprocess
 import sys
-import textwrap
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -412,48 +411,40 @@ def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
     assert left_over(store) == []
 
 
+LOST = """
+import signal, sys, time
+from generator import cli
+
+class Falling:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+
+def run(arguments):
+    try:
+        Falling()  # Python prints this interrupt as ignored, and goes on
+        time.sleep(60)
+    except KeyboardInterrupt:
+        return 130
+    return 0
+
+cli.run = run
+cli.main()
+"""
+TWICE = """
+import atexit, signal
+from generator import cli
+
+atexit.register(signal.raise_signal, signal.SIGINT)
+cli.run = lambda arguments: 130
+cli.main()
+"""
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
-def test_an_interrupt_that_python_would_lose_is_heeded() -> None:
-    lost = """
-        import signal, sys, time
-        from generator import cli
-
-        class Falling:
-            def __del__(self):
-                signal.raise_signal(signal.SIGINT)
-
-        def run(arguments):
-            try:
-                Falling()  # Python prints this interrupt as ignored, and goes on
-                time.sleep(60)
-            except KeyboardInterrupt:
-                return 130
-            return 0
-
-        cli.run = run
-        cli.main()
-        """
-    ended = subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(lost)], capture_output=True, timeout=50
-    )
-    assert (ended.returncode, ended.stderr) == (130, b"")
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
-def test_a_second_interrupt_does_not_disturb_the_end() -> None:
-    twice = """
-        import atexit, signal
-        from generator import cli
-
-        atexit.register(signal.raise_signal, signal.SIGINT)
-        cli.run = lambda arguments: 130
-        cli.main()
-        """
-    ended = subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(twice)], capture_output=True, timeout=50
-    )
+@pytest.mark.parametrize("code", [LOST, TWICE], ids=["that Python would lose", "a second one"])
+def test_an_interrupt_is_heeded_and_does_not_disturb_the_end(code: str) -> None:
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=50)
     assert (ended.returncode, ended.stderr) == (130, b"")
 
 

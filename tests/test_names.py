@@ -72,7 +72,6 @@ def functions(tree: ast.AST) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]
 
 
 def bare_participles(source: str) -> list[str]:
-    """Return the names of functions that are one participle."""
     names = [node.name for node in functions(ast.parse(source))]
     return [n for n in names if is_participle(n.strip("_")) and n.strip("_") not in GIVEN]
 

@@ -38,7 +38,6 @@ def wait(env: TabletopEnv, steps: int = 20) -> tuple[float, dict[str, Any]]:
 
 
 def begun(env: TabletopEnv, seed: int = 0, **options: Any) -> TaskExpert:
-    """Begin an episode; return its expert."""
     env.reset(seed=seed, options=options)
     expert = TaskExpert(env)
     expert.reset()

@@ -80,8 +80,6 @@ class Script:
 
 
 class Fault(Exception):
-    """An answer of another status than 200."""
-
     def __init__(self, status: int, message: str, code: str | None = None) -> None:
         self.status = status
         self.body = {"error": {"message": message, "type": "invalid_request_error", "code": code}}
@@ -250,7 +248,6 @@ class Handler(BaseHTTPRequestHandler):
 
 
 def check_strict(schema: Any) -> None:
-    """Refuse a schema that strict servers refuse."""
     if isinstance(schema, list):
         for part in schema:
             check_strict(part)

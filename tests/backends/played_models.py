@@ -50,7 +50,6 @@ class Player:
         self.looked: list[Tile] = []
 
     def tile(self, pixels: torch.Tensor) -> Tile:
-        """Return the tile whose pixels these are."""
         wide, high = pixels.shape[-1], pixels.shape[-2]
         for tile in self.tiles:
             if torch.equal(to_batch(tile.cut(self.image), wide, high, self.norm), pixels):

@@ -53,8 +53,6 @@ class Says:
 
 @dataclass(frozen=True)
 class Asked:
-    """What the server was sent."""
-
     method: str
     path: str
     headers: dict[str, str]

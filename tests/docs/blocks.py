@@ -65,7 +65,6 @@ def read(page: Path) -> Iterator[Block]:
 
 
 def blocks() -> list[Block]:
-    """Return the blocks of all pages."""
     return [block for page in pages() for block in read(page)]
 
 

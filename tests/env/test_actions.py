@@ -47,12 +47,10 @@ def act(env: TabletopEnv, action, times: int) -> None:
 
 
 def tool(env: TabletopEnv) -> np.ndarray:
-    """Tool centre point in the base frame."""
     return env.world.to_base(env.world.data.site_xpos[env.world.tcp])
 
 
 def hand(env: TabletopEnv) -> np.ndarray:
-    """Rotation of the hand in the base frame."""
     return env.world.base_rotation.T @ env.world.data.site_xmat[env.world.tcp].reshape(3, 3)
 
 

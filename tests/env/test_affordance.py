@@ -31,7 +31,6 @@ def unfit(obj) -> str | None:
 
 
 def lying(obj):
-    """The object turned on its side."""
     side = np.array([np.sqrt(0.5), np.sqrt(0.5), 0.0, 0.0])
     return replace(obj, pose=Pose(obj.pose.position, side))
 

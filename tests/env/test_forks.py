@@ -43,7 +43,6 @@ def gl(drawn: gym.Env) -> bool:
 
 
 def in_fork(work: Callable[[], Any]) -> Any:
-    """Return what ``work`` returns in a forked process."""
     context = multiprocessing.get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
     process = context.Process(target=lambda: sender.send(work()), daemon=True)

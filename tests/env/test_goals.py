@@ -27,7 +27,6 @@ def start(task: str, scene=None, seed: int = 0, **options) -> TabletopEnv:
 
 
 def put(env: TabletopEnv, name: str, x: float, y: float, on: float = TOP) -> None:
-    """Put an object at rest on a height."""
     rest = env.world.position(name)[2] - env.world.lowest(name)
     env.world.teleport(name, np.array([x, y, on + rest + 2e-4]))
 

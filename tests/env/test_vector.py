@@ -38,7 +38,6 @@ def same(a: Any, b: Any) -> bool:
 
 
 def rollout(envs: Any, steps: int = 11, seed: int = 5, masked: bool = False) -> list:
-    """Everything a few steps over several episodes give."""
     rng = np.random.default_rng(0)
     seen: list[Any] = [envs.reset(seed=seed)]
     for _ in range(steps):

@@ -57,7 +57,6 @@ def thing(name: str, position, **more: Any) -> dict[str, Any]:
 
 
 def loaded(folder: Path, *objects: dict[str, Any], **changes: Any) -> Scene:
-    """Load a scene whose meshes are not decomposed."""
     return load_external(write(folder, payload(*objects) | changes), decompose=False)
 
 

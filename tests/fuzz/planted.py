@@ -55,7 +55,6 @@ def gulps(rng: random.Random, folder: Path) -> Run:
 
 
 def dies(rng: random.Random, folder: Path) -> Run:
-    """End the process."""
     return lambda: os._exit(7)
 
 

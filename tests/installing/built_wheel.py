@@ -78,7 +78,6 @@ def left_out(wheel: Path) -> set[str]:
 
 
 def install(wheel: Path, folder: Path) -> None:
-    """Install the wheel alone into a folder."""
     _run("-m", "pip", "install", "--no-deps", "--no-index", "--target", folder, wheel)
 
 

@@ -37,7 +37,6 @@ options = {n_steps = 16, batch_size = 16, n_epochs = 1}
 
 @pytest.fixture(scope="session")
 def trained(tmp_path_factory: pytest.TempPathFactory, table: str, other: str) -> Path:
-    """A run's folder, made by the command."""
     folder = tmp_path_factory.mktemp("runs")
     (folder / "tiny.toml").write_text(RECIPE)
     code = command(

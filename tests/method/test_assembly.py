@@ -33,7 +33,6 @@ def build(*things: tuple[Model, Placement], **options) -> Scene:
 
 
 def passing(*things: tuple[Model, Placement], **options) -> Scene:
-    """Build a scene that passes the gate."""
     scene = build(*things, **options)
     assert scene.report is not None
     assert scene.report.passed, scene.report.failures

@@ -85,7 +85,6 @@ class Picture:
 
 @cache
 def drawn() -> Picture:
-    """Return the picture that a text asks for."""
     points = BARE.shape.vertices + np.array([0, 0, _TOP[2] / 2])
     return _taken(framing_camera(points, VIEW, *_WIDE))
 

@@ -52,7 +52,6 @@ def mix(session: Session) -> Backends:
 
 
 def scene(session: Session) -> Generation:
-    """Return the scene of the laid table."""
     return generate(laid_table.TEXT, mix(session), CONFIG, seed=5)
 
 

@@ -26,7 +26,6 @@ class Hub:
     asked: list[str] = field(default_factory=list)
 
     def handler(self) -> type[BaseHTTPRequestHandler]:
-        """Return the class that answers."""
         hub = self
 
         class Handler(BaseHTTPRequestHandler):
@@ -90,7 +89,6 @@ class Hub:
         return Handler
 
     def tree(self) -> list[dict[str, object]]:
-        """Return the repository's files as the tree call lists them."""
         return [
             {"type": "file", "oid": _digest(content), "size": len(content), "path": path}
             for path, content in self.files.items()

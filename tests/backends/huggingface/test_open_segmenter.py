@@ -139,19 +139,18 @@ def test_what_stands_beside_the_table_is_left_out(right: int, kept: bool) -> Non
     assert [d.label for d in found] == [TABLE, *(["lamp"] if kept else [])]
 
 
-def test_a_picture_without_a_table_is_told() -> None:
-    truth = [("mug", block((120, 160), 60, 50, 90, 80))]
-    with pytest.raises(SceneError, match="No table found"):
-        asked(noise(), truth, "mug", side=96)
-
-
-def test_things_that_hide_the_whole_table_are_told() -> None:
-    shape = (120, 160)
-    table = block(shape, 20, 20, 140, 100)
-    truth = [(TABLE, table), ("left", block(shape, 20, 20, 80, 100)),
-             ("right", block(shape, 80, 20, 140, 100))]  # fmt: skip
-    with pytest.raises(SceneError, match="hide the whole table"):
-        asked(noise(), truth, "left", "right", detector="sam3")
+@pytest.mark.parametrize(
+    ("truth", "settings", "told"),
+    [
+        ({"mug": (60, 50, 90, 80)}, {"side": 96}, "No table found"),
+        ({TABLE: (20, 20, 140, 100), "left": (20, 20, 80, 100), "right": (80, 20, 140, 100)},
+         {"detector": "sam3"}, "hide the whole table"),
+    ],
+)  # fmt: skip
+def test_a_picture_without_a_table_or_with_one_wholly_hidden_is_told(truth, settings, told) -> None:
+    seen = [(label, block((120, 160), *box)) for label, box in truth.items()]
+    with pytest.raises(SceneError, match=told):
+        asked(noise(), seen, *(label for label in truth if label != TABLE), **settings)
 
 
 @pytest.mark.parametrize("detector", DETECTORS)

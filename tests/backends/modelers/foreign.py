@@ -45,7 +45,6 @@ def plain(mesh: trimesh.Trimesh, color: tuple[int, int, int, int]) -> trimesh.Tr
 
 
 def edited(raw: bytes, change: Callable[[dict], None]) -> bytes:
-    """Return a GLB with its JSON header changed."""
     size = struct.unpack("<I", raw[12:16])[0]
     header = json.loads(raw[20 : 20 + size])
     change(header)

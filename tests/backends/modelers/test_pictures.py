@@ -37,7 +37,6 @@ def row(count: int, shared: bool) -> list[trimesh.Trimesh]:
 
 @pytest.fixture
 def decoded(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
-    """The sizes of the pictures that are decoded."""
     sizes = []
     small = pictures._small
     monkeypatch.setattr(

@@ -23,7 +23,6 @@ from tabletopgen_env.world.worlds import WorldCache
 
 @pytest.fixture
 def store(tmp_path, monkeypatch):
-    """A store of three bundles."""
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path))
     for k in range(3):
         scene = toy_scene(toy_objects()[: 4 + k], name=f"desk_{k}")

@@ -80,7 +80,6 @@ def listing(folder: Path, skipped: str = "") -> dict[str, str]:
 
 
 def remove(path: Path) -> None:
-    """Remove a file, a link or a tree."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:

@@ -96,10 +96,7 @@ def _scene() -> Scene:
 
 @dataclass(frozen=True)
 class StubMaker:
-    """Makes the same small scene of any text."""
-
     def identity(self) -> dict[str, Any]:
-        """Return what it is."""
         return {"route": "stub"}
 
     def __call__(self, job: batch.Job, folder: Path) -> Path:
@@ -118,7 +115,6 @@ class Inline:
         """Take any width."""
 
     def submit(self, function: Callable[..., Any], *args: Any) -> Future[Any]:
-        """Do a task."""
         done: Future[Any] = Future()
         done.set_result(function(*args))
         return done
