@@ -61,8 +61,6 @@ def sound(name: str = "toy") -> Scene:
 
 
 # ---------------------------------------------------------------------------------------- pictures
-
-
 def gradient() -> np.ndarray:
     y, x = np.mgrid[0:240, 0:360]
     return np.dstack([x * 255 // 360, y * 255 // 240, (x + y) * 255 // 600]).astype(np.uint8)
@@ -150,7 +148,6 @@ def test_no_other_program_is_started_to_read_a_picture() -> None:
 
 
 # ------------------------------------------------------------------------------------------- plans
-
 MUG = PlannedObject("mug_1", "mug", "mug")
 IMPOSSIBLE: dict[str, Callable[[], Any]] = {
     "twice the same": lambda: ScenePlan("p", PlannedTable(), (MUG, MUG)),
@@ -198,7 +195,6 @@ def test_unusable_texts_are_refused_on_both_routes(make: Callable[..., Any], tex
 
 
 # ----------------------------------------------------------------------------------------- bundles
-
 ENTRY = {"bytes": 3, "sha256": "0" * 64}
 
 
@@ -276,8 +272,6 @@ def test_a_flat_part_becomes_solid_however_it_lies() -> None:
 
 
 # ------------------------------------------------------------------------------ disk and interrupt
-
-
 def stop() -> None:
     raise KeyboardInterrupt
 
@@ -449,8 +443,6 @@ def test_an_interrupt_is_heeded_and_does_not_disturb_the_end(code: str) -> None:
 
 
 # ------------------------------------------------------------------------------------- environment
-
-
 @pytest.mark.parametrize("action", [np.zeros(4), np.full(5, np.nan), "up", None])
 def test_bad_actions_are_refused_and_the_episode_goes_on(action: Any) -> None:
     env = make_env(sound())

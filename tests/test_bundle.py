@@ -62,8 +62,6 @@ def tree(folder: Path) -> dict[str, bytes]:
 
 
 # ------------------------------------------------------------------------------------ round trips
-
-
 @pytest.mark.slow
 def test_a_scene_comes_back(scene: Scene, path: Path) -> None:
     again = bundle.load(path)
@@ -174,8 +172,6 @@ def test_no_path_or_clock_time_is_kept(path: Path, tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------ publication
-
-
 def test_a_scene_that_failed_is_not_published(scene: Scene, tmp_path: Path) -> None:
     failed = scene.replace(report=Report(0.1, 0, 0, failures=("cube_1 overlaps can_1 by 100 mm",)))
     with pytest.raises(SceneError, match="cube_1 overlaps can_1"):
@@ -235,8 +231,6 @@ def test_an_unwritable_folder_is_a_storage_error(scene: Scene, tmp_path: Path) -
 
 
 # ---------------------------------------------------------------------------------------- bad input
-
-
 def test_no_bundle(tmp_path: Path) -> None:
     refused(tmp_path / "nowhere", "There is no bundle")
     refused(tmp_path, r"scene\.json is missing")

@@ -32,8 +32,6 @@ SEED = "A seed has to be a whole number from 0 to "
 
 
 # -------------------------------------------------------------------------------------------- seeds
-
-
 @pytest.mark.parametrize("seed", [-1, 1.5, True, "1", None, 2**63, 10**400, float("nan")], ids=str)
 def test_a_seed_is_a_whole_number_from_0(seed: object) -> None:
     with pytest.raises(InputError, match=SEED):
@@ -88,8 +86,6 @@ def test_a_negative_seed_begins_no_episode() -> None:
 
 
 # ------------------------------------------------------------------------------------------- places
-
-
 def test_a_folder_is_checked_before_the_work(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
     check_folder(tmp_path / "new" / "folder")
@@ -149,8 +145,6 @@ def test_pictures_and_depth_maps_are_regular_files(tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------------- values
-
-
 @pytest.mark.parametrize(
     "values", [("400", 400, 1, 1), (400, 400, None, 1), (True, 400, 1, 1), (10**400, 400, 1, 1),
                (400, [400], 1, 1), (float("nan"), 400, 1, 1), (1e300, 400, 1, 1), (400, -4, 1, 1)],

@@ -180,8 +180,6 @@ def test_the_protocols_are_there(
 
 
 # --------------------------------------------------------------------------------------- reasoner
-
-
 def test_plan_scene(reasoner: Any) -> None:
     plan = reasoner.plan_scene("a desk with a mug", 0)
     assert plan.prompt == "a desk with a mug"
@@ -251,8 +249,6 @@ def test_guesses(reasoner: Any, desk: Desk, instances: Any, sizes: Any, view: An
 
 
 # ----------------------------------------------------------------------------------------- imager
-
-
 @pytest.mark.slow
 def test_draw(reasoner: Any, imager: Any) -> None:
     drawn = imager.draw(reasoner.plan_scene("a desk with a mug", 0), 0)
@@ -288,8 +284,6 @@ def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
 
 
 # -------------------------------------------------------------------------------------- segmenter
-
-
 @pytest.fixture(
     scope="module", params=[(name, d) for name, detectors in SEGMENTERS.items() for d in detectors]
 )
@@ -361,8 +355,6 @@ def test_segments_become_instances(segmenter: Any, desk: Desk) -> None:
 
 
 # ---------------------------------------------------------------------------------------- encoder
-
-
 @pytest.fixture(params=ENCODERS)
 def encoder(request: pytest.FixtureRequest, tiny_models: Path) -> Any:
     kind = selected.kind(request.param, "encoder")

@@ -112,8 +112,6 @@ def test_without_a_level_plane_there_is_no_table():
 
 
 # ------------------------------------------------------------------------- through the backend
-
-
 @pytest.mark.slow
 def test_the_reasoner_measures_what_it_does_not_know():
     shot = shoot()

@@ -158,8 +158,6 @@ def test_no_floor_in_sight_leaves_the_height_open(shot, plane):
 
 
 # --------------------------------------------------------------------------- into the scene
-
-
 def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
     """Run sizes, models and places on true masks; the modeler's sizes are off by ``wrong``."""
     reference, instances = scene_of(shot, names)

@@ -120,8 +120,6 @@ def test_what_things_add_to_the_outline_says_nothing_of_its_shape():
 
 
 # ------------------------------------------------------------------------------ the whole table
-
-
 def drawn(model: Model, view: View = VIEW) -> Rendered:
     camera = Camera.looking_at(np.array([0, 0, 0.5]), view, 3.2, WIDTH, HEIGHT)
     middle = np.array([0, 0, model.size[2] / 2])

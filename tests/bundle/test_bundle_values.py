@@ -146,8 +146,6 @@ def test_numbers_too_small_for_mujoco_are_zero() -> None:
 
 
 # ------------------------------------------------------------------------------------------- texts
-
-
 @pytest.mark.parametrize("character", ["\x1b", "\x00", "\r", "\x7f", "\x9b", "\u202e", "\u2028"])
 def test_no_text_reaches_a_terminal_that_would_change_it(
     path: Path, character: str, shell: Shell
@@ -209,8 +207,6 @@ def test_names_of_objects_are_printable() -> None:
 
 
 # --------------------------------------------------------------------------------------- scene.xml
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "change",

@@ -69,8 +69,6 @@ def blocks() -> list[Block]:
 
 
 # ------------------------------------------------------------------------------------- shell
-
-
 def faults(block: Block) -> list[str]:
     """Return what is wrong with a block, without running it."""
     if block.language == "python":

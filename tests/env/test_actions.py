@@ -254,8 +254,6 @@ def test_unknown_modes_name_the_known_ones() -> None:
 
 
 # ------------------------------------------------------------------------------- single modes
-
-
 def test_ee_delta_pos_moves_as_ee_delta_does_without_turning() -> None:
     both = [over_the_table("ee_delta"), over_the_table("ee_delta_pos")]
     for k in range(10):
@@ -345,8 +343,6 @@ def test_joint_target_goes_to_the_joints_at_the_documented_speed() -> None:
 
 
 # ----------------------------------------------------------------------------------- the rate
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("hz", [5, 10, 50, 100])
 @pytest.mark.parametrize("mode", ["ee_delta", "joint_delta", "ee_delta_6d"])

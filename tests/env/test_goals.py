@@ -39,8 +39,6 @@ def is_done(env: TabletopEnv) -> bool:
 
 
 # ------------------------------------------------------------------------------------------ all
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_fresh_episode_is_not_done_and_its_terms_are_shares(name) -> None:
@@ -108,8 +106,6 @@ def test_a_table_without_things_offers_nothing(name) -> None:
 
 
 # ------------------------------------------------------------------------------------- one by one
-
-
 def test_reach_is_done_where_the_tool_is_within_two_centimetres() -> None:
     env = start("Reach")
     tool = env.world.data.site_xpos[env.world.tcp].copy()

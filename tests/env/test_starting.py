@@ -188,8 +188,6 @@ def test_instructions_speak_of_things_as_they_stand_now() -> None:
 
 
 # ------------------------------------------------------------------------------------ repetition
-
-
 def fingerprint(seed: int = 3) -> str:
     """A digest of the observations of some steps from a perturbed start."""
     env = make_env(crowd(9, gap=0.04), randomization="starts")

@@ -197,8 +197,6 @@ def test_lists_and_single_names_are_taken_too() -> None:
 
 
 # ------------------------------------------------------------------------------ point clouds
-
-
 def clouded(renderer: str = "software", **settings) -> TabletopEnv:
     env = make_env(
         toy_scene(), observation="point_cloud", renderer=renderer,

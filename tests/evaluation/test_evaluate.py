@@ -178,8 +178,6 @@ def test_limits_that_make_no_sense_are_refused(wrong: dict[str, float]) -> None:
 
 
 # ------------------------------------------------------------------------------------ the command
-
-
 @pytest.fixture
 def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))

@@ -92,8 +92,6 @@ def test_who_answers_is_decided_where_the_batch_is_made(
 
 
 # ------------------------------------------------------------------------------------- the command
-
-
 class Here:
     """A pool that works in this process, one task after another."""
 

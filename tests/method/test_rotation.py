@@ -44,8 +44,6 @@ def doubled(value):
 
 
 # ------------------------------------------------------------------------------------ equations
-
-
 def test_eq2_by_hand():
     mask = torch.tensor([[1.0, 1.0], [0.0, 0.0]])
     soft = torch.stack([
@@ -136,8 +134,6 @@ def test_a_gpu_that_is_not_there_is_refused(monkeypatch):
 
 
 # --------------------------------------------------------------------------------------- search
-
-
 def test_candidates_keep_their_separation():
     yaws = np.deg2rad(np.arange(0, 360, 5.0))
     losses = np.minimum(np.abs(np.rad2deg(yaws) - 90), np.abs(np.rad2deg(yaws) - 270) + 3)
@@ -398,8 +394,6 @@ def test_a_mug_whose_handle_is_small_is_not_taken_for_round():
 
 
 # ---------------------------------------------------------------------------------- hidden sides
-
-
 def test_which_sides_may_be_cut_off():
     box = np.array([0.0, 0, 80, 40])
     hidden = np.zeros((100, 100), bool)

@@ -43,8 +43,6 @@ def found_of(model: Model, config: dro.RotationConfig = FAST, yaw: float = YAW) 
 
 
 # ------------------------------------------------------------------------------------- the hint
-
-
 @pytest.mark.parametrize("yaw", [0.0, 0.4, -2.9, 3.1])
 def test_the_yaw_of_an_upright_orientation(yaw):
     model = box(PLAIN)
@@ -71,8 +69,6 @@ def test_an_orientation_is_a_rotation(wrong):
 
 
 # ----------------------------------------------------------------------------------- the decision
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
 @pytest.mark.parametrize(

@@ -72,8 +72,6 @@ def bomb() -> bytes:
 
 
 # ------------------------------------------------------------------------------------------- draw
-
-
 def test_openai_s_form_draws(server: Running, make_imager: Make) -> None:
     drawn = make_imager().draw(PLAN, 0)
     np.testing.assert_array_equal(drawn, plain())
@@ -146,8 +144,6 @@ def test_the_form_is_told_by_names(make_imager: Make, model: str, url: str, form
 
 
 # --------------------------------------------------------------------------------- bad pictures
-
-
 @pytest.mark.parametrize(
     ("data", "told"),
     [
@@ -205,8 +201,6 @@ def test_a_kept_answer_that_is_of_no_use_is_asked_for_anew(
 
 
 # ------------------------------------------------------------------------------------- addresses
-
-
 def test_a_picture_is_fetched_without_the_key(server: Running, make_imager: Make) -> None:
     server.script.urls = True
     np.testing.assert_array_equal(make_imager().draw(PLAN, 0), plain())
@@ -262,8 +256,6 @@ def test_a_picture_in_a_data_address_is_taken(make_imager: Make) -> None:
 
 
 # --------------------------------------------------------------------------------------- complete
-
-
 def redrawn(
     shown: np.ndarray, *, clear: bool, scale: float = 1.0, shift: tuple[int, int] = (0, 0)
 ) -> np.ndarray:
@@ -399,8 +391,6 @@ def test_a_thing_that_is_never_drawn_is_an_error(
 
 
 # --------------------------------------------------------------------------------------- top view
-
-
 def test_pictures_have_a_shape_that_the_model_takes() -> None:
     wide, high = np.zeros((50, 400, 3), np.uint8), np.zeros((300, 100, 3), np.uint8)
     assert pad(wide, 0.4, 2.5).shape == (160, 400, 3)

@@ -52,8 +52,6 @@ def plan(*things: dict[str, Any]) -> dict[str, Any]:
 
 
 # ------------------------------------------------------------------------------------------- plan
-
-
 def test_a_plan_has_names_categories_metres_and_relations(
     server: Running, reasoner: CloudReasoner
 ) -> None:
@@ -134,8 +132,6 @@ def test_a_text_of_no_use_is_refused_before_it_costs(
 
 
 # --------------------------------------------------------------------------------------- pictures
-
-
 def test_kinds_are_words_as_often_as_they_are_seen(
     server: Running, reasoner: CloudReasoner
 ) -> None:
@@ -239,7 +235,6 @@ def test_sizes_that_a_text_fixed_are_kept(server: Running, reasoner: CloudReason
 
 
 # ------------------------------------------------------------------------------------ orientation
-
 AXES = {
     sign + name: (1 if sign == "+" else -1) * np.eye(3)[k]
     for k, name in enumerate("xyz")
@@ -308,8 +303,6 @@ def test_six_sides_show_what_they_say() -> None:
 
 
 # --------------------------------------------------------------------------------------- stacking
-
-
 def rest(id: int, support: int, how: str = "on", leans_at: int | None = None) -> dict[str, Any]:
     return {"id": id, "how": how, "support": support, "leans_at": leans_at}
 
@@ -347,8 +340,6 @@ def test_impossible_stacks_are_asked_again(
 
 
 # ----------------------------------------------------------------------------------- marks, poses
-
-
 def test_marks_are_given_for_each_criterion(server: Running, reasoner: CloudReasoner) -> None:
     marks = [{"criterion": c, "why": "so", "mark": m} for c, m in (("PP", 5.5), ("VF", 2))]
     always(server, {"marks": marks})

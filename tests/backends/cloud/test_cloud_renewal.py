@@ -49,8 +49,6 @@ def said(content: str, end: str = "stop", refusal: str | None = None) -> dict:
 
 
 # --------------------------------------------------------------------------------- chat answers
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "bad",
@@ -160,8 +158,6 @@ def test_a_new_question_tries_the_forms_anew(
 
 
 # --------------------------------------------------------------------------------------- drawings
-
-
 def complete(folder: Path, **settings: object) -> str:
     imager = CloudImager(session=keeping(folder, **settings))
     return imager.complete(reference(), detections()["pen_1"], ()).label
@@ -234,7 +230,6 @@ def test_one_address_for_every_drawing_gives_each_its_own(
 
 
 # --------------------------------------------------------------------------------------- top view
-
 VIEWED = json.dumps(
     {
         "from_above": True,

@@ -58,8 +58,6 @@ def offline(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 # ------------------------------------------------------------------------------------- the table
-
-
 def test_every_model_is_pinned_to_a_commit_and_holds_no_pickle() -> None:
     assert {"grounding-dino-base", "sam2", "sam3", "dinov2", "clip"} <= set(pins())
     for model in pins().values():
@@ -86,8 +84,6 @@ def test_an_unknown_model_lists_those_there_are() -> None:
 
 
 # ------------------------------------------------------------------------------------ the folder
-
-
 def test_the_folder_is_given_or_the_environment_s_or_the_user_s(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -143,8 +139,6 @@ def test_a_pickle_is_never_read_in_place_of_safetensors(folder: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------- the models
-
-
 @pytest.mark.slow
 def test_reading_asks_no_network_and_is_silent(
     tiny_models: Path, offline: None, capfd: pytest.CaptureFixture[str]
@@ -221,8 +215,6 @@ def test_a_missing_or_old_transformers_is_told(
 
 
 # -------------------------------------------------------------------------------------- selecting
-
-
 def test_by_name_in_every_mix_and_nothing_is_read_until_asked(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

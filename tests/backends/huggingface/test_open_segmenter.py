@@ -70,8 +70,6 @@ def asked(
 
 
 # ------------------------------------------------------------------------------------ the players
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) -> None:
@@ -170,8 +168,6 @@ def test_a_model_that_fails_names_backend_and_question(
 
 
 # --------------------------------------------------------------------------------- the real classes
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_tiny_models_of_the_real_classes_answer_and_repeat_themselves(

@@ -256,8 +256,6 @@ def test_the_transport_without_limits_of_time_is_off(tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------ the command
-
-
 def test_list_tells_what_is_pinned_and_what_is_here(
     tiny_models: Path, tmp_path: Path, shell: Shell
 ) -> None:

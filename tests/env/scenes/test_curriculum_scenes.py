@@ -175,8 +175,6 @@ def test_wrong_settings_are_explained(settings) -> None:
 
 
 # ------------------------------------------------------------------------------ the environment
-
-
 class Told:
     """A source that keeps what it is told."""
 

@@ -116,8 +116,6 @@ def test_a_reset_writes_the_start_state_whatever_happened_before() -> None:
 
 
 # ------------------------------------------------------------------------------- what is gone
-
-
 def draws(source: SceneSource, count: int = 12) -> list[str]:
     rng = np.random.default_rng(0)
     return [source.draw(rng).load().name for _ in range(count)]
@@ -179,8 +177,6 @@ def test_a_damaged_bundle_is_an_error_though_others_are_left(store) -> None:
 
 
 # -------------------------------------------------------------------------------- other processes
-
-
 def test_sources_can_be_pickled_and_refer_to_the_same_bundles(store, monkeypatch) -> None:
     monkeypatch.chdir(store.parent)
     source = fixed_scenes(["desk_0", toy_scene(name="held"), f"{store.name}/desk_2*"])

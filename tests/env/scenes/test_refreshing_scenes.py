@@ -74,8 +74,6 @@ def pool(tmp_path, monkeypatch) -> Iterator[Callable[..., RefreshingScenes]]:
 
 
 # ------------------------------------------------------------------------- in step with the draws
-
-
 def stepped(**settings: Any) -> RefreshingScenes:
     fresh = FreshScenes("x", making="makers:toy")
     given = {"size": 4, "every_resets": 3, "synchronous": True, **settings}
@@ -184,8 +182,6 @@ def test_wrong_settings_are_explained(settings, message) -> None:
 
 
 # ---------------------------------------------------------------------------- in the background
-
-
 @pytest.mark.slow
 def test_new_scenes_come_while_old_ones_are_drawn(pool, tmp_path) -> None:
     source, rng = pool(workers=1), np.random.default_rng(0)
@@ -331,8 +327,6 @@ def test_what_cannot_be_ordered_is_not_looked_for_at_every_draw(pool) -> None:
 
 
 # ------------------------------------------------------------------------------- how it ends
-
-
 def test_closing_ends_everything_and_may_be_done_twice(pool, tmp_path) -> None:
     source, rng = pool(workers=2, size=5), np.random.default_rng(0)
     source.close()  # before anything began

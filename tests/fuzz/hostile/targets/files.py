@@ -52,8 +52,6 @@ def outside(folder: Path) -> tuple[str, ...]:
 
 
 # ---------------------------------------------------------------------------------------- prompts
-
-
 def prompts(rng: random.Random, folder: Path) -> Run:
     """Files of prompts, plain and JSON, and the command that reads them."""
     told: Any = ["a desk", {"text": "a table", "seed": 3}, {"text": "x.png"}]
@@ -86,8 +84,6 @@ def prompts(rng: random.Random, folder: Path) -> Run:
 
 
 # ----------------------------------------------------------------------------------------- batches
-
-
 @functools.cache
 def _scene() -> Scene:
     scene = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),))
@@ -180,8 +176,6 @@ def _begun(place: Path, key: str, record: Any, rng: random.Random) -> None:
 
 
 # ------------------------------------------------------------------------------------------- money
-
-
 def _cell(value: Any, rng: random.Random) -> str | int | float | bytes | None:
     """Return what a database can hold of a value."""
     if isinstance(value, str):
@@ -383,8 +377,6 @@ def calls(rng: random.Random, folder: Path) -> Run:
 
 
 # ------------------------------------------------------------------------------------------- store
-
-
 def stores(rng: random.Random, folder: Path) -> Run:
     """Names of bundles as users give them: to find, to save as, to remove."""
     import assets_cache

@@ -31,8 +31,6 @@ _WORDS = ("sac", "td3", "ppo", "clone", "Reach", "Lift", "Stack", "table", "goal
 
 
 # --------------------------------------------------------------------------------------- policies
-
-
 @functools.cache
 def _policy() -> bytes:
     network = Network("flat", (8, 8), 8)
@@ -110,8 +108,6 @@ def _zip(rng: random.Random) -> bytes:
 
 
 # ---------------------------------------------------------------------------------------- recipes
-
-
 @functools.cache
 def _recipe() -> Recipe:
     return recipe_of({
@@ -164,8 +160,6 @@ def recipes(rng: random.Random, folder: Path) -> Run:
 
 
 # ------------------------------------------------------------------------------------------- runs
-
-
 @functools.cache
 def _checkpoint() -> tuple[bytes, bytes, dict[str, Any]]:
     """Return a run's model.zip, its replay buffer, and its counts."""

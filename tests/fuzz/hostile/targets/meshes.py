@@ -99,8 +99,6 @@ def external(rng: random.Random, folder: Path) -> Run:
 
 
 # ----------------------------------------------------------------------------------------- GLB
-
-
 def hostile_glb(rng: random.Random) -> bytes:
     """Return a GLB that lies, or one with a mutated header, or a spoiled one."""
     header, data = _parts(good_glb())
@@ -246,8 +244,6 @@ _CHANGES: tuple[Callable[[Header, bytes, random.Random], bytes | None], ...] = (
 
 
 # ----------------------------------------------------------------------------------------- OBJ
-
-
 @functools.cache
 def _good_obj() -> str:
     ball = trimesh.creation.icosphere(2)

@@ -69,8 +69,6 @@ def _asking(behaviour: Behaviour, ask: Callable[[str], Any]) -> Run:
 
 
 # ------------------------------------------------------------------------------------------- HTTP
-
-
 def http(rng: random.Random, folder: Path) -> Run:
     """Behaviours of servers, met by a session's client and by a modeler."""
     shared = session(folder, rng)
@@ -93,8 +91,6 @@ def http(rng: random.Random, folder: Path) -> Run:
 
 
 # ------------------------------------------------------------------------------------------ cloud
-
-
 def _things(**fields: Any) -> list[dict[str, Any]]:
     return [{"id": k, **fields} for k in range(4)]
 
@@ -219,8 +215,6 @@ def images(rng: random.Random, folder: Path) -> Run:
 
 
 # --------------------------------------------------------------------------------------- modelers
-
-
 def hunyuan3d(rng: random.Random, folder: Path) -> Run:
     """Answers of a local server of meshes, and what it says of its health."""
     raw, kind, status = good_glb(), "application/octet-stream", "200 OK"
