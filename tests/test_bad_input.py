@@ -115,19 +115,10 @@ def face() -> np.ndarray:
         (face(), "No table"),
     ],
     ids=[
-        "white",
-        "black",
-        "brown",
-        "noise",
-        "gradient",
-        "tiny",
-        "wide",
-        "bare",
-        "no table",
-        "screenshot",
-        "face",
+        "white", "black", "brown", "noise", "gradient", "tiny", "wide", "bare", "no table",
+        "screenshot", "face",
     ],
-)
+)  # fmt: skip
 def test_pictures_without_a_laid_table_are_refused(image: np.ndarray, says: str) -> None:
     with pytest.raises((InputError, SceneError), match=says):
         generate(image)

@@ -217,16 +217,10 @@ def test_answers_of_no_use_are_dropped(tmp_path: Path) -> None:
         Says(b'{"choices": [', kind="application/json"),
     ],
     ids=[
-        "502 in 200",
-        "429 in 200",
-        "429",
-        "500",
-        "503 as HTML",
-        "reset",
-        "truncated",
+        "502 in 200", "429 in 200", "429", "500", "503 as HTML", "reset", "truncated",
         "half JSON",
     ],
-)
+)  # fmt: skip
 def test_what_may_pass_is_tried_again(first: Says) -> None:
     shared = session()
     with serving([first, first, Says()]) as server:

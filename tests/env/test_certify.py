@@ -77,15 +77,10 @@ def test_it_lists_what_the_expert_did(certified: Path) -> None:
 @pytest.mark.parametrize(
     ("solved", "starts", "counts"),
     [
-        (STARTS, STARTS, True),
-        (40, 40, True),
-        (10, 10, False),
-        (STARTS - 1, STARTS - 1, False),
-        (STARTS - 1, STARTS, False),
-        (99, 100, False),
-        (0, 0, False),
+        (STARTS, STARTS, True), (40, 40, True), (10, 10, False), (STARTS - 1, STARTS - 1, False),
+        (STARTS - 1, STARTS, False), (99, 100, False), (0, 0, False),
     ],
-)
+)  # fmt: skip
 def test_what_counts_is_solved_from_all_of_many_starts(
     bundle: Path, solved: int, starts: int, counts: bool
 ) -> None:

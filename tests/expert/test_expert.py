@@ -42,14 +42,10 @@ def env() -> Any:
 @pytest.mark.parametrize(
     ("target", "goal"),
     [
-        ("cube_1", "bowl_1"),
-        ("can_1", "spot"),
-        ("mug_1", "bowl_1"),
-        ("bottle_1", "spot"),
-        ("bowl_1", "spot"),
-        ("cube_1", "mug_1"),
+        ("cube_1", "bowl_1"), ("can_1", "spot"), ("mug_1", "bowl_1"), ("bottle_1", "spot"),
+        ("bowl_1", "spot"), ("cube_1", "mug_1"),
     ],
-)
+)  # fmt: skip
 def test_it_solves_every_kind_of_goal(env: Any, target: str, goal: str) -> None:
     solved, actions, expert = episode(env, 3, target=target, goal=goal)
     assert solved, expert.phase

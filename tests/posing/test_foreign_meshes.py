@@ -99,14 +99,11 @@ def bad_mesh(folder: Path, what: str) -> Path:
 @pytest.mark.parametrize(
     ("what", "says"),
     [
-        ("damaged", "cannot be read"),
-        ("empty", "0 bytes"),
-        ("pointless", "no triangle|cannot be read"),
-        ("millimetres", "Scale it to metres"),
-        ("not finite", "NaN"),
-        ("outside", "outside its folder"),
+        ("damaged", "cannot be read"), ("empty", "0 bytes"),
+        ("pointless", "no triangle|cannot be read"), ("millimetres", "Scale it to metres"),
+        ("not finite", "NaN"), ("outside", "outside its folder"),
     ],
-)
+)  # fmt: skip
 def test_a_bad_mesh_is_refused(tmp_path: Path, what: str, says: str) -> None:
     (tmp_path / "in").mkdir()
     with pytest.raises(InputError, match=says):
