@@ -1,13 +1,10 @@
 """Puts this folder on the path, so that tests can share the scenes of ``toy.py``."""
 
-from __future__ import annotations
-
 import os
 import signal
 from pathlib import Path
 
 import pytest
-from command import Shell
 
 if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
     import typechecking
@@ -37,5 +34,8 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def shell(capsys: pytest.CaptureFixture[str]) -> Shell:
+def shell(capsys: pytest.CaptureFixture[str]):
+    """Runs commands and tells what they print: a ``command.Shell``."""
+    from command import Shell  # not before the packages may be imported
+
     return Shell(capsys)
