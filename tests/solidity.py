@@ -1,7 +1,5 @@
 """What tests ask of meshes and models: are they closed, what do they weigh, are they the same."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from generator.physics.inertia import body_mass

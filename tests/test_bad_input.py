@@ -1,7 +1,5 @@
 """Bad input, once through the front door: one error of ours, and no half-written bundle."""
 
-from __future__ import annotations
-
 import errno
 import os
 import select

@@ -1,7 +1,5 @@
 """The command line as a user types it: results, exit codes, one-line errors."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from types import SimpleNamespace
 

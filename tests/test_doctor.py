@@ -1,7 +1,5 @@
 """``tabletopgen doctor``: what it tells, and what it never does."""
 
-from __future__ import annotations
-
 import json
 import tomllib
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What users and records name: seeds, folders, files that are none; one rule and one message."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

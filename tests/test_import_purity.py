@@ -1,7 +1,5 @@
 """Importing the packages is cheap and silent: no torch, no MuJoCo, no socket."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import textwrap

@@ -5,8 +5,6 @@ bare participle: ``draw``, not ``drawn``. Words that this project once used in a
 are found in no name and in no text; CONTRIBUTING.md says what to write.
 """
 
-from __future__ import annotations
-
 import ast
 import io
 import re

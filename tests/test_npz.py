@@ -1,7 +1,5 @@
 """Arrays of files that are not trusted: read whole, or refused before they take room."""
 
-from __future__ import annotations
-
 import os
 import struct
 import zipfile

@@ -1,7 +1,5 @@
 """The paper's printed JSON (Figs. 12 and 14) through the frame conversion and back."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

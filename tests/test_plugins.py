@@ -1,7 +1,5 @@
 """Commands of other packages: declared by them, imported when they are asked for."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import textwrap

@@ -4,8 +4,6 @@ A tiny model lies where its pin says the real one would, so that all of the back
 of the weights is real.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

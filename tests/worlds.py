@@ -1,7 +1,5 @@
 """Worlds and environments of toy scenes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Published or absent: savers, removers and readers of one store at the same time."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

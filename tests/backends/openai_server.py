@@ -1,7 +1,5 @@
 """A small server that speaks OpenAI's protocol, and Ark's form of it, with its ways to fail."""
 
-from __future__ import annotations
-
 import base64
 import email.parser
 import email.policy

@@ -4,8 +4,6 @@ Their inputs and outputs are those of the classes of transformers; which part of
 are shown is told from its pixels. What is checked is what the backend makes of right answers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any

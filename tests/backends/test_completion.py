@@ -1,7 +1,5 @@
 """Completion of one object: clean outline, hidden halves redrawn."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest

@@ -5,8 +5,6 @@ the open segmenting models by objects that do: what is checked is what the backe
 answers. The open encoder is the real class with random weights.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass

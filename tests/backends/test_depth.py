@@ -1,7 +1,5 @@
 """Plane, sizes, places and stacking measured in rendered depth maps, whose truth is known."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What an eye found held against depth: flat finds, spilt and broken masks, missed things."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Words of neighbouring categories go to the right one."""
 
-from __future__ import annotations
-
 import pytest
 
 from generator.language.parsing.lexicon import category_of

@@ -1,7 +1,5 @@
 """Sentences to plans: objects, counts, attributes, relations, tables, themes, refusals."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from pathlib import Path

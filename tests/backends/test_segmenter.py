@@ -1,7 +1,5 @@
 """Masks, counts and names on painted pictures whose truth is known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from painted import paint

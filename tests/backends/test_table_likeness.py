@@ -1,7 +1,5 @@
 """A table rebuilt from its picture: the top's outline, legs, height and colours."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import cv2

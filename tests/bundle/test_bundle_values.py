@@ -1,7 +1,5 @@
 """Self-consistent bundles whose values are hostile: what loads, shows, compiles and runs."""
 
-from __future__ import annotations
-
 import copy
 import json
 import re

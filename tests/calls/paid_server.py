@@ -1,7 +1,5 @@
 """A local server that answers as a test says, and counts what it was asked."""
 
-from __future__ import annotations
-
 import json
 import signal
 import threading

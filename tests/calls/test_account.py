@@ -1,7 +1,5 @@
 """The ledger: sums, unknown prices, a budget that many threads cannot overdraw."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import threading

@@ -1,7 +1,5 @@
 """Servers that never come to an end: each is left when the time of the call is over."""
 
-from __future__ import annotations
-
 import gzip
 import shutil
 import socket

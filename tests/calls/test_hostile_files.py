@@ -1,7 +1,5 @@
 """What was spent, answers and prices as somebody else may have written them."""
 
-from __future__ import annotations
-
 import contextlib
 import hashlib
 import json

@@ -1,7 +1,5 @@
 """Ctrl-C while calls are under way: no new ones, what is answered soon is kept, twice ends all."""
 
-from __future__ import annotations
-
 import os
 import signal
 import sys

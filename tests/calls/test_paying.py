@@ -1,7 +1,5 @@
 """Commands that ask servers: the ledger, the budget, the dry run, the folder of answers."""
 
-from __future__ import annotations
-
 import errno
 import json
 import shutil

@@ -1,7 +1,5 @@
 """No key in any text, however a server wrote it back."""
 
-from __future__ import annotations
-
 import base64
 import json
 from urllib.parse import quote

@@ -1,7 +1,5 @@
 """A sum of money that processes spend together: never overdrawn, whoever dies."""
 
-from __future__ import annotations
-
 import os
 import pickle
 import random

@@ -1,7 +1,5 @@
 """What a scene's calls cost outlives the runs that paid for them."""
 
-from __future__ import annotations
-
 import os
 import sqlite3
 import subprocess

@@ -1,7 +1,5 @@
 """Paid calls over real HTTP: kept, tried again, bounded, and refused with a reason."""
 
-from __future__ import annotations
-
 import email.utils
 import gzip
 import os

@@ -1,7 +1,5 @@
 """Waits grow and stay bounded; a server that fails is left alone, then tried once."""
 
-from __future__ import annotations
-
 from datetime import UTC, datetime
 
 import pytest

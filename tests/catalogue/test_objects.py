@@ -1,7 +1,5 @@
 """Every category: closed meshes, honest collision parts, true sizes and masses, seeds."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from solidity import fingerprint, is_closed, mass_of

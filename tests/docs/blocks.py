@@ -4,8 +4,6 @@ A Python or shell block is run by a test unless the line above its fence is a co
 ``<!-- not-run: needs a key -->``. Blocks of a page share one folder, those in Python their names.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import shlex

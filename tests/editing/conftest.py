@@ -1,7 +1,5 @@
 """What all tests of edits share."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """An edit by backends: the thing is drawn, cut out, modelled and turned, by the protocols alone."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """What stands on or in a thing that an edit touches."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

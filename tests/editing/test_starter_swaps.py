@@ -1,7 +1,5 @@
 """A swap at each of five starter tables: one thing is another, all else is the same to the byte."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

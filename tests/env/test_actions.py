@@ -1,7 +1,5 @@
 """Action modes: documented amounts, limits, and bad input."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from toy import toy_object, toy_scene

@@ -1,7 +1,5 @@
 """What a gripper can do with a shape: widths, hollows, surfaces, free spots."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

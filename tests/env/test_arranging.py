@@ -1,7 +1,5 @@
 """Objects that stand elsewhere, and objects that are taken away."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Environments draw what a bundle's certificate says can be done, unless told otherwise."""
 
-from __future__ import annotations
-
 import pickle
 import shutil
 from collections.abc import Callable, Iterable

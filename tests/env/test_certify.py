@@ -1,7 +1,5 @@
 """Certificates: made by the expert, kept beside a bundle, refused where they are not its own."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import shutil

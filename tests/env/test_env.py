@@ -1,7 +1,5 @@
 """The environment as Gymnasium and SB3 use it: determinism, options, vectors, training, errors."""
 
-from __future__ import annotations
-
 import pickle
 
 import gymnasium as gym

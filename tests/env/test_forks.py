@@ -1,7 +1,5 @@
 """Forked processes draw, although OpenGL does not survive a fork: in software, or with an error."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import warnings

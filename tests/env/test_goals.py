@@ -1,7 +1,5 @@
 """Every task: success exactly where its page says, a full reward there and nowhere else."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The grasp of the target in the state."""
 
-from __future__ import annotations
-
 import pickle
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Domain randomisation: settings, independent draws, exact undoing, the environment with it."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import fields, replace
 

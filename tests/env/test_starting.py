@@ -1,7 +1,5 @@
 """Starts that are a little off: how far, what stays as it must, and that they repeat themselves."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import subprocess

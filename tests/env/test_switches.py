@@ -1,7 +1,5 @@
 """What each switch of the randomisation does: lights to table height, delay and noise."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

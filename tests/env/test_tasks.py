@@ -1,7 +1,5 @@
 """PickPlace: what is drawn, when it is a success, and where the reward peaks."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

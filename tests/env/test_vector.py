@@ -1,7 +1,5 @@
 """The vector environment: bit for bit the single ones, Gymnasium's contract, clear errors."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from typing import Any

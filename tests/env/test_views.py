@@ -1,7 +1,5 @@
 """What cameras give: keys, sizes, depth, segmentation by slots, and point clouds."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from test_rendering import needs_gl

@@ -1,7 +1,5 @@
 """Overlaps of drawn meshes: known depths, hollow things, and what is no collision."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

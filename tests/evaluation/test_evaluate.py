@@ -1,7 +1,5 @@
 """Every defect put into a scene on purpose is reported, and a sound scene has none."""
 
-from __future__ import annotations
-
 import dataclasses
 import itertools
 import json

@@ -1,7 +1,5 @@
 """Another method's result: read as it states, scored as ours are, refused where it is no good."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

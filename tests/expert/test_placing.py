@@ -1,7 +1,5 @@
 """Places: beside what is there already, turned to fit, over the rim where fingers do not go."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Strokes: behind the centre of mass, with room for fingers and palm."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any, cast
 

@@ -1,7 +1,5 @@
 """Faults planted for the harness's own tests: each must be found."""
 
-from __future__ import annotations
-
 import os
 import random
 import time

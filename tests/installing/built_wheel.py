@@ -5,8 +5,6 @@
 Needs no network: setuptools is there, and what the package depends on is installed already.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """``tabletopgen batch``: scenes composed in processes are those composed here."""
 
-from __future__ import annotations
-
 import pickle
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Records and prompts that somebody else wrote: nothing outside is touched, nothing hangs."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Ctrl-C in a batch: calls under way may be answered, no new ones are made, twice ends all."""
 
-from __future__ import annotations
-
 import threading
 import time
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Batches that cost money: one sum for all scenes, workers and runs."""
 
-from __future__ import annotations
-
 import json
 import pickle
 import shutil

@@ -1,7 +1,5 @@
 """The commands: what they print, what they write, and their exit codes."""
 
-from __future__ import annotations
-
 import ast
 import dataclasses
 import runpy

@@ -1,7 +1,5 @@
 """Bands over seeds: the numbers, and that they are drawn."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Demonstrations in replay buffers, and buffers on disk."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import gymnasium as gym

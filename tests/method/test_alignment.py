@@ -1,7 +1,5 @@
 """TSA: Eqs. 5 and 6 on numbers worked by hand, scales, and contact of real meshes."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

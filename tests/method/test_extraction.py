@@ -1,7 +1,5 @@
 """Extraction: names, cleaning, and what happens when something is missing."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A picture with a depth map: what is accepted, how it is scaled, and what is refused."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A modeler's own pose as a hint: it decides where renders cannot, and nowhere else."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

@@ -4,8 +4,6 @@ Things are told apart by their colour, also in a cut-out, so that a server of th
 what it is sent instead of being told.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 

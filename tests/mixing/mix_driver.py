@@ -5,8 +5,6 @@
 The settings are the coarsest that make a scene: what is tested is who is asked what, and when.
 """
 
-from __future__ import annotations
-
 import logging
 import sys
 

@@ -4,8 +4,6 @@ One plays the chat model and the image model of ``cloud``, one Hunyuan3D. Their 
 the laid table. ``Watch`` knows what was asked and answered when, and may kill who asks.
 """
 
-from __future__ import annotations
-
 import base64
 import contextlib
 import hashlib

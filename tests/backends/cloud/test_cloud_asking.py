@@ -1,7 +1,5 @@
 """One question over HTTP: the ladder of forms, asking again, refusals, and servers that fail."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """The imager's pictures over HTTP, in both forms that servers have, and what is done with them."""
 
-from __future__ import annotations
-
 import io
 import json
 import struct

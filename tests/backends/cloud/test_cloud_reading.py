@@ -1,7 +1,5 @@
 """JSON out of what models write."""
 
-from __future__ import annotations
-
 import contextlib
 import time
 

@@ -1,7 +1,5 @@
 """The reasoner's questions over HTTP: what is asked, and the project's values that come of it."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 from collections.abc import Callable

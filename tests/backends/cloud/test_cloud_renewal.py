@@ -1,7 +1,5 @@
 """What is kept of answers of no use: nothing, where they ended the question; else all of them."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import replace

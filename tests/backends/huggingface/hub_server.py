@@ -1,7 +1,5 @@
 """A local server that speaks as much of Hugging Face's protocol as fetching a model takes."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from dataclasses import dataclass, field

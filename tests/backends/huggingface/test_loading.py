@@ -1,7 +1,5 @@
 """Pinned models read from a folder: what is there is read, what is not is told, offline."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 import pickle

@@ -1,7 +1,5 @@
 """The segmenter by open models: with right answers from players, and with the real classes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any

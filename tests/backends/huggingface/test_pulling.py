@@ -1,7 +1,5 @@
 """Fetching models: the pinned commit, the named files, checked; over real HTTP."""
 
-from __future__ import annotations
-
 import dataclasses
 import errno
 import hashlib

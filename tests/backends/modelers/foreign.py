@@ -1,7 +1,5 @@
 """Foreign meshes made in the tests: files as bytes, good ones and bad ones."""
 
-from __future__ import annotations
-
 import base64
 import json
 import struct

@@ -1,7 +1,5 @@
 """What every modeler keeps, whoever makes the mesh."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The local Hunyuan3D servers: what they are sent, and what is made of their answers."""
 
-from __future__ import annotations
-
 import base64
 import io
 import threading

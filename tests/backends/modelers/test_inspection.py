@@ -1,7 +1,5 @@
 """Files that would do harm, or cannot be read, are refused before they are decoded."""
 
-from __future__ import annotations
-
 import base64
 import io
 import re

@@ -1,7 +1,5 @@
 """Textures of foreign meshes: each is decoded and kept once, whoever shows it."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np

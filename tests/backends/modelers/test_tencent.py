@@ -1,7 +1,5 @@
 """Tencent's cloud jobs: submitted, looked at, downloaded; never paid for twice."""
 
-from __future__ import annotations
-
 import base64
 import copy
 import dataclasses

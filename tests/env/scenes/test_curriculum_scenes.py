@@ -1,7 +1,5 @@
 """Scenes that become harder as the policy succeeds."""
 
-from __future__ import annotations
-
 import pickle
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Scenes that are there: finding and drawing them, what is gone, and keeping compiled worlds."""
 
-from __future__ import annotations
-
 import pickle
 import shutil
 import warnings

@@ -1,7 +1,5 @@
 """Scenes made on demand: what decides them, and how they are made."""
 
-from __future__ import annotations
-
 import pickle
 import sys
 import types

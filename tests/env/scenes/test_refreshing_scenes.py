@@ -1,7 +1,5 @@
 """A pool that is renewed while training goes on, whatever happens to who renews it."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import pickle

@@ -1,7 +1,5 @@
 """Scenes to train on and scenes held out: two sides that never meet."""
 
-from __future__ import annotations
-
 import json
 import os
 import pickle

@@ -1,7 +1,5 @@
 """Where cases run: a folder for the case, and canaries beside and above it."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import shutil

@@ -1,7 +1,5 @@
 """A local server on bare sockets: what it sends need not be HTTP, and need not come in time."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import random

@@ -1,7 +1,5 @@
 """Values as JSON has them, made hostile: types swapped, sizes, numbers, names, nesting."""
 
-from __future__ import annotations
-
 import copy
 import json
 import math

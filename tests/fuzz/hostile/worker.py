@@ -3,8 +3,6 @@
 Started by ``harness.Worker``; ``python -m hostile.worker ROOM``.
 """
 
-from __future__ import annotations
-
 import contextlib
 import faulthandler
 import json

@@ -1,7 +1,5 @@
 """Bundles that agree with themselves and are hostile all the same, and their certificates."""
 
-from __future__ import annotations
-
 import functools
 import hashlib
 import json

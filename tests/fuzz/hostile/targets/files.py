@@ -1,7 +1,5 @@
 """Files of batches and of money: prompts, records, sums, ledgers, prices, kept answers."""
 
-from __future__ import annotations
-
 import contextlib
 import functools
 import hashlib

@@ -1,7 +1,5 @@
 """Files of training: policies, recipes, runs that are resumed, and arrays that are kept."""
 
-from __future__ import annotations
-
 import functools
 import io
 import json

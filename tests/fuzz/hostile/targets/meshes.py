@@ -1,7 +1,5 @@
 """Foreign meshes: GLB and OBJ files of one's own, of servers, of other methods."""
 
-from __future__ import annotations
-
 import base64
 import functools
 import json

@@ -1,7 +1,5 @@
 """Answers of servers: of the cloud's chat and image models, of modelers, and of no server."""
 
-from __future__ import annotations
-
 import base64
 import functools
 import os
