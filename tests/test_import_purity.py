@@ -29,14 +29,15 @@ def loaded_by(statement: str) -> list[str]:
     return done.stdout.split()
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "package",
-    ["generator", "tabletopgen_env", "assets_cache", "generator.composition",
-     "generator.evaluation.report"],
-)  # fmt: skip
+@pytest.mark.parametrize("package", ["generator", "tabletopgen_env", "assets_cache"])
 def test_import_is_light(package: str) -> None:
     assert "torch" not in loaded_by(f"import {package}")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("module", ["generator.composition", "generator.evaluation.report"])
+def test_composing_and_evaluating_geometry_need_no_torch(module: str) -> None:
+    assert "torch" not in loaded_by(f"import {module}")
 
 
 def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:

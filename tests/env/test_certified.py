@@ -163,7 +163,6 @@ def test_a_scene_without_a_solved_instance_is_passed_over(
     assert seen(env, "scene") == {"kitchen-cutting"}
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("instances", "terms", "told"),
     [
