@@ -1,7 +1,5 @@
 """Waits that end: for threads, for processes, for what another one does."""
 
-from __future__ import annotations
-
 import contextlib
 import select
 import subprocess

@@ -1,7 +1,5 @@
 """Puts this folder on the path, so that tests can share the scenes of ``toy.py``."""
 
-from __future__ import annotations
-
 import os
 import signal
 from pathlib import Path
@@ -33,3 +31,11 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty store of its own for a test."""
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
     return tmp_path / "store"
+
+
+@pytest.fixture
+def shell(capsys: pytest.CaptureFixture[str]):
+    """Runs commands and tells what they print: a ``command.Shell``."""
+    from command import Shell  # not before the packages may be imported
+
+    return Shell(capsys)

@@ -1,7 +1,5 @@
 """Bundles as a forger would write them: well written, digests fitting, in a folder without one."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import struct

@@ -1,7 +1,5 @@
 """All that leads from an error of the project to a secret: what a log or a debugger may show."""
 
-from __future__ import annotations
-
 import traceback
 from collections.abc import Iterator
 from types import TracebackType

@@ -1,7 +1,5 @@
 """Local servers for tests: a request handler, served until the test is done."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import sys

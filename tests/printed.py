@@ -1,7 +1,5 @@
 """Boxes with a print, for tests of what tells a thing's front."""
 
-from __future__ import annotations
-
 import numpy as np
 from toy import CUBE_FACES, corners
 

@@ -1,7 +1,5 @@
 """What the tests of domain randomisation share: single switches, a started environment."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Models made by hand for tests of physics and assembly: boxes, balls, cups, a table."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What tests ask of meshes and models: are they closed, what do they weigh, are they the same."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from generator.physics.inertia import body_mass
@@ -26,7 +24,6 @@ def mass_of(model: Model) -> float:
 
 
 def fingerprint(model: Model) -> tuple[bytes, ...]:
-    """All bytes that make up a model."""
     parts = b"".join(p.vertices.tobytes() for p in model.parts)
     mesh = model.mesh
     arrays = (mesh.vertices, mesh.faces, mesh.uv, mesh.texture, model.size)

@@ -1,7 +1,5 @@
 """DRO and TSA left out (Sec. 4.3): the reasoner's guesses in their place, and who cannot guess."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 from types import SimpleNamespace

@@ -1,14 +1,11 @@
 """Bad input, once through the front door: one error of ours, and no half-written bundle."""
 
-from __future__ import annotations
-
 import errno
 import os
 import select
 import signal
 import subprocess
 import sys
-import textwrap
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -19,7 +16,7 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
-from command import command
+from command import Shell
 from forging import derive, rewrite
 from toy import toy_object, toy_scene
 
@@ -62,8 +59,6 @@ def sound(name: str = "toy") -> Scene:
 
 
 # ---------------------------------------------------------------------------------------- pictures
-
-
 def gradient() -> np.ndarray:
     y, x = np.mgrid[0:240, 0:360]
     return np.dstack([x * 255 // 360, y * 255 // 240, (x + y) * 255 // 600]).astype(np.uint8)
@@ -118,19 +113,10 @@ def face() -> np.ndarray:
         (face(), "No table"),
     ],
     ids=[
-        "white",
-        "black",
-        "brown",
-        "noise",
-        "gradient",
-        "tiny",
-        "wide",
-        "bare",
-        "no table",
-        "screenshot",
-        "face",
+        "white", "black", "brown", "noise", "gradient", "tiny", "wide", "bare", "no table",
+        "screenshot", "face",
     ],
-)
+)  # fmt: skip
 def test_pictures_without_a_laid_table_are_refused(image: np.ndarray, says: str) -> None:
     with pytest.raises((InputError, SceneError), match=says):
         generate(image)
@@ -151,7 +137,6 @@ def test_no_other_program_is_started_to_read_a_picture() -> None:
 
 
 # ------------------------------------------------------------------------------------------- plans
-
 MUG = PlannedObject("mug_1", "mug", "mug")
 IMPOSSIBLE: dict[str, Callable[[], Any]] = {
     "twice the same": lambda: ScenePlan("p", PlannedTable(), (MUG, MUG)),
@@ -199,7 +184,6 @@ def test_unusable_texts_are_refused_on_both_routes(make: Callable[..., Any], tex
 
 
 # ----------------------------------------------------------------------------------------- bundles
-
 ENTRY = {"bytes": 3, "sha256": "0" * 64}
 
 
@@ -242,14 +226,13 @@ def flatten(payload: dict[str, Any]) -> None:
     ],
 )
 def test_bodies_that_no_simulator_takes(
-    store: Path, change: Callable[[dict[str, Any]], None], capsys: pytest.CaptureFixture[str]
+    store: Path, change: Callable[[dict[str, Any]], None], shell: Shell
 ) -> None:
     forged = rewrite(bundle.save(sound(), store), change)
     derive(forged)
     with pytest.raises(BundleError, match="MuJoCo cannot build"):
         make_env(forged).reset(seed=0)
-    assert command("verify", str(forged)) == 1
-    assert "MuJoCo cannot build" in capsys.readouterr().out
+    assert "MuJoCo cannot build" in shell("verify", str(forged), code=1).out
 
 
 @pytest.mark.parametrize(
@@ -278,8 +261,6 @@ def test_a_flat_part_becomes_solid_however_it_lies() -> None:
 
 
 # ------------------------------------------------------------------------------ disk and interrupt
-
-
 def stop() -> None:
     raise KeyboardInterrupt
 
@@ -292,7 +273,7 @@ def full() -> None:
 @pytest.mark.parametrize("after", [0, 1, 3])
 def test_trouble_while_writing_leaves_nothing(
     trouble: Callable[[], None], code: int, after: int, store: Path,
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch, shell: Shell,
 ) -> None:  # fmt: skip
     """Half of a file is on the disk when it happens."""
     written: list[Path] = []
@@ -309,10 +290,9 @@ def test_trouble_while_writing_leaves_nothing(
     monkeypatch.setattr("generator.composition.compose", lambda *args, **kwargs: sound())
     monkeypatch.setattr("generator.method.figures.preview", lambda scene: plain(200, 8, 8))
     monkeypatch.setattr(Path, "write_bytes", write)
-    assert command("compose", TEXT) == code
+    assert len(shell("compose", TEXT, code=code).err.strip().splitlines()) == 1
     assert len(written) == after
     assert left_over(store) == []
-    assert len(capsys.readouterr().err.strip().splitlines()) == 1
 
 
 def test_trouble_at_the_last_rename_leaves_nothing(
@@ -331,7 +311,7 @@ STAGE_FUNCTIONS = ("refer", "extract", "estimate_view", "make_models", "estimate
 
 @pytest.mark.parametrize("at", range(len(STAGES)), ids=STAGES)
 def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
-    at: int, store: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    at: int, store: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
     """The stages before are stubs; the one in question is interrupted."""
     reference = SimpleNamespace(prompt=TEXT, plan=None, image=np.zeros((4, 4, 3), np.uint8))
@@ -360,9 +340,8 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
     monkeypatch.setattr(
         "generator.backends.embedded.reasoner.EmbeddedReasoner.estimate_sizes", lambda *args: {}
     )
-    assert command("generate", TEXT) == 130
+    *progress, last = shell("generate", TEXT, code=130).err.strip().splitlines()
     assert ran == list(STAGE_FUNCTIONS[: at + 1])
-    *progress, last = capsys.readouterr().err.strip().splitlines()
     assert last == "interrupted; nothing was published"
     assert len(progress) == at + 1
     assert left_over(store) == []
@@ -370,14 +349,14 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
 
 @pytest.mark.parametrize("name", ["plan_scene", "build_models", "lay_out", "assemble"])
 def test_an_interrupt_in_any_step_of_compose_leaves_nothing(
-    name: str, store: Path, monkeypatch: pytest.MonkeyPatch
+    name: str, store: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
     model = SimpleNamespace(size=np.ones(3))
     layout = SimpleNamespace(placements=(), warnings=())
     monkeypatch.setattr("generator.composition.build_models", lambda *args: {})
     monkeypatch.setattr("generator.composition.lay_out", lambda *args: (layout, model))
     monkeypatch.setattr(f"generator.composition.{name}", lambda *args, **kwargs: stop())
-    assert command("compose", TEXT) == 130
+    assert "nothing was published" in shell("compose", TEXT, code=130).err
     assert left_over(store) == []
 
 
@@ -415,54 +394,44 @@ def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
     assert left_over(store) == []
 
 
+LOST = """
+import signal, sys, time
+from generator import cli
+
+class Falling:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+
+def run(arguments):
+    try:
+        Falling()  # Python prints this interrupt as ignored, and goes on
+        time.sleep(60)
+    except KeyboardInterrupt:
+        return 130
+    return 0
+
+cli.run = run
+cli.main()
+"""
+TWICE = """
+import atexit, signal
+from generator import cli
+
+atexit.register(signal.raise_signal, signal.SIGINT)
+cli.run = lambda arguments: 130
+cli.main()
+"""
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
-def test_an_interrupt_that_python_would_lose_is_heeded() -> None:
-    lost = """
-        import signal, sys, time
-        from generator import cli
-
-        class Falling:
-            def __del__(self):
-                signal.raise_signal(signal.SIGINT)
-
-        def run(arguments):
-            try:
-                Falling()  # Python prints this interrupt as ignored, and goes on
-                time.sleep(60)
-            except KeyboardInterrupt:
-                return 130
-            return 0
-
-        cli.run = run
-        cli.main()
-        """
-    ended = subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(lost)], capture_output=True, timeout=50
-    )
-    assert (ended.returncode, ended.stderr) == (130, b"")
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
-def test_a_second_interrupt_does_not_disturb_the_end() -> None:
-    twice = """
-        import atexit, signal
-        from generator import cli
-
-        atexit.register(signal.raise_signal, signal.SIGINT)
-        cli.run = lambda arguments: 130
-        cli.main()
-        """
-    ended = subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(twice)], capture_output=True, timeout=50
-    )
+@pytest.mark.parametrize("code", [LOST, TWICE], ids=["that Python would lose", "a second one"])
+def test_an_interrupt_is_heeded_and_does_not_disturb_the_end(code: str) -> None:
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=50)
     assert (ended.returncode, ended.stderr) == (130, b"")
 
 
 # ------------------------------------------------------------------------------------- environment
-
-
 @pytest.mark.parametrize("action", [np.zeros(4), np.full(5, np.nan), "up", None])
 def test_bad_actions_are_refused_and_the_episode_goes_on(action: Any) -> None:
     env = make_env(sound())

@@ -1,7 +1,5 @@
 """The benchmark scripts' own logic: names compared, interrupted tables resumed, pictures paired."""
 
-from __future__ import annotations
-
 import dataclasses
 import importlib.util
 import json

@@ -1,7 +1,5 @@
 """Composed scenes: sound, complete, repeatable."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """How many threads a process computes on."""
 
-from __future__ import annotations
-
 import os
 import threading
 import time

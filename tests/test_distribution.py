@@ -1,7 +1,5 @@
 """Tables drawn without a text."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

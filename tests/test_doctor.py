@@ -1,14 +1,12 @@
 """``tabletopgen doctor``: what it tells, and what it never does."""
 
-from __future__ import annotations
-
 import json
 import tomllib
 from pathlib import Path
 from typing import Any
 
 import pytest
-from command import command
+from command import Shell
 
 from generator.backends.cloud.server import configuration
 from generator.backends.embedded.eye import weights
@@ -33,16 +31,15 @@ def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path
 
 
-def told(capsys: pytest.CaptureFixture[str], *words: str) -> str:
-    assert command("doctor", *words) == 0
-    shown = capsys.readouterr()
+def told(shell: Shell, *words: str) -> str:
+    shown = shell("doctor", *words)
     assert shown.err == ""
     assert "\x1b" not in shown.out
     return shown.out
 
 
-def test_it_tells_what_there_is(quick: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    text, found = told(capsys), json.loads(told(capsys, "--json"))
+def test_it_tells_what_there_is(quick: Path, shell: Shell) -> None:
+    text, found = told(shell), json.loads(told(shell, "--json"))
     assert set(found) == {"python", "packages", "rendering", "cuda", "extras", "models", "keys",
                           "caches"}  # fmt: skip
     assert found["packages"]["numpy"] in text
@@ -53,32 +50,29 @@ def test_it_tells_what_there_is(quick: Path, capsys: pytest.CaptureFixture[str])
 
 
 def test_extras_that_are_missing_come_with_the_line_that_installs_them(
-    quick: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    quick: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
     installed = facts.version
     monkeypatch.setattr(facts, "version", lambda p: None if p == "minari" else installed(p))
     line = "record: missing minari; pip install 'tabletopgen[record]'"
-    assert line in told(capsys)
+    assert line in told(shell)
     monkeypatch.setattr(facts, "version", lambda p: None if p == "numpy" else installed(p))
-    assert "numpy: missing, install tabletopgen again" in told(capsys)
+    assert "numpy: missing, install tabletopgen again" in told(shell)
 
 
 @pytest.mark.parametrize("words", [(), ("--json",)])
 def test_the_value_of_a_key_never_shows(
-    words: tuple[str, ...],
-    quick: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    words: tuple[str, ...], quick: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
-    without = told(capsys, *words)
+    without = told(shell, *words)
     for name in facts.KEYS:
         monkeypatch.setenv(name, SECRET)
-    shown = told(capsys, *words)
+    shown = told(shell, *words)
     assert SECRET[:6] not in shown and "secret" not in shown
     monkeypatch.setenv(facts.KEYS[0], SECRET * 9)
-    assert told(capsys, *words) == shown != without, "neither its length"
+    assert told(shell, *words) == shown != without, "neither its length"
     monkeypatch.setenv(facts.KEYS[0], " ")
-    assert told(capsys, *words) != shown, "blanks are no key"
+    assert told(shell, *words) != shown, "blanks are no key"
 
 
 def test_every_key_that_backends_read_is_asked_for() -> None:

@@ -1,7 +1,5 @@
 """What errors and commands show of foreign texts."""
 
-from __future__ import annotations
-
 import os
 import pickle
 import shlex

@@ -1,7 +1,5 @@
 """What users and records name: seeds, folders, files that are none; one rule and one message."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -9,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command import command
+from command import Shell, command
 from toy import toy_object, toy_scene
 
 import assets_cache
@@ -32,8 +30,6 @@ SEED = "A seed has to be a whole number from 0 to "
 
 
 # -------------------------------------------------------------------------------------------- seeds
-
-
 @pytest.mark.parametrize("seed", [-1, 1.5, True, "1", None, 2**63, 10**400, float("nan")], ids=str)
 def test_a_seed_is_a_whole_number_from_0(seed: object) -> None:
     with pytest.raises(InputError, match=SEED):
@@ -72,11 +68,8 @@ def test_a_negative_seed_is_refused_alike_by_functions(call) -> None:
      ("edit", "workbench", "remove", "x")],
     ids=lambda args: args[0],
 )  # fmt: skip
-def test_a_negative_seed_is_refused_alike_by_commands(
-    args: tuple[str, ...], capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert command(*args, "--seed", "-1") == 2
-    assert SEED in capsys.readouterr().err
+def test_a_negative_seed_is_refused_alike_by_commands(args: tuple[str, ...], shell: Shell) -> None:
+    assert SEED in shell(*args, "--seed", "-1", code=2).err
 
 
 def test_a_negative_seed_begins_no_episode() -> None:
@@ -91,8 +84,6 @@ def test_a_negative_seed_begins_no_episode() -> None:
 
 
 # ------------------------------------------------------------------------------------------- places
-
-
 def test_a_folder_is_checked_before_the_work(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
     check_folder(tmp_path / "new" / "folder")
@@ -116,23 +107,21 @@ def test_a_folder_is_checked_before_the_work(tmp_path: Path) -> None:
     ids=lambda args: args[0],
 )  # fmt: skip
 def test_out_on_a_file_is_refused_before_the_work(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, args
+    tmp_path: Path, shell: Shell, monkeypatch: pytest.MonkeyPatch, args
 ) -> None:
     monkeypatch.setenv("TABLETOPGEN_CALLS", str(tmp_path / "calls"))
     (tmp_path / "file").write_text("precious")
     (tmp_path / "prompts.txt").write_text("a desk")
     given = [str(tmp_path / "prompts.txt") if a == "PROMPTS" else a for a in args]
-    assert command(*given, "--out", str(tmp_path / "file")) == 5
-    told = capsys.readouterr()
+    told = shell(*given, "--out", str(tmp_path / "file"), code=5)
     assert "is not a folder" in told.err
     assert "/" not in told.err.partition("error")[0], "no stage was begun"
     assert (tmp_path / "file").read_text() == "precious"
     assert {p.name for p in tmp_path.iterdir()} == {"file", "prompts.txt"}
 
 
-def test_a_directory_is_no_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command("generate", str(tmp_path)) == 2
-    assert "is a directory" in capsys.readouterr().err
+def test_a_directory_is_no_text(tmp_path: Path, shell: Shell) -> None:
+    assert "is a directory" in shell("generate", str(tmp_path), code=2).err
 
 
 def test_words_that_are_a_folders_name_stay_words(
@@ -154,8 +143,6 @@ def test_pictures_and_depth_maps_are_regular_files(tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------------- values
-
-
 @pytest.mark.parametrize(
     "values", [("400", 400, 1, 1), (400, 400, None, 1), (True, 400, 1, 1), (10**400, 400, 1, 1),
                (400, [400], 1, 1), (float("nan"), 400, 1, 1), (1e300, 400, 1, 1), (400, -4, 1, 1)],
@@ -207,15 +194,12 @@ def test_a_transforms_file_is_a_regular_file(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_names_of_foreign_bundles_reach_no_terminal(
-    store: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_names_of_foreign_bundles_reach_no_terminal(store: Path, shell: Shell) -> None:
     thing = toy_object("cube_1", (0.05,) * 3, (0.0, 0.0))
     made = save(toy_scene((thing,), name="toy"), store, allow_failed=True)
     shutil.copytree(made, store / "a\x1b[2J-0123456789ab")
     assert command("cache", "list", "a*") == 0
     assert command("cache", "verify") == 1
-    assert command("cache", "rm", "a*") == 0
-    told = "".join(capsys.readouterr())
+    told = "".join(shell("cache", "rm", "a*"))
     assert "a\\x1b[2J-0123456789ab" in told and "\x1b" not in told
     assert assets_cache.entries(store)[-1].name == made.name or made.is_dir()

@@ -1,7 +1,5 @@
 """Importing the packages is cheap and silent: no torch, no MuJoCo, no socket."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import textwrap
@@ -36,6 +34,12 @@ def test_import_is_light(package: str) -> None:
     assert "torch" not in loaded_by(f"import {package}")
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("module", ["generator.composition", "generator.evaluation.report"])
+def test_composing_and_evaluating_geometry_need_no_torch(module: str) -> None:
+    assert "torch" not in loaded_by(f"import {module}")
+
+
 def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:
     assert loaded_by("from generator import Backends") == []
     assert set(loaded_by("from generator import load, save")) <= {"cv2"}
@@ -48,21 +52,8 @@ def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:
 
 
 def test_registration_needs_no_simulator() -> None:
-    loaded = loaded_by(
-        "import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')"
-    )
-    assert "torch" not in loaded
-    assert "mujoco" not in loaded
-
-
-@pytest.mark.slow
-def test_composing_needs_no_torch() -> None:
-    assert "torch" not in loaded_by("import generator.composition")
-
-
-@pytest.mark.slow
-def test_evaluating_geometry_needs_no_torch() -> None:
-    assert "torch" not in loaded_by("import generator.evaluation.report")
+    registered = "import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')"
+    assert not {"torch", "mujoco"} & set(loaded_by(registered))
 
 
 @pytest.mark.slow

@@ -1,7 +1,5 @@
 """Who may import whom: the rules in CONTRIBUTING.md, checked on the source itself."""
 
-from __future__ import annotations
-
 import ast
 import re
 import sys

@@ -1,7 +1,5 @@
 """Layouts: inside the table, apart from each other, relations honoured, the same by seed."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

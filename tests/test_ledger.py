@@ -1,7 +1,5 @@
 """Seconds of stages: all that was begun, in order, nothing in between lost."""
 
-from __future__ import annotations
-
 import itertools
 
 import pytest

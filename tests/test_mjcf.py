@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import dataclasses
 import io
 import xml.etree.ElementTree as ET
@@ -31,15 +29,12 @@ def collision_type(part: ConvexPart) -> str:
 @pytest.mark.parametrize(
     ("kind", "size", "expected"),
     [
-        ("hull", (1, 1, 1), "mesh"),
-        ("box", (1, 2, 3), "box"),
-        ("cylinder", (1, 1, 3), "cylinder"),
-        ("cylinder", (1, 1.01, 3), "cylinder"),
-        ("cylinder", (1, 1.1, 3), "mesh"),
-        ("ellipsoid", (1, 1, 1), "sphere"),
+        ("hull", (1, 1, 1), "mesh"), ("box", (1, 2, 3), "box"),
+        ("cylinder", (1, 1, 3), "cylinder"), ("cylinder", (1, 1.01, 3), "cylinder"),
+        ("cylinder", (1, 1.1, 3), "mesh"), ("ellipsoid", (1, 1, 1), "sphere"),
         ("ellipsoid", (1, 1.2, 1), "ellipsoid"),
     ],
-)
+)  # fmt: skip
 def test_parts_are_primitives_only_where_scale_keeps_them_so(kind, size, expected) -> None:
     assert collision_type(ConvexPart(UNIT * 0.05 * np.array(size), kind)) == expected
 

@@ -5,8 +5,6 @@ bare participle: ``draw``, not ``drawn``. Words that this project once used in a
 are found in no name and in no text; CONTRIBUTING.md says what to write.
 """
 
-from __future__ import annotations
-
 import ast
 import io
 import re
@@ -72,7 +70,6 @@ def functions(tree: ast.AST) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]
 
 
 def bare_participles(source: str) -> list[str]:
-    """Return the names of functions that are one participle."""
     names = [node.name for node in functions(ast.parse(source))]
     return [n for n in names if is_participle(n.strip("_")) and n.strip("_") not in GIVEN]
 

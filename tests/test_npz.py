@@ -1,7 +1,5 @@
 """Arrays of files that are not trusted: read whole, or refused before they take room."""
 
-from __future__ import annotations
-
 import os
 import struct
 import zipfile
@@ -42,15 +40,10 @@ def claiming(path: Path, shape: str, kind: str = "'<f8'") -> Path:
 @pytest.mark.parametrize(
     ("shape", "kind"),
     [
-        ("(99999999999,)", "'<f8'"),
-        ("(-1,)", "'<f8'"),
-        ("(9,)", "'<f8'"),
-        ("(10,)", "'|O'"),
-        ("(1,)", "'<U999999999'"),
-        ("(10,)", "[('a', '<f8', (2**40,))]"),
-        ("x", "'<f8'"),
+        ("(99999999999,)", "'<f8'"), ("(-1,)", "'<f8'"), ("(9,)", "'<f8'"), ("(10,)", "'|O'"),
+        ("(1,)", "'<U999999999'"), ("(10,)", "[('a', '<f8', (2**40,))]"), ("x", "'<f8'"),
     ],
-)
+)  # fmt: skip
 def test_headers_that_lie_are_refused(tmp_path: Path, shape: str, kind: str) -> None:
     with pytest.raises(InputError, match="no sound arrays"):
         read(claiming(tmp_path / "x.npz", shape, kind))

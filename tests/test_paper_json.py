@@ -1,7 +1,5 @@
 """The paper's printed JSON (Figs. 12 and 14) through the frame conversion and back."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -9,17 +7,10 @@ from generator.errors import InputError
 from generator.scene.paper_json import from_paper, to_paper
 
 FIG_12 = {
-    "table_0": 0.00,
-    "toy car_1": 29.72,
-    "bottle_2": 295.00,
-    "magnifying glass_3": 145.00,
-    "bottle_4": 0.00,
-    "toy car_5": 159.99,
-    "bottle_6": 180.00,
-    "toy car_7": 155.00,
-    "screwdriver_8": 35.04,
-    "box_9": 85.08,
-}
+    "table_0": 0.00, "toy car_1": 29.72, "bottle_2": 295.00, "magnifying glass_3": 145.00,
+    "bottle_4": 0.00, "toy car_5": 159.99, "bottle_6": 180.00, "toy car_7": 155.00,
+    "screwdriver_8": 35.04, "box_9": 85.08,
+}  # fmt: skip
 FIG_14 = {
     "anchor_object": "box_9",
     "objects": {

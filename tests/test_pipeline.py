@@ -1,7 +1,5 @@
 """The whole method once, from a text and from a picture; and what it refuses."""
 
-from __future__ import annotations
-
 import dataclasses
 import os
 import subprocess

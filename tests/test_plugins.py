@@ -1,7 +1,5 @@
 """Commands of other packages: declared by them, imported when they are asked for."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import textwrap
@@ -10,7 +8,7 @@ from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import pytest
-from command import command
+from command import Shell, command
 
 from generator.cli import plugins
 
@@ -79,16 +77,14 @@ def test_without_a_checkout_only_what_is_installed_counts(
 
 
 def test_a_command_that_does_not_load_spoils_no_other(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
     broken = EntryPoint("wash\x1b[2J", "no_such_module:up", plugins.GROUP)
     shadowing = EntryPoint("doctor", "no_such_module:up", plugins.GROUP)
     monkeypatch.setattr(plugins, "CHECKOUT", tmp_path)
     monkeypatch.setattr(plugins, "entry_points", lambda group: [broken, shadowing])
-    assert command("--help") == 0
-    shown = capsys.readouterr()
+    shown = shell("--help")
     assert "generate" in shown.out and "cannot be loaded" in shown.err
     assert "\x1b[2J" not in shown.out + shown.err
-    assert command(broken.name) == 2
-    assert "error: The command wash" in capsys.readouterr().err
+    assert "error: The command wash" in shell(broken.name, code=2).err
     assert command("doctor", "--help") == 0

@@ -1,7 +1,5 @@
 """The bounded readers: what they refuse, with which error, and that they end."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Removing by name: what is not a plain name inside the folder stays."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Who may delete, by the source: a name that a file holds reaches only ``generator.io.files``."""
 
-from __future__ import annotations
-
 import ast
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The instances a bundle keeps: flattened, written, verified, read back."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """No function takes more than ten parameters; what needs more takes a dataclass."""
 
-from __future__ import annotations
-
 import ast
 from pathlib import Path
 

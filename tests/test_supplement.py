@@ -1,7 +1,5 @@
 """What a plan asks for and no instance shows comes where the plan has it."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

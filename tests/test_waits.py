@@ -1,7 +1,5 @@
 """No test waits for ever: what waits for a thread, a process or a lock says how long."""
 
-from __future__ import annotations
-
 import ast
 import tomllib
 from pathlib import Path

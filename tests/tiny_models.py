@@ -4,8 +4,6 @@ A tiny model lies where its pin says the real one would, so that all of the back
 of the weights is real.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
@@ -134,14 +132,12 @@ def sam3() -> Any:
 
 
 def dinov2(step: int = 14) -> Any:
-    """Return DINOv2 of some thousands of weights."""
     return transformers.Dinov2Model(transformers.Dinov2Config(
         hidden_size=32, num_hidden_layers=2, num_attention_heads=2, image_size=56, patch_size=step
     ))  # fmt: skip
 
 
 def clip() -> Any:
-    """Return CLIP of some thousands of weights."""
     text = transformers.CLIPTextConfig(
         vocab_size=1030, hidden_size=16, intermediate_size=16, num_hidden_layers=1,
         num_attention_heads=2, bos_token_id=101, eos_token_id=102,

@@ -1,7 +1,5 @@
 """Small hand-made scenes for tests: boxes and rings on a table, exact in every number."""
 
-from __future__ import annotations
-
 import itertools
 from typing import Any
 

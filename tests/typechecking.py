@@ -5,8 +5,6 @@ the type checker alone are imported for real, which no circle of imports prevent
 ``test_import_rules.py``).
 """
 
-from __future__ import annotations
-
 import functools
 import importlib.abc
 import importlib.machinery

@@ -1,7 +1,5 @@
 """Worlds and environments of toy scenes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -9,6 +7,7 @@ from toy import toy_objects, toy_scene
 
 from generator.scene import Object, Scene
 from tabletopgen_env.env import TabletopEnv
+from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import FixedScenes, SceneSource
 from tabletopgen_env.world.world import World
@@ -34,6 +33,13 @@ def wait(env: TabletopEnv, steps: int = 20) -> tuple[float, dict[str, Any]]:
     for _ in range(steps):
         _, reward, _, _, info = env.step(STILL)
     return reward, info
+
+
+def begun(env: TabletopEnv, seed: int = 0, **options: Any) -> TaskExpert:
+    env.reset(seed=seed, options=options)
+    expert = TaskExpert(env)
+    expert.reset()
+    return expert
 
 
 def names(source: SceneSource) -> list[str]:

@@ -1,7 +1,5 @@
 """The certificates of the shipped bundles; CONTRIBUTING.md has the command that makes them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

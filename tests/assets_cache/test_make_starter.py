@@ -1,7 +1,5 @@
 """Remaking the shipped bundles: what stays the same keeps its certificate."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The bundles shipped with the package (made by ``python -m assets_cache.make_starter``)."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

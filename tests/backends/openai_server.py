@@ -1,7 +1,5 @@
 """A small server that speaks OpenAI's protocol, and Ark's form of it, with its ways to fail."""
 
-from __future__ import annotations
-
 import base64
 import email.parser
 import email.policy
@@ -80,8 +78,6 @@ class Script:
 
 
 class Fault(Exception):
-    """An answer of another status than 200."""
-
     def __init__(self, status: int, message: str, code: str | None = None) -> None:
         self.status = status
         self.body = {"error": {"message": message, "type": "invalid_request_error", "code": code}}
@@ -250,7 +246,6 @@ class Handler(BaseHTTPRequestHandler):
 
 
 def check_strict(schema: Any) -> None:
-    """Refuse a schema that strict servers refuse."""
     if isinstance(schema, list):
         for part in schema:
             check_strict(part)

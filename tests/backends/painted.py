@@ -1,7 +1,5 @@
 """Painted test pictures with known truth: a table of the catalogue and things on it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

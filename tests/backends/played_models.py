@@ -4,8 +4,6 @@ Their inputs and outputs are those of the classes of transformers; which part of
 are shown is told from its pixels. What is checked is what the backend makes of right answers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any
@@ -50,7 +48,6 @@ class Player:
         self.looked: list[Tile] = []
 
     def tile(self, pixels: torch.Tensor) -> Tile:
-        """Return the tile whose pixels these are."""
         wide, high = pixels.shape[-1], pixels.shape[-2]
         for tile in self.tiles:
             if torch.equal(to_batch(tile.cut(self.image), wide, high, self.norm), pixels):

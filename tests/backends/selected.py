@@ -1,7 +1,5 @@
 """What can be selected by name: the contract suites go through all of it."""
 
-from __future__ import annotations
-
 import importlib
 
 from generator.backends.select import TABLE

@@ -1,7 +1,5 @@
 """RGB-D pictures of painted tables in a room, with a sensor's noise, whose truth is known."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

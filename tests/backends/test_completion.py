@@ -1,7 +1,5 @@
 """Completion of one object: clean outline, hidden halves redrawn."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest
@@ -13,7 +11,7 @@ from generator.meshes.pixels import mask_iou
 from generator.scene import Detection, Reference
 
 H, W = 200, 240
-RED, BLUE, GROUND = (200, 40, 40), (30, 60, 190), (240, 240, 240)
+RED, GREEN, BLUE, GROUND = (200, 40, 40), (30, 160, 60), (30, 60, 190), (240, 240, 240)
 
 
 def disc(x: float, y: float, r: float) -> np.ndarray:
@@ -110,54 +108,38 @@ def test_same_input_same_bytes():
     np.testing.assert_array_equal(first.crop, second.crop)
 
 
-def banded(mask: np.ndarray, axis: int) -> Reference:
-    """A red thing on a light ground, its upper (0) or left (1) half green."""
-    half = np.zeros((H, W), bool)
+def completed(axis: int, hider: tuple[slice, slice], aside: tuple[float, float, float] | None):
+    """Complete a partly hidden disc, red, its upper (0) or left (1) half green; also the disc.
+
+    What ``aside`` adds to its full mask is neither seen nor hidden.
+    """
+    whole, half, hiding = disc(120, 100, 45), np.zeros((H, W), bool), np.zeros((H, W), bool)
     half[:100] = axis == 0
     half[:, :120] |= axis == 1
-    image = np.full((H, W, 3), GROUND, np.uint8)
-    image[mask] = RED
-    image[mask & half] = (30, 160, 60)
-    return Reference(image)
+    hiding[hider] = True
+    reference = picture((whole, RED), (whole & half, GREEN), (hiding, BLUE))
+    seen, full = whole & ~hiding, whole if aside is None else whole | disc(*aside)
+    detection = Detection("thing", mask_box(seen), seen, 1.0, full)
+    return complete(reference, detection, (detect(hiding),)), whole
 
 
 def test_a_full_mask_is_believed_where_something_hides():
-    whole = disc(120, 100, 45)
-    hider = np.zeros((H, W), bool)
-    hider[50:110, 120:200] = True
-    image = np.array(banded(whole, 0).image)
-    image[hider] = BLUE
-    box = mask_box(whole & ~hider)
-    beyond = whole | disc(40, 100, 20)  # what is neither seen nor hidden is no part of it
-    detection = Detection("thing", box, whole & ~hider, 1.0, beyond)
-    found = complete(Reference(image), detection, (detect(hider),))
+    found, whole = completed(0, np.s_[50:110, 120:200], aside=(40, 100, 20))
     assert found.occluded
     assert mask_iou(alpha_in_picture(found), whole) > 0.96
 
 
 def test_hidden_places_look_like_their_mirror_images():
-    whole = disc(120, 100, 45)
-    hider = np.zeros((H, W), bool)
-    hider[40:160, 140:200] = True
-    image = np.array(banded(whole, 0).image)
-    image[hider] = BLUE
-    detection = Detection("thing", mask_box(whole & ~hider), whole & ~hider, 1.0, whole)
-    found = complete(Reference(image), detection, (detect(hider),))
+    found, _ = completed(0, np.s_[40:160, 140:200], aside=None)
     height, width = found.crop.shape[:2]
     right = found.crop[:, int(0.8 * width) : int(0.9 * width)]
     upper, lower = right[int(0.3 * height), :, :3], right[int(0.7 * height), :, :3]
-    assert np.abs(upper.astype(int) - (30, 160, 60)).max() < 20
+    assert np.abs(upper.astype(int) - GREEN).max() < 20
     assert np.abs(lower.astype(int) - RED).max() < 20
 
 
 def test_a_thing_of_two_colours_side_by_side_is_not_mirrored():
-    whole = disc(120, 100, 45)
-    hider = np.zeros((H, W), bool)
-    hider[90:110, 150:200] = True
-    image = np.array(banded(whole, 1).image)
-    image[hider] = BLUE
-    detection = Detection("thing", mask_box(whole & ~hider), whole & ~hider, 1.0, whole)
-    found = complete(Reference(image), detection, (detect(hider),))
+    found, _ = completed(1, np.s_[90:110, 150:200], aside=None)
     height, width = found.crop.shape[:2]
     hidden = found.crop[int(0.5 * height), int(0.82 * width), :3]
     assert np.abs(hidden.astype(int) - RED).max() < 25

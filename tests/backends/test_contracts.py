@@ -5,8 +5,6 @@ the open segmenting models by objects that do: what is checked is what the backe
 answers. The open encoder is the real class with random weights.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -180,8 +178,6 @@ def test_the_protocols_are_there(
 
 
 # --------------------------------------------------------------------------------------- reasoner
-
-
 def test_plan_scene(reasoner: Any) -> None:
     plan = reasoner.plan_scene("a desk with a mug", 0)
     assert plan.prompt == "a desk with a mug"
@@ -251,8 +247,6 @@ def test_guesses(reasoner: Any, desk: Desk, instances: Any, sizes: Any, view: An
 
 
 # ----------------------------------------------------------------------------------------- imager
-
-
 @pytest.mark.slow
 def test_draw(reasoner: Any, imager: Any) -> None:
     drawn = imager.draw(reasoner.plan_scene("a desk with a mug", 0), 0)
@@ -288,8 +282,6 @@ def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
 
 
 # -------------------------------------------------------------------------------------- segmenter
-
-
 @pytest.fixture(
     scope="module", params=[(name, d) for name, detectors in SEGMENTERS.items() for d in detectors]
 )
@@ -361,8 +353,6 @@ def test_segments_become_instances(segmenter: Any, desk: Desk) -> None:
 
 
 # ---------------------------------------------------------------------------------------- encoder
-
-
 @pytest.fixture(params=ENCODERS)
 def encoder(request: pytest.FixtureRequest, tiny_models: Path) -> Any:
     kind = selected.kind(request.param, "encoder")

@@ -1,7 +1,5 @@
 """Tabletops cut by the frame: outlines from a region and a known camera."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest

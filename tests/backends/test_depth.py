@@ -1,7 +1,5 @@
 """Plane, sizes, places and stacking measured in rendered depth maps, whose truth is known."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -112,8 +110,6 @@ def test_without_a_level_plane_there_is_no_table():
 
 
 # ------------------------------------------------------------------------- through the backend
-
-
 @pytest.mark.slow
 def test_the_reasoner_measures_what_it_does_not_know():
     shot = shoot()

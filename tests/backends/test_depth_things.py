@@ -1,7 +1,5 @@
 """What an eye found held against depth: flat finds, spilt and broken masks, missed things."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -158,8 +156,6 @@ def test_no_floor_in_sight_leaves_the_height_open(shot, plane):
 
 
 # --------------------------------------------------------------------------- into the scene
-
-
 def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
     """Run sizes, models and places on true masks; the modeler's sizes are off by ``wrong``."""
     reference, instances = scene_of(shot, names)
@@ -173,17 +169,7 @@ def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
         models[instance.name] = align_canonically(raw, instance, sizes[instance.name], reasoner)
     rotations = {name: Rotation(name, 0.4, 0.0) for name in names}
     nobody: object = None
-    return align(
-        reference,
-        instances,
-        models,
-        sizes,
-        rotations,
-        view,
-        imager,
-        nobody,
-        reasoner,  # type: ignore[arg-type]
-    )
+    return align(reference, instances, models, sizes, rotations, view, imager, nobody, reasoner)
 
 
 @pytest.mark.slow

@@ -1,7 +1,5 @@
 """The network's parts, and what is done when its weights are not to be had."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import torch

@@ -1,7 +1,5 @@
 """Poses read naively off masks and boxes: what stands in for DRO and TSA in an ablation."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """The judge of what the eye finds: its clues, its choices, and what training teaches it."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import torch

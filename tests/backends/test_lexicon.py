@@ -1,7 +1,5 @@
 """Words of neighbouring categories go to the right one."""
 
-from __future__ import annotations
-
 import pytest
 
 from generator.language.parsing.lexicon import category_of
@@ -10,20 +8,12 @@ from generator.language.parsing.lexicon import category_of
 @pytest.mark.parametrize(
     ("words", "key"),
     [
-        ("open book", "open_book"),
-        ("open notebook", "open_book"),
-        ("book", "book"),
-        ("map", "map"),
-        ("treasure map", "map"),
-        ("folded map", "folded_map"),
-        ("placemat", "placemat"),
-        ("place mats", "placemat"),
-        ("mouse mat", "mousepad"),
-        ("figurine", "figurine"),
-        ("statue", "sculpture"),
-        ("photo", "picture_frame"),
+        ("open book", "open_book"), ("open notebook", "open_book"), ("book", "book"),
+        ("map", "map"), ("treasure map", "map"), ("folded map", "folded_map"),
+        ("placemat", "placemat"), ("place mats", "placemat"), ("mouse mat", "mousepad"),
+        ("figurine", "figurine"), ("statue", "sculpture"), ("photo", "picture_frame"),
         ("polaroid", "photo_print"),
     ],
-)
+)  # fmt: skip
 def test_words_lead_to_their_category(words: str, key: str) -> None:
     assert category_of(tuple(words.split())) == key

@@ -1,7 +1,5 @@
 """Sizes of things and of the table, from a picture and the tabletop's plane."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from painted import SIZES, Picture, paint

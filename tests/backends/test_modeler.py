@@ -1,7 +1,5 @@
 """Analysis by synthesis: what the modeler makes of rendered shapes it is told nothing about."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Names from probabilities, sizes and the words of a text."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from generator.language import naming

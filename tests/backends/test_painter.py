@@ -1,7 +1,5 @@
 """Painted reference images: white ground, whole centred table, everything in view."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

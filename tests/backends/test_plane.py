@@ -1,7 +1,5 @@
 """The camera and the homography found from a tabletop's outline."""
 
-from __future__ import annotations
-
 import cv2
 import numpy as np
 import pytest

@@ -7,8 +7,6 @@ that together, in the currency of the price table. A local Hunyuan3D server is a
 ``TABLETOPGEN_HUNYUAN3D_URL`` says where it is, an installed model where its package is there.
 """
 
-from __future__ import annotations
-
 import os
 from importlib.util import find_spec
 from typing import Any

@@ -1,7 +1,5 @@
 """Masks, counts and names on painted pictures whose truth is known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from painted import paint
@@ -17,12 +15,7 @@ THINGS = [("mug", -0.3, 0.1, 0.0), ("bowl", 0.0, -0.12, 0.0), ("apple", 0.3, 0.1
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("outline", "material"),
-    [
-        ("rectangle", "oak"),
-        ("square", "walnut"),
-        ("round", "marble"),
-    ],
+    ("outline", "material"), [("rectangle", "oak"), ("square", "walnut"), ("round", "marble")]
 )
 def test_every_thing_is_found_tightly(outline, material):
     picture = paint(outline, material, THINGS)

@@ -1,7 +1,5 @@
 """What the eye sees of a painted picture: things apart from each other, also one in another."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import torch

@@ -1,7 +1,5 @@
 """Standing stacks of ellipses: closed solids, and silhouettes met again by them."""
 
-from __future__ import annotations
-
 import numpy as np
 import trimesh
 

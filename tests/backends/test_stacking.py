@@ -1,7 +1,5 @@
 """On, in, behind and in front of, told from visible and whole masks."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from generator.backends.embedded.layout.stacking import stack, whole_mask

@@ -1,7 +1,5 @@
 """Light taken out of colours: what is estimated, and what is left alone."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from generator.meshes.unshading import Shading, estimate_shading

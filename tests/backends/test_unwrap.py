@@ -1,7 +1,5 @@
 """Texture atlases: every chart has a place of its own, however many there are."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

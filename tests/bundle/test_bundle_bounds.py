@@ -1,7 +1,5 @@
 """Bundles that are too large, or damaged in a mesh or picture: one error, before any decoding."""
 
-from __future__ import annotations
-
 import zlib
 from collections.abc import Callable
 from pathlib import Path

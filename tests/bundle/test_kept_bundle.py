@@ -1,7 +1,5 @@
 """A bundle of an earlier version loads: backends were recorded by their modules then."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

@@ -1,18 +1,21 @@
 """A local server that answers as a test says, and counts what it was asked."""
 
-from __future__ import annotations
-
 import json
+import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler
+from pathlib import Path
 from typing import Any
 
+import pytest
+from bounded import until
 from local_server import local_server
 
+from generator.backends import select
 from generator.calls import Session
 from generator.calls.http.retries import RetryPolicy
 from generator.calls.money.prices import Price, Prices
@@ -48,8 +51,6 @@ class Says:
 
 @dataclass(frozen=True)
 class Asked:
-    """What the server was sent."""
-
     method: str
     path: str
     headers: dict[str, str]
@@ -120,6 +121,40 @@ def serving(script: Script | list[Says]) -> Iterator[Served]:
     with local_server(Handler) as url:
         served = Served(url)
         yield served
+
+
+def interrupt(server: Served, calls: int, times: int = 1, pause: float = 0.3) -> None:
+    """Interrupt the main thread once so many calls are under way."""
+
+    def send() -> None:
+        until(lambda: len(server.asked) >= calls)
+        for _ in range(times):
+            time.sleep(pause)
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+
+    threading.Thread(target=send, daemon=True).start()
+
+
+@dataclass(frozen=True)
+class Remote:
+    """Answers no question; its session is what a command opened, or a process of a batch."""
+
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+
+    def plan_scene(self, *known: Any) -> Any:
+        raise AssertionError
+
+    list_objects = estimate_view = estimate_sizes = review_orientation = plan_scene
+    stacking_order = draw = complete = top_view = segment = model = features = plan_scene
+
+
+def remote_backend(patch: pytest.MonkeyPatch, folder: Path) -> Path:
+    """Make ``Remote`` the backend "remote"; return a table of prices for what it asks."""
+    roles = dict.fromkeys(select.PROTOCOLS, f"{__name__}:Remote")
+    patch.setattr(select, "TABLE", {**select.TABLE, "remote": roles})
+    table = folder / "prices.toml"
+    table.write_text('date = "2026-01-01"\ncurrency = "EUR"\n[models.m]\noutput = 10.0\n')
+    return table
 
 
 def session(**settings: Any) -> Session:

@@ -1,7 +1,5 @@
 """The ledger: sums, unknown prices, a budget that many threads cannot overdraw."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import threading
@@ -112,10 +110,7 @@ def test_waiting_for_calls_under_way_can_be_stopped() -> None:
 
 
 def test_a_budget_refuses_what_has_no_price() -> None:
-    with (
-        pytest.raises(BudgetError, match="price table"),
-        Account().reserving(None, 5.0, "a call"),
-    ):
+    with pytest.raises(BudgetError, match="price table"), Account().reserving(None, 5.0, "a call"):
         raise AssertionError
     with Account().reserving(None, None, "a call"):
         pass

@@ -1,7 +1,5 @@
 """One notion of this machine, for proxies, prices, keys and downloads."""
 
-from __future__ import annotations
-
 import pytest
 
 from generator.calls import Session

@@ -1,7 +1,5 @@
 """The store of answers: whole or absent, bounded, shared, and never in the way."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import subprocess

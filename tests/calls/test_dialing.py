@@ -1,7 +1,5 @@
 """Servers that never come to an end: each is left when the time of the call is over."""
 
-from __future__ import annotations
-
 import gzip
 import shutil
 import socket
@@ -105,9 +103,7 @@ def test_a_handshake_byte_by_byte_is_left_in_time() -> None:
 
 
 @pytest.mark.slow
-def test_a_name_that_is_looked_up_for_ever_is_left_in_time(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_name_that_is_looked_up_for_ever_is_left_in_time(monkeypatch: pytest.MonkeyPatch) -> None:
     asked, done = threading.Event(), threading.Event()
 
     def lookup(*given: object, **more: object) -> list:

@@ -1,7 +1,5 @@
 """What was spent, answers and prices as somebody else may have written them."""
 
-from __future__ import annotations
-
 import contextlib
 import hashlib
 import json
@@ -36,8 +34,6 @@ def kept(tmp_path: Path) -> Path:
 
 
 # ------------------------------------------------------------------------------------ the sum spent
-
-
 def database(folder: Path, *statements: str, values: Iterable[tuple[object, ...]] = ()) -> Path:
     """Make a folder's database with a budget, and let somebody change it."""
     folder.mkdir(exist_ok=True)
@@ -185,8 +181,6 @@ def test_a_journal_deletes_no_file(tmp_path: Path, kept: Path) -> None:
 
 
 # ------------------------------------------------------------------------ what a scene's calls cost
-
-
 CALL = {"key": KEY, "currency": "USD", "server": "s", "question": "q", "money": 0.5}
 
 
@@ -250,8 +244,6 @@ def test_what_calls_cost_is_kept_in_a_regular_file(tmp_path: Path, kept: Path, k
 
 
 # ------------------------------------------------------------------------------------- the answers
-
-
 def forged(folder: Path, head: bytes) -> CallStore:
     """A store with an answer of right checksum."""
     content = head + b"\nbody"
@@ -327,8 +319,6 @@ def test_a_lock_that_is_a_link_is_not_gone_through(tmp_path: Path, kept: Path) -
 
 
 # -------------------------------------------------------------------------------------- the prices
-
-
 @pytest.mark.parametrize(
     "text",
     ["a = " + "[" * 100_000, f'[models."m"]\ninput = {HUGE}', 'currency = "\\u001b[2J"',

@@ -1,7 +1,5 @@
 """Ctrl-C while calls are under way: no new ones, what is answered soon is kept, twice ends all."""
 
-from __future__ import annotations
-
 import os
 import signal
 import sys
@@ -13,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from bounded import running, until
-from paid_server import Asked, Says, Served, ask, serving, session
+from paid_server import Asked, Says, Served, ask, interrupt, serving, session
 
 from generator.calls.store import CallStore
 from generator.errors import StoppedError
@@ -40,18 +38,6 @@ def hanging(first: float = HUNG) -> Iterator[tuple[Served, threading.Event]]:
             over.set()
 
 
-def interrupt(server: Served, calls: int, times: int = 1, pause: float = 0.3) -> None:
-    """Interrupt the main thread once so many calls are under way."""
-
-    def send() -> None:
-        until(lambda: len(server.asked) >= calls)
-        for _ in range(times):
-            time.sleep(pause)
-            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-
-    threading.Thread(target=send, daemon=True).start()
-
-
 def one(shared, url: str) -> None:
     ask(shared, url, "1", timeout=HUNG)
 
@@ -73,28 +59,20 @@ def test_an_answer_that_comes_soon_is_kept(work: Callable, calls: int, tmp_path:
 
 
 @pytest.mark.parametrize(("work", "calls"), [(one, 1), (some, 2)])
-def test_an_answer_that_does_not_come_is_given_up_and_counts(work: Callable, calls: int) -> None:
-    shared = session(workers=2, grace=0.2)
+@pytest.mark.parametrize(("grace", "times"), [(0.2, 1), (HUNG, 2)], ids=["one", "a second one"])
+def test_an_answer_that_does_not_come_is_given_up_and_counts(
+    work: Callable, calls: int, grace: float, times: int
+) -> None:
+    """With the first interrupt once the grace is over, with a second one at once."""
+    shared = session(workers=2, grace=grace)
     with hanging() as (server, _):
-        interrupt(server, calls)
+        interrupt(server, calls, times)
         began = time.monotonic()
         with pytest.raises(KeyboardInterrupt):
             work(shared, server.url)
         assert time.monotonic() - began < HUNG / 2
     assert [e.outcome for e in shared.account.entries] == ["failed"] * calls
     assert shared.account.money > 0.04 * calls
-
-
-@pytest.mark.parametrize(("work", "calls"), [(one, 1), (some, 2)])
-def test_a_second_interrupt_ends_it_at_once(work: Callable, calls: int) -> None:
-    shared = session(workers=2, grace=HUNG)
-    with hanging() as (server, _):
-        interrupt(server, calls, times=2)
-        began = time.monotonic()
-        with pytest.raises(KeyboardInterrupt):
-            work(shared, server.url)
-        assert time.monotonic() - began < HUNG / 2
-    assert len(shared.account.entries) == calls
 
 
 def test_stop_gives_up_what_is_under_way() -> None:

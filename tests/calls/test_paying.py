@@ -1,48 +1,25 @@
 """Commands that ask servers: the ledger, the budget, the dry run, the folder of answers."""
 
-from __future__ import annotations
-
 import errno
 import json
 import shutil
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from command import command
-from paid_server import KEY, Says, Served, ask, serving
+from command import Shell, Shown
+from paid_server import KEY, Says, Served, ask, remote_backend, serving
 from toy import toy_scene
 
 from generator import bundle
 from generator.backends import select
-from generator.calls import Session
 from generator.calls.money.database import FILE
 from generator.physics.gate import judge
 from generator.scene import Scene
 
 TEXT = "a desk with a mug"
-PRICES = """
-date = "2026-01-01"
-currency = "EUR"
-[models.m]
-output = 10.0
-"""
-
-
-@dataclass(frozen=True)
-class Remote:
-    """Answers no question; its session is what the command opened."""
-
-    session: Session = field(default_factory=Session, repr=False, compare=False)
-
-    def plan_scene(self, *known: Any) -> Any:
-        raise AssertionError
-
-    list_objects = estimate_view = estimate_sizes = review_orientation = plan_scene
-    stacking_order = draw = complete = top_view = segment = model = features = plan_scene
 
 
 @pytest.fixture(scope="module")
@@ -54,12 +31,9 @@ def scene() -> Scene:
 @pytest.fixture
 def server(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Served]:
     """A server, a backend "remote" that asks it once a scene, and a price table."""
-    roles = dict.fromkeys(select.PROTOCOLS, f"{__name__}:Remote")
-    monkeypatch.setattr(select, "TABLE", {**select.TABLE, "remote": roles})
+    remote_backend(monkeypatch, tmp_path)
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "scenes"))
     monkeypatch.setenv("TABLETOPGEN_CALLS", str(tmp_path / "usual"))
-    (tmp_path / "prices.toml").write_text(PRICES)
-
     with serving([Says()]) as served:
 
         def generate(source: str, backends: Any, *rest: Any, **others: Any) -> Any:
@@ -76,18 +50,18 @@ def server(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Ite
 
 
 @pytest.fixture
-def generate(tmp_path: Path) -> Callable[..., int]:
+def generate(tmp_path: Path, shell: Shell) -> Shell:
     """The command, asking the backend "remote" at the prices of the tests."""
-    table = str(tmp_path / "prices.toml")
-    return lambda *more: command("generate", TEXT, "--backend", "remote", "--prices", table, *more)
+    return shell.of(
+        "generate", TEXT, "--backend", "remote", "--prices", str(tmp_path / "prices.toml")
+    )
 
 
 @pytest.mark.slow
 def test_what_was_paid_is_printed_and_lies_beside_the_bundle(
-    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
+    server: Served, generate: Shell
 ) -> None:
-    assert generate() == 0
-    first, *_, head, row, total = capsys.readouterr().out.splitlines()
+    first, *_, head, row, total = generate().out.splitlines()
     assert head.split()[-1] == "EUR"
     assert row.split()[:3] == ["cloud", "plan_scene", "m"]
     assert total.split()[0] == "total" and total.split()[-1] == "0.0200"
@@ -97,13 +71,9 @@ def test_what_was_paid_is_printed_and_lies_beside_the_bundle(
     assert bundle.verify(first) == []
 
 
-def test_the_second_time_is_free_and_says_so(
-    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert generate("--json") == 0
-    path = Path(json.loads(capsys.readouterr().out)["bundle"])
-    assert generate("--json", "--budget", "0") == 0
-    told = json.loads(capsys.readouterr().out)["ledger"]
+def test_the_second_time_is_free_and_says_so(server: Served, generate: Shell) -> None:
+    path = Path(generate("--json").facts["bundle"])
+    told = generate("--json", "--budget", "0").facts["ledger"]
     assert [call["outcome"] for call in told["calls"]] == ["answered", "cached"]
     assert [call["earlier"] for call in told["calls"]] == [True, False]
     assert told["money"] == 0.02 and "0.0200 was spent by earlier runs" in told["notes"][0]
@@ -112,44 +82,34 @@ def test_the_second_time_is_free_and_says_so(
     assert [call["outcome"] for call in kept["calls"]] == ["answered"]  # what the bundle cost
 
 
-def test_answers_are_kept_where_asked(
-    server: Served, generate: Callable[..., int], tmp_path: Path
-) -> None:
-    assert generate("--calls", str(tmp_path / "mine")) == 0
+def test_answers_are_kept_where_asked(server: Served, generate: Shell, tmp_path: Path) -> None:
+    generate("--calls", str(tmp_path / "mine"))
     assert (tmp_path / "mine").is_dir() and not (tmp_path / "usual").exists()
-    assert generate() == 0
+    generate()
     assert (tmp_path / "usual").is_dir() and len(server.asked) == 2
 
 
-def test_a_budget_ends_the_command_before_the_call(
-    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert generate("--budget", "0.01") == 3
-    assert "budget of 0.01" in capsys.readouterr().err
+def test_a_budget_ends_the_command_before_the_call(server: Served, generate: Shell) -> None:
+    assert "budget of 0.01" in generate("--budget", "0.01", code=3).err
     assert server.asked == []
 
 
 def test_a_dry_run_prints_the_calls_and_sends_none(
-    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    server: Served, generate: Shell, tmp_path: Path
 ) -> None:
-    assert generate("--dry-run") == 0
-    *roles, call, rest = capsys.readouterr().out.splitlines()
+    *roles, call, rest = generate("--dry-run").out.splitlines()
     assert roles[0].split() == ["reasoner", "remote"] and len(roles) == 5
     assert call.startswith("Would ask cloud, plan_scene (m), for at most 0.0400 EUR")
     assert "Nothing was sent" in rest
-    assert generate("--dry-run", "--json") == 0
-    told = json.loads(capsys.readouterr().out)
+    told = generate("--dry-run", "--json").facts
     assert told["dry_run"] == [call]
     assert told["backends"] == {role: {"name": "remote"} for role in select.PROTOCOLS}
     assert server.asked == [] and not (tmp_path / "scenes").exists()
 
 
-def test_a_dry_run_says_what_each_role_is(
-    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_dry_run_says_what_each_role_is(server: Served, generate: Shell) -> None:
     more = ("--segmenter", "embedded", "--modeler", "remote", "--encoder", "huggingface")
-    assert generate("--dry-run", *more) == 0
-    roles = capsys.readouterr().out.splitlines()[:5]
+    roles = generate("--dry-run", *more).out.splitlines()[:5]
     assert [line.split()[:2] for line in roles] == [
         ["reasoner", "remote"], ["imager", "remote"], ["segmenter", "embedded"],
         ["modeler", "remote"], ["encoder", "huggingface"],
@@ -158,29 +118,19 @@ def test_a_dry_run_says_what_each_role_is(
 
 
 @pytest.fixture
-def failing(generate: Callable[..., int], monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
+def failed(server: Served, generate: Shell, monkeypatch: pytest.MonkeyPatch) -> Shown:
     """A run whose bundle cannot be written: what it asked was paid for by then."""
 
     def full(*given: object, **more: object) -> Path:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    def run() -> None:
-        with monkeypatch.context() as patched:
-            patched.setattr("generator.bundle.folder.publish", full)
-            assert generate() == 5
-
-    return run
+    with monkeypatch.context() as patched:
+        patched.setattr("generator.bundle.folder.publish", full)
+        return generate(code=5)
 
 
-def test_a_failure_after_a_paid_call_says_what_it_cost(
-    server: Served,
-    generate: Callable[..., int],
-    failing: Callable[[], None],
-    capsys: pytest.CaptureFixture[str],
-    tmp_path: Path,
-) -> None:
-    failing()
-    told = capsys.readouterr().err
+def test_a_failure_after_a_paid_call_says_what_it_cost(failed: Shown, tmp_path: Path) -> None:
+    told = failed.err
     assert "plan_scene" in told and "0.0200" in told and "kept" in told
     path = tmp_path / "usual" / FILE
     assert str(path) in told and b'"money": 0.02' in path.read_bytes()
@@ -189,55 +139,38 @@ def test_a_failure_after_a_paid_call_says_what_it_cost(
 
 @pytest.mark.slow
 def test_a_run_that_failed_counts_for_the_next_ones_budget_and_ledger(
-    server: Served,
-    generate: Callable[..., int],
-    failing: Callable[[], None],
-    capsys: pytest.CaptureFixture[str],
-    tmp_path: Path,
+    generate: Shell, failed: Shown, tmp_path: Path
 ) -> None:
-    failing()
     for answer in (tmp_path / "usual" / "answers").glob("*/*"):
         answer.unlink()  # so that it has to be paid for again
-    assert generate("--budget", "0.05") == 3
-    assert "Of the budget of 0.05, 0.0200 is spent" in capsys.readouterr().err
-    assert generate("--budget", "0.06") == 0
-    path = Path(capsys.readouterr().out.splitlines()[0])
+    assert "Of the budget of 0.05, 0.0200 is spent" in generate("--budget", "0.05", code=3).err
+    path = Path(generate("--budget", "0.06").out.splitlines()[0])
     assert json.loads((path / "ledger.json").read_text())["money"] == 0.04
-    assert generate("--seed", "1", "--budget", "0.05") == 0, "another scene"
+    generate("--seed", "1", "--budget", "0.05")  # another scene
 
 
 def test_what_a_failed_run_had_answered_is_in_the_next_ones_ledger(
-    server: Served,
-    generate: Callable[..., int],
-    failing: Callable[[], None],
-    capsys: pytest.CaptureFixture[str],
-    tmp_path: Path,
+    server: Served, generate: Shell, failed: Shown
 ) -> None:
-    failing()
-    capsys.readouterr()
-    assert generate() == 0 and len(server.asked) == 1
-    path = Path(capsys.readouterr().out.splitlines()[0])
+    path = Path(generate().out.splitlines()[0])
+    assert len(server.asked) == 1
     assert json.loads((path / "ledger.json").read_text())["money"] == 0.02
 
 
-def test_a_wrong_price_table_is_bad_input(
-    server: Served, generate: Callable[..., int], tmp_path: Path
-) -> None:
+def test_a_wrong_price_table_is_bad_input(server: Served, generate: Shell, tmp_path: Path) -> None:
     (tmp_path / "prices.toml").write_text("modles = 1")
-    assert generate() == 2
+    generate(code=2)
     assert server.asked == []
 
 
 def test_a_dry_run_that_needs_no_call_makes_nothing(
-    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    server: Served, generate: Shell, tmp_path: Path
 ) -> None:
-    assert generate() == 0  # its answer is kept
+    generate()  # its answer is kept
     shutil.rmtree(tmp_path / "scenes")
     for names in ((), ("--backend", "embedded")):
-        capsys.readouterr()
-        assert generate("--dry-run", *names) == 0
-        assert "No server would be asked. Nothing was made" in capsys.readouterr().out
-    assert generate("--dry-run", "--json", "--figures", str(tmp_path / "figures")) == 0
-    assert json.loads(capsys.readouterr().out)["dry_run"] == []
+        assert "No server would be asked. Nothing was made" in generate("--dry-run", *names).out
+    told = generate("--dry-run", "--json", "--figures", str(tmp_path / "figures"))
+    assert told.facts["dry_run"] == []
     assert not (tmp_path / "scenes").exists() and not (tmp_path / "figures").exists()
     assert len(server.asked) == 1

@@ -1,7 +1,5 @@
 """What a request asks and may cost, read off the request alone."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import httpx2

@@ -1,7 +1,5 @@
 """No key in any text, however a server wrote it back."""
 
-from __future__ import annotations
-
 import base64
 import json
 from urllib.parse import quote
@@ -14,13 +12,7 @@ KEY = 'mark/er+"7f3a'
 
 
 @pytest.mark.parametrize(
-    "written",
-    [
-        KEY,
-        quote(KEY, safe=""),
-        json.dumps(KEY),
-        base64.b64encode(KEY.encode()).decode(),
-    ],
+    "written", [KEY, quote(KEY, safe=""), json.dumps(KEY), base64.b64encode(KEY.encode()).decode()]
 )
 def test_a_secret_goes_in_every_form(written: str) -> None:
     text = redact(f"Incorrect key provided: {written}. Look it up.", (KEY,))

@@ -1,7 +1,5 @@
 """One key, sent to a server that repeats it wherever it can: found nowhere afterwards."""
 
-from __future__ import annotations
-
 import logging
 import traceback
 from pathlib import Path

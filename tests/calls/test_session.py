@@ -1,7 +1,5 @@
 """Work for many things at once, and how it ends."""
 
-from __future__ import annotations
-
 import sys
 import threading
 import time

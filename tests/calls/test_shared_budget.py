@@ -1,7 +1,5 @@
 """A sum of money that processes spend together: never overdrawn, whoever dies."""
 
-from __future__ import annotations
-
 import os
 import pickle
 import random
@@ -178,20 +176,15 @@ def test_calls_of_sessions_are_paid_from_it(tmp_path: Path) -> None:
 
 def test_another_folder_of_that_name_is_refused(tmp_path: Path) -> None:
     """As on a machine of a Ray cluster that does not share it."""
+    elsewhere = "is here not the folder that the batch was started with"
     shared = SharedBudget.open(tmp_path, "USD")
     (tmp_path / FILE).unlink()
-    with pytest.raises(
-        StorageError, match="is here not the folder that the batch was started with"
-    ):
+    with pytest.raises(StorageError, match=elsewhere):
         shared.spending().__enter__()
     SharedBudget.open(tmp_path, "USD")
-    with pytest.raises(
-        StorageError, match="is here not the folder that the batch was started with"
-    ):
+    with pytest.raises(StorageError, match=elsewhere):
         shared.spending().__enter__()
-    with pytest.raises(
-        StorageError, match="is here not the folder that the batch was started with"
-    ):
+    with pytest.raises(StorageError, match=elsewhere):
         SharedBudget(tmp_path / "no", "m").total()
     assert not (tmp_path / "no").exists()
 

@@ -1,7 +1,5 @@
 """What a scene's calls cost outlives the runs that paid for them."""
 
-from __future__ import annotations
-
 import os
 import sqlite3
 import subprocess
@@ -241,15 +239,15 @@ def test_an_answer_under_a_budget_outlives_a_disk_that_refuses_late(tmp_path: Pa
     assert "is not a regular file" in shared.account.notes[0]
 
 
-def test_what_cannot_be_read_is_not_taken_for_nothing(tmp_path: Path) -> None:
-    (tmp_path / FILE).mkdir()
-    with pytest.raises(StorageError, match="not a regular file"):
-        Account().resume(Spending(tmp_path, "a"))
-
-
-def test_what_an_older_version_kept_is_not_taken_for_nothing(tmp_path: Path) -> None:
-    (tmp_path / "spending").mkdir()
-    with pytest.raises(StorageError, match="spending is from an older version"):
+@pytest.mark.parametrize(
+    ("folder", "told"),
+    [(FILE, "not a regular file"), ("spending", "spending is from an older version")],
+)
+def test_what_cannot_be_read_is_not_taken_for_nothing(
+    tmp_path: Path, folder: str, told: str
+) -> None:
+    (tmp_path / folder).mkdir()
+    with pytest.raises(StorageError, match=told):
         Account().resume(Spending(tmp_path, "a"))
 
 

@@ -1,7 +1,5 @@
 """Waits grow and stay bounded; a server that fails is left alone, then tried once."""
 
-from __future__ import annotations
-
 from datetime import UTC, datetime
 
 import pytest
@@ -35,18 +33,11 @@ NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
 @pytest.mark.parametrize(
     ("text", "seconds"),
     [
-        (None, None),
-        ("7", 7.0),
-        ("0.5", 0.5),
-        ("Fri, 02 Jan 2026 03:04:35 GMT", 30.0),
-        ("Fri, 02 Jan 2026 03:04:00 GMT", 0.0),
-        ("Fri, 02 Jan 2026 03:04:35 -0000", 30.0),
-        ("-3", None),
-        ("nan", None),
-        ("inf", None),
-        ("soon", None),
+        (None, None), ("7", 7.0), ("0.5", 0.5), ("Fri, 02 Jan 2026 03:04:35 GMT", 30.0),
+        ("Fri, 02 Jan 2026 03:04:00 GMT", 0.0), ("Fri, 02 Jan 2026 03:04:35 -0000", 30.0),
+        ("-3", None), ("nan", None), ("inf", None), ("soon", None),
     ],
-)
+)  # fmt: skip
 def test_retry_after_is_a_number_or_a_date(text: str | None, seconds: float | None) -> None:
     assert retry_after(text, NOW) == seconds
 

@@ -1,7 +1,5 @@
 """How things slide, against published pairs of materials."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

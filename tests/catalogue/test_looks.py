@@ -1,7 +1,5 @@
 """Every category looks different from seed to seed: in proportions, colours or prints."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from jaxtyping import Float

@@ -1,7 +1,5 @@
 """What likenesses weigh, against real things, and how that grows with size."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Every category: closed meshes, honest collision parts, true sizes and masses, seeds."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from solidity import fingerprint, is_closed, mass_of
@@ -72,45 +70,19 @@ def test_nominal_size_is_true(key: str):
 
 
 MASSES = {
-    "mug": (0.2, 0.45),
-    "bowl": (0.2, 0.6),
-    "plate": (0.3, 0.8),
-    "glass": (0.12, 0.4),
-    "fork": (0.02, 0.08),
-    "spoon": (0.02, 0.08),
-    "bottle": (0.35, 0.9),
-    "can": (0.25, 0.5),
-    "milk_carton": (0.4, 1.2),
-    "apple": (0.12, 0.25),
-    "banana": (0.09, 0.2),
-    "orange": (0.12, 0.3),
-    "egg": (0.04, 0.08),
-    "book": (0.25, 0.9),
-    "pen": (0.006, 0.03),
-    "laptop": (1.0, 2.5),
-    "monitor": (2.5, 7.0),
-    "keyboard": (0.3, 1.2),
-    "computer_mouse": (0.05, 0.15),
-    "smartphone": (0.13, 0.25),
-    "teapot": (0.4, 1.2),
-    "pan": (0.5, 1.6),
-    "hammer": (0.3, 1.0),
-    "screwdriver": (0.04, 0.2),
-    "die": (0.002, 0.03),
-    "desk_lamp": (0.5, 2.0),
-    "lipstick": (0.015, 0.05),
-    "microscope": (1.5, 5.0),
-    "microwave": (8.0, 15.0),
-    "moka_pot": (0.3, 1.0),
-    "soda_can": (0.3, 0.5),
-    "soup_can": (0.3, 0.5),
-    "tuna_can": (0.12, 0.28),
-    "tennis_ball": (0.05, 0.07),
-    "golf_ball": (0.04, 0.05),
-    "spatula": (0.04, 0.2),
-    "padlock": (0.05, 0.3),
+    "mug": (0.2, 0.45), "bowl": (0.2, 0.6), "plate": (0.3, 0.8), "glass": (0.12, 0.4),
+    "fork": (0.02, 0.08), "spoon": (0.02, 0.08), "bottle": (0.35, 0.9), "can": (0.25, 0.5),
+    "milk_carton": (0.4, 1.2), "apple": (0.12, 0.25), "banana": (0.09, 0.2),
+    "orange": (0.12, 0.3), "egg": (0.04, 0.08), "book": (0.25, 0.9), "pen": (0.006, 0.03),
+    "laptop": (1.0, 2.5), "monitor": (2.5, 7.0), "keyboard": (0.3, 1.2),
+    "computer_mouse": (0.05, 0.15), "smartphone": (0.13, 0.25), "teapot": (0.4, 1.2),
+    "pan": (0.5, 1.6), "hammer": (0.3, 1.0), "screwdriver": (0.04, 0.2), "die": (0.002, 0.03),
+    "desk_lamp": (0.5, 2.0), "lipstick": (0.015, 0.05), "microscope": (1.5, 5.0),
+    "microwave": (8.0, 15.0), "moka_pot": (0.3, 1.0), "soda_can": (0.3, 0.5),
+    "soup_can": (0.3, 0.5), "tuna_can": (0.12, 0.28), "tennis_ball": (0.05, 0.07),
+    "golf_ball": (0.04, 0.05), "spatula": (0.04, 0.2), "padlock": (0.05, 0.3),
     "newspaper": (0.08, 0.35),
-}
+}  # fmt: skip
 
 
 @pytest.mark.slow

@@ -1,7 +1,5 @@
 """Catalogue objects in MuJoCo: hollow things hold a ball, everything rests where it stands."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """The solids: volumes against formulas, texture atlas, curves."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from solidity import is_closed

@@ -1,7 +1,5 @@
 """Drawing styles: sound models in every category, flatter, thicker, coarser."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from solidity import fingerprint, is_closed, mass_of

@@ -1,7 +1,5 @@
 """Tables of every outline and leg style."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

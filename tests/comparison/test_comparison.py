@@ -1,7 +1,5 @@
 """A scene held against its picture: known camera, known silhouettes, figures and sheet."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The grasp detector: what it answers, what it is given, and what of it is kept."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The height maps that the detector sees."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from toy import toy_object

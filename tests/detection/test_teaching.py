@@ -1,7 +1,5 @@
 """What the detector is taught, and that it learns it."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -4,8 +4,6 @@ A Python or shell block is run by a test unless the line above its fence is a co
 ``<!-- not-run: needs a key -->``. Blocks of a page share one folder, those in Python their names.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import shlex
@@ -65,13 +63,10 @@ def read(page: Path) -> Iterator[Block]:
 
 
 def blocks() -> list[Block]:
-    """Return the blocks of all pages."""
     return [block for page in pages() for block in read(page)]
 
 
 # ------------------------------------------------------------------------------------- shell
-
-
 def faults(block: Block) -> list[str]:
     """Return what is wrong with a block, without running it."""
     if block.language == "python":

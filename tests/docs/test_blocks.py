@@ -1,7 +1,5 @@
 """Every block of code of README.md and of the docs runs, or says why it does not and is checked."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """The page of the environment: its table of ``info`` is what there is."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from typing import Any

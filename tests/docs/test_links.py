@@ -1,7 +1,5 @@
 """Links within README.md, CONTRIBUTING.md and the docs lead somewhere."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from functools import cache

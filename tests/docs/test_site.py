@@ -1,7 +1,5 @@
 """The site builds without a warning, offline, and its generated pages say what the code says."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The page of tasks says what the code says."""
 
-from __future__ import annotations
-
 import importlib.util
 import re
 import sys

@@ -1,7 +1,5 @@
 """What an edit left as it was: entries and files of two bundles compared."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

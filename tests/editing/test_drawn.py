@@ -1,7 +1,5 @@
 """An edit by backends: the thing is drawn, cut out, modelled and turned, by the protocols alone."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -15,7 +13,6 @@ from toy import cube_mesh, toy_object, toy_scene
 from generator import bundle, editing
 from generator.backends import Backends
 from generator.bundle import Segments
-from generator.editing import edited
 from generator.geometry import mask_box
 from generator.physics.gate import judge
 from generator.scene import (
@@ -29,6 +26,7 @@ from generator.scene import (
     View,
 )
 
+pytestmark = pytest.mark.usefixtures("small")
 PICTURE = np.full((60, 80, 3), 255, np.uint8)
 VIEW = View(0.0, 0.9, 0.6)
 
@@ -88,12 +86,6 @@ class Painter:
         raise AssertionError
 
     top_view = stacking_order
-
-
-@pytest.fixture(autouse=True)
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Previews of a few pixels."""
-    monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))
 
 
 @pytest.fixture

@@ -1,13 +1,10 @@
 """``tabletopgen edit`` as a user types it."""
 
-from __future__ import annotations
-
-import json
 import shutil
 from pathlib import Path
 
 import pytest
-from command import command
+from command import Shell, command
 
 import assets_cache
 from generator import bundle
@@ -18,19 +15,19 @@ pytestmark = pytest.mark.usefixtures("store")
 
 
 @pytest.mark.slow
-def test_remove_move_and_replace(
-    store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_remove_move_and_replace(store: Path, tmp_path: Path, shell: Shell) -> None:
     (vanity,) = assets_cache.find("vanity")
     out = tmp_path / "out"
-    assert command("edit", "vanity", "remove", "cream_jar_1", "--out", str(out), "--json") == 0
-    first = Path(json.loads(capsys.readouterr().out)["bundle"])
+    first = Path(
+        shell("edit", "vanity", "remove", "cream_jar_1", "--out", str(out), "--json").facts[
+            "bundle"
+        ]
+    )
     assert first.parent == out
     assert vanity.is_dir()
 
     put = ("--to", "-0.1", "-0.15", "--turn", "30", "--replace", "--json")
-    assert command("edit", str(first), "move", "lipstick_1", *put) == 0
-    second = Path(json.loads(capsys.readouterr().out)["bundle"])
+    second = Path(shell("edit", str(first), "move", "lipstick_1", *put).facts["bundle"])
     assert list(out.iterdir()) == [second]
     lipstick = bundle.load(second).object("lipstick_1")
     assert lipstick.pose.position[:2] == pytest.approx([-0.1, -0.15], abs=2e-3)
@@ -41,16 +38,14 @@ def test_remove_move_and_replace(
 @pytest.mark.slow
 @pytest.mark.parametrize("backend", [(), ("--backend", "embedded")])
 def test_a_dry_run_makes_and_removes_nothing(
-    store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], backend: tuple[str, ...]
+    store: Path, tmp_path: Path, shell: Shell, backend: tuple[str, ...]
 ) -> None:
     (vanity,) = assets_cache.find("vanity")
     mine = tmp_path / "out" / vanity.name
     shutil.copytree(vanity, mine)
     edit = ("edit", str(mine), "remove", "cream_jar_1", "--dry-run", *backend)
-    assert command(*edit, "--replace") == 0
-    assert "No server would be asked. Nothing was made" in capsys.readouterr().out
-    assert command(*edit, "--json") == 0
-    assert json.loads(capsys.readouterr().out)["dry_run"] == []
+    assert "No server would be asked. Nothing was made" in shell(*edit, "--replace").out
+    assert shell(*edit, "--json").facts["dry_run"] == []
     assert [p.name for p in mine.parent.iterdir()] == [vanity.name]
     assert bundle.verify(mine) == []
     assert not store.exists()
@@ -72,10 +67,9 @@ def test_a_dry_run_makes_and_removes_nothing(
     ],
 )
 def test_a_wrong_edit_is_one_clear_line(
-    store: Path, capsys: pytest.CaptureFixture[str], args: tuple[str, ...], code: int, words: str
+    store: Path, shell: Shell, args: tuple[str, ...], code: int, words: str
 ) -> None:
-    assert command("edit", *args) == code
-    assert words in capsys.readouterr().err
+    assert words in shell("edit", *args, code=code).err
     assert not store.exists()
 
 

@@ -1,7 +1,5 @@
 """Edits of finished scenes: what is touched, what stays, what is refused."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What stands on or in a thing that an edit touches."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,22 +9,17 @@ from changed import kept
 from toy import toy_object, toy_scene
 
 from generator import bundle, editing
-from generator.editing import edited
 from generator.errors import SceneError
 from generator.physics.gate import judge
 from generator.scene import Object
+
+pytestmark = pytest.mark.usefixtures("small")
 
 TOP = 0.74
 
 
 def on(thing: Object, below: str, *, inside: bool = False) -> Object:
     return replace(thing, placement=replace(thing.placement, on=below, inside=inside))
-
-
-@pytest.fixture(autouse=True)
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Previews of a few pixels."""
-    monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))
 
 
 @pytest.fixture(scope="module")
@@ -97,6 +90,17 @@ def test_what_holds_nothing_does_not_replace_a_vessel(loaded: Path) -> None:
         editing.swap(loaded, "mug_1", "a book")
 
 
+def test_nothing_moves_relative_to_its_own_load(loaded: Path) -> None:
+    with pytest.raises(ValueError, match="moves with it"):
+        editing.move(loaded, "box_1", "left of block_1")
+
+
+@pytest.mark.slow
+def test_what_carries_nothing_does_not_replace_a_support(loaded: Path) -> None:
+    with pytest.raises(SceneError, match="block_1"):
+        editing.swap(loaded, "box_1", "a tennis ball")
+
+
 def test_what_stands_on_a_swapped_thing_stands_on_the_other(loaded: Path) -> None:
     done = editing.swap(loaded, "box_1", "a large book")
     block, book = done.scene.object("block_1"), done.scene.object("book_1")
@@ -106,23 +110,12 @@ def test_what_stands_on_a_swapped_thing_stands_on_the_other(loaded: Path) -> Non
 
 
 @pytest.mark.slow
-def test_what_carries_nothing_does_not_replace_a_support(loaded: Path) -> None:
-    with pytest.raises(SceneError, match="block_1"):
-        editing.swap(loaded, "box_1", "a tennis ball")
-
-
-@pytest.mark.slow
 def test_a_thing_goes_into_a_vessel_and_onto_another(loaded: Path) -> None:
     inside = editing.add(loaded, "a die in mug_1").scene.objects[-1]
     assert (inside.placement.on, inside.placement.inside) == ("mug_1", True)
     on_top = editing.move(loaded, "can_1", "on the box").scene.object("can_1")
     assert on_top.placement.on == "box_1"
     assert on_top.pose.position[2] > TOP + 0.08
-
-
-def test_nothing_moves_relative_to_its_own_load(loaded: Path) -> None:
-    with pytest.raises(ValueError, match="moves with it"):
-        editing.move(loaded, "box_1", "left of block_1")
 
 
 def test_the_last_thing_stays(tmp_path: Path) -> None:

@@ -1,7 +1,5 @@
 """A swap at each of five starter tables: one thing is another, all else is the same to the byte."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -11,12 +9,11 @@ from changed import kept
 import assets_cache
 from generator import bundle, editing
 from generator.backends import Backends
-from generator.editing import edited
 from generator.generation import Config
 from generator.method.rotation.config import RotationConfig
 from generator.physics.gate import judge
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("small")]
 
 SWAPS = {
     "coffee-oval": ("plate_1", "a small teapot", "teapot"),
@@ -34,12 +31,6 @@ QUICK = Config(
     )
 )  # fmt: skip
 """A coarse search for the yaw of what was drawn; nothing else is left out."""
-
-
-@pytest.fixture(autouse=True)
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Previews of a few pixels."""
-    monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))
 
 
 @pytest.mark.parametrize("backend", [None, "embedded"])

@@ -1,7 +1,5 @@
 """Action modes: documented amounts, limits, and bad input."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from toy import toy_object, toy_scene
@@ -24,11 +22,18 @@ from tabletopgen_env.robot.kinematics import rotation_vector
 from tabletopgen_env.world.composition import TIMESTEP
 
 
+def over_the_table(action: str = "ee_delta", **settings) -> TabletopEnv:
+    """A mode at a table with one cube out of the way, the robot at home."""
+    scene = toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.45, -0.2)),))
+    env = make_env(scene, action=action, **settings)
+    env.reset(seed=0, options={"goal": (0.2, 0.0)})
+    return env
+
+
 @pytest.fixture
 def ee() -> TabletopEnv:
-    """End-effector mode at a table with one cube out of the way, the hand 0.3 m over the table."""
-    env = make_env(toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.45, -0.2)),)))
-    env.reset(seed=0, options={"goal": (0.2, 0.0)})
+    """End-effector mode, the hand 0.3 m over the table."""
+    env = over_the_table()
     act(env, [0, 0, -1, 0, 1], 9)
     act(env, [0, 0, 0, 0, 1], 8)
     return env
@@ -40,17 +45,29 @@ def act(env: TabletopEnv, action, times: int) -> None:
 
 
 def tool(env: TabletopEnv) -> np.ndarray:
-    """Tool centre point in the base frame."""
     return env.world.to_base(env.world.data.site_xpos[env.world.tcp])
 
 
 def hand(env: TabletopEnv) -> np.ndarray:
-    """Rotation of the hand in the base frame."""
     return env.world.base_rotation.T @ env.world.data.site_xmat[env.world.tcp].reshape(3, 3)
 
 
 def yaw(env: TabletopEnv) -> float:
     return float(np.arctan2(hand(env)[1, 0], hand(env)[0, 0]))
+
+
+def opening(env: TabletopEnv) -> float:
+    """Metres between the fingers."""
+    return env.world.data.qpos[env.world.finger_qpos].sum()
+
+
+def joints(env: TabletopEnv) -> np.ndarray:
+    return env.world.data.qpos[env.world.arm_qpos].copy()
+
+
+def arm_ranges(env: TabletopEnv) -> np.ndarray:
+    """Lowest and highest commands of the arm's joints."""
+    return env.world.model.actuator_ctrlrange[env.world.actuators[:7]].T
 
 
 def test_a_step_takes_a_twentieth_of_a_second(ee) -> None:
@@ -103,45 +120,45 @@ def test_pressing_on_the_table_does_not_wind_up(ee) -> None:
 def test_pulling_beyond_reach_stands_still(ee) -> None:
     """Straight as it is, a joint that is asked to stretch further must not go to and fro."""
     act(ee, [1, 0, 0.4, 0, 1], 40)
-    world, joints, tools = ee.world, [], []
+    turned, tools = [], []
     for _ in range(20):
         act(ee, [1, 0, 0.4, 0, 1], 1)
-        joints.append(world.data.qpos[world.arm_qpos].copy())
+        turned.append(joints(ee))
         tools.append(tool(ee))
-    assert joints[-1][3] > -0.7, "as far as it goes"
-    assert np.abs(np.diff(joints, 2, axis=0)).max() < 0.001
+    assert turned[-1][3] > -0.7, "as far as it goes"
+    assert np.abs(np.diff(turned, 2, axis=0)).max() < 0.001
     act(ee, [-1, 0, 0, 0, 1], 8)
     assert tools[-1][0] - tool(ee)[0] > 0.08, "and it comes back at once"
 
 
 def test_joint_delta_turns_each_joint_by_the_documented_amount() -> None:
-    env = make_env(toy_scene(), action="joint_delta")
-    env.reset(seed=0)
-    joints = env.world.data.qpos[env.world.arm_qpos].copy()
+    env = over_the_table("joint_delta")
+    before = joints(env)
     action = np.array([0.5, -0.5, 0.25, -0.5, 0.5, 0.5, -1.0, 1.0])
     act(env, action, 2)
     act(env, [0] * 7 + [1], 12)
-    moved = env.world.data.qpos[env.world.arm_qpos] - joints
-    assert np.allclose(moved, 2 * JOINT_STEP * action[:7], atol=5e-3)
+    assert np.allclose(joints(env) - before, 2 * JOINT_STEP * action[:7], atol=5e-3)
 
 
 def test_joint_commands_stay_in_range_and_near_the_arm() -> None:
-    env = make_env(toy_scene(), action="joint_delta")
-    env.reset(seed=0)
-    world = env.world
-    low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
+    env = over_the_table("joint_delta")
+    low, high = arm_ranges(env)
     for _ in range(40):
         env.step(np.array([1.0] * 7 + [0.0]))
-        command = world.data.ctrl[world.actuators[:7]]
+        command = env.world.data.ctrl[env.world.actuators[:7]]
         assert (command >= low).all() and (command <= high).all()
-    ahead = command - world.data.qpos[world.arm_qpos]
-    assert np.abs(ahead).max() <= 3 * JOINT_LEASH
+    assert np.abs(command - joints(env)).max() <= 3 * JOINT_LEASH
 
 
-@pytest.mark.parametrize(("command", "opening"), [(1.0, 0.08), (0.0, 0.04), (-1.0, 0.0)])
-def test_the_gripper_goes_to_its_opening(ee, command, opening) -> None:
-    act(ee, [0, 0, 0, 0, command], 25)
-    assert ee.world.data.qpos[ee.world.finger_qpos].sum() == pytest.approx(opening, abs=5e-3)
+@pytest.mark.parametrize(
+    ("gripper", "command", "wide"),
+    [("continuous", 1.0, 0.08), ("continuous", 0.0, 0.04), ("continuous", -1.0, 0.0),
+     ("binary", 1.0, 0.08), ("binary", 0.0, 0.08), ("binary", -0.01, 0.0)],
+)  # fmt: skip
+def test_the_gripper_goes_to_its_opening(gripper, command, wide) -> None:
+    env = over_the_table("ee_delta_pos", gripper=gripper)
+    act(env, [0, 0, 0, command], 25)
+    assert opening(env) == pytest.approx(wide, abs=5e-3)
 
 
 SIZES = {
@@ -166,10 +183,7 @@ def test_every_mode_is_listed_with_its_size() -> None:
 @pytest.fixture(scope="module", params=SIZES)
 def ready(request) -> TabletopEnv:
     """An environment in each mode, for actions that must not go through."""
-    env = make_env(toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.45, -0.2)),)),
-                   action=request.param)  # fmt: skip
-    env.reset(seed=0, options={"goal": (0.2, 0.0)})
-    return env
+    return over_the_table(request.param)
 
 
 @pytest.mark.parametrize(
@@ -238,16 +252,6 @@ def test_unknown_modes_name_the_known_ones() -> None:
 
 
 # ------------------------------------------------------------------------------- single modes
-
-
-def over_the_table(action: str, **settings) -> TabletopEnv:
-    """A mode at a table with one cube out of the way, the robot at home."""
-    scene = toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.45, -0.2)),))
-    env = make_env(scene, action=action, **settings)
-    env.reset(seed=0, options={"goal": (0.2, 0.0)})
-    return env
-
-
 def test_ee_delta_pos_moves_as_ee_delta_does_without_turning() -> None:
     both = [over_the_table("ee_delta"), over_the_table("ee_delta_pos")]
     for k in range(10):
@@ -326,27 +330,17 @@ def test_ee_absolute_turns_from_end_to_end_through_the_middle() -> None:
 
 def test_joint_target_goes_to_the_joints_at_the_documented_speed() -> None:
     env = over_the_table("joint_target")
-    world = env.world
-    low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
-    start = world.data.qpos[world.arm_qpos].copy()
+    low, high = arm_ranges(env)
+    start = joints(env)
     wanted = start + np.array([0.5, -0.3, 0.2, -0.3, 0.2, 0.3, -1.0])
     action = np.array([*(2 * (wanted - low) / (high - low) - 1), 1.0])
     act(env, action, 4)
-    assert np.abs(world.data.qpos[world.arm_qpos] - start).max() < 4 * JOINT_STEP + 0.01
+    assert np.abs(joints(env) - start).max() < 4 * JOINT_STEP + 0.01
     act(env, action, 20)
-    assert np.allclose(world.data.qpos[world.arm_qpos], wanted, atol=5e-3)
-
-
-@pytest.mark.parametrize(("command", "opening"), [(1.0, 0.08), (0.0, 0.08), (-0.01, 0.0)])
-def test_a_binary_gripper_opens_or_closes(command, opening) -> None:
-    env = over_the_table("ee_delta_pos", gripper="binary")
-    act(env, [0, 0, 0, command], 25)
-    assert env.world.data.qpos[env.world.finger_qpos].sum() == pytest.approx(opening, abs=5e-3)
+    assert np.allclose(joints(env), wanted, atol=5e-3)
 
 
 # ----------------------------------------------------------------------------------- the rate
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("hz", [5, 10, 50, 100])
 @pytest.mark.parametrize("mode", ["ee_delta", "joint_delta", "ee_delta_6d"])
@@ -354,13 +348,13 @@ def test_at_another_rate_the_speeds_are_the_same(mode, hz) -> None:
     env = over_the_table(mode, control_hz=hz)
     action = np.zeros(env.action_space.shape)
     action[[0, -1]] = [0.5, 1.0]
-    before, joint = tool(env), env.world.data.qpos[env.world.arm_qpos[0]]
+    before, joint = tool(env), joints(env)[0]
     act(env, action, round(0.4 * hz))
     assert env.world.data.time == pytest.approx(0.4)
     assert env.metadata["render_fps"] == hz
     act(env, [*np.zeros(len(action) - 1), 1.0], round(0.8 * hz))
     if mode == "joint_delta":
-        moved = env.world.data.qpos[env.world.arm_qpos[0]] - joint
+        moved = joints(env)[0] - joint
         assert moved == pytest.approx(0.4 * 0.5 * JOINT_STEP * 20, abs=5e-3)
     else:
         assert np.allclose(tool(env) - before, [0.4 * 0.5 * EE_STEP * 20, 0, 0], atol=3e-3)

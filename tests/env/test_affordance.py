@@ -1,7 +1,5 @@
 """What a gripper can do with a shape: widths, hollows, surfaces, free spots."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -31,7 +29,6 @@ def unfit(obj) -> str | None:
 
 
 def lying(obj):
-    """The object turned on its side."""
     side = np.array([np.sqrt(0.5), np.sqrt(0.5), 0.0, 0.0])
     return replace(obj, pose=Pose(obj.pose.position, side))
 

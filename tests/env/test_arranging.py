@@ -1,7 +1,5 @@
 """Objects that stand elsewhere, and objects that are taken away."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -31,8 +29,6 @@ def tray_scene() -> Scene:
 
 
 # ------------------------------------------------------------------------------------------ poses
-
-
 @pytest.mark.slow
 def test_poses_change_a_little_and_rest() -> None:
     env = make_env(toy_scene(), randomization=only("poses"))
@@ -140,8 +136,6 @@ def test_what_would_fall_stays() -> None:
 
 
 # ------------------------------------------------------------------------------------ distractors
-
-
 @pytest.mark.slow
 def test_distractors_leave_the_table_and_their_slots() -> None:
     counts = set()

@@ -1,7 +1,5 @@
 """Certificates: made by the expert, kept beside a bundle, refused where they are not its own."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import shutil
@@ -11,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command import Shell
 from toy import toy_object, toy_scene
 
 from generator.bundle import load, save, verify
@@ -76,15 +75,10 @@ def test_it_lists_what_the_expert_did(certified: Path) -> None:
 @pytest.mark.parametrize(
     ("solved", "starts", "counts"),
     [
-        (STARTS, STARTS, True),
-        (40, 40, True),
-        (10, 10, False),
-        (STARTS - 1, STARTS - 1, False),
-        (STARTS - 1, STARTS, False),
-        (99, 100, False),
-        (0, 0, False),
+        (STARTS, STARTS, True), (40, 40, True), (10, 10, False), (STARTS - 1, STARTS - 1, False),
+        (STARTS - 1, STARTS, False), (99, 100, False), (0, 0, False),
     ],
-)
+)  # fmt: skip
 def test_what_counts_is_solved_from_all_of_many_starts(
     bundle: Path, solved: int, starts: int, counts: bool
 ) -> None:
@@ -223,7 +217,7 @@ def test_a_link_is_not_followed(bundle: Path, tmp_path: Path) -> None:
         read_certificate(bundle)
 
 
-def test_wrong_requests_are_explained(bundle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_wrong_requests_are_explained(bundle: Path, shell: Shell) -> None:
     with pytest.raises(InputError, match="Did you mean 'Stack'"):
         Terms(("Stak",))
     with pytest.raises(InputError, match="episodes to be a whole number >= 1 and <= 10000, got 0"):
@@ -232,14 +226,14 @@ def test_wrong_requests_are_explained(bundle: Path, capsys: pytest.CaptureFixtur
         Terms(())
     with pytest.raises(InputError, match="certify needs workers"):
         certify(bundle, TERMS, workers=0)
-    assert run(["certify", str(bundle), "--tasks", "Lift", "--episodes", "0"]) == 2
-    assert "error: Terms needs episodes" in capsys.readouterr().err
+    told = shell("certify", str(bundle), "--tasks", "Lift", "--episodes", "0", code=2).err
+    assert "error: Terms needs episodes" in told
     assert run(["certify", str(bundle.parent / "none")]) == 4
 
 
 @pytest.mark.slow
 def test_the_command_goes_on_where_it_was_interrupted(
-    certified: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    certified: Path, tmp_path: Path, shell: Shell
 ) -> None:
     done = shutil.copytree(certified, tmp_path / "a" / certified.name)
     left = save(scene().replace(name="left"), tmp_path / "a")
@@ -248,8 +242,7 @@ def test_the_command_goes_on_where_it_was_interrupted(
     marked = other | {"versions": {"mujoco": "as it was"}}
     (done / FILE).write_text(json.dumps(marked))
     wanted = ["certify", str(tmp_path / "a"), "--tasks", "Lift", "Stack", "--most", "8"]
-    assert run([*wanted, "--episodes", "2", "--seed", "3"]) == 0
-    told = capsys.readouterr().out
+    told = shell(*wanted, "--episodes", "2", "--seed", "3").out
     assert "1 of 2 bundles are certified already" in told
     assert f"{left.name}: Lift (target cube_1): 2 of 2" in told and done.name not in told
     assert is_certified(left, TERMS) and json.loads((done / FILE).read_text()) == marked
@@ -259,14 +252,11 @@ def test_the_command_goes_on_where_it_was_interrupted(
 
 
 @pytest.mark.slow
-def test_a_bad_bundle_does_not_end_the_others(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_bad_bundle_does_not_end_the_others(tmp_path: Path, shell: Shell) -> None:
     paths = [save(scene().replace(name=name), tmp_path) for name in ("one", "two", "three")]
     bad = paths[1] / "scene.json"
     bad.write_text(bad.read_text().replace("cube_1", "cube_2"))
-    assert run(["certify", *map(str, paths), "--tasks", "Lift", "--episodes", "1"]) == 4
-    told = capsys.readouterr()
+    told = shell("certify", *map(str, paths), "--tasks", "Lift", "--episodes", "1", code=4)
     assert all(f"{path.name}: Lift" in told.out for path in (paths[0], paths[2]))
     assert all(is_certified(path, Terms(("Lift",), 1)) for path in (paths[0], paths[2]))
     *_, line = told.err.splitlines()
@@ -277,7 +267,7 @@ def test_a_bad_bundle_does_not_end_the_others(
 
 
 def test_bad_bundles_are_named_also_when_the_rest_is_interrupted(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, shell: Shell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*_: Any) -> Any:
         yield tmp_path / "bad", BundleError("it is damaged")
@@ -285,18 +275,17 @@ def test_bad_bundles_are_named_also_when_the_rest_is_interrupted(
 
     path = save(scene(), tmp_path)
     monkeypatch.setattr("tabletopgen_env.certificates.certify.certify_all", interrupted)
-    assert run(["certify", str(path)]) == 130
-    assert "error: bad is not certified: it is damaged" in capsys.readouterr().err
+    assert "error: bad is not certified: it is damaged" in shell("certify", str(path), code=130).err
 
 
 def test_a_certificate_that_cannot_be_written_does_not_end_the_others(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, shell: Shell
 ) -> None:
     paths = [save(scene().replace(name=name), tmp_path) for name in ("one", "two")]
     (paths[0] / FILE).mkdir()
-    assert run(["certify", *map(str, paths), "--tasks", "Reach", "--episodes", "1"]) == 5
+    told = shell("certify", *map(str, paths), "--tasks", "Reach", "--episodes", "1", code=5).err
     assert is_certified(paths[1], Terms(("Reach",), 1))
-    assert f"error: {paths[0].name} is not certified: " in capsys.readouterr().err
+    assert f"error: {paths[0].name} is not certified: " in told
 
 
 @pytest.mark.parametrize(

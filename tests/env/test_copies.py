@@ -1,7 +1,5 @@
 """Copies of environments: the same settings and random state, no episode."""
 
-from __future__ import annotations
-
 import copy
 import multiprocessing
 import os

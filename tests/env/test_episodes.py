@@ -1,7 +1,5 @@
 """What counts as a success."""
 
-from __future__ import annotations
-
 from tabletopgen_env.episodes import HOLD, Held
 
 

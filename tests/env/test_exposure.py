@@ -3,8 +3,6 @@
 With MUJOCO_GL=osmesa (or egl) in the environment these tests look at that kind of OpenGL.
 """
 
-from __future__ import annotations
-
 import functools
 
 import numpy as np

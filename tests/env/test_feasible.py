@@ -1,7 +1,5 @@
 """Starts that an episode can be played from: what is to be taken still has a grasp."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

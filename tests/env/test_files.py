@@ -1,7 +1,5 @@
 """Files are written whole or not at all, and JSON is read value by value."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Forked processes draw, although OpenGL does not survive a fork: in software, or with an error."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import warnings
@@ -43,7 +41,6 @@ def gl(drawn: gym.Env) -> bool:
 
 
 def in_fork(work: Callable[[], Any]) -> Any:
-    """Return what ``work`` returns in a forked process."""
     context = multiprocessing.get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
     process = context.Process(target=lambda: sender.send(work()), daemon=True)

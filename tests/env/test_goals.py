@@ -1,7 +1,5 @@
 """Every task: success exactly where its page says, a full reward there and nowhere else."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -27,7 +25,6 @@ def start(task: str, scene=None, seed: int = 0, **options) -> TabletopEnv:
 
 
 def put(env: TabletopEnv, name: str, x: float, y: float, on: float = TOP) -> None:
-    """Put an object at rest on a height."""
     rest = env.world.position(name)[2] - env.world.lowest(name)
     env.world.teleport(name, np.array([x, y, on + rest + 2e-4]))
 
@@ -40,8 +37,6 @@ def is_done(env: TabletopEnv) -> bool:
 
 
 # ------------------------------------------------------------------------------------------ all
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_fresh_episode_is_not_done_and_its_terms_are_shares(name) -> None:
@@ -109,8 +104,6 @@ def test_a_table_without_things_offers_nothing(name) -> None:
 
 
 # ------------------------------------------------------------------------------------- one by one
-
-
 def test_reach_is_done_where_the_tool_is_within_two_centimetres() -> None:
     env = start("Reach")
     tool = env.world.data.site_xpos[env.world.tcp].copy()

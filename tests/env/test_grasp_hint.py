@@ -1,7 +1,5 @@
 """The grasp of the target in the state."""
 
-from __future__ import annotations
-
 import pickle
 import subprocess
 import sys
@@ -29,26 +27,35 @@ def lift(**settings) -> TabletopEnv:
     return make_env(toy_scene(), **{"task": "Lift", "grasp_hint": True, **settings})
 
 
+def started(options: dict = CUBE, **settings) -> tuple[TabletopEnv, np.ndarray, TaskExpert]:
+    """Return an environment, what it shows first, and the expert that begins there."""
+    env = lift(**settings)
+    seen = env.reset(seed=0, options=options)[0]
+    expert = TaskExpert(env)
+    expert.reset()
+    return env, seen, expert
+
+
+def assert_shown(seen: np.ndarray, env: TabletopEnv, plan) -> None:
+    """The state's hint leads from the tool to the grasp of ``plan``, in the base frame."""
+    assert plan is not None
+    away = plan.grasp.point - env.world.data.site_xpos[env.world.tcp]
+    assert np.allclose(seen[279:282], env.world.base_rotation.T @ away, atol=1e-5)
+    assert np.allclose(seen[283:285], [plan.grasp.opening, plan.grasp.width], atol=1e-5)
+
+
 def test_the_state_ends_with_the_planned_grasp() -> None:
     env = lift()
     seen = env.reset(seed=0, options=CUBE)[0]
     assert seen.shape == env.observation_space.shape == (279 + len(HINT_BOUNDS),)
-    plan = choose(env.world, "cube_1")
-    assert plan is not None
-    tool = env.world.data.site_xpos[env.world.tcp]
-    away = env.world.base_rotation.T @ (plan.grasp.point - tool)
-    assert np.allclose(seen[279:282], away, atol=1e-5)
-    assert np.allclose(seen[283:285], [plan.grasp.opening, plan.grasp.width], atol=1e-5)
+    assert_shown(seen, env, choose(env.world, "cube_1"))
     assert seen[286] == 1.0
     plain = make_env(toy_scene(), task="Lift").reset(seed=0, options=CUBE)[0]
     assert np.array_equal(seen[:279], plain)
 
 
 def test_the_hint_leads_to_the_grasp() -> None:
-    env = lift()
-    seen = env.reset(seed=0, options=CUBE)[0]
-    expert = TaskExpert(env)
-    expert.reset()
+    env, seen, expert = started()
     while expert.phase != "close":
         seen = env.step(expert.act())[0]
     assert np.linalg.norm(seen[279:282]) < 0.01 and abs(seen[282]) < 0.06
@@ -160,12 +167,9 @@ def test_every_mode_has_room_for_it(mode) -> None:
     env.close()
 
 
-def placing(target: str = "cube_1", **settings) -> tuple[TabletopEnv, TaskExpert]:
+def placing(**settings) -> tuple[TabletopEnv, TaskExpert]:
     """Return an environment of PickPlace, and its expert, that is about to carry."""
-    env = make_env(toy_scene(), task="PickPlace", grasp_hint=True, **settings)
-    env.reset(seed=0, options={"target": target, "goal": (0.2, -0.15)})
-    expert = TaskExpert(env)
-    expert.reset()
+    env, _, expert = started({**CUBE, "goal": (0.2, -0.15)}, task="PickPlace", **settings)
     for _ in range(100):
         env.step(expert.act())
         assert env.hint is not None
@@ -175,10 +179,7 @@ def placing(target: str = "cube_1", **settings) -> tuple[TabletopEnv, TaskExpert
 
 
 def test_what_is_held_is_to_be_raised_before_it_goes_anywhere() -> None:
-    env = lift()
-    seen = env.reset(seed=0, options=CUBE)[0]
-    expert = TaskExpert(env)
-    expert.reset()
+    env, seen, expert = started()
     kinds, ways = [seen[286]], [seen[279:282]]
     for _ in range(60):
         seen, _, _, _, info = env.step(expert.act())
@@ -251,26 +252,25 @@ def test_noise_moves_a_place_with_what_is_read_of_the_thing_in_the_hand() -> Non
     assert np.ptp(sums, 0).max() < 0.006
 
 
-def test_a_detected_hint_is_the_detectors_grasp() -> None:
-    env = lift(grasp_hint="detected")
-    seen = env.reset(seed=0, options=CUBE)[0]
-    plan = read_detector()(env.world, "cube_1")
-    assert plan is not None
-    tool = env.world.data.site_xpos[env.world.tcp]
-    assert np.allclose(
-        seen[279:282], env.world.base_rotation.T @ (plan.grasp.point - tool), atol=1e-5
-    )
-    assert np.allclose(seen[283:285], [plan.grasp.opening, plan.grasp.width], atol=1e-5)
+@pytest.mark.parametrize(
+    "randomization",
+    [None, Randomization(table_height=0.05), Randomization(distractors=(0, 3))],
+    ids=["as it is", "height", "distractors"],
+)
+def test_a_detected_hint_is_the_detectors_grasp(randomization) -> None:
+    settings = {} if randomization is None else {"randomization": randomization}
+    env = lift(grasp_hint="detected", **settings)
+    for seed in range(1 if randomization is None else 3):
+        seen = env.reset(seed=seed, options=CUBE)[0]
+        assert_shown(seen, env, read_detector()(env.world, "cube_1"))
 
 
 def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
     """Neither the grasps nor the places of the expert's planners are behind it."""
     for planner in ("choosing.plan_grasps", "placing._held_underside"):
         monkeypatch.setattr(f"tabletopgen_env.expert.planning.{planner}", lambda *_: 1 / 0)
-    env = lift(task="PickPlace", grasp_hint="detected")
-    seen = env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})[0]
-    hint, expert = env.hint, TaskExpert(env)
-    expert.reset()
+    env, seen, expert = started({**CUBE, "goal": "spot"}, task="PickPlace", grasp_hint="detected")
+    hint = env.hint
     assert hint is not None
     while hint.drop is None and env.world.data.time < 4.0:
         seen = env.step(expert.act())[0]
@@ -308,19 +308,6 @@ def test_where_nothing_is_detected_the_hint_is_empty(monkeypatch) -> None:
         TaskExpert(env).reset()
 
 
-@pytest.mark.parametrize(
-    "randomization", [Randomization(table_height=0.05), Randomization(distractors=(0, 3))]
-)
-def test_detected_hints_follow_what_is_randomised(randomization) -> None:
-    env = lift(grasp_hint="detected", randomization=randomization)
-    for seed in range(3):
-        seen = env.reset(seed=seed, options=CUBE)[0]
-        plan = read_detector()(env.world, "cube_1")
-        assert plan is not None
-        away = plan.grasp.point - env.world.data.site_xpos[env.world.tcp]
-        assert np.allclose(seen[279:282], env.world.base_rotation.T @ away, atol=1e-5)
-
-
 @pytest.mark.slow
 def test_threads_see_what_one_does() -> None:
     settings = {"task": "Lift", "grasp_hint": "detected", "max_episode_steps": 5}
@@ -345,10 +332,7 @@ def test_a_detected_hint_needs_no_torch() -> None:
 
 def test_the_experts_advice_follows_the_hint_at_once() -> None:
     """No standing still where the hint already shows the way up, or to the place."""
-    env = lift(task="PickPlace")
-    seen = env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})[0]
-    expert = TaskExpert(env)
-    expert.reset()
+    env, seen, expert = started({**CUBE, "goal": "spot"}, task="PickPlace")
     moved = {}
     while expert.phase != "release":
         before = expert.phase

@@ -1,7 +1,5 @@
 """An environment works on the thread that calls it: BLAS's threads, which spin, stay asleep."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

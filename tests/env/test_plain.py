@@ -1,7 +1,5 @@
 """What is fast gives what the plain formulas give, to the bit or to rounding."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

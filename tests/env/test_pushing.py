@@ -1,7 +1,5 @@
 """What Push asks for: things that slide rather than roll, along ways that they keep to."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Domain randomisation: settings, independent draws, exact undoing, the environment with it."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import fields, replace
 
@@ -30,8 +28,6 @@ def model_bytes(world: World) -> bytes:
 
 
 # --------------------------------------------------------------------------------------- settings
-
-
 def test_every_setting_belongs_to_one_switch_and_is_off() -> None:
     listed = [name for names in SWITCHES.values() for name in names]
     assert sorted(listed) == sorted(field.name for field in fields(Randomization))
@@ -81,8 +77,6 @@ def test_presets_go_by_name_and_lists_are_ranges() -> None:
 
 
 # --------------------------------------------------------------------------- draws and undoing
-
-
 def test_off_it_changes_nothing_and_draws_nothing() -> None:
     env, _, drawn = started(None)
     assert drawn == {}
@@ -193,8 +187,6 @@ def test_pictures_are_those_of_the_unchanged_world_after_undoing() -> None:
 
 
 # -------------------------------------------------------------------------------- as environment
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("observation", ["goal", "pixels+state"])
 def test_both_checkers_pass_with_everything_on(observation) -> None:

@@ -1,7 +1,5 @@
 """Pictures: with GL where there is any, in software everywhere, and the two agree."""
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Settings in groups and as keywords of their own: the same environments, one default each."""
 
-from __future__ import annotations
-
 import json
 import pickle
 from dataclasses import fields

@@ -1,7 +1,5 @@
 """Sleeping and grasping: what the hand touches wakes, what it holds stays awake, touch is told."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

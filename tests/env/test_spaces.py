@@ -1,7 +1,5 @@
 """Every observation × action mode under Gymnasium's and SB3's checkers, and the flat state."""
 
-from __future__ import annotations
-
 import warnings
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Starts that are a little off: how far, what stays as it must, and that they repeat themselves."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import subprocess
@@ -188,8 +186,6 @@ def test_instructions_speak_of_things_as_they_stand_now() -> None:
 
 
 # ------------------------------------------------------------------------------------ repetition
-
-
 def fingerprint(seed: int = 3) -> str:
     """A digest of the observations of some steps from a perturbed start."""
     env = make_env(crowd(9, gap=0.04), randomization="starts")

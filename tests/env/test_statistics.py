@@ -1,7 +1,5 @@
 """Wilson's interval against published values, and at its ends."""
 
-from __future__ import annotations
-
 import pytest
 
 from tabletopgen_env.statistics import wilson

@@ -1,7 +1,5 @@
 """What each switch of the randomisation does: lights to table height, delay and noise."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -175,8 +173,6 @@ def test_a_delay_does_not_reach_into_the_next_episode() -> None:
 
 
 # ----------------------------------------------------------------------------------------- noise
-
-
 def test_noise_is_on_the_readings_and_never_on_the_goal() -> None:
     env, seen, drawn = started(Randomization(joint_noise=0.01, position_noise=0.02,
                                              rotation_noise=0.05))  # fmt: skip
@@ -227,8 +223,6 @@ def test_noise_leaves_goals_and_rewards_alone() -> None:
 
 
 # ----------------------------------------------------------------------------------------- start
-
-
 def test_the_arm_and_what_stands_free_start_a_little_off() -> None:
     env, seen, drawn = started(only("start"))
     plain, usual, _ = started(None)

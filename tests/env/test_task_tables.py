@@ -1,7 +1,5 @@
 """The tables shipped for single tasks: what is made without ``scenes`` has something to do."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import gymnasium as gym

@@ -1,7 +1,5 @@
 """PickPlace: what is drawn, when it is a success, and where the reward peaks."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -29,45 +27,48 @@ AHEAD = np.pi / 2
 """Where a robot at the viewer's side looks: along y."""
 
 
-def start(target: str, goal, scene=None) -> TabletopEnv:
+def start(target: str, goal, scene=None, at=None) -> TabletopEnv:
+    """An environment asked to put a target at a goal, the target put ``at`` a place."""
     env = make_env(scene or toy_scene())
     env.reset(seed=0, options={"target": target, "goal": goal})
+    if at is not None:
+        env.world.teleport(target, np.array(at))
     return env
 
 
-def test_standing_on_the_spot_is_the_only_full_reward() -> None:
-    env = start("cube_1", (0.1, -0.15))
-    env.world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
-    reward, info = wait(env)
+SPOT_AT = (0.1, -0.15)
+ON_SPOT = (*SPOT_AT, 0.7627)
+
+
+@pytest.mark.parametrize(("goal", "at"), [(SPOT_AT, ON_SPOT), ("bowl_1", (0.24, -0.15, 0.79))])
+def test_standing_on_the_spot_or_resting_in_the_bowl_is_the_only_full_reward(goal, at) -> None:
+    reward, info = wait(start("cube_1", goal, at=at))
     assert info["success"] and reward == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize(
-    ("position", "why"),
+    ("goal", "position", "most", "why"),
     [
-        ((0.1, -0.10, 0.7626), "5 cm aside"),
-        ((-0.2, -0.15, 0.7626), "elsewhere"),
-        ((0.22, -0.14, 0.78), "in the bowl"),
+        (SPOT_AT, (0.1, -0.10, 0.7626), 0.7, "5 cm aside"),
+        (SPOT_AT, (-0.2, -0.15, 0.7626), 0.7, "elsewhere"),
+        (SPOT_AT, (0.22, -0.14, 0.78), 0.7, "in the bowl"),
+        ("bowl_1", (0.22, -0.25, 0.7626), 1.0, "beside the bowl"),
+        ("bowl_1", (-0.05, 0.12, 0.80), 1.0, "in the mug instead"),
     ],
 )
-def test_standing_elsewhere_is_no_success(position, why) -> None:
-    env = start("cube_1", (0.1, -0.15))
-    env.world.teleport("cube_1", np.array(position))
-    reward, info = wait(env)
-    assert not info["success"] and reward < 0.7, why
+def test_standing_elsewhere_is_no_success(goal, position, most, why) -> None:
+    reward, info = wait(start("cube_1", goal, at=position))
+    assert not info["success"] and reward < most, why
 
 
 def test_hovering_over_the_spot_is_no_success() -> None:
-    env = start("cube_1", (0.1, -0.15))
-    env.world.teleport("cube_1", np.array([0.1, -0.15, 0.85]))
-    _, reward, _, _, info = env.step(STILL)
+    _, reward, _, _, info = start("cube_1", SPOT_AT, at=(*SPOT_AT, 0.85)).step(STILL)
     assert not info["success"] and reward < 1
 
 
 def test_moving_through_the_spot_is_no_success() -> None:
-    env = start("cube_1", (0.1, -0.15))
+    env = start("cube_1", SPOT_AT, at=ON_SPOT)
     world = env.world
-    world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
     world.data.qvel[world._object_dof[world.index("cube_1")][0]] = 0.1
     desired = env.task.desired_goal(world, env.episode)
     achieved = env.task.achieved_goal(world, env.episode, desired)
@@ -76,8 +77,7 @@ def test_moving_through_the_spot_is_no_success() -> None:
 
 
 def test_being_held_on_the_spot_is_no_success() -> None:
-    env = start("cube_1", (0.1, -0.15))
-    env.world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
+    env = start("cube_1", SPOT_AT, at=ON_SPOT)
     assert wait(env)[1]["success"]
     hand = env.world.data.site_xpos[env.world.tcp].copy()
     lifted = replace(env.goal, spot=hand - [0.0, 0.0, env.goal.rest])  # the spot, up at the hand
@@ -93,28 +93,10 @@ def test_being_held_on_the_spot_is_no_success() -> None:
     assert not info["success"] and reward == pytest.approx(1 - PickPlace.weights["success"])
 
 
-def test_resting_in_the_bowl_is_success() -> None:
-    env = start("cube_1", "bowl_1")
-    env.world.teleport("cube_1", np.array([0.24, -0.15, 0.79]))
-    reward, info = wait(env)
-    assert info["success"] and reward == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize(
-    ("position", "why"),
-    [((0.22, -0.25, 0.7626), "beside the bowl"), ((-0.05, 0.12, 0.80), "in the mug instead")],
-)
-def test_resting_outside_the_bowl_is_no_success(position, why) -> None:
-    env = start("cube_1", "bowl_1")
-    env.world.teleport("cube_1", np.array(position))
-    assert not wait(env)[1]["success"], why
-
-
 def test_lying_across_the_rim_is_no_success() -> None:
     stick = toy_object("stick_1", (0.3, 0.02, 0.02), (-0.3, -0.2), mass=0.05)
-    env = start("stick_1", "bowl_1", toy_scene((*toy_objects(), stick)))
-    env.world.teleport("stick_1", np.array([0.22, -0.14, 0.811]))
-    _, info = wait(env)
+    scene = toy_scene((*toy_objects(), stick))
+    _, info = wait(start("stick_1", "bowl_1", scene, at=(0.22, -0.14, 0.811)))
     assert info["reward_terms"]["place"] == 1.0 and not info["success"]
 
 
@@ -173,10 +155,11 @@ def test_what_carries_or_lies_inside_something_is_no_target() -> None:
         make_env(toy_scene((bowl, within))).reset(seed=0)
 
 
-def test_the_instruction_tells_alike_things_apart() -> None:
-    def mug(k: int, x: float):
-        return toy_object(f"mug_{k}", (0.07, 0.07, 0.09), (x, 0.0))
+def mug(k: int, x: float, y: float = 0.0):
+    return toy_object(f"mug_{k}", (0.07, 0.07, 0.09), (x, y))
 
+
+def test_the_instruction_tells_alike_things_apart() -> None:
     two = toy_scene((mug(1, 0.2), mug(2, -0.2)))
     assert [refer(two, o, AHEAD) for o in two.objects] == ["the right mug", "the left mug"]
     three = toy_scene((mug(1, 0.2), mug(2, -0.2), mug(3, 0.0)))
@@ -186,6 +169,8 @@ def test_the_instruction_tells_alike_things_apart() -> None:
     )
     plan = ScenePlan("two mugs", PlannedTable(), planned)
     assert refer(two.replace(plan=plan), two.objects[0], AHEAD) == "the red mug"
+    behind = toy_scene((mug(0, 0.1, 0.2), mug(1, 0.1, -0.1)))  # the order of their names
+    assert [refer(behind, o, AHEAD) for o in behind.objects] == ["the left mug", "the right mug"]
 
 
 @pytest.mark.parametrize("degrees", [90, 31, 0, -60, 180, 265])
@@ -211,12 +196,6 @@ def test_left_and_right_are_the_robots(degrees: float) -> None:
         return bool(shown[:2] @ left > 0.99)
 
     assert across(FRONT_CAMERA) and not across(TOP_CAMERA)
-
-
-def test_things_one_behind_the_other_keep_the_order_of_their_names() -> None:
-    behind = [toy_object(f"mug_{k}", (0.07, 0.07, 0.09), (0.1, 0.2 - 0.3 * k)) for k in range(2)]
-    scene = toy_scene(tuple(behind))
-    assert [refer(scene, o, AHEAD) for o in scene.objects] == ["the left mug", "the right mug"]
 
 
 def test_the_instruction_counts_only_what_is_on_the_table() -> None:

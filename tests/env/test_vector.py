@@ -1,7 +1,5 @@
 """The vector environment: bit for bit the single ones, Gymnasium's contract, clear errors."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from typing import Any
@@ -38,7 +36,6 @@ def same(a: Any, b: Any) -> bool:
 
 
 def rollout(envs: Any, steps: int = 11, seed: int = 5, masked: bool = False) -> list:
-    """Everything a few steps over several episodes give."""
     rng = np.random.default_rng(0)
     seen: list[Any] = [envs.reset(seed=seed)]
     for _ in range(steps):

@@ -1,7 +1,5 @@
 """What cameras give: keys, sizes, depth, segmentation by slots, and point clouds."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from test_rendering import needs_gl
@@ -197,8 +195,6 @@ def test_lists_and_single_names_are_taken_too() -> None:
 
 
 # ------------------------------------------------------------------------------ point clouds
-
-
 def clouded(renderer: str = "software", **settings) -> TabletopEnv:
     env = make_env(
         toy_scene(), observation="point_cloud", renderer=renderer,

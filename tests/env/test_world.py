@@ -1,7 +1,5 @@
 """Robot and scene as one compiled world: names, frames, sleeping, contacts."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene

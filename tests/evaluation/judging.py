@@ -1,7 +1,5 @@
 """A reasoner that judges, too: the embedded one's answers, and marks that are always the same."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """A scene with its picture, and the same scene spoiled on purpose."""
 
-from __future__ import annotations
-
 import dataclasses
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Overlaps of drawn meshes: known depths, hollow things, and what is no collision."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np
@@ -64,11 +62,7 @@ def test_boxes_pushed_into_each_other_are_as_deep_as_they_were_pushed() -> None:
 
 @pytest.mark.slow
 @settings(deadline=None, max_examples=25)
-@given(
-    st.floats(0.001, 0.02),
-    st.floats(0, 2 * np.pi),
-    st.floats(-1, 1),
-)
+@given(st.floats(0.001, 0.02), st.floats(0, 2 * np.pi), st.floats(-1, 1))
 def test_balls_overlap_by_their_radii_less_their_distance(
     deep: float, way: float, up: float
 ) -> None:

@@ -1,17 +1,15 @@
 """Every defect put into a scene on purpose is reported, and a sound scene has none."""
 
-from __future__ import annotations
-
 import dataclasses
 import itertools
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from calls.paid_server import Says, Served, serving
-from command import command
+from command import Shell, command
 from judging import SERVER
 from PIL import Image
 from spoiling import Shot, shot, sound, spoiled, spoiled_four_ways
@@ -178,8 +176,6 @@ def test_limits_that_make_no_sense_are_refused(wrong: dict[str, float]) -> None:
 
 
 # ------------------------------------------------------------------------------------ the command
-
-
 @pytest.fixture
 def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
@@ -194,71 +190,63 @@ def saved(scene: Scene, folder: Path, taken: Shot | None = None) -> str:
 
 @pytest.mark.slow
 def test_the_command_finds_nothing_in_a_sound_bundle(
-    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+    store: Path, taken: Shot, shell: Shell
 ) -> None:
     path = saved(taken.scene, store, taken)
-    assert command("evaluate", path, "--truth", path) == 0
-    shown = capsys.readouterr().out
+    shown = shell("evaluate", path, "--truth", path).out
     assert "no defect found" in shown
     assert "yaw error 0.00 deg" in shown
 
 
 @pytest.mark.slow
 def test_the_command_fails_where_there_are_defects_and_adds_up_scenes(
-    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+    store: Path, taken: Shot, shell: Shell
 ) -> None:
     good = saved(taken.scene, store, taken)
     bad = saved(spoiled(taken.scene, "can_1", "overlap").replace(name="bad"), store)
-    assert command("evaluate", good, bad, "--json") == 1
-    shown = json.loads(capsys.readouterr().out)
+    shown = shell("evaluate", good, bad, "--json", code=1).facts
     assert [s["flawless"] for s in shown["scenes"]] == [True, False]
     assert shown["rates"]["col_s"] == 0.5
     assert shown["rates"]["pairs"] == 20
-    assert command("evaluate", bad) == 1
-    assert "overlap" in capsys.readouterr().out
+    assert "overlap" in shell("evaluate", bad, code=1).out
 
 
 @pytest.mark.slow
 def test_the_command_takes_another_picture_and_refuses_a_foreign_one(
-    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+    store: Path, taken: Shot, shell: Shell
 ) -> None:
     path = saved(taken.scene, store, taken)
     again, other = store / "again.png", store / "other.png"
     Image.fromarray(taken.picture).save(again)
     Image.fromarray(np.zeros((100, 300, 3), np.uint8)).save(other)
     assert command("evaluate", path, "--picture", str(again)) == 0
-    assert command("evaluate", path, "--picture", str(other)) == 2
-    assert "480x360" in capsys.readouterr().err
+    assert "480x360" in shell("evaluate", path, "--picture", str(other), code=2).err
 
 
 @pytest.mark.slow
 def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
-    store: Path,
-    taken: Shot,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    store: Path, taken: Shot, shell: Shell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few = (Station(50, 1.3), Station(0, 2.5))
     monkeypatch.setattr("generator.evaluation.surfaces.sweep.stations", lambda config: few)
-    assert command("evaluate", saved(taken.scene, store, taken), "--sweep", "--json") == 0
-    (scene,) = json.loads(capsys.readouterr().out)["scenes"]
+    (scene,) = shell("evaluate", saved(taken.scene, store, taken), "--sweep", "--json").facts[
+        "scenes"
+    ]
     told = {**scene["perceptual"], **scene["perceptual_missing"]}
     assert set(told) == {*EMBEDDED, *PUBLISHED}
     assert {scene["perceptual"][name]["elevation_deg"] for name in EMBEDDED} == {50}
     bare = saved(taken.scene.replace(name="bare"), store)
-    assert command("evaluate", bare, "--sweep") == 0
-    assert "keeps no picture" in capsys.readouterr().out
+    assert "keeps no picture" in shell("evaluate", bare, "--sweep").out
 
 
 @pytest.mark.slow
 def test_the_command_reports_all_four_defects_of_one_bundle(
-    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+    store: Path, taken: Shot, shell: Shell
 ) -> None:
     """Overlapped, floated, shrunk and turned by 90 degrees: each object with its own defect."""
     good = saved(taken.scene, store)
     bad = saved(spoiled_four_ways(), store)
-    assert command("evaluate", bad, "--truth", good, "--json") == 1
-    (scene,) = json.loads(capsys.readouterr().out)["scenes"]
+    (scene,) = shell("evaluate", bad, "--truth", good, "--json", code=1).facts["scenes"]
     told = {(f["kind"], f["object"], f["evidence"]): f["value"] for f in scene["findings"]}
     assert told["overlap", "box_1", "meshes"] == pytest.approx(3, abs=0.2)  # millimetres
     assert ("floats", "bottle_1", "simulation") in told
@@ -271,10 +259,7 @@ def test_the_command_reports_all_four_defects_of_one_bundle(
 
 @pytest.mark.slow
 def test_the_command_asks_a_judge_for_marks_and_a_ranking(
-    store: Path,
-    taken: Shot,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    store: Path, taken: Shot, shell: Shell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(TABLE, "strict", {"reasoner": "judging:Judging"})  # type: ignore[arg-type]
     monkeypatch.setattr("generator.evaluation.report._draw", lambda *_: taken.picture)
@@ -283,22 +268,19 @@ def test_the_command_asks_a_judge_for_marks_and_a_ranking(
     picture = store / "picture.png"
     Image.fromarray(taken.picture).save(picture)
     words = ("--judge", "strict", "--picture", str(picture))
-    assert command("evaluate", one, two, *words, "--json") == 0
-    told = json.loads(capsys.readouterr().out)
+    told = shell("evaluate", one, two, *words, "--json").facts
     marks = told["scenes"][0]["marks"]
     assert (marks["judge"], marks["VF"], marks["IA"], marks["PP"]) == ("Judging", 3, 4, 5)
     assert told["ranking"] == sorted([one, two], reverse=True)
-    assert command("evaluate", one, *words) == 0
-    assert "marks (Judging): VF 3" in (shown := capsys.readouterr().out)
+    assert "marks (Judging): VF 3" in (shown := shell("evaluate", one, *words).out)
     assert "ranked" not in shown
-    assert command("evaluate", one, "--judge", "strict") == 2
-    assert "reference picture" in capsys.readouterr().err
+    assert "reference picture" in shell("evaluate", one, "--judge", "strict", code=2).err
 
 
 @pytest.fixture
 def paid(
-    store: Path, taken: Shot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[tuple[Served, Callable[..., int]]]:
+    store: Path, taken: Shot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
+) -> Iterator[tuple[Served, Shell]]:
     """A server, and the command for two scenes, whose judge asks it once for each and to rank."""
     monkeypatch.setitem(TABLE, "paid", {"reasoner": "judging:PaidJudging"})  # type: ignore[arg-type]
     each = (taken.scene.replace(objects=(thing,), name=thing.name) for thing in taken.scene.objects)
@@ -311,88 +293,64 @@ def paid(
     with serving([Says()]) as served:
         monkeypatch.setenv(SERVER, served.url)
         monkeypatch.setenv("TABLETOPGEN_CALLS", str(tmp_path / "calls"))
-        yield served, lambda *more: command("evaluate", *scenes, *words, *more)
+        yield served, shell.of("evaluate", *scenes, *words)
 
 
 @pytest.mark.slow
-def test_what_a_judge_answered_is_kept_and_counted(
-    paid: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_a_judge_answered_is_kept_and_counted(paid: tuple[Served, Shell]) -> None:
     server, evaluate = paid
-    assert evaluate("--json") == 0
-    first = json.loads(capsys.readouterr().out)
+    first = evaluate("--json").facts
     assert len(server.asked) == 3 and first["ledger"]["money"] == 0.75
-    assert evaluate("--json", "--budget", "0.75") == 0
-    again = json.loads(capsys.readouterr().out)
+    again = evaluate("--json", "--budget", "0.75").facts
     assert len(server.asked) == 3
     assert [c["outcome"] for c in again["ledger"]["calls"]] == ["answered"] * 3 + ["cached"] * 3
     assert {**again, "ledger": 0} == {**first, "ledger": 0}
-    assert evaluate() == 0
-    shown = capsys.readouterr().out
+    shown = evaluate().out
     assert "ranked by paid" in shown and shown.splitlines()[-2].split()[0] == "total"
 
 
 @pytest.mark.slow
 def test_a_judge_keeps_a_budget_over_runs_of_the_same_words(
-    paid: tuple[Served, Callable[..., int]],
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    paid: tuple[Served, Shell], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     server, evaluate = paid
-    assert evaluate("--budget", "0.1") == 3
-    assert "budget of 0.1" in capsys.readouterr().err and server.asked == []
-    assert evaluate("--budget", "0.6") == 3
-    told = capsys.readouterr().err
+    assert "budget of 0.1" in evaluate("--budget", "0.1", code=3).err and server.asked == []
+    told = evaluate("--budget", "0.6", code=3).err
     assert len(server.asked) == 2 and "0.5000 is spent" in told and "What was answered" in told
-    assert evaluate("--budget", "0.75") == 0 and len(server.asked) == 3
-    assert "earlier runs" in capsys.readouterr().out
+    assert "earlier runs" in evaluate("--budget", "0.75").out and len(server.asked) == 3
     monkeypatch.setenv("JUDGE_MODEL", "another")  # no run of the same words
-    assert evaluate("--budget", "0.1") == 0
-    assert "earlier runs" not in capsys.readouterr().out
+    assert "earlier runs" not in evaluate("--budget", "0.1").out
 
 
 @pytest.mark.slow
-def test_a_dry_run_asks_no_judge(
-    paid: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_dry_run_asks_no_judge(paid: tuple[Served, Shell]) -> None:
     server, evaluate = paid
-    assert evaluate("--dry-run", "--json") == 0
-    calls = json.loads(capsys.readouterr().out)["dry_run"]
+    calls = evaluate("--dry-run", "--json").facts["dry_run"]
     assert [line.split(",")[1] for line in calls] == [" rate (m)"] * 2
     assert server.asked == []
-    assert evaluate() == 0
-    capsys.readouterr()
-    assert evaluate("--dry-run") == 0
-    assert "No server would be asked" in capsys.readouterr().out
+    evaluate()
+    assert "No server would be asked" in evaluate("--dry-run").out
 
 
 @pytest.mark.parametrize("words", [("--budget", "1"), ("--dry-run",), ("--calls", "x")])
 def test_settings_of_money_need_a_judge(
-    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str], words: tuple[str, ...]
+    store: Path, taken: Shot, shell: Shell, words: tuple[str, ...]
 ) -> None:
-    assert command("evaluate", saved(taken.scene, store, taken), *words) == 2
-    assert "--judge" in capsys.readouterr().err
+    assert "--judge" in shell("evaluate", saved(taken.scene, store, taken), *words, code=2).err
 
 
 @pytest.mark.parametrize(
-    ("name", "words"),
-    [("embedded", "cannot judge scenes"), ("embeded", "Did you mean 'embedded'")],
+    ("name", "words"), [("embedded", "cannot judge scenes"), ("embeded", "Did you mean 'embedded'")]
 )
 def test_a_backend_that_cannot_judge_is_refused_before_anything_is_measured(
-    name: str,
-    words: str,
-    store: Path,
-    taken: Shot,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    name: str, words: str, store: Path, taken: Shot, shell: Shell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def measure(*args: object, **kwargs: object) -> None:
         raise AssertionError("measured first")
 
     monkeypatch.setattr("generator.evaluation.report.collisions", measure)
     path = saved(taken.scene, store, taken)
-    assert command("evaluate", path, "--judge", name) == 3
-    assert words in capsys.readouterr().err
+    assert words in shell("evaluate", path, "--judge", name, code=3).err
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,5 @@
 """Marks from 1 to 7: a judge is asked once for all criteria, and its answer is checked."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Scores of likeness: the embedded ones work, the published ones are there or told missing."""
 
-from __future__ import annotations
-
 import dataclasses
 import sys
 from importlib.machinery import ModuleSpec

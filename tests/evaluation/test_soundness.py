@@ -1,7 +1,5 @@
 """What floats, drifts, hangs over the edge: each found, object by object, under several rules."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The camera sweep: which views it takes, what they show, and which is picked."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

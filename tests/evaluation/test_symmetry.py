@@ -1,7 +1,5 @@
 """Which turns leave an object as it is, and yaw errors that respect them."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Errors against a true scene: yaw modulo symmetry, place, size, support."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 

@@ -1,7 +1,5 @@
 """What the arm reaches, which way the hand turns, and the way around the base."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import mujoco

@@ -1,10 +1,10 @@
-from __future__ import annotations
-
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 from toy import toy_object, toy_scene
+from worlds import begun
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
@@ -12,15 +12,19 @@ from tabletopgen_env.expert.planning.dropping import load
 from tabletopgen_env.expert.run import TaskExpert
 
 
-def episode(env: Any, seed: int, **options: Any) -> tuple[bool, list[np.ndarray], TaskExpert]:
-    env.reset(seed=seed, options=options)
-    expert = TaskExpert(env)
-    expert.reset()
+def episode(
+    env: Any,
+    seed: int,
+    disturb: Callable[[int, TaskExpert], None] = lambda step, expert: None,
+    **options: Any,
+) -> tuple[bool, list[np.ndarray], TaskExpert]:
+    """Whether the expert solves it, by which actions; ``disturb`` comes before each is taken."""
+    expert = begun(env, seed, **options)
     actions: list[np.ndarray] = []
-    for _ in range(200):
+    for step in range(200):
         actions.append(expert.act())
-        info = env.step(actions[-1])[4]
-        if info["success"]:
+        disturb(step, expert)
+        if env.step(actions[-1])[4]["success"]:
             return True, actions, expert
     return False, actions, expert
 
@@ -36,14 +40,10 @@ def env() -> Any:
 @pytest.mark.parametrize(
     ("target", "goal"),
     [
-        ("cube_1", "bowl_1"),
-        ("can_1", "spot"),
-        ("mug_1", "bowl_1"),
-        ("bottle_1", "spot"),
-        ("bowl_1", "spot"),
-        ("cube_1", "mug_1"),
+        ("cube_1", "bowl_1"), ("can_1", "spot"), ("mug_1", "bowl_1"), ("bottle_1", "spot"),
+        ("bowl_1", "spot"), ("cube_1", "mug_1"),
     ],
-)
+)  # fmt: skip
 def test_it_solves_every_kind_of_goal(env: Any, target: str, goal: str) -> None:
     solved, actions, expert = episode(env, 3, target=target, goal=goal)
     assert solved, expert.phase
@@ -59,33 +59,25 @@ def test_same_seed_same_actions(env: Any) -> None:
 
 
 def test_it_goes_after_an_object_that_is_moved_away(env: Any) -> None:
-    env.reset(seed=1, options={"target": "cube_1", "goal": "bowl_1"})
-    expert = TaskExpert(env)
-    expert.reset()
-    for step in range(200):
-        if step == 15:
+    def move(step: int, expert: TaskExpert) -> None:
+        if step == 14:
             env.world.teleport("cube_1", np.array([-0.25, -0.05, 0.7625]))
-        if env.step(expert.act())[4]["success"]:
-            break
-    else:
-        pytest.fail(f"not solved, {expert.phase}")
+
+    solved, _, expert = episode(env, 1, move, target="cube_1", goal="bowl_1")
+    assert solved, expert.phase
     assert expert.attempts == 2
 
 
 def test_it_picks_up_again_what_it_lost(env: Any) -> None:
-    env.reset(seed=1, options={"target": "cube_1", "goal": "bowl_1"})
-    expert = TaskExpert(env)
-    expert.reset()
-    lost = False
-    for _ in range(200):
-        action = expert.act()
+    lost: list[int] = []
+
+    def lose(step: int, expert: TaskExpert) -> None:
         if expert.phase == "carry" and not lost:
             env.world.teleport("cube_1", np.array([-0.2, 0.0, 0.7625]))
-            lost = True
-        if env.step(action)[4]["success"]:
-            break
-    else:
-        pytest.fail(f"not solved, {expert.phase}")
+            lost.append(step)
+
+    solved, _, expert = episode(env, 1, lose, target="cube_1", goal="bowl_1")
+    assert solved, expert.phase
     assert lost and expert.attempts == 2
 
 
@@ -110,12 +102,8 @@ def test_it_acts_in_one_mode_only(settings: dict[str, Any]) -> None:
 @pytest.mark.slow
 def test_what_is_placed_is_left_alone() -> None:
     env = make_env(toy_scene(), task="PickPlace")
-    env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})
-    expert = TaskExpert(env)
-    expert.reset()
-    met = []
-    while len(met) < 220:
-        met.append(env.step(expert.act())[4]["success"])
+    expert = begun(env, 0, target="cube_1", goal="spot")
+    met = [env.step(expert.act())[4]["success"] for _ in range(220)]
     assert any(met) and all(met[met.index(True) :]) and expert.attempts == 1
 
 

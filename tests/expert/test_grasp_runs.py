@@ -1,7 +1,5 @@
 """Cross-sections cut into runs: where they begin and end, and what the fingers would slide off."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

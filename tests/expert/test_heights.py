@@ -1,7 +1,5 @@
 """Height maps: each part is scanned where it is, with the heights of a scan of everything."""
 
-from __future__ import annotations
-
 import numpy as np
 from toy import corners
 

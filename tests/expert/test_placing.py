@@ -1,12 +1,11 @@
 """Places: beside what is there already, turned to fit, over the rim where fingers do not go."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from toy import corners, toy_object, toy_scene
+from worlds import begun
 
 from generator.geometry import wrap
 from generator.scene import ConvexPart, Object
@@ -26,9 +25,7 @@ BOARD = toy_object("board", (0.2, 0.2, 0.02), (0.15, 0.0), mass=1.0)
 def holding(*objects: Object, goal: str, task: str = "Stack") -> tuple[TabletopEnv, TaskExpert]:
     """Return an environment whose expert has just lifted the first object."""
     env = make_env(toy_scene(objects), task=task)
-    env.reset(seed=0, options={"target": objects[0].name, "goal": goal})
-    expert = TaskExpert(env)
-    expert.reset()
+    expert = begun(env, 0, target=objects[0].name, goal=goal)
     for _ in range(80):
         env.step(expert.act())
         if expert.phase == "carry":
@@ -73,9 +70,7 @@ def tray(yaw_across: bool) -> Object:
 def test_a_long_thing_is_turned_to_lie_along_a_tray(across: bool) -> None:
     bar = toy_object("bar", (0.13, 0.02, 0.02), (-0.15, 0.0))
     env = make_env(toy_scene((bar, tray(across))), task="Lift")
-    env.reset(seed=0, options={"target": "bar"})
-    expert = TaskExpert(env)
-    expert.reset()
+    expert = begun(env, 0, target="bar")
     for _ in range(60):
         env.step(expert.act())
     world = env.world

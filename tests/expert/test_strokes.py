@@ -1,19 +1,17 @@
 """Strokes: behind the centre of mass, with room for fingers and palm."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
 import pytest
 from toy import toy_object, toy_scene
+from worlds import begun
 
 from generator.scene import Object
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.planning.strokes import plan_stroke
 from tabletopgen_env.expert.push import Pusher
-from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.goals.goal import Pushed
 from tabletopgen_env.world.world import World
 
@@ -50,21 +48,36 @@ def test_it_pushes_at_the_centre_of_mass() -> None:
     assert stroke.start[0] == pytest.approx(0.05, abs=0.005)
 
 
+WALLS = tuple(toy_object(f"wall_{k}", (0.3, 0.02, 0.2), (0.0, k * 0.09)) for k in (-1, 1))
+BAR = toy_object("bar", (0.2, 0.03, 0.03), (0.0, 0.0), mass=0.3)
+TURNED = tuple(
+    toy_object("cube", (0.04, 0.04, 0.04), (0.0, 0.0), yaw=yaw, mass=0.1) for yaw in (0.5, 0.9)
+)
+
+
+@pytest.mark.parametrize(
+    ("objects", "goal", "steps", "once"),
+    [
+        ((BOOK, *WALLS), (0.12, 0.0), 120, False),
+        ((BAR,), (0.03, 0.13), 120, False),
+        (TURNED[:1], (0.2, 0.02), 70, True),
+        (TURNED[1:], (0.05, 0.2), 70, True),
+    ],
+    ids=["little room", "a long thing", "at its edge", "at its edge, turned more"],
+)
+def test_it_pushes_and_what_it_pushes_stays_before_the_hand(
+    objects: tuple[Object, ...], goal: tuple[float, float], steps: int, once: bool
+) -> None:
+    env = make_env(toy_scene(objects), task="Push")
+    expert = begun(env, 0, target=objects[0].name, goal=goal)
+    assert any(env.step(expert.act())[4]["success"] for _ in range(steps)), expert.phase
+    assert not once or expert.attempts == 1
+
+
 def test_a_wall_beside_the_way_stops_the_palm_unless_room_is_tight() -> None:
-    walls = [toy_object(f"wall_{k}", (0.3, 0.02, 0.2), (0.0, k * 0.09)) for k in (-1, 1)]
-    world = at_table(BOOK, *walls)
-    spot = np.array([0.15, 0.0])
+    world, spot = at_table(BOOK, *WALLS), np.array([0.15, 0.0])
     assert plan_stroke(world, "book", spot) is None
     assert plan_stroke(world, "book", spot, care="tight") is not None
-
-
-def test_it_begins_with_little_room_where_there_is_no_more() -> None:
-    walls = [toy_object(f"wall_{k}", (0.3, 0.02, 0.2), (0.0, k * 0.09)) for k in (-1, 1)]
-    env = make_env(toy_scene((BOOK, *walls)), task="Push")
-    env.reset(seed=0, options={"target": "book", "goal": (0.12, 0.0)})
-    expert = TaskExpert(env)
-    expert.reset()
-    assert any(env.step(expert.act())[4]["success"] for _ in range(120)), expert.phase
 
 
 def test_the_fingers_meet_the_wall_of_a_hollow_thing_under_what_stands_out() -> None:
@@ -78,15 +91,6 @@ def test_the_fingers_meet_the_wall_of_a_hollow_thing_under_what_stands_out() -> 
     assert stroke is not None
     assert stroke.start[2] < TOP + 0.05, "over the wall the fingers would miss it"
     assert stroke.start[0] < -0.06
-
-
-def test_it_pushes_a_long_thing_across_the_table() -> None:
-    bar = toy_object("bar", (0.2, 0.03, 0.03), (0.0, 0.0), mass=0.3)
-    env = make_env(toy_scene((bar,)), task="Push")
-    env.reset(seed=0, options={"target": "bar", "goal": (0.03, 0.13)})
-    expert = TaskExpert(env)
-    expert.reset()
-    assert any(env.step(expert.act())[4]["success"] for _ in range(120)), expert.phase
 
 
 def test_the_fingers_do_not_ride_over_a_low_part_to_meet_a_high_one() -> None:
@@ -119,25 +123,10 @@ def test_the_hand_turns_above_what_stands_around() -> None:
     assert pusher.act()[2] > 0.5, "up, for the palm is lower than the post"
 
 
-@pytest.mark.parametrize(("yaw", "goal"), [(0.5, (0.2, 0.02)), (0.9, (0.05, 0.2))])
-def test_a_cube_pushed_at_its_edge_stays_before_the_hand(
-    yaw: float, goal: tuple[float, float]
-) -> None:
-    cube = toy_object("cube", (0.04, 0.04, 0.04), (0.0, 0.0), yaw=yaw, mass=0.1)
-    env = make_env(toy_scene((cube,)), task="Push")
-    env.reset(seed=0, options={"target": "cube", "goal": goal})
-    expert = TaskExpert(env)
-    expert.reset()
-    assert any(env.step(expert.act())[4]["success"] for _ in range(70)), expert.phase
-    assert expert.attempts == 1
-
-
 def test_it_gives_up_a_stroke_whose_start_is_taken() -> None:
     env = make_env(toy_scene((BOOK, toy_object("box", (0.08, 0.08, 0.08), (0.3, 0.2), mass=1.0))),
                    task="Push")  # fmt: skip
-    env.reset(seed=0, options={"target": "book", "goal": (0.15, 0.0)})
-    expert = TaskExpert(env)
-    expert.reset()
+    expert = begun(env, 0, target="book", goal=(0.15, 0.0))
     env.world.teleport("box", np.array([-0.105, 0.0, TOP + 0.04]))
     phases: list[str] = []
     for _ in range(75):

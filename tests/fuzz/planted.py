@@ -1,7 +1,5 @@
 """Faults planted for the harness's own tests: each must be found."""
 
-from __future__ import annotations
-
 import os
 import random
 import time
@@ -55,7 +53,6 @@ def gulps(rng: random.Random, folder: Path) -> Run:
 
 
 def dies(rng: random.Random, folder: Path) -> Run:
-    """End the process."""
     return lambda: os._exit(7)
 
 

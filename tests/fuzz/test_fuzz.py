@@ -3,8 +3,6 @@
 A failure names the case; ``benchmarks/fuzz.py --kind K --case N --seed S`` runs it again.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import pytest

@@ -1,7 +1,5 @@
 """The harness of hostile input finds what is planted, and tells how to see it again."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import random

@@ -5,8 +5,6 @@
 Needs no network: setuptools is there, and what the package depends on is installed already.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess
@@ -78,7 +76,6 @@ def left_out(wheel: Path) -> set[str]:
 
 
 def install(wheel: Path, folder: Path) -> None:
-    """Install the wheel alone into a folder."""
     _run("-m", "pip", "install", "--no-deps", "--no-index", "--target", folder, wheel)
 
 

@@ -1,7 +1,5 @@
 """The wheel works where nothing but the wheel is, without the checkout and its extras."""
 
-from __future__ import annotations
-
 import shutil
 import zipfile
 from pathlib import Path

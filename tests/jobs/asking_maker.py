@@ -1,7 +1,5 @@
 """A maker of scenes that asks a server for each, for processes to import."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Many scenes: all that can be made are made, once, whatever happens in between."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

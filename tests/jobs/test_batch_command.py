@@ -1,13 +1,10 @@
 """``tabletopgen batch``: scenes composed in processes are those composed here."""
 
-from __future__ import annotations
-
-import json
 import pickle
 from pathlib import Path
 
 import pytest
-from command import command
+from command import Shell, command
 
 from generator import jobs as batch
 from generator.backends import Mix
@@ -19,14 +16,11 @@ TEXT = "a desk with a mug"
 
 
 @pytest.mark.slow
-def test_a_batch_makes_what_compose_makes(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_batch_makes_what_compose_makes(tmp_path: Path, shell: Shell) -> None:
     prompts, out = tmp_path / "prompts.txt", tmp_path / "out"
     prompts.write_text(f"{TEXT}\n???\n")
     args = ("batch", str(prompts), "--out", str(out), "--route", "compose", "--seed", "2")
-    assert command(*args, "--json") == 1
-    told = json.loads(capsys.readouterr().out)
+    told = shell(*args, "--json", code=1).facts
     assert (told["made"], told["failed"]) == (1, 1)
     scene = compose(TEXT, 2)
     path = save(scene, tmp_path / "here", images={"preview": preview(scene)})
@@ -35,8 +29,7 @@ def test_a_batch_makes_what_compose_makes(
     assert sorted(p.name for p in (out / made).iterdir()) == sorted(p.name for p in path.iterdir())
 
     prompts.write_text(TEXT)
-    assert command(*args) == 0
-    shown = capsys.readouterr()
+    shown = shell(*args)
     assert "0 made, 1 there already, 0 failed" in shown.out
     assert "penetration_mm" in shown.out
 
@@ -60,7 +53,7 @@ def test_the_processes_get_the_mix_of_the_command(
 
 
 def test_an_interrupted_batch_says_that_what_is_made_is_kept(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
     def interrupted(*jobs: object, **settings: object) -> None:
         raise KeyboardInterrupt
@@ -69,8 +62,7 @@ def test_an_interrupted_batch_says_that_what_is_made_is_kept(
     prompts = tmp_path / "prompts.txt"
     prompts.write_text(TEXT)
     args = ("batch", str(prompts), "--out", str(tmp_path / "out"), "--route", "compose")
-    assert command(*args) == 130
-    assert "what is made is kept" in capsys.readouterr().err
+    assert "what is made is kept" in shell(*args, code=130).err
 
 
 @pytest.mark.parametrize(
@@ -84,10 +76,9 @@ def test_an_interrupted_batch_says_that_what_is_made_is_kept(
     ],
 )
 def test_a_wrong_batch_is_one_clear_line(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
-    args: tuple[str, ...], code: int, words: str,
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell,
+    args: tuple[str, ...], code: int, words: str
 ) -> None:  # fmt: skip
     monkeypatch.chdir(tmp_path)
     Path("prompts.txt").write_text(TEXT)
-    assert command("batch", *args, "--out", "out") == code
-    assert words in capsys.readouterr().err
+    assert words in shell("batch", *args, "--out", "out", code=code).err

@@ -1,13 +1,11 @@
 """Records and prompts that somebody else wrote: nothing outside is touched, nothing hangs."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path
 
 import pytest
-from command import command
+from command import Shell
 from toy import toy_object, toy_scene
 from toy_maker import ToyMaker
 
@@ -199,16 +197,13 @@ def test_a_picture_that_is_a_pipe_names_a_job(tmp_path: Path, make: ToyMaker) ->
     assert key_of(batch.Job(str(tmp_path / "desk.png")), make)
 
 
-def test_what_a_record_says_is_printed_without_escapes(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_a_record_says_is_printed_without_escapes(tmp_path: Path, shell: Shell) -> None:
     prompts, out = tmp_path / "prompts.txt", tmp_path / "out"
     prompts.write_text("a desk\n")
     name = key_of(batch.Job("a desk"), batch.Composing())
     (out / PLACE).mkdir(parents=True)
     told = {"kind": "InputError", "error": "bad \x1b]0;title\x07 \x9b31m"}
     (out / PLACE / f"{name}.json").write_text(json.dumps(told))
-    assert command("batch", str(prompts), "--out", str(out), "--route", "compose") == 1
-    shown = "".join(capsys.readouterr())
+    shown = "".join(shell("batch", str(prompts), "--out", str(out), "--route", "compose", code=1))
     assert "bad \\x1b]0;title\\x07 \\x9b31m" in shown
     assert all(c.isprintable() or c == "\n" for c in shown)

@@ -1,16 +1,12 @@
 """Ctrl-C in a batch: calls under way may be answered, no new ones are made, twice ends all."""
 
-from __future__ import annotations
-
-import signal
 import threading
 import time
 from pathlib import Path
 
 import pytest
 from asking_maker import AskingMaker
-from bounded import until
-from calls.paid_server import Asked, Says, Served, serving
+from calls.paid_server import Asked, Says, interrupt, serving
 
 from generator import jobs as batch
 from generator.calls.store import CallStore
@@ -19,18 +15,6 @@ pytestmark = pytest.mark.slow
 
 HUNG = 60.0
 """Seconds that nobody waits for."""
-
-
-def interrupt(server: Served, times: int) -> None:
-    """Interrupt the main thread once two calls are under way."""
-
-    def send() -> None:
-        until(lambda: len(server.asked) >= 2)
-        for _ in range(times):
-            time.sleep(0.5)
-            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-
-    threading.Thread(target=send, daemon=True).start()
 
 
 @pytest.mark.parametrize(("delay", "times", "kept"), [(1.5, 1, 2), (HUNG, 2, 0)])
@@ -43,7 +27,7 @@ def test_an_interrupted_batch(delay: float, times: int, kept: int, tmp_path: Pat
 
     with serving(script) as server:
         make = AskingMaker(server.url, str(tmp_path / "calls"))
-        interrupt(server, times)
+        interrupt(server, 2, times, pause=0.5)
         began = time.monotonic()
         with pytest.raises(KeyboardInterrupt):
             batch.run(["one", "two", "three"], tmp_path / "out", make, workers=2)

@@ -1,36 +1,25 @@
 """Batches that cost money: one sum for all scenes, workers and runs."""
 
-from __future__ import annotations
-
 import json
 import pickle
 import shutil
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
-from dataclasses import dataclass, field
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from calls.paid_server import Says, Served, ask, serving
-from command import command
+from calls.paid_server import Says, Served, ask, remote_backend, serving
+from command import Shell
 from toy import toy_object, toy_scene
 from toy_maker import ToyMaker, made
 
 from generator import bundle
 from generator import jobs as batch
 from generator.backends import Mix, select
-from generator.calls import Session
 from generator.errors import BackendError, InputError, StorageError
 from generator.scene import Provenance, Report
-
-PRICES = """
-date = "2026-01-01"
-currency = "EUR"
-[models.m]
-output = 10.0
-"""
 
 
 @pytest.mark.slow
@@ -101,21 +90,6 @@ def test_who_answers_is_decided_where_the_batch_is_made(
 
 
 # ------------------------------------------------------------------------------------- the command
-
-
-@dataclass(frozen=True)
-class Remote:
-    """Answers no question; its session is what a process of the batch opened."""
-
-    session: Session = field(default_factory=Session, repr=False, compare=False)
-
-    def plan_scene(self, *known: Any) -> Any:
-        raise AssertionError
-
-    list_objects = estimate_view = estimate_sizes = review_orientation = plan_scene
-    stacking_order = draw = complete = top_view = segment = model = features = plan_scene
-
-
 class Here:
     """A pool that works in this process, one task after another."""
 
@@ -132,15 +106,13 @@ class Here:
 
 @pytest.fixture
 def run(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[tuple[Served, Callable[..., int]]]:
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
+) -> Iterator[tuple[Served, Shell]]:
     """A server, and the command whose scenes each ask it twice: 0.02 each time, at most 0.04."""
-    roles = dict.fromkeys(select.PROTOCOLS, f"{__name__}:Remote")
-    monkeypatch.setattr(select, "TABLE", {**select.TABLE, "remote": roles})
+    table = remote_backend(monkeypatch, tmp_path)
     monkeypatch.setattr("generator.jobs.running.WorkerPool", Here)
-    prompts, table = tmp_path / "prompts.txt", tmp_path / "prices.toml"
+    prompts = tmp_path / "prompts.txt"
     prompts.write_text("one\ntwo\n")
-    table.write_text(PRICES)
 
     with serving([Says()]) as served:
 
@@ -156,15 +128,14 @@ def run(
         monkeypatch.setattr("generator.jobs.making._share", lambda: None)
         given = ("batch", str(prompts), "--out", str(tmp_path / "out"), "--backend", "remote",
                  "--prices", str(table), "--calls", str(tmp_path / "calls"))  # fmt: skip
-        yield served, lambda *more: command(*given, *more)
+        yield served, shell.of(*given)
 
 
 def test_the_command_keeps_its_budget_and_says_what_was_spent(
-    run: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    run: tuple[Served, Shell], tmp_path: Path
 ) -> None:
     server, batching = run
-    assert batching("--budget", "0.09") == 3  # 0.02, 0.02, 0.02, and then 0.04 is too much
-    shown = capsys.readouterr().out
+    shown = batching("--budget", "0.09", code=3).out  # 0.02, 0.02, 0.02, and then 0.04 is too much
     assert "1 made, 0 there already, 0 failed, 1 not paid for" in shown
     assert "spent in all runs: 0.0600 of 0.09 EUR" in shown
     assert "not made: 'two'" in shown and "raise the budget" in shown
@@ -172,8 +143,7 @@ def test_the_command_keeps_its_budget_and_says_what_was_spent(
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert (summary["unpaid"], summary["failures"]) == (1, {})
 
-    assert batching("--budget", "0.1", "--json") == 0
-    told = json.loads(capsys.readouterr().out)
+    told = batching("--budget", "0.1", "--json").facts
     assert (told["made"], told["there"], told["unpaid"]) == (1, 1, 0)
     assert told["spent"] == {"money": 0.08, "currency": "EUR", "unpriced": 0, "budget": 0.1}
     assert len(server.asked) == 4  # what was answered was kept
@@ -182,44 +152,36 @@ def test_the_command_keeps_its_budget_and_says_what_was_spent(
 
 
 def test_what_was_spent_without_a_budget_counts_later(
-    run: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    run: tuple[Served, Shell], tmp_path: Path
 ) -> None:
     server, batching = run
-    assert batching() == 0
-    assert "spent in all runs: 0.0800 EUR" in capsys.readouterr().out
+    assert "spent in all runs: 0.0800 EUR" in batching().out
     (tmp_path / "prompts.txt").write_text("three\n")
-    assert batching("--budget", "0.11") == 3
+    batching("--budget", "0.11", code=3)
     assert len(server.asked) == 4
 
 
 @pytest.mark.slow
 def test_a_dry_run_says_what_each_scene_would_ask_and_makes_nothing(
-    run: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str], tmp_path: Path
+    run: tuple[Served, Shell], tmp_path: Path
 ) -> None:
     server, batching = run
-    assert batching("--dry-run", "--budget", "0") == 0
-    roles = capsys.readouterr().out.splitlines()[:5]
+    roles = batching("--dry-run", "--budget", "0").out.splitlines()[:5]
     assert [line.split() for line in roles] == [[role, "remote"] for role in select.PROTOCOLS]
-    assert batching("--dry-run", "--json") == 0
-    rows = json.loads(capsys.readouterr().out)["dry_run"]
+    rows = batching("--dry-run", "--json").facts["dry_run"]
     assert [(r["text"], r["state"]) for r in rows] == [("one", "to ask"), ("two", "to ask")]
     assert rows[0]["calls"][0].startswith("Would ask cloud, plan_scene (m), for at most 0.0400 EUR")
     assert server.asked == [] and not (tmp_path / "out").exists()
 
-    assert batching("--budget", "0.09") == 3
-    capsys.readouterr()
-    assert batching("--dry-run", "--json") == 0
-    rows = json.loads(capsys.readouterr().out)["dry_run"]
+    batching("--budget", "0.09", code=3)
+    rows = batching("--dry-run", "--json").facts["dry_run"]
     assert [r["state"] for r in rows] == ["there", "to ask"]
     assert len(server.asked) == 3
 
 
-def test_what_asks_no_server_needs_no_sum(
-    run: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_what_asks_no_server_needs_no_sum(run: tuple[Served, Shell], tmp_path: Path) -> None:
     _, batching = run
-    assert batching("--backend", "embedded", "--dry-run") == 0
-    shown = capsys.readouterr().out
+    shown = batching("--backend", "embedded", "--dry-run").out
     assert "No server is asked." in shown and "reasoner   embedded" in shown
     assert not (tmp_path / "out").exists()
 
@@ -233,10 +195,9 @@ def test_what_asks_no_server_needs_no_sum(
     ],
 )
 def test_wrong_settings_of_money_are_one_line(
-    run: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str],
-    tmp_path: Path, more: tuple[str, ...], words: str,
+    run: tuple[Served, Shell],
+    tmp_path: Path, more: tuple[str, ...], words: str
 ) -> None:  # fmt: skip
     server, batching = run
-    assert batching(*more) == 2
-    assert words in capsys.readouterr().err
+    assert words in batching(*more, code=2).err
     assert server.asked == [] and not (tmp_path / "out").exists()

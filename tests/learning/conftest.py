@@ -1,7 +1,5 @@
 """Toy bundles on disk, one to train at and one held out, and recipes small enough for a test."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """What the baselines look with, and cloning the expert."""
 
-from __future__ import annotations
-
 import gymnasium as gym
 import numpy as np
 import pytest

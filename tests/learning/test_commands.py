@@ -1,7 +1,5 @@
 """The commands: what they print, what they write, and their exit codes."""
 
-from __future__ import annotations
-
 import ast
 import dataclasses
 import runpy
@@ -13,10 +11,10 @@ import gymnasium as gym
 import numpy as np
 import pytest
 import torch
+from command import command
 from PIL import Image
 from stable_baselines3 import SAC
 
-from generator.cli import run
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.evaluating import evaluate, play, seeds
 from tabletopgen_env.learning.making import single_env, source_of
@@ -35,16 +33,8 @@ options = {n_steps = 16, batch_size = 16, n_epochs = 1}
 """
 
 
-def command(*args: str) -> int:
-    try:
-        return run(list(args))
-    except SystemExit as stop:  # wrong usage
-        return int(stop.code or 0)
-
-
 @pytest.fixture(scope="session")
 def trained(tmp_path_factory: pytest.TempPathFactory, table: str, other: str) -> Path:
-    """A run's folder, made by the command."""
     folder = tmp_path_factory.mktemp("runs")
     (folder / "tiny.toml").write_text(RECIPE)
     code = command(
@@ -61,21 +51,19 @@ def test_training_leaves_a_policy(trained: Path) -> None:
     assert (card.recipe, card.seed, card.steps) == ("tiny", 3, 32)
 
 
-def test_resuming_by_the_command(trained: Path, table: str, other: str, capsys) -> None:
+def test_resuming_by_the_command(trained: Path, table: str, other: str, shell) -> None:
     same = ("train", str(trained.parent / "tiny.toml"), "--scenes", table, "--held-out", other,
             "--out", str(trained), "--seed", "3", "--set", "envs=2")  # fmt: skip
-    assert command(*same) == 2
-    assert "continue with --resume" in capsys.readouterr().err
-    assert command(*same, "--resume") == 0
-    assert "32 steps of tiny" in capsys.readouterr().out
+    assert "continue with --resume" in shell(*same, code=2).err
+    assert "32 steps of tiny" in shell(*same, "--resume").out
 
 
 @pytest.mark.slow
-def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, capsys) -> None:
-    told = []
-    for name in (trained, trained / LATEST, trained):
-        assert command("enjoy", str(name), "--scenes", other, "--episodes", "2") == 0
-        told.append(capsys.readouterr().out)
+def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, shell) -> None:
+    told = [
+        shell("enjoy", str(name), "--scenes", other, "--episodes", "2").out
+        for name in (trained, trained / LATEST, trained)
+    ]
     rest = [lines.partition("\n")[2] for lines in told]
     assert rest[0] == rest[1] == rest[2]
     first = f"best.safetensors: tiny, seed 3, 32 steps; validation: 0 of 2 at {other} (tables: 1)"
@@ -86,18 +74,17 @@ def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, c
 
 @pytest.mark.slow
 def test_enjoying_where_it_was_trained_is_said(
-    trained: Path, table: str, other: str, tmp_path: Path, capsys
+    trained: Path, table: str, other: str, tmp_path: Path, shell
 ) -> None:
     copied = str(shutil.copytree(table, tmp_path / "copied"))
     for scenes, said in ((copied, "1 of these tables was trained at"), (other, "")):
-        assert command("enjoy", str(trained), "--scenes", scenes, "--episodes", "1") == 0
-        err = capsys.readouterr().err
+        err = shell("enjoy", str(trained), "--scenes", scenes, "--episodes", "1").err
         assert said in err and bool(said) == bool(err)
     policy = load_policy(trained / LATEST)
     gone = dataclasses.replace(policy.card, scenes=("/none",))
     path = save_policy(dataclasses.replace(policy, card=gone), tmp_path / "p.safetensors")
-    assert command("enjoy", str(path), "--scenes", other, "--episodes", "1") == 0
-    assert "cannot be told: No bundle" in capsys.readouterr().err
+    told = shell("enjoy", str(path), "--scenes", other, "--episodes", "1").err
+    assert "cannot be told: No bundle" in told
 
 
 @pytest.mark.slow
@@ -111,19 +98,18 @@ def test_a_film_strip_is_written(trained: Path, table: str, tmp_path: Path) -> N
         assert len(set(cells)) > 1, "the arm moves"
 
 
-def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, capsys) -> None:
+def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> None:
     (zipped,) = trained.glob("checkpoint-*/model.zip")
-    assert command("enjoy", str(zipped), "--scenes", table) == 2
-    assert "--trust" in capsys.readouterr().err
+    assert "--trust" in shell("enjoy", str(zipped), "--scenes", table, code=2).err
     args = ("--scenes", table, "--episodes", "1", "--trust")
-    assert command("enjoy", str(zipped), *args) == 0
-    own = capsys.readouterr().out
-    assert command("enjoy", str(trained / LATEST), *args[:-1]) == 0
-    assert capsys.readouterr().out.endswith(own), "the zip plays as the policy file does"
+    own = shell("enjoy", str(zipped), *args).out
+    assert shell("enjoy", str(trained / LATEST), *args[:-1]).out.endswith(own), (
+        "the zip plays as the policy file does"
+    )
     wrong = trained.parent / "wrong.zip"
     wrong.write_bytes(b"no zip")
-    assert command("enjoy", str(wrong), "--trust", "--recipe", "reach-ppo") == 2
-    assert "cannot be loaded as PPO" in capsys.readouterr().err
+    told = shell("enjoy", str(wrong), "--trust", "--recipe", "reach-ppo", code=2).err
+    assert "cannot be loaded as PPO" in told
 
 
 @pytest.mark.parametrize(
@@ -147,17 +133,15 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, capsys) -> N
         (("train",), 2, "required"),
     ],
 )
-def test_wrong_requests_are_explained(trained: Path, args, code, why, capsys) -> None:
-    assert command(*(a.format(trained) for a in args)) == code
-    assert why in capsys.readouterr().err
+def test_wrong_requests_are_explained(trained: Path, args, code, why, shell) -> None:
+    assert why in shell(*(a.format(trained) for a in args), code=code).err
     assert not Path("runs").exists()
 
 
-def test_sb3_missing_is_said_with_the_pip_line(monkeypatch, capsys) -> None:
+def test_sb3_missing_is_said_with_the_pip_line(monkeypatch, shell) -> None:
     monkeypatch.setitem(sys.modules, "stable_baselines3", None)
     for args in (("train", "reach-sac"), ("enjoy", "x"), ("plot", "x")):
-        assert command(*args) == 2
-        assert "pip install 'tabletopgen[train]'" in capsys.readouterr().err
+        assert "pip install 'tabletopgen[train]'" in shell(*args, code=2).err
 
 
 def test_success_has_to_be_held(table: str) -> None:

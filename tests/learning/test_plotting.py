@@ -1,7 +1,5 @@
 """Bands over seeds: the numbers, and that they are drawn."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 
@@ -9,7 +7,6 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from generator.cli import run as command
 from generator.errors import InputError, StorageError
 from tabletopgen_env.learning.evaluating import PolicyEvaluation
 from tabletopgen_env.learning.plotting import Band, bands, draw, figure, number
@@ -110,17 +107,16 @@ def test_matplotlib_missing_is_said_with_the_pip_line(monkeypatch) -> None:
         draw({"one": Band(1, *(np.zeros(1),) * 4)})
 
 
-def test_the_command_draws_a_picture(small, tmp_path: Path, capsys) -> None:
+def test_the_command_draws_a_picture(small, tmp_path: Path, shell) -> None:
     for seed, last in enumerate((4, 8)):
         made(tmp_path / str(seed), small(), seed, {0: 0, 100: last})
     out = tmp_path / "new" / "success.png"
-    assert command(["plot", str(tmp_path / "0"), str(tmp_path / "1"), "--out", str(out)]) == 0
-    assert "60 % after 100 steps, 40 to 80 % of 2 runs" in capsys.readouterr().out
+    told = shell("plot", str(tmp_path / "0"), str(tmp_path / "1"), "--out", str(out)).out
+    assert "60 % after 100 steps, 40 to 80 % of 2 runs" in told
     with Image.open(out) as picture:
         assert picture.format == "PNG"
     (tmp_path / "0" / "evaluations.csv").write_text("steps\nx\n")
-    assert command(["plot", str(tmp_path / "0")]) == 2
-    assert "no table of evaluations" in capsys.readouterr().err
+    assert "no table of evaluations" in shell("plot", str(tmp_path / "0"), code=2).err
 
 
 def test_a_run_that_cannot_be_begun_leaves_nothing(small, tmp_path, monkeypatch) -> None:

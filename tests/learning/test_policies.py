@@ -1,7 +1,5 @@
 """Policy files: what they hold comes back to the bit, and what is not one is refused."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 import warnings

@@ -1,7 +1,5 @@
 """Recipes: the shipped ones can be made, wrong ones are refused with what exists."""
 
-from __future__ import annotations
-
 import dataclasses
 import shutil
 import tomllib

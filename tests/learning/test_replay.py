@@ -1,7 +1,5 @@
 """Demonstrations in replay buffers, and buffers on disk."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import gymnasium as gym
@@ -56,14 +54,8 @@ class Slipping(gym.Wrapper):
     def step(self, action):
         self.steps += 1
         seen, reward, ended, cut, info = super().step(action)
-        return (
-            seen,
-            reward,
-            ended,
-            cut,
-            info
-            | {"success": HOLD < self.steps < LIMIT if self.episodes == 1 else info["success"]},
-        )
+        holds = HOLD < self.steps < LIMIT if self.episodes == 1 else info["success"]
+        return seen, reward, ended, cut, info | {"success": holds}
 
 
 def test_only_what_ends_in_success_is_kept(small) -> None:

@@ -1,7 +1,5 @@
 """A run's folder that others have written in: refused in words, and never waited for."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path

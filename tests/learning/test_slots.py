@@ -1,7 +1,5 @@
 """The vector environment as SB3 sees it: what ``DummyVecEnv`` of the same environments gives."""
 
-from __future__ import annotations
-
 import gymnasium as gym
 import numpy as np
 import pytest

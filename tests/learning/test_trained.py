@@ -1,7 +1,5 @@
 """The policies that are shipped: each is read safely, is small, and does its task."""
 
-from __future__ import annotations
-
 import pytest
 
 from tabletopgen_env.learning.evaluating import play, seeds

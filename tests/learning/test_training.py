@@ -1,7 +1,5 @@
 """Training: every family runs, repeats itself, goes on where it was, and leaves what it says."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

@@ -1,7 +1,5 @@
 """Backends that ask a slow local server, for stages that ask about many things at once."""
 
-from __future__ import annotations
-
 import json
 import time
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Objects drawn at known yaws, and cut out of their pictures, for the rotation stage."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

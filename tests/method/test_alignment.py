@@ -1,7 +1,5 @@
 """TSA: Eqs. 5 and 6 on numbers worked by hand, scales, and contact of real meshes."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 
@@ -110,8 +108,6 @@ def test_an_outline_off_its_rectangles_centre_is_put_back():
 
 
 # ---------------------------------------------------------------------------------------- contact
-
-
 def bowl_mesh(segments: int = 48) -> Mesh:
     """A hemispherical shell, open at the top, of inner radius 0.45 (unit box, flat rim)."""
     profile = [(0.5 * np.cos(t), 0.5 - 1.0 * np.sin(t)) for t in np.linspace(0, np.pi / 2, 16)]
@@ -150,8 +146,6 @@ def test_a_cup_stands_on_a_book_and_things_never_sink_into_the_table():
 
 
 # ------------------------------------------------------------------------------------------ stage
-
-
 class Answers:
     """An imager with a given top view, a reasoner with a given stacking, a segmenter."""
 

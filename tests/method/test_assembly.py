@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np
@@ -15,10 +13,15 @@ from generator.physics.seating import seat_on_table
 from generator.scene import ConvexPart, Model, Placement, PlannedTable, Scene, ScenePlan, View
 
 
-def build(things: dict[str, tuple[Model, Placement]], **options) -> Scene:
+def boxed(name: str, *where, model: Model | None = None, **more) -> tuple[Model, Placement]:
+    """A box, or another model, and where it is put."""
+    return model or box(), put(name, *where, **more)
+
+
+def build(*things: tuple[Model, Placement], **options) -> Scene:
     return assemble(
-        {name: model for name, (model, _) in things.items()},
-        [placement for _, placement in things.values()],
+        {placement.name: model for model, placement in things},
+        [placement for _, placement in things],
         table(),
         TABLE_SIZE,
         provenance=MANUAL,
@@ -27,16 +30,21 @@ def build(things: dict[str, tuple[Model, Placement]], **options) -> Scene:
     )
 
 
+def passing(*things: tuple[Model, Placement], **options) -> Scene:
+    scene = build(*things, **options)
+    assert scene.report is not None
+    assert scene.report.passed, scene.report.failures
+    return scene
+
+
 def bottom(scene: Scene, name: str) -> float:
     thing = scene.object(name)
     return thing.pose.position[2] - thing.scale[2] / 2
 
 
 def test_a_box_rests_where_it_was_put() -> None:
-    scene = build({"box_1": (box(), put("box_1", (0.2, -0.1), (0.1, 0.06, 0.05), yaw=0.4))})
+    scene = passing(boxed("box_1", (0.2, -0.1), (0.1, 0.06, 0.05), yaw=0.4))
     thing = scene.object("box_1")
-    assert scene.report is not None
-    assert scene.report.passed
     np.testing.assert_allclose(thing.pose.position, [0.2, -0.1, 0.765], atol=3e-4)
     np.testing.assert_allclose(thing.pose.quaternion, [np.cos(0.2), 0, 0, np.sin(0.2)], atol=1e-3)
     assert thing.mass == pytest.approx(600 * 0.1 * 0.06 * 0.05)
@@ -47,112 +55,81 @@ def test_a_box_rests_where_it_was_put() -> None:
 def test_what_is_passed_is_kept() -> None:
     plan = ScenePlan("a box", PlannedTable(), ())
     view = View(0.1, 0.9, 0.6)
-    scene = build({"box_1": (box(), put("box_1", (0, 0), (0.1,) * 3))}, view=view, plan=plan)
+    scene = build(boxed("box_1", (0, 0), (0.1,) * 3), view=view, plan=plan)
     assert (scene.view, scene.plan, scene.provenance) == (view, plan, MANUAL)
     np.testing.assert_allclose(np.abs(scene.table.outline), [[0.6, 0.35]] * 4)
 
 
 def test_overlaps_are_freed_and_told() -> None:
-    scene = build(
-        {
-            "a_1": (box(), put("a_1", (0, 0), (0.1,) * 3)),
-            "b_1": (box(), put("b_1", (0.09, 0), (0.1,) * 3)),
-        }
-    )
-    assert scene.report is not None
-    assert scene.report.passed
+    scene = passing(boxed("a_1", (0, 0), (0.1,) * 3), boxed("b_1", (0.09, 0), (0.1,) * 3))
     assert scene.report.moved == pytest.approx(0.0055, abs=3e-4)
 
 
 def test_a_stack_of_three_survives() -> None:
-    scene = build(
-        {
-            "top_1": (box(), put("top_1", (0.01, 0), (0.05, 0.05, 0.05), on="mid_1")),
-            "low_1": (box(), put("low_1", (0, 0), (0.2, 0.15, 0.03), yaw=0.3)),
-            "mid_1": (box(), put("mid_1", (0, 0.01), (0.15, 0.1, 0.02), on="low_1")),
-        }
+    scene = passing(
+        boxed("top_1", (0.01, 0), (0.05, 0.05, 0.05), on="mid_1"),
+        boxed("low_1", (0, 0), (0.2, 0.15, 0.03), yaw=0.3),
+        boxed("mid_1", (0, 0.01), (0.15, 0.1, 0.02), on="low_1"),
     )
-    assert scene.report is not None
-    assert scene.report.passed
-    assert bottom(scene, "low_1") == pytest.approx(0.74, abs=5e-4)
-    assert bottom(scene, "mid_1") == pytest.approx(0.77, abs=5e-4)
-    assert bottom(scene, "top_1") == pytest.approx(0.79, abs=5e-4)
+    for name, height in (("low_1", 0.74), ("mid_1", 0.77), ("top_1", 0.79)):
+        assert bottom(scene, name) == pytest.approx(height, abs=5e-4)
 
 
 def test_a_ball_put_into_a_cup_lies_on_its_floor() -> None:
-    scene = build(
-        {
-            "cup_1": (cup((0.1, 0.1, 0.09)), put("cup_1", (0.1, 0.1), (0.1, 0.1, 0.09))),
-            "ball_1": (
-                ball(),
-                put("ball_1", (0.11, 0.1), (0.04,) * 3, on="cup_1", inside=True),
-            ),
-        }
+    scene = passing(
+        boxed("cup_1", (0.1, 0.1), (0.1, 0.1, 0.09), model=cup((0.1, 0.1, 0.09))),
+        boxed("ball_1", (0.11, 0.1), (0.04,) * 3, on="cup_1", inside=True, model=ball()),
     )
-    assert scene.report is not None
-    assert scene.report.passed
     assert bottom(scene, "ball_1") == pytest.approx(0.746, abs=2e-3)
 
 
 def test_a_thing_beside_the_opening_is_brought_over_it() -> None:
     """Let down at its own place it would stay on the rim."""
-    scene = build(
-        {
-            "cup_1": (cup((0.1, 0.1, 0.09)), put("cup_1", (0, 0), (0.1, 0.1, 0.09))),
-            "pen_1": (box(), put("pen_1", (0.04, 0), (0.01, 0.01, 0.12), on="cup_1", inside=True)),
-        }
+    scene = passing(
+        boxed("cup_1", (0, 0), (0.1, 0.1, 0.09), model=cup((0.1, 0.1, 0.09))),
+        boxed("pen_1", (0.04, 0), (0.01, 0.01, 0.12), on="cup_1", inside=True),
     )
-    assert scene.report is not None
-    assert scene.report.passed
     thing = scene.object("pen_1")
     assert np.linalg.norm(thing.pose.position[:2]) < 0.05
     assert thing.pose.position[2] < 0.74 + 0.08
 
 
 def test_a_support_that_is_pushed_takes_its_load_along() -> None:
-    scene = build(
-        {
-            "a_1": (box(), put("a_1", (0, 0), (0.1,) * 3)),
-            "tray_1": (box(), put("tray_1", (0.11, 0), (0.16, 0.16, 0.02))),
-            "egg_1": (box(), put("egg_1", (0.11, 0), (0.03,) * 3, on="tray_1")),
-        }
+    scene = passing(
+        boxed("a_1", (0, 0), (0.1,) * 3),
+        boxed("tray_1", (0.11, 0), (0.16, 0.16, 0.02)),
+        boxed("egg_1", (0.11, 0), (0.03,) * 3, on="tray_1"),
     )
-    assert scene.report is not None
-    assert scene.report.passed
     tray, egg = scene.object("tray_1").pose.position, scene.object("egg_1").pose.position
     assert tray[0] > 0.115
     np.testing.assert_allclose(egg[:2], tray[:2], atol=1e-3)
 
 
 def test_what_overhangs_is_pulled_onto_the_table() -> None:
-    scene = build({"box_1": (box(), put("box_1", (0.6, 0), (0.1,) * 3))})
-    assert scene.report is not None
-    assert scene.report.passed
+    scene = passing(boxed("box_1", (0.6, 0), (0.1,) * 3))
     assert scene.object("box_1").pose.position[0] == pytest.approx(0.55, abs=1e-3)
 
 
-def test_a_thing_that_cannot_stand_gets_a_weighted_foot() -> None:
+@pytest.fixture
+def club() -> Model:
     """Collision as of a club on its thin end: it would lie down."""
     top = [[x, y, 0.5] for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
-    skewed = [[0.3, 0, -0.5], [0.4, 0.1, -0.5], [0.4, -0.1, -0.5], *top]
-    parts = (ConvexPart(np.array(skewed)),)
-    club = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
-    scene = build({"club_1": (club, put("club_1", (0, 0), (0.06, 0.06, 0.25)))})
-    assert scene.report is not None
-    assert scene.report.passed
+    parts = (ConvexPart(np.array([[0.3, 0, -0.5], [0.4, 0.1, -0.5], [0.4, -0.1, -0.5], *top])),)
+    return dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
+
+
+def test_a_thing_that_cannot_stand_gets_a_weighted_foot(club: Model) -> None:
+    scene = passing(boxed("club_1", (0, 0), (0.06, 0.06, 0.25), model=club))
     assert len(scene.object("club_1").parts) == 2
     assert any("club_1 stands on a weighted foot" in w for w in scene.provenance.warnings)
     assert scene.object("club_1").pose.position[2] == pytest.approx(0.74 + 0.125, abs=2e-3)
 
 
-def test_a_scene_settled_again_changes_only_what_is_new() -> None:
+def test_a_scene_settled_again_changes_only_what_is_new(club: Model) -> None:
     """Two clubs on their thin ends, one of them new, beside a box at rest."""
-    top = [[x, y, 0.5] for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
-    parts = (ConvexPart(np.array([[0.3, 0, -0.5], [0.4, 0.1, -0.5], [0.4, -0.1, -0.5], *top])),)
-    club = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
-    size = (0.06, 0.06, 0.25)
-    before = build({"box_1": (box(), put("box_1", (0.3, 0), (0.1,) * 3))})
-    new = [body(club, put(name, (x, 0), size)) for name, x in (("club_1", 0), ("club_2", -0.3))]
+    before = build(boxed("box_1", (0.3, 0), (0.1,) * 3))
+    places = (("club_1", 0), ("club_2", -0.3))
+    new = [body(club, put(name, (x, 0), (0.06, 0.06, 0.25))) for name, x in places]
     seated = [seat_on_table(thing, TABLE_SIZE[2]) for thing in new]
     arranged = before.replace(objects=(*before.objects, *seated))
     after = reassemble(arranged, arranged, ["club_1"])
@@ -193,29 +170,28 @@ def test_what_stands_but_topples_on_a_leaning_table_gets_one_too() -> None:
     """A goblet: its foot is a sixteenth as wide as it is high."""
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     stem = [[0.08 * x, 0.08 * y, z] for x, y in corners for z in (-0.5, 0.2)]
-    cup = [[0.5 * x, 0.5 * y, z] for x, y in corners for z in (0.2, 0.5)]
-    parts = (ConvexPart(np.array(stem)), ConvexPart(np.array(cup)))
-    goblet = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
-    scene = build({"goblet_1": (goblet, put("goblet_1", (0, 0), (0.1, 0.1, 0.25)))})
-    assert scene.report is not None
-    assert scene.report.passed, scene.report.failures
+    stout = [[2 * x, 2 * y, z] for x, y, z in stem]
+    cup = ConvexPart(np.array([[0.5 * x, 0.5 * y, z] for x, y in corners for z in (0.2, 0.5)]))
+
+    def goblet(stem: list[list[float]]) -> tuple[Model, Placement]:
+        parts = (ConvexPart(np.array(stem)), cup)
+        model = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
+        return boxed("goblet_1", (0, 0), (0.1, 0.1, 0.25), model=model)
+
+    scene = passing(goblet(stem))
     assert len(scene.object("goblet_1").parts) == 3
     assert "goblet_1 stands on a weighted foot that the model does not have" in (
         scene.provenance.warnings
     )
-    stout = [[2 * x, 2 * y, z] for x, y, z in stem]
-    steady = dataclasses.replace(
-        box(), parts=(ConvexPart(np.array(stout)), parts[1]),
-        mesh=drawn((ConvexPart(np.array(stout)), parts[1])),
-    )  # fmt: skip
-    scene = build({"goblet_1": (steady, put("goblet_1", (0, 0), (0.1, 0.1, 0.25)))})
-    assert len(scene.object("goblet_1").parts) == 2
+    assert len(build(goblet(stout)).object("goblet_1").parts) == 2
+
+
+SLABS = [boxed(f"c_{k}", (0, 0), (0.7, 0.6, 0.05)) for k in range(5)]
 
 
 @pytest.mark.slow
 def test_without_room_the_report_fails_and_says_why() -> None:
-    slabs = {f"c_{k}": (box(), put(f"c_{k}", (0, 0), (0.7, 0.6, 0.05))) for k in range(5)}
-    scene = build(slabs)
+    scene = build(*SLABS)
     assert scene.report is not None
     assert not scene.report.passed
     assert any("no free place" in w for w in scene.provenance.warnings)
@@ -223,27 +199,22 @@ def test_without_room_the_report_fails_and_says_why() -> None:
 
 @pytest.mark.slow
 def test_without_room_things_are_left_out_if_so_configured() -> None:
-    slabs = {f"c_{k}": (box(), put(f"c_{k}", (0, 0), (0.7, 0.6, 0.05))) for k in range(5)}
-    slabs["rider_1"] = (box(), put("rider_1", (0, 0), (0.05,) * 3, on="c_4"))
-    scene = build(slabs, config=AssemblyConfig(drop_failing=True))
-    assert scene.report is not None
-    assert scene.report.passed
+    rider = boxed("rider_1", (0, 0), (0.05,) * 3, on="c_4")
+    scene = passing(*SLABS, rider, config=AssemblyConfig(drop_failing=True))
     assert scene.objects
     assert scene.report.dropped
-    assert len(scene.objects) + len(scene.report.dropped) == len(slabs)
+    assert len(scene.objects) + len(scene.report.dropped) == len(SLABS) + 1
     assert all(f"{name} was left out" in scene.provenance.warnings for name in scene.report.dropped)
 
 
 def test_the_report_is_what_the_gate_says_of_the_stored_scene() -> None:
-    scene = build({"box_1": (box(), put("box_1", (0, 0), (0.1,) * 3))})
+    scene = build(boxed("box_1", (0, 0), (0.1,) * 3))
     assert judge(scene) == scene.report
 
 
 def test_the_same_input_gives_the_same_scene() -> None:
-    things = {
-        f"c_{k}": (box(), put(f"c_{k}", (0.03 * k, 0.01 * k), (0.05,) * 3, yaw=k)) for k in range(5)
-    }
-    first, second = build(things), build(things)
+    things = [boxed(f"c_{k}", (0.03 * k, 0.01 * k), (0.05,) * 3, yaw=k) for k in range(5)]
+    first, second = build(*things), build(*things)
     for a, b in zip(first.objects, second.objects, strict=True):
         np.testing.assert_array_equal(a.pose.position, b.pose.position)
         np.testing.assert_array_equal(a.pose.quaternion, b.pose.quaternion)
@@ -251,10 +222,7 @@ def test_the_same_input_gives_the_same_scene() -> None:
 
 
 def test_an_empty_table_is_a_scene() -> None:
-    scene = build({})
-    assert scene.objects == ()
-    assert scene.report is not None
-    assert scene.report.passed
+    assert passing().objects == ()
 
 
 @pytest.mark.parametrize(
@@ -271,18 +239,15 @@ def test_bad_placements_are_named() -> None:
     placement = put("box_1", (0, 0), (0.1,) * 3)
     with pytest.raises(InputError, match=r"No model.*'box_1'"):
         assemble({}, [placement], table(), TABLE_SIZE, provenance=MANUAL, name="x")
-    with pytest.raises(InputError, match="unknown 'tray_1'"):
-        build({"box_1": (box(), put("box_1", (0, 0), (0.1,) * 3, on="tray_1"))})
-    with pytest.raises(InputError, match="stands on itself"):
-        build({"box_1": (box(), put("box_1", (0, 0), (0.1,) * 3, on="box_1"))})
+    for on, told in (("tray_1", "unknown 'tray_1'"), ("box_1", "stands on itself")):
+        with pytest.raises(InputError, match=told):
+            build(boxed("box_1", (0, 0), (0.1,) * 3, on=on))
 
 
 def test_a_model_without_parts_is_decomposed(tmp_path, monkeypatch) -> None:
     monkeypatch.setattr("platformdirs.user_cache_dir", lambda *a, **k: str(tmp_path))
     bare = dataclasses.replace(box(), parts=())
-    scene = build({"box_1": (bare, put("box_1", (0, 0), (0.1, 0.08, 0.05)))})
-    assert scene.report is not None
-    assert scene.report.passed
+    scene = passing(boxed("box_1", (0, 0), (0.1, 0.08, 0.05), model=bare))
     (part,) = scene.object("box_1").parts
     np.testing.assert_allclose(np.ptp(part.vertices, axis=0), [0.1, 0.08, 0.05], atol=2e-3)
 
@@ -290,14 +255,9 @@ def test_a_model_without_parts_is_decomposed(tmp_path, monkeypatch) -> None:
 @pytest.mark.slow
 def test_what_stands_free_in_a_cup_is_shaken_against_its_rim() -> None:
     """Let down upright it would stand on its end, and fall over on a leaning table."""
-    rod = (0.005, 0.005, 0.18)
-    scene = build(
-        {
-            "cup_1": (cup((0.09, 0.09, 0.09)), put("cup_1", (0, 0), (0.09, 0.09, 0.09))),
-            "rod_1": (box(), put("rod_1", (0, 0), rod, on="cup_1", inside=True)),
-        }
+    scene = passing(
+        boxed("cup_1", (0, 0), (0.09, 0.09, 0.09), model=cup((0.09, 0.09, 0.09))),
+        boxed("rod_1", (0, 0), (0.005, 0.005, 0.18), on="cup_1", inside=True),
     )
-    assert scene.report is not None
-    assert scene.report.passed, scene.report.failures
     up = quaternion_matrix(scene.object("rod_1").pose.quaternion)[2, 2]
     assert np.arccos(up) > np.deg2rad(5)

@@ -1,7 +1,5 @@
 """Questions about many things go to a server at once, and to what computes here in turn."""
 
-from __future__ import annotations
-
 import dataclasses
 import threading
 import time

@@ -1,7 +1,5 @@
 """Extraction: names, cleaning, and what happens when something is missing."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -127,28 +125,28 @@ def drawn(config: ExtractionConfig, *shown: int) -> tuple[Reference, int, list[i
     return chosen, len(instances) - 1, painter.seeds
 
 
-def test_a_drawing_that_shows_all_is_not_drawn_again():
-    chosen, count, seeds = drawn(ExtractionConfig(), 2, 2, 2)
-    assert (int(chosen.image[0, 0, 0]), count, seeds) == (0, 2, [])
-
-
-def test_a_drawing_that_hides_something_is_drawn_again_until_all_shows():
-    chosen, count, seeds = drawn(ExtractionConfig(), 1, 2, 2)
-    assert (int(chosen.image[0, 0, 0]), count, len(seeds)) == (1, 2, 1)
+@pytest.mark.parametrize(
+    ("config", "shown", "best", "count", "drawings"),
+    [
+        (ExtractionConfig(), (2, 2, 2), 0, 2, 0),
+        (ExtractionConfig(), (1, 2, 2), 1, 2, 1),
+        (ExtractionConfig(drawings=3), (0, 1, 1), 1, 1, 2),
+        (ExtractionConfig(drawings=3), (1, -1, -1), 0, 1, 2),
+    ],
+    ids=["shows all", "hides something", "shows most", "useless second drawing"],
+)
+def test_a_drawing_that_hides_something_is_drawn_again_and_the_one_that_shows_most_stays(
+    config, shown, best, count, drawings
+):
+    chosen, found, seeds = drawn(config, *shown)
+    assert (int(chosen.image[0, 0, 0]), found) == (best, count)
+    assert len(set(seeds)) == len(seeds) == drawings and 7 not in seeds
     assert chosen.prompt == "two mugs" and chosen.plan is not None
 
 
-def test_the_drawing_that_shows_most_stays_and_drawings_are_limited():
-    chosen, count, seeds = drawn(ExtractionConfig(drawings=3), 0, 1, 1)
-    assert (int(chosen.image[0, 0, 0]), count) == (1, 1)
-    assert len(set(seeds)) == len(seeds) == 2 and 7 not in seeds
+def test_drawings_are_limited():
     with pytest.raises(SceneError, match="Nothing found"):
         drawn(ExtractionConfig(drawings=1), 0, 1)
-
-
-def test_a_useless_second_drawing_does_not_spoil_the_first():
-    chosen, count, seeds = drawn(ExtractionConfig(drawings=3), 1, -1, -1)
-    assert (int(chosen.image[0, 0, 0]), count, len(seeds)) == (0, 1, 2)
 
 
 @pytest.mark.parametrize("drawings", [0, 1.5])

@@ -1,7 +1,5 @@
 """Canonical coordinate alignment: exact quarter turns, size axes, each instance's own view."""
 
-from __future__ import annotations
-
 import dataclasses
 import itertools
 

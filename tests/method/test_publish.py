@@ -3,8 +3,6 @@
 A joint refinement that assembly undoes does not stay; the report says what is published.
 """
 
-from __future__ import annotations
-
 import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace

@@ -1,7 +1,5 @@
 """Joint refinement: yaw, place and size of all objects come nearer to the truth, never farther."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

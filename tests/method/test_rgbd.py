@@ -1,12 +1,9 @@
 """A picture with a depth map: what is accepted, how it is scaled, and what is refused."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np
 import pytest
-from command import command
 from PIL import Image
 
 from generator.errors import InputError
@@ -100,8 +97,7 @@ def test_a_reference_holds_both_or_neither():
     ("arguments", "message"),
     [(["--intrinsics", "1,2,3"], "four numbers"), (["--intrinsics", "120,120,60,45"], "depth map")],
 )
-def test_the_command_line_says_what_is_wrong(tmp_path, capsys, arguments, message):
+def test_the_command_line_says_what_is_wrong(tmp_path, shell, arguments, message):
     path = tmp_path / "table.png"
     path.write_bytes(encode_png(PICTURE))
-    assert command("generate", str(path), *arguments) == 2
-    assert message in capsys.readouterr().err
+    assert message in shell("generate", str(path), *arguments, code=2).err

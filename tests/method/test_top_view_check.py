@@ -1,7 +1,5 @@
 """A top view that moved, dropped or missized things is repaired from the reference picture."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -5,8 +5,6 @@ that the right boxes, words and masks of these pictures come out; they know noth
 real is the classes, their files, and everything that the backend does with their answers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path

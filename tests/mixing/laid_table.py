@@ -4,8 +4,6 @@ Things are told apart by their colour, also in a cut-out, so that a server of th
 what it is sent instead of being told.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 
@@ -85,7 +83,6 @@ class Picture:
 
 @cache
 def drawn() -> Picture:
-    """Return the picture that a text asks for."""
     points = BARE.shape.vertices + np.array([0, 0, _TOP[2] / 2])
     return _taken(framing_camera(points, VIEW, *_WIDE))
 

@@ -5,8 +5,6 @@
 The settings are the coarsest that make a scene: what is tested is who is asked what, and when.
 """
 
-from __future__ import annotations
-
 import logging
 import sys
 
@@ -52,7 +50,6 @@ def mix(session: Session) -> Backends:
 
 
 def scene(session: Session) -> Generation:
-    """Return the scene of the laid table."""
     return generate(laid_table.TEXT, mix(session), CONFIG, seed=5)
 
 

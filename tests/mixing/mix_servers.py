@@ -4,8 +4,6 @@ One plays the chat model and the image model of ``cloud``, one Hunyuan3D. Their 
 the laid table. ``Watch`` knows what was asked and answered when, and may kill who asks.
 """
 
-from __future__ import annotations
-
 import base64
 import contextlib
 import hashlib
@@ -74,7 +72,6 @@ class Watch:
         return int(np.cumsum([step for _, step in sorted(edges)]).max(initial=0))
 
     def done(self, answer: bytes) -> None:
-        """Enter the answer to the calling thread's request."""
         made = self._open.pop(threading.get_ident())
         made.ended, made.answer = time.monotonic(), answer
         self.gone(made)
@@ -102,7 +99,6 @@ class Servers:
 
 @contextlib.contextmanager
 def running(watch: Watch) -> Iterator[Servers]:
-    """Run both servers."""
     pictures = {"draw": laid_table.drawn().image, "top_view": laid_table.from_above().image}
     cloud = openai_server.start()
 
@@ -170,7 +166,6 @@ def _said(question: str, request: Request) -> dict[str, Any]:
 
 
 def _plan() -> dict[str, Any]:
-    """Return the plan of the laid table."""
     table = {"outline": "rectangle", "material": "oak", "color": None, "legs": "straight"}
     blank = dict.fromkeys(("color", "material", "size_word", "state"))
     things = [

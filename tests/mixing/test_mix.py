@@ -10,8 +10,6 @@ points of its calls: as one comes in, or shortly after one was answered. What is
 - the scene is the same to the byte.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 import os

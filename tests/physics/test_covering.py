@@ -1,7 +1,5 @@
 """Collision parts hold what is drawn, leave hollows open, and stand on one foot."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from toy import CUBE_FACES, corners

@@ -1,7 +1,5 @@
 """The gate must catch every kind of unsound scene: one that cannot fail is a defect."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The benchmark of what DRO and TSA are worth: poses as placed, the table, cut-off runs."""
 
-from __future__ import annotations
-
 import dataclasses
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Stated faults of the input, and cases whose picture tells the pose."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 from typing import Any

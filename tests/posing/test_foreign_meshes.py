@@ -1,7 +1,5 @@
 """Folders of foreign meshes: what is read of them, and what is refused."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -99,14 +97,11 @@ def bad_mesh(folder: Path, what: str) -> Path:
 @pytest.mark.parametrize(
     ("what", "says"),
     [
-        ("damaged", "cannot be read"),
-        ("empty", "0 bytes"),
-        ("pointless", "no triangle|cannot be read"),
-        ("millimetres", "Scale it to metres"),
-        ("not finite", "NaN"),
-        ("outside", "outside its folder"),
+        ("damaged", "cannot be read"), ("empty", "0 bytes"),
+        ("pointless", "no triangle|cannot be read"), ("millimetres", "Scale it to metres"),
+        ("not finite", "NaN"), ("outside", "outside its folder"),
     ],
-)
+)  # fmt: skip
 def test_a_bad_mesh_is_refused(tmp_path: Path, what: str, says: str) -> None:
     (tmp_path / "in").mkdir()
     with pytest.raises(InputError, match=says):

@@ -1,7 +1,5 @@
 """Rebuilt scenes held against the truth."""
 
-from __future__ import annotations
-
 import dataclasses
 from types import SimpleNamespace
 from typing import Any

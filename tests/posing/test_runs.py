@@ -1,7 +1,5 @@
 """Runs of the pose benchmark: tables that go on, summaries, names."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

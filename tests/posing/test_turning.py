@@ -1,7 +1,5 @@
 """By how much one object is turned against another, told by their surfaces."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from posing.turning import best_turn, turn_cloud

@@ -1,7 +1,5 @@
 """Recorded demonstrations: what is in them, that they load and play again, and clear errors."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

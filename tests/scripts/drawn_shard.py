@@ -1,7 +1,5 @@
 """A shard of one picture for the eye's benchmark, drawn without OpenGL."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

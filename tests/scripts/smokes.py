@@ -4,8 +4,6 @@ A new script needs an entry in ``SMOKES``: the least work that its own options a
 leaves. It runs in an empty folder, its ``{out}``; nothing else may change.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Every script of the repository runs: nothing else would notice that one has come to fail."""
 
-from __future__ import annotations
-
 import csv
 import os
 import shlex

@@ -1,7 +1,5 @@
 """Crops with their targets, the terms of the loss, and a run that stops and goes on."""
 
-from __future__ import annotations
-
 import argparse
 
 import numpy as np

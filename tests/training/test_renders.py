@@ -1,7 +1,5 @@
 """Rendered samples agree with the scene they show; skipped where there is no OpenGL."""
 
-from __future__ import annotations
-
 import dataclasses
 import itertools
 from collections.abc import Iterator

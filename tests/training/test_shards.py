@@ -1,7 +1,5 @@
 """Shards give back what was put in, and say clearly when they are damaged."""
 
-from __future__ import annotations
-
 import dataclasses
 import zipfile
 from pathlib import Path

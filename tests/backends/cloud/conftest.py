@@ -1,7 +1,5 @@
 """A server of the protocol, keys and sessions for the cloud backend's tests."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterator
 from typing import Any

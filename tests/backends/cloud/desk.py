@@ -1,7 +1,5 @@
 """A painted desk with a book, a mug on it and a pen: instances, and what there is to say of it."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

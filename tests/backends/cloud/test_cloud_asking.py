@@ -1,7 +1,5 @@
 """One question over HTTP: the ladder of forms, asking again, refusals, and servers that fail."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from typing import Any
@@ -27,13 +25,18 @@ KINDS = json.dumps({"kinds": [{"noun": "Mug", "count": 2}, {"noun": "table", "co
 NOUNS = ("table", "mug", "mug")
 
 
+@pytest.fixture(autouse=True)
+def answered(server: Running) -> None:
+    """The server lists the objects, unless a test says otherwise."""
+    server.script.chat = lambda request: KINDS
+
+
 def forms(server: Running) -> list[str | None]:
     bodies = [r.body for r in server.script.asked("completions")]
     return [b["response_format"]["type"] if "response_format" in b else None for b in bodies]
 
 
 def test_a_strict_schema_is_asked_for_first(server: Running, reasoner: CloudReasoner) -> None:
-    server.script.chat = lambda request: KINDS
     assert reasoner.list_objects(reference()) == NOUNS
     (request,) = server.script.asked("completions")
     assert request.body["response_format"]["json_schema"]["strict"] is True
@@ -53,14 +56,12 @@ def test_the_forms_a_server_knows_are_learned_once(
 
 
 def test_json_objects_are_enough(server: Running, reasoner: CloudReasoner) -> None:
-    server.script.chat = lambda request: KINDS
     server.script.forms = ("json_object",)
     assert reasoner.list_objects(reference()) == NOUNS
     assert forms(server) == ["json_schema", "json_object"]
 
 
 def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: CloudReasoner) -> None:
-    server.script.chat = lambda request: KINDS
     server.script.knows_seed = False
     assert reasoner.list_objects(reference()) == NOUNS
     assert forms(server) == ["json_schema", "json_schema"]
@@ -71,7 +72,6 @@ def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: CloudR
 def test_an_answer_has_a_bound_in_the_form_that_the_server_takes(
     server: Running, reasoner: CloudReasoner, known: tuple[str, ...]
 ) -> None:
-    server.script.chat = lambda request: KINDS
     server.script.bounds = known
     for prompt in ("", "again"):
         assert reasoner.list_objects(replace(reference(), prompt=prompt)) == NOUNS
@@ -83,7 +83,7 @@ def test_an_answer_has_a_bound_in_the_form_that_the_server_takes(
     assert len(told) == tries + 1, "learned once"
 
 
-def test_what_an_answer_may_cost_is_bounded(server: Running, reasoner: CloudReasoner) -> None:
+def test_what_an_answer_may_cost_is_bounded(reasoner: CloudReasoner) -> None:
     prices = Prices(models={reasoner.model: Price(output=1e6)})
     dry = replace(reasoner, session=Session(dry=True, prices=prices))
     with pytest.raises(DryRunError, match=f"at most {ANSWER}.0000 USD"):
@@ -108,33 +108,26 @@ def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
     assert "no JSON object" in last[4]["content"]
 
 
-def test_it_is_given_up_after_so_many_answers(server: Running, reasoner: CloudReasoner) -> None:
-    server.script.chat = lambda request: '{"kinds": []}'
-    with pytest.raises(BackendError, match=r"list_objects failed: 4 answers could not be used"):
-        reasoner.list_objects(reference())
-    assert len(server.script.requests) == 1 + REASKS
-
-
 @pytest.mark.parametrize(
-    "said",
+    ("said", "told", "requests"),
     [
-        {"message": {"content": None, "refusal": "I will not."}, "finish_reason": "stop"},
-        {"message": {"content": "I will not."}, "finish_reason": "content_filter"},
-        "I'm sorry, I can't assist. I will not.",
+        ('{"kinds": []}', "4 answers could not be used", 1 + REASKS),
+        ({"message": {"content": None, "refusal": "I will not."}, "finish_reason": "stop"},
+         "the model refuses: .*I will not", 1),
+        ({"message": {"content": "I will not."}, "finish_reason": "content_filter"},
+         "the model refuses: .*I will not", 1),
+        ("I'm sorry, I can't assist. I will not.", "the model refuses: .*I will not", 1),
+        ({"message": {"content": KINDS[:9]}, "finish_reason": "length"}, ".*limit of tokens", None),
     ],
-)
-def test_a_refusal_is_said_at_once(server: Running, reasoner: CloudReasoner, said: object) -> None:
+    ids=["after so many answers", "refused by field", "filtered", "refused in words", "cut off"],
+)  # fmt: skip
+def test_what_cannot_be_used_is_given_up(
+    server: Running, reasoner: CloudReasoner, said: object, told: str, requests: int | None
+) -> None:
     server.script.chat = lambda request: said
-    with pytest.raises(BackendError, match=r"list_objects failed: the model refuses: .*I will not"):
+    with pytest.raises(BackendError, match=f"list_objects failed: {told}"):
         reasoner.list_objects(reference())
-    assert len(server.script.requests) == 1
-
-
-def test_a_cut_off_answer_says_so(server: Running, reasoner: CloudReasoner) -> None:
-    cut = {"message": {"content": KINDS[:9]}, "finish_reason": "length"}
-    server.script.chat = lambda request: cut
-    with pytest.raises(BackendError, match="limit of tokens"):
-        reasoner.list_objects(reference())
+    assert requests is None or len(server.script.requests) == requests
 
 
 def test_content_in_parts_is_joined(server: Running, reasoner: CloudReasoner) -> None:
@@ -149,7 +142,6 @@ def test_content_in_parts_is_joined(server: Running, reasoner: CloudReasoner) ->
 def test_what_passes_is_waited_for(
     server: Running, reasoner: CloudReasoner, failures: list[str]
 ) -> None:
-    server.script.chat = lambda request: KINDS
     server.script.failures.extend(failures)
     assert reasoner.list_objects(reference()) == NOUNS
     assert len(server.script.requests) == 1 + len(failures)
@@ -198,36 +190,31 @@ def test_a_server_that_hangs_is_not_waited_for_for_ever(
         once.list_objects(reference())
 
 
-def refused_request() -> httpx2.Request:
-    return httpx2.Request("POST", "http://127.0.0.1/v1/chat/completions")
+REQUEST = httpx2.Request("POST", "http://127.0.0.1/v1/chat/completions")
+NO_CONNECTION = openai.APIConnectionError(request=REQUEST)
 
 
 @pytest.mark.parametrize(
-    ("cause", "told"),
+    ("error", "cause", "told"),
     [
-        (BudgetError("over the budget of 1"), r"^over the budget of 1$"),
-        (httpx2.ReadError(f"reset, {KEY}"), r"no answer from http.*ReadError: reset, \[redacted\]"),
-        (None, "no answer from http.*Connection error"),
+        (NO_CONNECTION, BudgetError("over the budget of 1"), r"^over the budget of 1$"),
+        (NO_CONNECTION, httpx2.ReadError(f"reset, {KEY}"),
+         r"no answer from http.*ReadError: reset, \[redacted\]"),
+        (NO_CONNECTION, None, "no answer from http.*Connection error"),
+        (openai.OpenAIError("the header is too long"), None,
+         "list_objects failed: the header is too long"),
     ],
-    ids=("the session's own", "another", "none"),
-)
-def test_what_the_sdk_wraps_as_no_connection_is_told(
-    reasoner: CloudReasoner, cause: Exception | None, told: str
+    ids=("the session's own", "another", "none", "no failure of the connection"),
+)  # fmt: skip
+def test_what_the_sdk_finds_wrong_is_told(
+    reasoner: CloudReasoner, error: Exception, cause: Exception | None, told: str
 ) -> None:
-    """Whether it wraps what the session raises depends on its version."""
+    """Whether it wraps what the session raises as no connection depends on its version."""
 
     def ask(*_: Any) -> None:
-        raise openai.APIConnectionError(request=refused_request()) from cause
+        raise error from cause
 
     with pytest.raises(BackendError, match=told):
-        reasoner.chat.server.call("list_objects", ask, Used(None), "meant")
-
-
-def test_what_else_the_sdk_finds_wrong_is_told(reasoner: CloudReasoner) -> None:
-    def ask(*_: Any) -> None:
-        raise openai.OpenAIError("the header is too long")
-
-    with pytest.raises(BackendError, match="list_objects failed: the header is too long"):
         reasoner.chat.server.call("list_objects", ask, Used(None), "meant")
 
 
@@ -237,7 +224,7 @@ def test_an_unknown_model_is_named(server: Running, session: Session) -> None:
 
 
 def test_a_wrong_key_is_not_repeated(
-    server: Running, reasoner: CloudReasoner, monkeypatch: pytest.MonkeyPatch
+    reasoner: CloudReasoner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "wrong-key-987654321")
     with pytest.raises(BackendError, match="Check the key in TABLETOPGEN_CLOUD_KEY") as caught:
@@ -260,8 +247,7 @@ def test_the_key_is_in_no_message_and_no_file(
     assert KEY not in everything(caught.value, frames=False)
     server.script.chat = lambda request: KINDS
     replace(reasoner, session=kept, seed=1).list_objects(reference())
-    found = [p for p in tmp_path.rglob("*") if p.is_file() and b"Bearer" in p.read_bytes()]
-    assert not found
+    assert not [p for p in tmp_path.rglob("*") if p.is_file() and b"Bearer" in p.read_bytes()]
 
 
 @pytest.mark.parametrize("name", ["Authorization", "authorization"])
@@ -272,7 +258,6 @@ def test_the_key_is_ours_whatever_the_environment_says(
     monkeypatch.setenv("OPENAI_CUSTOM_HEADERS", added)
     monkeypatch.setenv("OPENAI_ORG_ID", "org-private")
     monkeypatch.setenv("OPENAI_PROJECT_ID", "proj-private")
-    server.script.chat = lambda request: KINDS
     assert reasoner.list_objects(reference()) == NOUNS
     sent = {k.lower(): v for k, v in server.script.requests[0].headers.items()}
     assert sent["authorization"] == f"Bearer {KEY}"
@@ -296,7 +281,6 @@ def test_a_key_that_a_message_cuts_off_is_in_no_part_of_it(
 def test_an_answer_that_is_kept_is_not_asked_for_again(
     server: Running, reasoner: CloudReasoner, tmp_path
 ) -> None:
-    server.script.chat = lambda request: KINDS
     for _ in range(2):
         kept = Session(store=CallStore(tmp_path))
         assert replace(reasoner, session=kept).list_objects(reference()) == NOUNS
@@ -310,7 +294,6 @@ def test_a_dry_run_sends_nothing(server: Running, reasoner: CloudReasoner) -> No
 
 
 def test_pictures_are_shown_as_they_are(server: Running, reasoner: CloudReasoner) -> None:
-    server.script.chat = lambda request: KINDS
     reasoner.list_objects(reference())
     content = server.script.requests[0].body["messages"][0]["content"]
     (url,) = [p["image_url"]["url"] for p in content if p["type"] == "image_url"]

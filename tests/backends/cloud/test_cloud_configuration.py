@@ -1,7 +1,5 @@
 """Where the cloud backend's server, models and keys come from, and where keys go."""
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 

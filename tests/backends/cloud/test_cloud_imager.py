@@ -1,7 +1,5 @@
 """The imager's pictures over HTTP, in both forms that servers have, and what is done with them."""
 
-from __future__ import annotations
-
 import io
 import json
 import struct
@@ -28,7 +26,16 @@ from generator.errors import BackendError, UnusableError
 from generator.geometry import mask_box
 from generator.io.png import encode_png
 from generator.render.crop import in_reference, tight_box
-from generator.scene import Model, PlannedObject, PlannedTable, Relation, ScenePlan, TopView
+from generator.scene import (
+    Detection,
+    Instance,
+    Model,
+    PlannedObject,
+    PlannedTable,
+    Relation,
+    ScenePlan,
+    TopView,
+)
 
 Make = Callable[..., CloudImager]
 PLAN = ScenePlan(
@@ -47,6 +54,12 @@ def plain(width: int = 300, height: int = 200) -> np.ndarray:
     return np.full((height, width, 3), (10, 200, 30), np.uint8)
 
 
+@pytest.fixture(autouse=True)
+def painted(server: Running) -> None:
+    """The server draws a plain picture, unless a test says otherwise."""
+    server.script.paint = lambda request: plain()
+
+
 def bomb() -> bytes:
     """A PNG of a few bytes that claims 60000 x 60000 pixels."""
     head = b"IHDR" + struct.pack(">IIBBBBB", 60000, 60000, 8, 2, 0, 0, 0)
@@ -57,10 +70,7 @@ def bomb() -> bytes:
 
 
 # ------------------------------------------------------------------------------------------- draw
-
-
 def test_openai_s_form_draws(server: Running, make_imager: Make) -> None:
-    server.script.paint = lambda request: plain()
     drawn = make_imager().draw(PLAN, 0)
     np.testing.assert_array_equal(drawn, plain())
     (request,) = server.script.requests
@@ -80,7 +90,6 @@ def test_openai_s_form_draws(server: Running, make_imager: Make) -> None:
 
 def test_seedream_s_form_draws(server: Running, make_imager: Make) -> None:
     server.script.form = "seedream"
-    server.script.paint = lambda request: plain()
     make_imager(form="seedream").draw(PLAN, 0)
     (request,) = server.script.requests
     assert request.body["size"] == "2048x1360"
@@ -90,7 +99,6 @@ def test_seedream_s_form_draws(server: Running, make_imager: Make) -> None:
 
 
 def test_another_seed_is_another_drawing(server: Running, make_imager: Make) -> None:
-    server.script.paint = lambda request: plain()
     imager = make_imager()
     for seed in (0, 1, 2):
         imager.draw(PLAN, seed)
@@ -110,14 +118,13 @@ def test_options_that_a_server_does_not_know_are_left_out(
     server: Running, make_imager: Make
 ) -> None:
     server.script.unknown = {"size"}
-    server.script.paint = lambda request: plain()
     imager = make_imager()
     imager.draw(PLAN, 0)
     imager.draw(PLAN, 1)
     assert ["size" in r.body for r in server.script.requests] == [True, False, False]
 
 
-def test_a_form_that_is_none_is_refused(server: Running, make_imager: Make) -> None:
+def test_a_form_that_is_none_is_refused(make_imager: Make) -> None:
     with pytest.raises(BackendError, match=r"no form 'seadream'\. Did you mean 'seedream'"):
         make_imager(form="seadream")
 
@@ -130,15 +137,11 @@ def test_a_form_that_is_none_is_refused(server: Running, make_imager: Make) -> N
         ("ep-2025", "https://ark.cn-beijing.volces.com/api/v3", "seedream"),
     ],
 )
-def test_the_form_is_told_by_names(
-    server: Running, make_imager: Make, model: str, url: str, form: str
-) -> None:
+def test_the_form_is_told_by_names(make_imager: Make, model: str, url: str, form: str) -> None:
     assert make_imager(model=model, base_url=url).form == form
 
 
 # --------------------------------------------------------------------------------- bad pictures
-
-
 @pytest.mark.parametrize(
     ("data", "told"),
     [
@@ -178,7 +181,6 @@ def test_a_picture_that_the_model_will_not_draw(server: Running, make_imager: Ma
 
 def test_a_server_that_speaks_of_case_does_not_refuse(server: Running, make_imager: Make) -> None:
     server.script.failures.append("case")
-    server.script.paint = lambda request: plain()
     np.testing.assert_array_equal(make_imager().draw(PLAN, 0), plain())
     assert len(server.script.requests) == 2
 
@@ -197,11 +199,8 @@ def test_a_kept_answer_that_is_of_no_use_is_asked_for_anew(
 
 
 # ------------------------------------------------------------------------------------- addresses
-
-
 def test_a_picture_is_fetched_without_the_key(server: Running, make_imager: Make) -> None:
     server.script.urls = True
-    server.script.paint = lambda request: plain()
     np.testing.assert_array_equal(make_imager().draw(PLAN, 0), plain())
     _, fetched = server.script.requests
     assert fetched.path.startswith("/files/")
@@ -211,7 +210,6 @@ def test_a_picture_is_fetched_without_the_key(server: Running, make_imager: Make
 
 def test_an_expired_address_is_asked_for_anew(server: Running, make_imager: Make, tmp_path) -> None:
     server.script.urls = True
-    server.script.paint = lambda request: plain()
     server.script.lost = {"/files/1.png"}
     np.testing.assert_array_equal(
         make_imager(session=Session(store=CallStore(tmp_path))).draw(PLAN, 0), plain()
@@ -220,7 +218,7 @@ def test_an_expired_address_is_asked_for_anew(server: Running, make_imager: Make
 
 
 def test_an_address_at_another_host_is_not_fetched(
-    server: Running, make_imager: Make, monkeypatch: pytest.MonkeyPatch
+    make_imager: Make, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     imager = make_imager()
     for address in ("https://evil.example/a.png", "http://127.0.0.1:1/a.png"):
@@ -249,15 +247,13 @@ def test_values_of_other_types_are_no_picture(make_imager: Make, data: Any) -> N
         make_imager().painter._picture("draw", {"data": data}, Used(None), "yes")
 
 
-def test_a_picture_in_a_data_address_is_taken(server: Running, make_imager: Make) -> None:
+def test_a_picture_in_a_data_address_is_taken(make_imager: Make) -> None:
     data = {"data": [{"url": data_uri(encode_png(plain()))}]}
     found = make_imager().painter._picture("draw", data, Used(None), "yes")
     np.testing.assert_array_equal(found[..., :3], plain())
 
 
 # --------------------------------------------------------------------------------------- complete
-
-
 def redrawn(
     shown: np.ndarray, *, clear: bool, scale: float = 1.0, shift: tuple[int, int] = (0, 0)
 ) -> np.ndarray:
@@ -285,9 +281,7 @@ def test_a_thing_is_put_back_where_it_was(
     server.script.paint = lambda r: redrawn(
         r.body["images"][0], clear=form == "openai", scale=scale, shift=shift
     )
-    found = detections()
-    pen = found.pop("pen_1")
-    made = make_imager(form=form).complete(reference(), pen, tuple(found.values()))
+    made, pen = completed(make_imager(form=form), "pen_1")
     assert (made.name, made.label, made.occluded) == ("pen", "pen", False)
     np.testing.assert_array_equal(made.mask, pen.mask)
     there = in_reference(made, tight_box(made))
@@ -304,9 +298,7 @@ def test_a_thing_is_put_back_where_it_was(
 @pytest.mark.slow
 def test_openai_s_form_is_told_what_to_keep(server: Running, make_imager: Make) -> None:
     server.script.paint = lambda r: redrawn(r.body["images"][0], clear=True)
-    found = detections()
-    book = found.pop("book_1")
-    make_imager().complete(reference(), book, tuple(found.values()))
+    _, book = completed(make_imager(), "book_1")
     (request,) = server.script.requests
     assert request.path == "/v1/images/edits"
     assert (request.body["size"], request.body["background"]) == ("1024x1024", "transparent")
@@ -345,22 +337,17 @@ def test_hidden_parts_are_drawn_and_told(server: Running, make_imager: Make) -> 
         return picture
 
     server.script.paint = paint
-    found = detections()
-    book = found.pop("book_1")
-    made = make_imager().complete(reference(), book, tuple(found.values()))
+    made, book = completed(make_imager(), "book_1")
     assert made.occluded
-    assert (made.crop[..., 3] > 127).sum() > 1.1 * (
-        book.mask.sum() * ((made.crop.shape[1] / np.ptp(made.crop_box[[0, 2]])) ** 2)
-    )
+    scale = made.crop.shape[1] / np.ptp(made.crop_box[[0, 2]])
+    assert (made.crop[..., 3] > 127).sum() > 1.1 * book.mask.sum() * scale**2
     np.testing.assert_allclose(in_reference(made, tight_box(made)), [60, 90, 140, 150], atol=2.5)
 
 
 @pytest.mark.slow
 def test_what_touches_others_is_not_hidden_by_them(server: Running, make_imager: Make) -> None:
     server.script.paint = lambda r: redrawn(r.body["images"][0], clear=True, scale=0.95)
-    found = detections()
-    mug = found.pop("mug_1")
-    assert not make_imager().complete(reference(), mug, tuple(found.values())).occluded
+    assert not completed(make_imager(), "mug_1")[0].occluded
 
 
 @pytest.mark.slow
@@ -402,8 +389,6 @@ def test_a_thing_that_is_never_drawn_is_an_error(
 
 
 # --------------------------------------------------------------------------------------- top view
-
-
 def test_pictures_have_a_shape_that_the_model_takes() -> None:
     wide, high = np.zeros((50, 400, 3), np.uint8), np.zeros((300, 100, 3), np.uint8)
     assert pad(wide, 0.4, 2.5).shape == (160, 400, 3)
@@ -418,6 +403,13 @@ def models() -> dict[str, Model]:
         name: Model(name, name.removesuffix("_1"), cube_mesh(), prior.extent)
         for name, prior in SIZES.items()
     }
+
+
+def completed(imager: CloudImager, name: str) -> tuple[Instance, Detection]:
+    """Complete one thing of the desk; return what comes of it and what was found of it."""
+    found = detections()
+    thing = found.pop(name)
+    return imager.complete(reference(), thing, tuple(found.values())), thing
 
 
 def sight(id: int, *boxes: list[int], covered: bool = False) -> dict:
@@ -451,6 +443,13 @@ def test_a_right_top_view_is_taken_and_left_to_the_segmenter(
     assert "1: book\n2: mug\n3: pen" in checked.text
 
 
+def seen_at_last(server: Running, make_imager: Make, first: str) -> None:
+    """See a top view whose first check is answered so, the next one as it should be."""
+    asked = server.script.asked
+    server.script.chat = lambda r: first if len(asked("completions")) == 1 else check(GOOD)
+    assert seen(make_imager()).warnings == ()
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("answer", "told"),
@@ -464,20 +463,10 @@ def test_a_right_top_view_is_taken_and_left_to_the_segmenter(
 def test_a_wrong_top_view_is_drawn_again(
     server: Running, make_imager: Make, answer: str, told: str
 ) -> None:
-    server.script.paint = lambda request: plain()
-    server.script.chat = lambda r: answer if len(server.script.asked("completions")) == 1 else (
-        check(GOOD)
-    )  # fmt: skip
-    assert seen(make_imager()).warnings == ()
+    seen_at_last(server, make_imager, answer)
     first, second = server.script.asked("edits")
     assert told not in first.text
     assert told in second.text
-
-
-def test_what_lies_below_another_need_not_be_seen(server: Running, make_imager: Make) -> None:
-    server.script.paint = lambda request: plain()
-    server.script.chat = lambda request: check([*GOOD[:2], sight(3, covered=True)])
-    assert seen(make_imager()).warnings == ()
 
 
 @pytest.mark.parametrize(
@@ -491,18 +480,18 @@ def test_what_lies_below_another_need_not_be_seen(server: Running, make_imager: 
 def test_a_check_that_cannot_be_is_asked_again(
     server: Running, make_imager: Make, things: list, told: str
 ) -> None:
-    server.script.paint = lambda request: plain()
-    server.script.chat = lambda r: check(
-        things if len(server.script.asked("completions")) == 1 else GOOD
-    )
-    seen(make_imager())
+    seen_at_last(server, make_imager, check(things))
     assert told in server.script.asked("completions")[1].text
     assert len(server.script.asked("edits")) == 1
 
 
+def test_what_lies_below_another_need_not_be_seen(server: Running, make_imager: Make) -> None:
+    server.script.chat = lambda request: check([*GOOD[:2], sight(3, covered=True)])
+    assert seen(make_imager()).warnings == ()
+
+
 @pytest.mark.slow
 def test_geometry_stands_in_with_a_warning(server: Running, make_imager: Make) -> None:
-    server.script.paint = lambda request: plain()
     server.script.chat = lambda request: check([*GOOD[:2], sight(3)])
     top = seen(make_imager())
     assert len(server.script.asked("edits")) == 1 + REDRAWS

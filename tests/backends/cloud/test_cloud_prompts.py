@@ -1,7 +1,5 @@
 """Prompts as data: all are found, and take exactly the variables they name."""
 
-from __future__ import annotations
-
 from importlib.resources import files
 from string import Template
 

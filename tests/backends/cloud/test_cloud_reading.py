@@ -1,7 +1,5 @@
 """JSON out of what models write."""
 
-from __future__ import annotations
-
 import contextlib
 import time
 
@@ -66,25 +64,14 @@ def test_refusals_are_told_from_answers() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "<think>" * 150_000,
-        "```" + "a" * 1_000_000,
-        "```a" * 200_001,
-        '"\\' * 400_000,
-        '{"a' + '\\"' * 400_000,
-        "/*" * 400_000,
-        "{" * 400_000,
-        "{" + "[" * 400_000,
-        '{"a":' * 100_000 + "1" + "}" * 100_000,
-        "{'a': " + "-" * 100_000 + "1}",
-        "{'a': " + "1+" * 50_000 + "1}",
-        "{'a': " + "1**" * 20_000 + "1}",
-        "{'a': 9" + "9" * 100_000 + "}",
-        ",  " * 300_000,
-        "{}" * 200_000,
-        "\ud800" * 1000,
+        "<think>" * 150_000, "```" + "a" * 1_000_000, "```a" * 200_001, '"\\' * 400_000,
+        '{"a' + '\\"' * 400_000, "/*" * 400_000, "{" * 400_000, "{" + "[" * 400_000,
+        '{"a":' * 100_000 + "1" + "}" * 100_000, "{'a': " + "-" * 100_000 + "1}",
+        "{'a': " + "1+" * 50_000 + "1}", "{'a': " + "1**" * 20_000 + "1}",
+        "{'a': 9" + "9" * 100_000 + "}", ",  " * 300_000, "{}" * 200_000, "\ud800" * 1000,
     ],
     ids=lambda text: text[:12].encode("ascii", "backslashreplace").decode(),
-)
+)  # fmt: skip
 def test_a_hostile_answer_is_read_or_refused_in_time(text: str) -> None:
     began = time.monotonic()
     with contextlib.suppress(Wrong):

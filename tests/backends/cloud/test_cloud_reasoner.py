@@ -1,9 +1,8 @@
 """The reasoner's questions over HTTP: what is asked, and the project's values that come of it."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -51,8 +50,6 @@ def plan(*things: dict[str, Any]) -> dict[str, Any]:
 
 
 # ------------------------------------------------------------------------------------------- plan
-
-
 def test_a_plan_has_names_categories_metres_and_relations(
     server: Running, reasoner: CloudReasoner
 ) -> None:
@@ -133,24 +130,11 @@ def test_a_text_of_no_use_is_refused_before_it_costs(
 
 
 # --------------------------------------------------------------------------------------- pictures
-
-
 def test_kinds_are_words_as_often_as_they_are_seen(
     server: Running, reasoner: CloudReasoner
 ) -> None:
     always(server, {"kinds": [{"noun": "Toy  car", "count": 2}, {"noun": "book", "count": 1}]})
     assert reasoner.list_objects(reference()) == ("table", "toy car", "toy car", "book")
-
-
-@pytest.mark.parametrize(
-    ("nouns", "told"), [(["mug", "Mug"], "listed twice: mug"), (["table"], "no kind of thing")]
-)
-def test_kinds_listed_twice_are_asked_again(
-    server: Running, reasoner: CloudReasoner, nouns: list[str], told: str
-) -> None:
-    always(server, {"kinds": [{"noun": n, "count": 1} for n in nouns]})
-    with pytest.raises(BackendError, match=told):
-        reasoner.list_objects(reference())
 
 
 def test_planned_words_are_told(server: Running, reasoner: CloudReasoner) -> None:
@@ -173,13 +157,6 @@ def test_known_intrinsics_tell_the_field_of_view(server: Running, reasoner: Clou
     known = Intrinsics(240, 240, 159.5, 119.5)
     rgbd = Reference(reference().image, depth=np.ones((240, 320)), intrinsics=known)
     assert reasoner.estimate_view(rgbd, instances()[0]).fov == pytest.approx(2 * np.arctan(0.5))
-
-
-@pytest.mark.parametrize("bad", [{"elevation": 95}, {"elevation": "high"}, {"azimuth": 170}])
-def test_an_impossible_view_is_refused(server: Running, reasoner: CloudReasoner, bad: dict) -> None:
-    always(server, {"elevation": 60, "azimuth": 0, "vertical_fov": 30, **bad})
-    with pytest.raises(BackendError, match=f"estimate_view.*{next(iter(bad))}"):
-        reasoner.estimate_view(reference(), instances()[0])
 
 
 def size(id: int, *extent: float) -> dict[str, Any]:
@@ -206,22 +183,39 @@ def test_sizes_are_metres_by_name(server: Running, reasoner: CloudReasoner) -> N
     assert [part["type"] for part in content] == ["text", "image_url", "image_url"]
 
 
+ASKED: dict[str, Callable[[CloudReasoner], object]] = {
+    "list_objects": lambda reasoner: reasoner.list_objects(reference()),
+    "estimate_view": lambda reasoner: reasoner.estimate_view(reference(), instances()[0]),
+    "estimate_sizes": lambda reasoner: reasoner.estimate_sizes(reference(), instances(), VIEW),
+}
+SEEN = {"elevation": 60, "azimuth": 0, "vertical_fov": 30}
+
+
+def kinds(*nouns: str) -> dict[str, Any]:
+    return {"kinds": [{"noun": noun, "count": 1} for noun in nouns]}
+
+
 @pytest.mark.parametrize(
-    ("sizes", "told"),
+    ("question", "answer", "told"),
     [
-        (ALL[:3], "no answer for number 3"),
-        ([*ALL, ALL[2]], "more than one answer for number 2"),
-        ([*ALL, size(9, 1, 1, 1)], "the list has no number 9"),
-        ([*ALL[:3], size(3, 0, 1, 1)], "sizes.3.length"),
-        ([*ALL[:3], size(3, 5000, 1, 1)], "sizes.3.length"),
+        ("list_objects", kinds("mug", "Mug"), "listed twice: mug"),
+        ("list_objects", kinds("table"), "no kind of thing"),
+        ("estimate_view", {**SEEN, "elevation": 95}, "elevation"),
+        ("estimate_view", {**SEEN, "elevation": "high"}, "elevation"),
+        ("estimate_view", {**SEEN, "azimuth": 170}, "azimuth"),
+        ("estimate_sizes", {"sizes": ALL[:3]}, "no answer for number 3"),
+        ("estimate_sizes", {"sizes": [*ALL, ALL[2]]}, "more than one answer for number 2"),
+        ("estimate_sizes", {"sizes": [*ALL, size(9, 1, 1, 1)]}, "the list has no number 9"),
+        ("estimate_sizes", {"sizes": [*ALL[:3], size(3, 0, 1, 1)]}, "sizes.3.length"),
+        ("estimate_sizes", {"sizes": [*ALL[:3], size(3, 5000, 1, 1)]}, "sizes.3.length"),
     ],
 )
-def test_each_number_is_needed_once(
-    server: Running, reasoner: CloudReasoner, sizes: list, told: str
+def test_an_impossible_answer_is_refused(
+    server: Running, reasoner: CloudReasoner, question: str, answer: dict[str, Any], told: str
 ) -> None:
-    always(server, {"sizes": sizes})
-    with pytest.raises(BackendError, match=f"estimate_sizes.*{told}"):
-        reasoner.estimate_sizes(reference(), instances(), VIEW)
+    always(server, answer)
+    with pytest.raises(BackendError, match=f"{question}.*{told}"):
+        ASKED[question](reasoner)
 
 
 def test_sizes_that_a_text_fixed_are_kept(server: Running, reasoner: CloudReasoner) -> None:
@@ -239,7 +233,6 @@ def test_sizes_that_a_text_fixed_are_kept(server: Running, reasoner: CloudReason
 
 
 # ------------------------------------------------------------------------------------ orientation
-
 AXES = {
     sign + name: (1 if sign == "+" else -1) * np.eye(3)[k]
     for k, name in enumerate("xyz")
@@ -308,8 +301,6 @@ def test_six_sides_show_what_they_say() -> None:
 
 
 # --------------------------------------------------------------------------------------- stacking
-
-
 def rest(id: int, support: int, how: str = "on", leans_at: int | None = None) -> dict[str, Any]:
     return {"id": id, "how": how, "support": support, "leans_at": leans_at}
 
@@ -347,8 +338,6 @@ def test_impossible_stacks_are_asked_again(
 
 
 # ----------------------------------------------------------------------------------- marks, poses
-
-
 def test_marks_are_given_for_each_criterion(server: Running, reasoner: CloudReasoner) -> None:
     marks = [{"criterion": c, "why": "so", "mark": m} for c, m in (("PP", 5.5), ("VF", 2))]
     always(server, {"marks": marks})

@@ -1,7 +1,5 @@
 """What is kept of answers of no use: nothing, where they ended the question; else all of them."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import replace
@@ -49,8 +47,6 @@ def said(content: str, end: str = "stop", refusal: str | None = None) -> dict:
 
 
 # --------------------------------------------------------------------------------- chat answers
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "bad",
@@ -160,8 +156,6 @@ def test_a_new_question_tries_the_forms_anew(
 
 
 # --------------------------------------------------------------------------------------- drawings
-
-
 def complete(folder: Path, **settings: object) -> str:
     imager = CloudImager(session=keeping(folder, **settings))
     return imager.complete(reference(), detections()["pen_1"], ()).label
@@ -234,7 +228,6 @@ def test_one_address_for_every_drawing_gives_each_its_own(
 
 
 # --------------------------------------------------------------------------------------- top view
-
 VIEWED = json.dumps(
     {
         "from_above": True,

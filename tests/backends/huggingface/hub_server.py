@@ -1,7 +1,5 @@
 """A local server that speaks as much of Hugging Face's protocol as fetching a model takes."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from dataclasses import dataclass, field
@@ -26,7 +24,6 @@ class Hub:
     asked: list[str] = field(default_factory=list)
 
     def handler(self) -> type[BaseHTTPRequestHandler]:
-        """Return the class that answers."""
         hub = self
 
         class Handler(BaseHTTPRequestHandler):
@@ -90,7 +87,6 @@ class Hub:
         return Handler
 
     def tree(self) -> list[dict[str, object]]:
-        """Return the repository's files as the tree call lists them."""
         return [
             {"type": "file", "oid": _digest(content), "size": len(content), "path": path}
             for path, content in self.files.items()

@@ -1,7 +1,5 @@
 """What stands on the table."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from generator.backends.huggingface.detection.detections import BoxDetection

@@ -1,7 +1,5 @@
 """Pinned models read from a folder: what is there is read, what is not is told, offline."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 import pickle
@@ -58,8 +56,6 @@ def offline(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 # ------------------------------------------------------------------------------------- the table
-
-
 def test_every_model_is_pinned_to_a_commit_and_holds_no_pickle() -> None:
     assert {"grounding-dino-base", "sam2", "sam3", "dinov2", "clip"} <= set(pins())
     for model in pins().values():
@@ -86,8 +82,6 @@ def test_an_unknown_model_lists_those_there_are() -> None:
 
 
 # ------------------------------------------------------------------------------------ the folder
-
-
 def test_the_folder_is_given_or_the_environment_s_or_the_user_s(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -143,8 +137,6 @@ def test_a_pickle_is_never_read_in_place_of_safetensors(folder: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------- the models
-
-
 @pytest.mark.slow
 def test_reading_asks_no_network_and_is_silent(
     tiny_models: Path, offline: None, capfd: pytest.CaptureFixture[str]
@@ -221,8 +213,6 @@ def test_a_missing_or_old_transformers_is_told(
 
 
 # -------------------------------------------------------------------------------------- selecting
-
-
 def test_by_name_in_every_mix_and_nothing_is_read_until_asked(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -249,18 +239,14 @@ def test_the_environment_chooses_the_detector(monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.parametrize(
-    "setting",
-    [{"threshold": 0.0}, {"tiles": 0}, {"tiles": 2.5}, {"overlap": 0.9}, {"side": 1}, {"words": 0}],
-)
-def test_settings_out_of_range_are_refused(setting: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=f"Segmenter needs {next(iter(setting))}"):
-        HuggingFaceSegmenter(**setting)
-
-
-@pytest.mark.parametrize("setting", [{"side": 13}, {"batch": 0}])
-def test_encoder_settings_out_of_range_are_refused(setting: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=f"Encoder needs {next(iter(setting))}"):
-        HuggingFaceEncoder(**setting)
+    ("kind", "setting"),
+    [(HuggingFaceSegmenter, s) for s in ({"threshold": 0.0}, {"tiles": 0}, {"tiles": 2.5},
+                                         {"overlap": 0.9}, {"side": 1}, {"words": 0})]
+    + [(HuggingFaceEncoder, s) for s in ({"side": 13}, {"batch": 0})],
+)  # fmt: skip
+def test_settings_out_of_range_are_refused(kind: type, setting: dict[str, Any]) -> None:
+    with pytest.raises(InputError, match=f"^{kind.__name__} needs {next(iter(setting))}"):
+        kind(**setting)
 
 
 def test_threads_that_ask_at_once_share_what_one_of_them_made() -> None:

@@ -1,7 +1,5 @@
 """Finds made one for each thing."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

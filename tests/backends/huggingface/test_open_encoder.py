@@ -1,7 +1,5 @@
 """DINOv2 as the encoder: the real class, tiny and with random weights."""
 
-from __future__ import annotations
-
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any

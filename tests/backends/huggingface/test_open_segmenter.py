@@ -1,7 +1,5 @@
 """The segmenter by open models: with right answers from players, and with the real classes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -70,8 +68,6 @@ def asked(
 
 
 # ------------------------------------------------------------------------------------ the players
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) -> None:
@@ -122,9 +118,7 @@ def test_anything_is_called_as_the_catalogue_s_categories_where_it_looks_like_on
 
 
 @pytest.mark.parametrize("detector", DETECTORS)
-def test_the_table_by_another_word_is_no_thing_on_it_and_takes_no_table_away(
-    detector: str,
-) -> None:
+def test_the_table_by_another_word_is_no_thing_on_it_and_takes_no_table_away(detector: str) -> None:
     shape = (120, 160)
     table, mug = block(shape, 5, 5, 155, 115), block(shape, 60, 50, 90, 80)
     truth = [("desk", table), (TABLE, block(shape, 5, 5, 152, 115)), ("mug", mug)]
@@ -141,19 +135,18 @@ def test_what_stands_beside_the_table_is_left_out(right: int, kept: bool) -> Non
     assert [d.label for d in found] == [TABLE, *(["lamp"] if kept else [])]
 
 
-def test_a_picture_without_a_table_is_told() -> None:
-    truth = [("mug", block((120, 160), 60, 50, 90, 80))]
-    with pytest.raises(SceneError, match="No table found"):
-        asked(noise(), truth, "mug", side=96)
-
-
-def test_things_that_hide_the_whole_table_are_told() -> None:
-    shape = (120, 160)
-    table = block(shape, 20, 20, 140, 100)
-    truth = [(TABLE, table), ("left", block(shape, 20, 20, 80, 100)),
-             ("right", block(shape, 80, 20, 140, 100))]  # fmt: skip
-    with pytest.raises(SceneError, match="hide the whole table"):
-        asked(noise(), truth, "left", "right", detector="sam3")
+@pytest.mark.parametrize(
+    ("truth", "settings", "told"),
+    [
+        ({"mug": (60, 50, 90, 80)}, {"side": 96}, "No table found"),
+        ({TABLE: (20, 20, 140, 100), "left": (20, 20, 80, 100), "right": (80, 20, 140, 100)},
+         {"detector": "sam3"}, "hide the whole table"),
+    ],
+)  # fmt: skip
+def test_a_picture_without_a_table_or_with_one_wholly_hidden_is_told(truth, settings, told) -> None:
+    seen = [(label, block((120, 160), *box)) for label, box in truth.items()]
+    with pytest.raises(SceneError, match=told):
+        asked(noise(), seen, *(label for label in truth if label != TABLE), **settings)
 
 
 @pytest.mark.parametrize("detector", DETECTORS)
@@ -173,8 +166,6 @@ def test_a_model_that_fails_names_backend_and_question(
 
 
 # --------------------------------------------------------------------------------- the real classes
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_tiny_models_of_the_real_classes_answer_and_repeat_themselves(

@@ -1,7 +1,5 @@
 """Words as Grounding DINO is asked about them: one of them is the answer, whole."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import tiny_models

@@ -1,7 +1,5 @@
 """Pictures as the models see them, held against the processors of transformers."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import torch

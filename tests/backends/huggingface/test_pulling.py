@@ -1,11 +1,8 @@
 """Fetching models: the pinned commit, the named files, checked; over real HTTP."""
 
-from __future__ import annotations
-
 import dataclasses
 import errno
 import hashlib
-import json
 import os
 import re
 import shutil
@@ -15,7 +12,7 @@ from pathlib import Path
 from typing import IO, Any
 
 import pytest
-from command import command
+from command import Shell
 from hub_server import Hub
 from huggingface_hub import file_download
 from local_server import local_server
@@ -257,13 +254,12 @@ def test_the_transport_without_limits_of_time_is_off(tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------ the command
-
-
 def test_list_tells_what_is_pinned_and_what_is_here(
-    tiny_models: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tiny_models: Path, tmp_path: Path, shell: Shell
 ) -> None:
-    assert command("models", "list", "--folder", str(tiny_models), "--json") == 0
-    facts = {f["name"]: f for f in json.loads(capsys.readouterr().out)}
+    facts = {
+        f["name"]: f for f in shell("models", "list", "--folder", str(tiny_models), "--json").facts
+    }
     assert facts.keys() == pins().keys()
     assert all(f["here"] for f in facts.values())
     assert facts["sam3"]["gated"] is True
@@ -273,8 +269,7 @@ def test_list_tells_what_is_pinned_and_what_is_here(
         "revision": pins()["dinov2"].revision, "licence": "Apache-2.0", "gated": False,
         "here": True,
     }  # fmt: skip
-    assert command("models", "list", "--folder", str(tmp_path)) == 0
-    lines = capsys.readouterr().out.splitlines()
+    lines = shell("models", "list", "--folder", str(tmp_path)).out.splitlines()
     assert len(lines) == len(pins()) + 1
     assert all(line.endswith("not here") for line in lines[:-1])
     assert next(line for line in lines if line.startswith("sam3")).split()[3] == "unknown"
@@ -283,16 +278,16 @@ def test_list_tells_what_is_pinned_and_what_is_here(
 
 def test_pull_fetches_by_name(
     hub: Hub, model: Pin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    shell: Shell
 ) -> None:  # fmt: skip
     monkeypatch.setattr(pins_module, "pins", lambda: {"dinov2": model})
-    assert command("models", "pull", "dinov2", "--folder", str(tmp_path)) == 0
-    assert capsys.readouterr().out == f"dinov2: {snapshot(model, tmp_path)}\n"
+    assert (
+        shell("models", "pull", "dinov2", "--folder", str(tmp_path)).out
+        == f"dinov2: {snapshot(model, tmp_path)}\n"
+    )
     assert missing(model, tmp_path) == ()
 
 
-def test_pull_of_nothing_and_of_an_unknown_name(capsys: pytest.CaptureFixture[str]) -> None:
-    assert command("models", "pull") == 2
-    assert "models list" in capsys.readouterr().err
-    assert command("models", "pull", "sam2", "sam9") == 3
-    assert "no model 'sam9'" in capsys.readouterr().err
+def test_pull_of_nothing_and_of_an_unknown_name(shell: Shell) -> None:
+    assert "models list" in shell("models", "pull", code=2).err
+    assert "no model 'sam9'" in shell("models", "pull", "sam2", "sam9", code=3).err

@@ -1,7 +1,5 @@
 """The pinned models themselves, where ``TABLETOPGEN_MODELS`` names a folder that has them."""
 
-from __future__ import annotations
-
 import os
 
 import numpy as np

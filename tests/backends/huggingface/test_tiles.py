@@ -1,7 +1,5 @@
 """Parts of a picture: where they lie, and what is where in them."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

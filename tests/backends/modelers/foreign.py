@@ -1,7 +1,5 @@
 """Foreign meshes made in the tests: files as bytes, good ones and bad ones."""
 
-from __future__ import annotations
-
 import base64
 import json
 import struct
@@ -45,7 +43,6 @@ def plain(mesh: trimesh.Trimesh, color: tuple[int, int, int, int]) -> trimesh.Tr
 
 
 def edited(raw: bytes, change: Callable[[dict], None]) -> bytes:
-    """Return a GLB with its JSON header changed."""
     size = struct.unpack("<I", raw[12:16])[0]
     header = json.loads(raw[20 : 20 + size])
     change(header)

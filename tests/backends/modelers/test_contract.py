@@ -1,7 +1,5 @@
 """What every modeler keeps, whoever makes the mesh."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -44,16 +42,11 @@ class PlayedTripoSR(Network):
 def in_process(environment: pytest.MonkeyPatch, folder: Path) -> dict[str, Callable[[], Modeler]]:
     """Play the packages that make meshes in this process; return what asks them."""
     fake_trellis(
-        environment,
-        lambda app_rep, mesh, simplify, texture_size, verbose: striped_box(SIZE),
+        environment, lambda app_rep, mesh, simplify, texture_size, verbose: striped_box(SIZE)
     )
     install(environment, "tsr.system", TSR=PlayedTripoSR)
     played = checkout(folder, "[1, 0, 0, 0]")
-    return {
-        "trellis": Trellis,
-        "triposr": lambda: TripoSR(device="cpu"),
-        "sam3d": lambda: played,
-    }
+    return {"trellis": Trellis, "triposr": lambda: TripoSR(device="cpu"), "sam3d": lambda: played}
 
 
 @pytest.fixture(params=selected.names("modeler"), scope="module")

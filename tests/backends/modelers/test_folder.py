@@ -1,7 +1,5 @@
 """Your own files as models: which one is taken, what of it stays, what is refused."""
 
-from __future__ import annotations
-
 import io
 import os
 

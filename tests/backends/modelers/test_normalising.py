@@ -1,7 +1,5 @@
 """Foreign meshes as models of the project: upright, closed, light, in one texture."""
 
-from __future__ import annotations
-
 import tracemalloc
 
 import numpy as np

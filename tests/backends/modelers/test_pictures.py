@@ -1,7 +1,5 @@
 """Textures of foreign meshes: each is decoded and kept once, whoever shows it."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np
@@ -37,7 +35,6 @@ def row(count: int, shared: bool) -> list[trimesh.Trimesh]:
 
 @pytest.fixture
 def decoded(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
-    """The sizes of the pictures that are decoded."""
     sizes = []
     small = pictures._small
     monkeypatch.setattr(

@@ -1,7 +1,5 @@
 """Foreign meshes that are no clean surface: repaired where that changes little, else refused."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import trimesh

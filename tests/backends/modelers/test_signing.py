@@ -3,8 +3,6 @@
 Its keys are masked on the page: the signature is that of the mask itself, in both of its forms.
 """
 
-from __future__ import annotations
-
 import hashlib
 
 import pytest

@@ -1,8 +1,8 @@
 """Tencent's cloud jobs: submitted, looked at, downloaded; never paid for twice."""
 
-from __future__ import annotations
-
 import base64
+import copy
+import dataclasses
 import io
 import time
 from collections.abc import Callable
@@ -128,13 +128,41 @@ def test_downloads_get_no_key():
     assert KEY not in str(served.calls)
 
 
-def test_a_run_that_was_killed_polls_the_job_it_paid_for(tmp_path):
-    cloud = Cloud(errors={QUERY: ["InternalError"]})
+DAMAGED = Answer(body=GOOD[:100])
+EXPIRED = Answer(403, b"<Error/>", "application/xml")
+PAGE = Answer(body=b"<html>Log in</html>", kind="text/html")
+SQUARE = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [1, 3, 2]])
+GONE, FAILED = "ResourceNotFound.JobNotExist", {QUERY: ["InternalError"]}
+MENDED = {"loads": [Answer(body=GOOD)]}
+
+
+@pytest.mark.parametrize(
+    ("first", "told", "then", "jobs", "log"),
+    [
+        ({"errors": FAILED}, "InternalError", {}, 1, [QUERY] * 3 + [LOAD]),
+        ({"errors": FAILED}, "InternalError", {"errors": {QUERY: [GONE]}}, 2, None),
+        ({"loads": [EXPIRED]}, "cannot be fetched", {"loads": [EXPIRED, Answer(body=GOOD)]}, 1,
+         [LOAD, QUERY, LOAD]),
+        ({"loads": [Answer(body=glb(SQUARE))]}, "tencent, model", MENDED, 2, None),
+        ({"loads": [PAGE]}, "HTML page", MENDED, 1, None),
+    ],
+    ids=["killed", "kept no longer", "expired address", "no model can be made", "page"],
+)  # fmt: skip
+def test_the_next_run_pays_again_only_where_the_job_is_of_no_use(
+    first, told, then, jobs, log, tmp_path
+):
+    cloud = Cloud(**copy.deepcopy(first))
     with serving(cloud) as served:
-        with pytest.raises(BackendError, match="InternalError"):
+        with pytest.raises(BackendError, match=told):
             ask(served.url, quick(CallStore(tmp_path)))
+        vars(cloud).update(copy.deepcopy(then), log=[])
         assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
-    assert cloud.jobs == 1
+    assert cloud.jobs == jobs
+    assert log is None or cloud.log == log
+
+
+def test_a_job_that_is_never_there_is_told():
+    assert "JobNotExist" in refused(Cloud(errors={QUERY: [GONE] * 9}))
 
 
 def test_what_is_done_needs_no_network_again(tmp_path):
@@ -162,46 +190,13 @@ def test_a_job_that_fails_is_told_and_submitted_anew_by_the_next_run(tmp_path):
     assert cloud.jobs == 3
 
 
-def test_an_expired_address_is_asked_for_again(tmp_path):
-    expired = Answer(403, b"<Error/>", "application/xml")
-    cloud = Cloud(loads=[expired])
-    with serving(cloud) as served:
-        with pytest.raises(BackendError, match="cannot be fetched"):
-            ask(served.url, quick(CallStore(tmp_path)))
-        cloud.loads, cloud.log = [expired, Answer(body=GOOD)], []
-        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
-    assert cloud.jobs == 1
-    assert cloud.log == [LOAD, QUERY, LOAD]
-
-
 def test_a_damaged_download_is_fetched_once_more(tmp_path):
-    cloud = Cloud(loads=[Answer(body=GOOD[:100]), Answer(body=GOOD)])
+    cloud = Cloud(loads=[DAMAGED, Answer(body=GOOD)])
     with serving(cloud) as served:
         for _ in range(2):
             assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
     assert (cloud.jobs, cloud.log.count(LOAD)) == (1, 2)
-    assert "the answer is cut off" in refused(Cloud(loads=[Answer(body=GOOD[:100])]))
-
-
-def test_a_result_of_which_no_model_can_be_made_is_not_kept(tmp_path):
-    square = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [1, 3, 2]])
-    cloud = Cloud(loads=[Answer(body=glb(square))])
-    with serving(cloud) as served:
-        with pytest.raises(BackendError, match="tencent, model"):
-            ask(served.url, quick(CallStore(tmp_path)))
-        cloud.loads = [Answer(body=GOOD)]
-        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
-    assert cloud.jobs == 2
-
-
-def test_a_page_in_place_of_a_result_loses_no_job(tmp_path):
-    cloud = Cloud(loads=[Answer(body=b"<html>Log in</html>", kind="text/html")])
-    with serving(cloud) as served:
-        with pytest.raises(BackendError, match="HTML page"):
-            ask(served.url, quick(CallStore(tmp_path)))
-        cloud.loads = [Answer(body=GOOD)]
-        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
-    assert cloud.jobs == 1
+    assert "the answer is cut off" in refused(Cloud(loads=[DAMAGED]))
 
 
 def test_each_attempt_is_signed_as_of_its_own_time(monkeypatch):
@@ -223,17 +218,6 @@ def test_each_attempt_is_signed_as_of_its_own_time(monkeypatch):
 def test_a_clock_that_is_wrong_is_no_wrong_key():
     said = refused(Cloud(errors={SUBMIT: ["AuthFailure.SignatureExpire"]}))
     assert "clock" in said and "Check TENCENT" not in said
-
-
-def test_a_job_kept_no_longer_is_submitted_once_more(tmp_path):
-    cloud = Cloud(errors={QUERY: ["InternalError"]})
-    with serving(cloud) as served:
-        with pytest.raises(BackendError):
-            ask(served.url, quick(CallStore(tmp_path)))
-        cloud.errors[QUERY] = ["ResourceNotFound.JobNotExist"]
-        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
-    assert cloud.jobs == 2
-    assert "JobNotExist" in refused(Cloud(errors={QUERY: ["ResourceNotFound.JobNotExist"] * 9}))
 
 
 @pytest.mark.slow
@@ -328,21 +312,22 @@ def test_no_key_asks_nothing(monkeypatch):
     assert not cloud.log
 
 
-@pytest.mark.parametrize("first", [{"x": 1}, {"Response": {"RequestId": "1"}}])
-def test_a_submission_that_was_not_answered_is_made_again(first, tmp_path):
-    cloud, told = Cloud(), [Answer.of(first)]
-    with serving(lambda call: told.pop() if told else cloud(call)) as served:
-        with pytest.raises(BackendError):
-            ask(served.url, quick(CallStore(tmp_path)))
-        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+@pytest.mark.parametrize(
+    ("first", "of", "told"),
+    [
+        ({"x": 1}, SUBMIT, None),
+        ({"Response": {"RequestId": "1"}}, SUBMIT, None),
+        ({"x": 1}, QUERY, "Is http://127"),
+    ],
+)
+def test_a_call_that_was_not_answered_is_made_again_and_loses_no_job(first, of, told, tmp_path):
+    cloud, odd = Cloud(), [Answer.of(first)]
 
+    def answer(call: Call) -> Answer:
+        return odd.pop() if odd and call.headers["x-tc-action"] == of else cloud(call)
 
-def test_a_look_that_was_not_answered_loses_no_job(tmp_path):
-    cloud, told = Cloud(), [Answer.of({"x": 1})]
-    with serving(
-        lambda call: told.pop() if told and "query" in str(call.headers).lower() else cloud(call)
-    ) as served:
-        with pytest.raises(BackendError, match="Is http://127"):
+    with serving(answer) as served:
+        with pytest.raises(BackendError, match=told):
             ask(served.url, quick(CallStore(tmp_path)))
         assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
     assert cloud.jobs == 1
@@ -357,29 +342,21 @@ def test_results_on_this_machine_may_come_over_plain_http():
 @pytest.mark.parametrize(
     ("answer", "what"),
     [
-        (Answer.of([1, 2]), "Is http://127.0.0.1"),
-        (Answer.of({"Response": {"RequestId": "1"}}), "without a JobId"),
-        (Answer.of({"Response": None}), "was answered by 200"),
+        ([1, 2], "Is http://127.0.0.1"),
+        ({"Response": {"RequestId": "1"}}, "without a JobId"),
+        ({"Response": None}, "was answered by 200"),
     ],
 )
 def test_answers_of_another_shape_are_refused(answer, what):
-    with serving(lambda call: answer) as served, pytest.raises(BackendError) as caught:
-        ask(served.url)
-    assert what in str(caught.value)
+    assert what in refused(lambda call: Answer.of(answer))
 
 
 def test_a_result_without_glb_is_refused():
-    cloud = Cloud([{"Status": "DONE"}])
-    with (
-        serving(lambda call: strip(cloud(call))) as served,
-        pytest.raises(BackendError, match=r"the result has no GLB\. Available: OBJ\."),
-    ):
-        ask(served.url)
+    def strip(call: Call, cloud=Cloud([{"Status": "DONE"}])) -> Answer:  # noqa: B008
+        answer = cloud(call)
+        return dataclasses.replace(answer, body=answer.body.replace(b'"GLB"', b'"OBJ"'))
 
-
-def strip(answer: Answer) -> Answer:
-    body = answer.body.replace(b'"GLB"', b'"OBJ"')
-    return Answer(answer.status, body, answer.kind)
+    assert "the result has no GLB. Available: OBJ." in refused(strip)
 
 
 def test_settings_out_of_range_are_refused():
@@ -424,17 +401,7 @@ def test_looks_at_a_job_are_free_whatever_the_table_says(looks):
             return httpx2.Response(200, headers={KEPT: "k"}, json={"Response": {"JobId": "1"}})
 
     prices = Prices(models={"hunyuan-3d-pro": Price(call=0.4), **looks})
-    service = Service(
-        Client(),
-        (ID, KEY),
-        "https://h",
-        "r",
-        "w",
-        quick(),
-        1.0,
-        1.0,
-        Used(None),
-    )
+    service = Service(Client(), (ID, KEY), "https://h", "r", "w", quick(), 1.0, 1.0, Used(None))
     service.submit({}, "yes")
     service.look("1", "renew")
     assert [question(call, "tencent", prices).most for call in sent] == [0.4, 0.0]

@@ -1,7 +1,5 @@
 """Ways of making scenes for tests, called by name: ``making="makers:toy"``."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import time

@@ -1,7 +1,5 @@
 """Scenes that become harder as the policy succeeds."""
 
-from __future__ import annotations
-
 import pickle
 
 import numpy as np
@@ -175,8 +173,6 @@ def test_wrong_settings_are_explained(settings) -> None:
 
 
 # ------------------------------------------------------------------------------ the environment
-
-
 class Told:
     """A source that keeps what it is told."""
 

@@ -1,7 +1,5 @@
 """Scenes that are there: finding and drawing them, what is gone, and keeping compiled worlds."""
 
-from __future__ import annotations
-
 import pickle
 import shutil
 import warnings
@@ -23,7 +21,6 @@ from tabletopgen_env.world.worlds import WorldCache
 
 @pytest.fixture
 def store(tmp_path, monkeypatch):
-    """A store of three bundles."""
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path))
     for k in range(3):
         scene = toy_scene(toy_objects()[: 4 + k], name=f"desk_{k}")
@@ -117,8 +114,6 @@ def test_a_reset_writes_the_start_state_whatever_happened_before() -> None:
 
 
 # ------------------------------------------------------------------------------- what is gone
-
-
 def draws(source: SceneSource, count: int = 12) -> list[str]:
     rng = np.random.default_rng(0)
     return [source.draw(rng).load().name for _ in range(count)]
@@ -180,8 +175,6 @@ def test_a_damaged_bundle_is_an_error_though_others_are_left(store) -> None:
 
 
 # -------------------------------------------------------------------------------- other processes
-
-
 def test_sources_can_be_pickled_and_refer_to_the_same_bundles(store, monkeypatch) -> None:
     monkeypatch.chdir(store.parent)
     source = fixed_scenes(["desk_0", toy_scene(name="held"), f"{store.name}/desk_2*"])

@@ -1,7 +1,5 @@
 """A pool that is renewed while training goes on, whatever happens to who renews it."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import pickle
@@ -28,6 +26,7 @@ from tabletopgen_env.scenes import (
     FreshScenes,
     RefreshingScenes,
     SceneDistribution,
+    SceneRef,
     SplitRule,
 )
 from tabletopgen_env.scenes.finding import fixed_scenes
@@ -45,6 +44,13 @@ def alive(pid: int) -> bool:
     except OSError:
         return False
     return state != "Z"
+
+
+def draw_until(
+    source: RefreshingScenes, rng: np.random.Generator, happened: Callable[[SceneRef], object]
+) -> None:
+    """Draw until something is so after a draw; it is told the scene drawn."""
+    until(lambda: happened(source.draw(rng)))
 
 
 @pytest.fixture
@@ -66,8 +72,6 @@ def pool(tmp_path, monkeypatch) -> Iterator[Callable[..., RefreshingScenes]]:
 
 
 # ------------------------------------------------------------------------- in step with the draws
-
-
 def stepped(**settings: Any) -> RefreshingScenes:
     fresh = FreshScenes("x", making="makers:toy")
     given = {"size": 4, "every_resets": 3, "synchronous": True, **settings}
@@ -176,20 +180,13 @@ def test_wrong_settings_are_explained(settings, message) -> None:
 
 
 # ---------------------------------------------------------------------------- in the background
-
-
 @pytest.mark.slow
 def test_new_scenes_come_while_old_ones_are_drawn(pool, tmp_path) -> None:
     source, rng = pool(workers=1), np.random.default_rng(0)
     given = {ref.key for ref in source.initial.refs}
     assert source.draw(rng).key in given  # it does not wait for the first new one
     assert len(source.pids) == 1
-
-    def renewed() -> bool:
-        source.draw(rng)
-        return source.renewals >= 8
-
-    until(renewed)
+    draw_until(source, rng, lambda _: source.renewals >= 8)
     assert len(source.refs) == 4 and given.isdisjoint({ref.key for ref in source.refs})
     for ref in source.refs:
         assert ref.load().name.startswith("toy_")
@@ -204,14 +201,9 @@ def test_new_scenes_come_while_old_ones_are_drawn(pool, tmp_path) -> None:
 @pytest.mark.slow
 def test_a_dropped_scene_says_that_it_is_gone(pool) -> None:
     source, rng = pool(size=1, initial=initial(1)), np.random.default_rng(0)
-    until(lambda: source.draw(rng).key.startswith("fresh"))
+    draw_until(source, rng, lambda ref: ref.key.startswith("fresh"))
     old = source.refs[0]
-
-    def dropped() -> bool:
-        source.draw(rng)
-        return source.refs[0].key != old.key
-
-    until(dropped)
+    draw_until(source, rng, lambda _: source.refs[0].key != old.key)
     with pytest.raises(BundleError, match="no bundle at"):
         old.load()
 
@@ -219,14 +211,13 @@ def test_a_dropped_scene_says_that_it_is_gone(pool) -> None:
 @pytest.mark.slow
 def test_pools_of_one_seed_get_the_same_scenes_whoever_makes_them(pool) -> None:
     def renewals(source: RefreshingScenes) -> list[str]:
-        rng, seen = np.random.default_rng(0), {}
+        seen = {}
 
-        def enough() -> bool:
-            source.draw(rng)
+        def enough(_: SceneRef) -> bool:
             seen.update((r.key, r) for r in source.refs if r.key.startswith("fresh"))
             return len(seen) >= 3
 
-        until(enough)
+        draw_until(source, np.random.default_rng(0), enough)
         return [f"{key} {ref.load().name}" for key, ref in list(seen.items())[:3]]
 
     often = {"every_resets": 1, "per_minute": None, "size": 6}
@@ -245,13 +236,13 @@ def test_a_killed_process_is_replaced(pool) -> None:
     source.draw(rng)
     (first,) = source.pids
     os.kill(first, signal.SIGKILL)
+
+    def replaced(ref: SceneRef) -> bool:
+        assert ref.key.startswith("scene:")
+        return bool(source.pids) and source.pids != (first,)
+
     with pytest.warns(RuntimeWarning, match=r"was killed \(SIGKILL\)\. "):
-
-        def replaced() -> bool:
-            assert source.draw(rng).key.startswith("scene:")
-            return bool(source.pids) and source.pids != (first,)
-
-        until(replaced)
+        draw_until(source, rng, replaced)
     assert source.failures == 1 and not alive(first)
     assert len(source.refs) == 3
 
@@ -266,14 +257,9 @@ def test_a_killed_process_is_replaced(pool) -> None:
     ],
 )
 def test_whatever_goes_wrong_is_told_once_and_counted(pool, making, reason) -> None:
-    source, rng = pool(making), np.random.default_rng(0)
+    source = pool(making)
     with pytest.warns(RuntimeWarning, match=f"not renewed: .*{reason}") as said:
-
-        def failed_again() -> bool:
-            source.draw(rng)
-            return source.failures >= 2
-
-        until(failed_again)
+        draw_until(source, np.random.default_rng(0), lambda _: source.failures >= 2)
     assert len(said) == 1 and source.renewals == 0
     assert {ref.key for ref in source.refs} == {ref.key for ref in source.initial.refs}
 
@@ -306,12 +292,7 @@ def test_pauses_grow_with_failures_in_a_row_and_a_job_has_its_time(tmp_path, mon
 @pytest.mark.slow
 def test_a_lost_temporary_folder_is_made_good(pool, tmp_path) -> None:
     source, rng = pool(size=2, initial=initial(1)), np.random.default_rng(0)
-
-    def renewed() -> bool:
-        source.draw(rng)
-        return source.renewals >= 3
-
-    until(renewed)
+    draw_until(source, rng, lambda _: source.renewals >= 3)
     for folder in tmp_path.iterdir():
         for job in folder.glob("0*"):
             if job.is_dir():
@@ -329,11 +310,7 @@ def test_a_process_that_cannot_start_is_a_failure_like_any_other(pool, monkeypat
     monkeypatch.setattr("generator.jobs.workers.sys.executable", "/no/python")
     source, rng = pool(), np.random.default_rng(0)
     with pytest.warns(RuntimeWarning, match="no process could be started"):
-
-        def failed() -> bool:
-            return source.draw(rng).key.startswith("scene:") and source.failures > 0
-
-        until(failed)
+        draw_until(source, rng, lambda r: r.key.startswith("scene:") and source.failures > 0)
 
 
 def test_what_cannot_be_ordered_is_not_looked_for_at_every_draw(pool) -> None:
@@ -348,8 +325,6 @@ def test_what_cannot_be_ordered_is_not_looked_for_at_every_draw(pool) -> None:
 
 
 # ------------------------------------------------------------------------------- how it ends
-
-
 def test_closing_ends_everything_and_may_be_done_twice(pool, tmp_path) -> None:
     source, rng = pool(workers=2, size=5), np.random.default_rng(0)
     source.close()  # before anything began
@@ -510,6 +485,6 @@ def test_bundles_that_were_there_at_first_are_never_deleted(pool, tmp_path, monk
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
     path = assets_cache.add(toy_scene(name="kept"), allow_failed=True)
     source, rng = pool(size=1, initial="kept"), np.random.default_rng(0)
-    until(lambda: source.draw(rng).key.startswith("fresh"))
+    draw_until(source, rng, lambda ref: ref.key.startswith("fresh"))
     assert (path / "scene.json").is_file()
     shutil.rmtree(tmp_path / "store")

@@ -1,7 +1,5 @@
 """How hard a scene is: each term for itself."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

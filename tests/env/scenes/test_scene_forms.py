@@ -1,7 +1,5 @@
 """What may be passed as ``scenes``, and what is said of anything else."""
 
-from __future__ import annotations
-
 import pickle
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Scenes to train on and scenes held out: two sides that never meet."""
 
-from __future__ import annotations
-
 import json
 import os
 import pickle
@@ -59,8 +57,6 @@ def bundles(tmp_path, monkeypatch) -> list[Scene]:
 
 
 # ------------------------------------------------------------------------------- by digest: fixed
-
-
 @pytest.mark.slow
 def test_two_sides_have_no_scene_in_common_and_lack_none(bundles) -> None:
     sides = [names(split("desk_*", side)) for side in SIDES]
@@ -122,8 +118,6 @@ def test_sides_are_pinned() -> None:
 
 
 # ------------------------------------------------------------------------------- by digest: fresh
-
-
 @pytest.mark.parametrize(
     "what", ["a tea table", ["a desk", "a lab bench"], SceneDistribution(objects=(2, 3))]
 )
@@ -156,8 +150,6 @@ def test_a_second_attempt_never_makes_a_scene_of_the_other_side() -> None:
 
 
 # ------------------------------------------------------------------------------------ by category
-
-
 def test_kinds_are_categories_and_words() -> None:
     assert kinds_of([("mug", "coffee mug"), ("generic", "Alarm Clock"), ("mug", "mug")]) == {
         "mug", "coffee_mug", "alarm_clock",
@@ -214,8 +206,6 @@ def test_both_splits_can_be_asked_for_at_once() -> None:
 
 
 # -------------------------------------------------------------------------------- other sources
-
-
 def test_a_pool_is_split_at_first_and_later_on(bundles) -> None:
     pool = RefreshingScenes(
         FreshScenes("x", making="makers:toy"), size=6, every_resets=1, synchronous=True,
@@ -308,8 +298,6 @@ def test_scenes_are_looked_at_once_and_a_copy_looks_for_itself() -> None:
 
 
 # ----------------------------------------------------------------------------------------- errors
-
-
 @pytest.mark.parametrize(
     ("side", "settings", "message"),
     [

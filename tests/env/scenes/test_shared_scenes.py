@@ -1,7 +1,5 @@
 """One source for the slots of a vector environment, whatever is dropped or renewed meanwhile."""
 
-from __future__ import annotations
-
 import pickle
 import shutil
 import threading

@@ -4,8 +4,6 @@ An audit hook sees the change before it happens. What lies in the room, where th
 be changed: the harness looks at it afterwards. What lies outside the room is never touched.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from pathlib import Path

@@ -67,7 +67,6 @@ class Outcome:
 
     @property
     def good(self) -> bool:
-        """Whether it ended well."""
         return self.end in GOOD
 
     @property
@@ -92,29 +91,23 @@ class Outcome:
 
 @dataclass
 class Tally:
-    """The ends of many cases of a kind."""
-
     kind: str
     seed: int
     outcomes: list[Outcome] = field(default_factory=list)
 
     def count(self, end: End) -> int:
-        """Return how many cases ended so."""
         return sum(o.end == end for o in self.outcomes)
 
     @property
     def bad(self) -> list[Outcome]:
-        """The cases that did not end well."""
         return [o for o in self.outcomes if not o.good]
 
     @property
     def slowest(self) -> float:
-        """Seconds of the slowest case."""
         return max((o.seconds for o in self.outcomes), default=0.0)
 
     @property
     def heaviest(self) -> float:
-        """MiB of the case that took most memory."""
         return max((o.mib for o in self.outcomes), default=0.0)
 
 
@@ -142,12 +135,10 @@ class Worker:
         self.close()
 
     def close(self) -> None:
-        """End the process and remove its room."""
         self._kill()
         self._place.cleanup()
 
     def run(self, kind: str, seed: int, number: int) -> Outcome:
-        """Run one case."""
         if self._process is None or kind not in self._warm:
             self._warm_up(kind)
         asked = {"kind": kind, "seed": seed, "number": number}
@@ -235,7 +226,6 @@ class Worker:
         return Outcome(kind, seed, number, end, detail, seconds, mib)
 
     def _kill(self) -> None:
-        """End the process and what it started."""
         process, self._process = self._process, None
         if process is None:
             return

@@ -3,8 +3,6 @@
 Used by the targets, inside a worker.
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import unicodedata

@@ -1,7 +1,5 @@
 """Things that stand where a file is expected: pipes, links, folders, devices."""
 
-from __future__ import annotations
-
 import os
 import random
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Where cases run: a folder for the case, and canaries beside and above it."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import shutil
@@ -80,7 +78,6 @@ def listing(folder: Path, skipped: str = "") -> dict[str, str]:
 
 
 def remove(path: Path) -> None:
-    """Remove a file, a link or a tree."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:

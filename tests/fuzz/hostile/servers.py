@@ -1,7 +1,5 @@
 """A local server on bare sockets: what it sends need not be HTTP, and need not come in time."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import random
@@ -29,7 +27,6 @@ class Talk:
     body: bytes = b""
 
     def send(self, content: bytes) -> None:
-        """Send bytes at once."""
         self.peer.sendall(content)
 
     def wait(self, seconds: float) -> bool:
@@ -37,14 +34,12 @@ class Talk:
         return self.over.wait(seconds)
 
     def drip(self, content: bytes, pause: float = TICK) -> None:
-        """Send one byte after another."""
         for k in range(len(content)):
             self.send(content[k : k + 1])
             if self.wait(pause):
                 return
 
     def forever(self, content: bytes, pause: float = TICK) -> None:
-        """Send the same again and again."""
         for _ in range(int(LONGEST / max(pause, 0.001))):
             self.send(content)
             if self.wait(pause):
@@ -112,7 +107,6 @@ def _read(talk: Talk) -> bool:
 def whole(
     body: bytes, status: str = "200 OK", kind: str = "application/json", more: bytes = b""
 ) -> bytes:
-    """Return a sound answer."""
     head = (
         f"HTTP/1.1 {status}\r\ncontent-type: {kind}\r\ncontent-length: {len(body)}\r\n"
         "connection: close\r\n"
@@ -190,5 +184,4 @@ def hostile(rng: random.Random, good: bytes, kind: str) -> Behaviour:
 
 
 def encoded(value: object) -> bytes:
-    """Return a value as JSON."""
     return json.dumps(value).encode()

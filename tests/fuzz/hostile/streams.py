@@ -1,7 +1,5 @@
 """Bytes made hostile: flipped, cut, doubled, and lengths that lie."""
 
-from __future__ import annotations
-
 import functools
 import random
 import struct

@@ -1,7 +1,5 @@
 """Values as JSON has them, made hostile: types swapped, sizes, numbers, names, nesting."""
 
-from __future__ import annotations
-
 import copy
 import json
 import math
@@ -37,17 +35,14 @@ _MARK = "\ue000raw {}\ue001"
 
 
 def number(rng: random.Random) -> Any:
-    """Return a hostile number."""
     return rng.choice(NUMBERS)
 
 
 def text(rng: random.Random, extra: tuple[str, ...] = ()) -> str:
-    """Return a hostile text, or one of ``extra``."""
     return rng.choice((*TEXTS, *extra, *extra))
 
 
 def value(rng: random.Random, extra: tuple[str, ...] = ()) -> Any:
-    """Return a hostile value of any type."""
     kind = rng.randrange(8)
     if kind < 3:
         return number(rng)

@@ -3,8 +3,6 @@
 Started by ``harness.Worker``; ``python -m hostile.worker ROOM``.
 """
 
-from __future__ import annotations
-
 import contextlib
 import faulthandler
 import json
@@ -28,7 +26,6 @@ MOST_ADDRESSES = 16 * 2**30
 
 
 def main() -> None:
-    """Answer requests until there are no more."""
     room = Path(sys.argv[1])
     answers = os.fdopen(os.dup(1), "w", buffering=1)
     os.dup2(2, 1)
@@ -84,7 +81,6 @@ def answer(kind: str, seed: int, number: int, room: Path, guard: Guard) -> dict[
 
 
 def _names(folder: Path) -> set[str]:
-    """Return what is in a folder, by name alone."""
     return {
         os.path.join(here, name)
         for here, folders, files in os.walk(folder)

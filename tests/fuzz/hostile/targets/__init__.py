@@ -5,8 +5,6 @@ function that hands it to the product: True says that all of it was accepted. Wh
 is a fault of the target, what the function raises one of the product.
 """
 
-from __future__ import annotations
-
 import functools
 import importlib
 import random

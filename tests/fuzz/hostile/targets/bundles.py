@@ -1,7 +1,5 @@
 """Bundles that agree with themselves and are hostile all the same, and their certificates."""
 
-from __future__ import annotations
-
 import functools
 import hashlib
 import json
@@ -148,8 +146,6 @@ def certificates(rng: random.Random, folder: Path) -> Run:
 
 
 # ----------------------------------------------------------------------------------------- writing
-
-
 def _put(
     payload: Payload, files: Files, rng: random.Random, folder: Path, anew: bool = True
 ) -> Path:
@@ -199,8 +195,6 @@ def _write(path: Path, content: bytes) -> None:
 
 
 # ----------------------------------------------------------------------------------- other files
-
-
 def _named(files: Files, start: str, rng: random.Random) -> str:
     return rng.choice(sorted(name for name in files if name.startswith(start)))
 
@@ -337,8 +331,6 @@ def _disturbed(place: Path, rng: random.Random) -> None:
 
 
 # ----------------------------------------------------------------------------------------- running
-
-
 def _run(place: Path, rng: random.Random) -> Run:
     """Return what reads a bundle in every way there is; a share of the sound ones is simulated."""
     simulate, show, stored = rng.random() < _SIMULATED, rng.random() < 0.15, rng.random() < 0.05

@@ -1,7 +1,5 @@
 """What users pass to environments and planners: options, settings, names of scenes, texts."""
 
-from __future__ import annotations
-
 import functools
 import json
 import random

@@ -1,7 +1,5 @@
 """Files of batches and of money: prompts, records, sums, ledgers, prices, kept answers."""
 
-from __future__ import annotations
-
 import contextlib
 import functools
 import hashlib
@@ -51,8 +49,6 @@ def outside(folder: Path) -> tuple[str, ...]:
 
 
 # ---------------------------------------------------------------------------------------- prompts
-
-
 def prompts(rng: random.Random, folder: Path) -> Run:
     """Files of prompts, plain and JSON, and the command that reads them."""
     told: Any = ["a desk", {"text": "a table", "seed": 3}, {"text": "x.png"}]
@@ -85,8 +81,6 @@ def prompts(rng: random.Random, folder: Path) -> Run:
 
 
 # ----------------------------------------------------------------------------------------- batches
-
-
 @functools.cache
 def _scene() -> Scene:
     scene = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),))
@@ -95,10 +89,7 @@ def _scene() -> Scene:
 
 @dataclass(frozen=True)
 class StubMaker:
-    """Makes the same small scene of any text."""
-
     def identity(self) -> dict[str, Any]:
-        """Return what it is."""
         return {"route": "stub"}
 
     def __call__(self, job: batch.Job, folder: Path) -> Path:
@@ -117,7 +108,6 @@ class Inline:
         """Take any width."""
 
     def submit(self, function: Callable[..., Any], *args: Any) -> Future[Any]:
-        """Do a task."""
         done: Future[Any] = Future()
         done.set_result(function(*args))
         return done
@@ -183,8 +173,6 @@ def _begun(place: Path, key: str, record: Any, rng: random.Random) -> None:
 
 
 # ------------------------------------------------------------------------------------------- money
-
-
 def _cell(value: Any, rng: random.Random) -> str | int | float | bytes | None:
     """Return what a database can hold of a value."""
     if isinstance(value, str):
@@ -386,8 +374,6 @@ def calls(rng: random.Random, folder: Path) -> Run:
 
 
 # ------------------------------------------------------------------------------------------- store
-
-
 def stores(rng: random.Random, folder: Path) -> Run:
     """Names of bundles as users give them: to find, to save as, to remove."""
     import assets_cache

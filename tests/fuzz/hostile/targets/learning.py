@@ -1,7 +1,5 @@
 """Files of training: policies, recipes, runs that are resumed, and arrays that are kept."""
 
-from __future__ import annotations
-
 import functools
 import io
 import json
@@ -31,8 +29,6 @@ _WORDS = ("sac", "td3", "ppo", "clone", "Reach", "Lift", "Stack", "table", "goal
 
 
 # --------------------------------------------------------------------------------------- policies
-
-
 @functools.cache
 def _policy() -> bytes:
     network = Network("flat", (8, 8), 8)
@@ -110,8 +106,6 @@ def _zip(rng: random.Random) -> bytes:
 
 
 # ---------------------------------------------------------------------------------------- recipes
-
-
 @functools.cache
 def _recipe() -> Recipe:
     return recipe_of({
@@ -164,8 +158,6 @@ def recipes(rng: random.Random, folder: Path) -> Run:
 
 
 # ------------------------------------------------------------------------------------------- runs
-
-
 @functools.cache
 def _checkpoint() -> tuple[bytes, bytes, dict[str, Any]]:
     """Return a run's model.zip, its replay buffer, and its counts."""

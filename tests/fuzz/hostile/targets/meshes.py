@@ -1,7 +1,5 @@
 """Foreign meshes: GLB and OBJ files of one's own, of servers, of other methods."""
 
-from __future__ import annotations
-
 import base64
 import functools
 import json
@@ -99,8 +97,6 @@ def external(rng: random.Random, folder: Path) -> Run:
 
 
 # ----------------------------------------------------------------------------------------- GLB
-
-
 def hostile_glb(rng: random.Random) -> bytes:
     """Return a GLB that lies, or one with a mutated header, or a spoiled one."""
     header, data = _parts(good_glb())
@@ -246,8 +242,6 @@ _CHANGES: tuple[Callable[[Header, bytes, random.Random], bytes | None], ...] = (
 
 
 # ----------------------------------------------------------------------------------------- OBJ
-
-
 @functools.cache
 def _good_obj() -> str:
     ball = trimesh.creation.icosphere(2)

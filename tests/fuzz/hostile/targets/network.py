@@ -1,7 +1,5 @@
 """Answers of servers: of the cloud's chat and image models, of modelers, and of no server."""
 
-from __future__ import annotations
-
 import base64
 import functools
 import os
@@ -69,8 +67,6 @@ def _asking(behaviour: Behaviour, ask: Callable[[str], Any]) -> Run:
 
 
 # ------------------------------------------------------------------------------------------- HTTP
-
-
 def http(rng: random.Random, folder: Path) -> Run:
     """Behaviours of servers, met by a session's client and by a modeler."""
     shared = session(folder, rng)
@@ -93,8 +89,6 @@ def http(rng: random.Random, folder: Path) -> Run:
 
 
 # ------------------------------------------------------------------------------------------ cloud
-
-
 def _things(**fields: Any) -> list[dict[str, Any]]:
     return [{"id": k, **fields} for k in range(4)]
 
@@ -219,8 +213,6 @@ def images(rng: random.Random, folder: Path) -> Run:
 
 
 # --------------------------------------------------------------------------------------- modelers
-
-
 def hunyuan3d(rng: random.Random, folder: Path) -> Run:
     """Answers of a local server of meshes."""
     raw, kind, status = good_glb(), "application/octet-stream", "200 OK"

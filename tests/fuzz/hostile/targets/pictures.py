@@ -1,7 +1,5 @@
 """Pictures and depth maps of users, and the numbers of their cameras."""
 
-from __future__ import annotations
-
 import functools
 import io
 import random
