@@ -94,7 +94,7 @@ class Judge(Protocol):
     def rate(
         self,
         reference: UInt8[np.ndarray, "h w 3"],
-        pictures: tuple[UInt8[np.ndarray, "a b 3"], ...],
+        pictures: tuple[UInt8[np.ndarray, "_a _b 3"], ...],
         criteria: Mapping[str, str],
     ) -> Mapping[str, float]:
         """Mark the scene that ``pictures`` show, for each criterion, from 1 (poor) to 7.
@@ -106,7 +106,7 @@ class Judge(Protocol):
     def rank(
         self,
         reference: UInt8[np.ndarray, "h w 3"],
-        methods: Mapping[str, tuple[UInt8[np.ndarray, "a b 3"], ...]],
+        methods: Mapping[str, tuple[UInt8[np.ndarray, "_a _b 3"], ...]],
     ) -> tuple[str, ...]:
         """Order several methods' scenes of one reference by overall preference, best first."""
         ...

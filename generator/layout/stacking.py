@@ -42,7 +42,7 @@ def surface(
 
 
 def lower(
-    model: Model, placement: Placement, below: Sequence[Float[np.ndarray, "m 3 3"]]
+    model: Model, placement: Placement, below: Sequence[Float[np.ndarray, "_m 3 3"]]
 ) -> Placement:
     """Return the placement lowered (or raised) until the model touches what is below it.
 

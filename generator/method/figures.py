@@ -33,7 +33,7 @@ def model_picture(
 
 def bundle_images(
     reference: Reference, top_view: TopView | None, scene: Scene
-) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
+) -> dict[str, UInt8[np.ndarray, "_h _w 3"]]:
     """Return the pictures a bundle keeps, by file stem."""
     pictures = {"reference": np.asarray(reference.image), "preview": preview(scene)}
     return pictures | ({"top_view": np.asarray(top_view.image)} if top_view else {})

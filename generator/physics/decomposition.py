@@ -67,7 +67,7 @@ def decompose(
     return tuple(ConvexPart((hull / proportions).clip(-0.5, 0.5)) for hull in hulls)
 
 
-def _coacd(vertices: Vertices, faces: Faces, seconds: float) -> list[Float[np.ndarray, "k 3"]]:
+def _coacd(vertices: Vertices, faces: Faces, seconds: float) -> list[Float[np.ndarray, "_k 3"]]:
     """Run CoACD in a child process on a reduced mesh."""
     if len(faces) > _MOST_FACES:
         import fast_simplification
@@ -126,7 +126,7 @@ def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
     return bool(meet.sum() > len(names))
 
 
-def _read(path: Path) -> list[Float[np.ndarray, "k 3"]] | None:
+def _read(path: Path) -> list[Float[np.ndarray, "_k 3"]] | None:
     """Return the hulls kept at ``path``; None if what is there is no such file."""
     try:
         arrays = read_arrays(path, "The kept hulls", SceneError, max_bytes=_MAX_KEPT)
@@ -137,7 +137,7 @@ def _read(path: Path) -> list[Float[np.ndarray, "k 3"]] | None:
     return hulls if sound else None
 
 
-def _keep(path: Path, hulls: list[Float[np.ndarray, "k 3"]]) -> None:
+def _keep(path: Path, hulls: list[Float[np.ndarray, "_k 3"]]) -> None:
     """Keep hulls for the next time, if the cache can be written: it only saves time."""
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)

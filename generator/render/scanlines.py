@@ -98,7 +98,7 @@ def nearest(
 
 def _portions(
     xy: Float[np.ndarray, "m 3 2"], area: Float[np.ndarray, "m"], width: int, height: int
-) -> list[Int[np.ndarray, "k"]]:
+) -> list[Int[np.ndarray, "_k"]]:
     """Return the triangles, in order, in portions that cross few rows each."""
     size = np.array([width, height])
     low, high = np.clip(xy.min(1), 0, size), np.clip(xy.max(1), 0, size)

@@ -13,7 +13,7 @@ _BOX_COLORS = ((214, 69, 65), (31, 119, 180), (44, 140, 60), (148, 90, 180), (22
 
 
 def grid(
-    images: Sequence[UInt8[np.ndarray, "h w c"]],
+    images: Sequence[UInt8[np.ndarray, "_h _w _c"]],
     captions: Sequence[str] = (),
     columns: int = 4,
     cell: int = 256,

@@ -108,12 +108,12 @@ class GlDrawer(Drawer):
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
-    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
         """Return the pictures of some kinds: colours in one pass, depth and ids in another."""
         import mujoco
 
         context, scene, rect = self._prepare(world, camera)
-        drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {}
+        drawn: dict[Kind, Shaped[np.ndarray, "h w *_c"]] = {}
         picture = np.empty((*self._size, 3), np.uint8)
         if "rgb" in kinds:
             mujoco.mjr_render(rect, scene, context)

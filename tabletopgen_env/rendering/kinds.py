@@ -22,7 +22,7 @@ class Drawer(Protocol):
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
-    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
         """Return the pictures of some kinds, drawn together: as ``rgb`` and ``depth`` return them.
 
         "segmentation" holds the id of the geom that each pixel shows, -1 where nothing is.

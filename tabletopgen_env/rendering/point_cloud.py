@@ -47,7 +47,7 @@ def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:
 
 def point_cloud(
     config: ObservationConfig, world: World, drawer: Drawer, order: Sequence[str]
-) -> dict[str, Shaped[np.ndarray, "n *c"]]:
+) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
     """Return the cloud that the cameras of ``config`` see; arguments as for ``views.pictures``."""
     from .software import model_camera
 
@@ -76,7 +76,7 @@ def unproject(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarr
 
 def _fit(
     points: Float[np.ndarray, "m 3"], ids: Shaped[np.ndarray, "m"], count: int
-) -> dict[str, Shaped[np.ndarray, "n *c"]]:
+) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
     """Return evenly chosen points, padded to ``count``."""
     kept = np.arange(len(points))
     if len(points) > count:

@@ -52,7 +52,7 @@ class SoftwareDrawer(Drawer):
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
-    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
         """Return the pictures of some kinds, drawn together."""
         from generator.render.raster import render
 
@@ -67,7 +67,7 @@ class SoftwareDrawer(Drawer):
             shadows=self._full,
             backdrop=backdrop(world.model),
         )
-        drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {
+        drawn: dict[Kind, Shaped[np.ndarray, "h w *_c"]] = {
             "rgb": made.image, "depth": made.depth, "segmentation": made.ids,
         }  # fmt: skip
         return {kind: drawn[kind] for kind in kinds}

@@ -67,10 +67,10 @@ def picture_spaces(config: ObservationConfig) -> dict[str, spaces.Space[Any]]:
 
 def pictures(
     config: ObservationConfig, world: World, drawer: Drawer, order: Sequence[str]
-) -> dict[str, Shaped[np.ndarray, "h w *c"]]:
+) -> dict[str, Shaped[np.ndarray, "h w *_c"]]:
     """Return the pictures of ``config`` by their key, objects in the slots' ``order``."""
     labels = geom_labels(world, order)
-    seen: dict[str, Shaped[np.ndarray, "h w *c"]] = {}
+    seen: dict[str, Shaped[np.ndarray, "h w *_c"]] = {}
     for camera in config.cameras:
         drawn = drawer.draw(world, CAMERAS[camera], config.kinds)
         for kind, picture in drawn.items():

@@ -247,7 +247,7 @@ class World:
         return self._known[key]
 
     @property
-    def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:
+    def footprints(self) -> Mapping[str, Float[np.ndarray, "_k 2"]]:
         """The convex outline of each object seen from above where it rests, world frame."""
         if "footprints" not in self._known:
             self._known["footprints"] = {o.name: footprint(o) for o in self.scene.objects}

@@ -187,7 +187,7 @@ def loft(
     rings: Float[np.ndarray, "k m 3"],
     outline: Float[np.ndarray, "m 2"] | None = None,
     *,
-    v: Float[np.ndarray, "k"] | None = None,
+    v: Float[np.ndarray, "rows"] | None = None,
     profile: Float[np.ndarray, "k d"] | None = None,
     loop: bool = False,
 ) -> Solid:
@@ -197,7 +197,8 @@ def loft(
     the ring flattened, used to close the two ends and to find sharp edges; None means that the
     ends have shrunk to a point (nothing to close) and that rings are smooth. ``profile`` is the
     curve along which the rings run (default: through their first points). ``v`` gives each
-    ring's texture height; u goes once round. ``loop`` joins the last ring to the first.
+    ring's texture height, for a loop the first ring's again at its end; u goes once round.
+    ``loop`` joins the last ring to the first.
     """
     rings = np.asarray(rings, float)
     if loop:

@@ -76,7 +76,9 @@ class Metric(Protocol):
         ...
 
     def score(
-        self, pictures: Sequence[UInt8[np.ndarray, "h w 3"]], reference: UInt8[np.ndarray, "a b 3"]
+        self,
+        pictures: Sequence[UInt8[np.ndarray, "_h _w 3"]],
+        reference: UInt8[np.ndarray, "a b 3"],
     ) -> Float[np.ndarray, "n"]:
         """Return one figure a picture, held against the reference."""
         ...

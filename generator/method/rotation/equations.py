@@ -42,9 +42,9 @@ def edge_loss(
 
 
 def appearance_loss(
-    rendered: tuple[Float[Tensor, "b c h w"], ...],
-    target: tuple[Float[Tensor, "*b c h w"], ...],
-    weight: tuple[Float[Tensor, "*b h w"], ...] | None = None,
+    rendered: tuple[Float[Tensor, "b _c _h _w"], ...],
+    target: tuple[Float[Tensor, "*_t _c _h _w"], ...],
+    weight: tuple[Float[Tensor, "*_t _h _w"], ...] | None = None,
 ) -> Float[Tensor, "b"]:
     """Eq. 4: squared distance of the features Phi, averaged over positions and maps.
 

@@ -73,10 +73,10 @@ def test_refusals_are_told_from_answers() -> None:
     ids=lambda text: text[:12].encode("ascii", "backslashreplace").decode(),
 )  # fmt: skip
 def test_a_hostile_answer_is_read_or_refused_in_time(text: str) -> None:
-    began = time.monotonic()
+    began = time.process_time()
     with contextlib.suppress(Wrong):
         assert read_object(text) is not None
-    assert time.monotonic() - began < 10
+    assert time.process_time() - began < 10
 
 
 def test_what_a_terminal_would_obey_is_no_word() -> None:

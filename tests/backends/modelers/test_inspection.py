@@ -285,9 +285,9 @@ def chained(links: int) -> bytes:
 
 @pytest.mark.slow
 def test_a_chain_of_nodes_takes_time_in_proportion_to_its_length():
-    began = time.monotonic()
+    began = time.process_time()
     surface = read_surface(chained(10_000), "it", "glb")
-    assert time.monotonic() - began < 10
+    assert time.process_time() - began < 10
     plain = read_surface(GOOD, "it", "glb")
     np.testing.assert_allclose(surface.vertices, plain.vertices + np.array([0, 0, 10]), atol=1e-6)
     assert "has 100000 nodes; at most 20000" in refusal(chained(100_000))

@@ -226,7 +226,7 @@ def name_all(
     image: UInt8[np.ndarray, "h w 3"],
     masks: Sequence[Bool[np.ndarray, "h w"]],
     tabletop: float,
-) -> list[Float[np.ndarray, "k"]]:
+) -> list[Float[np.ndarray, "_k"]]:
     """Return the probabilities of the names of things; ``tabletop`` in pixels."""
     if not masks:
         return []

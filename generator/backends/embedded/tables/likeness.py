@@ -66,7 +66,7 @@ def _places(
     return rows.clip(0, tall - 1), columns.clip(0, wide - 1), held
 
 
-def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "k 2"]]:
+def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "_k 2"]]:
     """Return the outlines that a top of these sides usually has."""
     corners = np.array([[-0.5, -0.5], [0.5, -0.5], [0.0, 0.5]]) * [length, width]
     triangle = rounded_polygon(corners, 0.1 * min(length, width), 4)
