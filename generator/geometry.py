@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from .errors import InputError
 from .scene import ConvexPart, Mesh, View
-from .scene.arrays import freeze, frozen_array
+from .scene.arrays import VECTOR, freeze
 
 # ------------------------------------------------------------------------------------ rotations
 
@@ -144,9 +144,7 @@ class Camera:
     offset: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        position = frozen_array(self.position, np.float64, (3,), "Camera.position")
-        rotation = frozen_array(self.rotation, np.float64, (3, 3), "Camera.rotation")
-        freeze(self, position=position, rotation=rotation)
+        freeze(self, position=VECTOR, rotation=(np.float64, (3, 3)))
         if self.width < 1 or self.height < 1 or not 0 < self.fov < np.pi:
             raise InputError(f"Camera needs a size of at least 1 and fov in (0, pi): {self}.")
 
