@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import contextlib
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -25,6 +24,7 @@ ADDRESS = "TABLETOPGEN_HUNYUAN3D_URL"
 
 _USUAL = "http://127.0.0.1:8081"  # where the server listens unless told otherwise
 _MOST_BYTES = 128 * 2**20
+_HEALTH_SECONDS = 10.0
 _ROUTE = "generate"  # the only one that tells of failures
 
 Version = Literal["2.0", "2.1"]
@@ -112,6 +112,23 @@ class Hunyuan3D:
             **_BODIES[self.version],
         }
 
+    def health(self) -> str:
+        """Return what the server calls itself; it does not answer while it works.
+
+        Raises:
+            BackendError: nothing answers, or 2.1's route is not there (2.0's server has none).
+        """
+        headers = {"x-tabletopgen-question": "health", "x-tabletopgen-memo": "no"}
+        with self.session.client("hunyuan3d", self._address(), timeout=_HEALTH_SECONDS) as client:
+            answer = client.get("health", headers=headers)
+        reply = _object(answer.content)
+        if answer.status_code != 200 or reply.get("status") != "healthy":
+            raise BackendError(
+                f"hunyuan3d, health: {self._address()} answers {answer.status_code}, "
+                f"{answer.content[:80]!r}. Is it Hunyuan3D-2.1's api_server.py?"
+            )
+        return str(reply.get("worker_id", ""))
+
     def _address(self) -> str:
         url = self.url or os.environ.get(ADDRESS, "") or _USUAL
         hint = f"Correct Hunyuan3D.url or {ADDRESS}."
@@ -134,9 +151,7 @@ class Hunyuan3D:
 
     def _refusal(self, status: int, content: bytes) -> str:
         """Return what an answer that is no mesh says: the server tells of failures by 404."""
-        reply = {}
-        with contextlib.suppress(BackendError):
-            reply = parse_object(content, "The answer", BackendError)
+        reply = _object(content)
         if "error_code" in reply:
             hint = " (2.0 needs --enable_tex for textures)" if self.version == "2.0" else ""
             return (
@@ -158,3 +173,11 @@ _BODIES: Mapping[str, Mapping[str, Any]] = {
     "2.0": {"type": "glb"},
     "2.1": {"remove_background": False, "num_chunks": 8000},
 }
+
+
+def _object(content: bytes) -> Mapping[str, Any]:
+    """Return a JSON object, or an empty one where there is none."""
+    try:
+        return parse_object(content, "The answer", BackendError)
+    except BackendError:
+        return {}

@@ -17,7 +17,7 @@ from backends.modelers.foreign import (
     prior,
     striped_box,
 )
-from backends.modelers.server import Answer, quick, serving
+from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
 
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
@@ -199,11 +199,33 @@ def test_the_environment_names_the_server(monkeypatch):
         assert ask("").name == "mug_1"
 
 
+def health(call: Call) -> Answer:
+    well = Answer.of({"status": "healthy", "worker_id": "3f2a1c"})
+    return well if call.path == "/health" else Answer(404)
+
+
+def test_health():
+    with serving(health) as served:
+        assert Hunyuan3D(served.url, session=quick()).health() == "3f2a1c"
+        assert served.calls[0].method == "GET"
+    with (
+        serving(lambda call: Answer.of({"detail": "Not Found"}, 404)) as served,
+        pytest.raises(BackendError, match=r"hunyuan3d, health: .* answers 404"),
+    ):
+        Hunyuan3D(served.url, session=quick()).health()
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("body", [b"[" * 200_000, b'{"a":' * 9_000, b'{"status": [1]}', b"\xff"])
 @pytest.mark.parametrize("status", [200, 404])
 def test_an_answer_nested_without_end_is_told(body: bytes, status: int) -> None:
-    assert len(said(Answer(status, body, "text/plain"))) < 1000
+    answer = Answer(status, body, "text/plain")
+    assert len(said(answer)) < 1000
+    with (
+        serving(lambda call: answer) as served,
+        pytest.raises(BackendError, match="hunyuan3d, health"),
+    ):
+        Hunyuan3D(served.url, session=quick()).health()
 
 
 def test_settings_out_of_range_are_refused():
@@ -223,5 +245,5 @@ def test_a_password_in_the_address_is_refused(monkeypatch: pytest.MonkeyPatch) -
         Hunyuan3D("http://me:hunter2@gpu:8081")
     monkeypatch.setenv("TABLETOPGEN_HUNYUAN3D_URL", "http://me:hunter2@gpu:8081")
     with pytest.raises(BackendError, match="TABLETOPGEN_HUNYUAN3D_URL") as told:
-        ask("")
+        Hunyuan3D().health()
     assert "hunter2" not in str(caught.value) + str(told.value)

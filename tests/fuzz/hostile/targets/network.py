@@ -214,20 +214,22 @@ def images(rng: random.Random, folder: Path) -> Run:
 
 # --------------------------------------------------------------------------------------- modelers
 def hunyuan3d(rng: random.Random, folder: Path) -> Run:
-    """Answers of a local server of meshes."""
+    """Answers of a local server of meshes, and what it says of its health."""
     raw, kind, status = good_glb(), "application/octet-stream", "200 OK"
     if rng.random() < 0.4:
         raw = hostile_glb(rng)
     elif rng.random() < 0.9:
-        told: Any = {"text": "**NETWORK ERROR**", "error_code": 1}
+        told: Any = {"text": "**NETWORK ERROR**", "error_code": 1, "status": "healthy",
+                     "worker_id": "w"}  # fmt: skip
         raw = written(mutate(told, rng, raw=True), rng)
         kind = rng.choice(("application/json", "application/json", "text/plain"))
         status = rng.choice(("404 x", "404 x", "422 x", "200 OK", "500 x"))
     shared = session(folder, rng)
+    healthy = rng.random() < 0.3
 
     def ask(url: str) -> Any:
         made = Hunyuan3D(url, timeout=5.0, session=shared)
-        return made.model(instance("mug"), prior("mug"), USUAL_VIEW)
+        return made.health() if healthy else made.model(instance("mug"), prior("mug"), USUAL_VIEW)
 
     return _asking(telling(raw, status, kind), ask)
 
