@@ -177,7 +177,7 @@ def place_top(
     return float(scale * np.exp(found[0])), shift + moved(found[1:])
 
 
-def _draw(pieces: Iterable[Float[np.ndarray, "n 3"]], view: Projection) -> Mask:
+def _draw(pieces: Iterable[Float[np.ndarray, "_ 3"]], view: Projection) -> Mask:
     canvas = np.zeros((view.height, view.width), np.uint8)
     solids = list(pieces)
     ends = np.cumsum([len(piece) for piece in solids])[:-1]
