@@ -130,7 +130,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
         What runs: ``_draw`` asks the scene source (``scenes/``) for a bundle; its world is compiled
         or found in the cache (``world/``); the randomiser shuffles it (``randomization/``); the
-        task samples goals, certified ones if there are any (``episodes.py``, ``tasks/``); the
+        task samples goals, certified ones if there are any (``certificates/``, ``tasks/``); the
         controller is reset (``actions/``); the first observation is read (``observations/``).
 
         After a reset that fails there is no episode: ``step`` asks for another reset.
