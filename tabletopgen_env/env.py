@@ -62,8 +62,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             - ``observation`` (the mode; of "goal" it takes a ``GoalTabletopEnv``, see
               ``make_env``), ``cameras``, ``kinds``, ``image_size``, ``points``, ``grasp_hint``;
             - ``action`` (the mode), ``gripper``, ``control_hz``;
-            - ``render_mode``, ``render_size``, ``renderer``;
-            - ``robot``, ``cache``, ``masters``.
+            - ``render`` (a ``RenderConfig``): ``render_mode``, ``render_size``, ``renderer``;
+            - ``worlds`` (a ``WorldConfig``): ``robot``, ``cache``, ``masters``.
+
+            ``reward`` is "dense" or "sparse".
 
     Raises:
         InputError: a setting that there is not, or a wrong one; a group and its field together.

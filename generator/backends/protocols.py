@@ -35,7 +35,10 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 R = TypeVar("R")
 Instances = tuple[Instance, ...]
+"""What was found in a picture; the table is among it."""
+
 Sizes = Mapping[str, SizePrior]
+"""Sizes by instance name, metres."""
 
 
 class Each(Protocol):
@@ -131,7 +134,10 @@ class PoseGuesser(Protocol):
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Say where each instance but the table is on a top of size ``sizes``, and how large: m."""
+        """Say where on the table each instance is and how large, in metres; the table is left out.
+
+        The top is as large as ``sizes`` has it.
+        """
         ...
 
 

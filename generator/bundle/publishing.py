@@ -225,12 +225,12 @@ def _open(path: Path) -> Generator[int | None, None, None]:
     except (OSError, ValueError) as error:
         if isinstance(error, ValueError) or error.errno in _ABSENT:
             raise MissingError(f"There is no bundle at {path}.") from error
-        yield None
-        return
+        descriptor = None
     try:
         yield descriptor
     finally:
-        os.close(descriptor)
+        if descriptor is not None:
+            os.close(descriptor)
 
 
 def _is_at(path: Path, descriptor: int) -> bool:

@@ -125,16 +125,19 @@ class CallStore:
         had, nothing is held.
         """
         path = self.folder / "locks" / f"{key[:3]}.lock"  # a few keys of 4096 share one
+        lock = FileLock(path, mode=0o600)
         with contextlib.ExitStack() as held:
-            with contextlib.suppress(OSError):
-                make_private(path.parent)
-                lock = FileLock(path, mode=0o600)
-                while not lock.is_locked:
-                    try:
-                        held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
-                        self._clear(key)
-                    except Timeout:
-                        check()
+            while True:
+                try:
+                    make_private(path.parent)
+                    held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
+                    self._clear(key)
+                    break
+                except Timeout:
+                    pass
+                except OSError:
+                    break
+                check()  # whatever it raises ends the wait
             yield
 
     def __len__(self) -> int:

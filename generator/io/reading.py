@@ -76,14 +76,19 @@ def parse_json(
 
 
 def parse_object(
-    raw: bytes | str, what: str, error: type[TabletopError], **bounds: int
+    raw: bytes | str,
+    what: str,
+    error: type[TabletopError],
+    *,
+    max_bytes: int = _MAX_JSON_BYTES,
+    max_depth: int = _MAX_DEPTH,
 ) -> dict[str, Any]:
-    """Parse a foreign JSON text that is one object; see :func:`parse_json`, also for ``bounds``.
+    """Parse a foreign JSON text that is one object; see :func:`parse_json`.
 
     Raises:
         TabletopError: ``error``, if it is not.
     """
-    payload = parse_json(raw, what, error, **bounds)
+    payload = parse_json(raw, what, error, max_bytes=max_bytes, max_depth=max_depth)
     if not isinstance(payload, dict):
         raise error(f"{what} must be one JSON object, not {type(payload).__name__}.")
     return payload

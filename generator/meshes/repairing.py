@@ -156,7 +156,9 @@ def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool
     for stays in (_single, _sizable, _finless):
         if len(kept):
             kept = kept[stays(corner[kept], area[kept])]
-    return np.isin(np.arange(len(faces)), kept)
+    sound = np.zeros(len(faces), bool)
+    sound[kept] = True
+    return sound
 
 
 def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:

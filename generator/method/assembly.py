@@ -226,8 +226,9 @@ def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]
                 raise InputError(f"{name!r} stands on itself, by way of {sorted(seen)}.")
             seen.add(below)
             below = on[below]
-    for name in (n for n in on if n not in models):
-        raise InputError(f"No model for the placed object {name!r}." + choices(name, models))
+    for name in on:
+        if name not in models:
+            raise InputError(f"No model for the placed object {name!r}." + choices(name, models))
 
 
 # -------------------------------------------------------------------------------------- the scene

@@ -118,10 +118,12 @@ def match_planned(
 def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, str]:
     """Return names for ``missing`` that no instance has."""
     names: dict[str, str] = {}
+    used = set(taken)
     for planned in missing:
         stem = planned.name.rstrip("0123456789").rstrip("_")
-        free = (name for k in count(1) if (name := f"{stem}_{k}") not in taken)
-        names[planned.name] = next(name for name in free if name not in names.values())
+        name = next(name for k in count(1) if (name := f"{stem}_{k}") not in used)
+        names[planned.name] = name
+        used.add(name)
     return names
 
 

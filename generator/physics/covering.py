@@ -233,5 +233,6 @@ def _patches(
     middles = places[faces].mean(1)
     axis = int(np.ptp(middles, axis=0).argmax())
     first = np.argsort(middles[:, axis], kind="stable")[: len(faces) // 2]
-    half = np.isin(np.arange(len(faces)), first)
+    half = np.zeros(len(faces), bool)
+    half[first] = True
     return [p for side in (half, ~half) for p in _patches(places, faces[side], bare, halvings - 1)]

@@ -169,7 +169,10 @@ def _least_squares(
 
 
 def _edge_cuts(scene: Scene) -> list[Cut]:
-    """Return the cuts that keep what stands on the table, or a wider one's com, in its outline."""
+    """Return the cuts that keep objects on the table: footprints inside its outline.
+
+    Of an object wider than the table it is the centre of mass.
+    """
     outline = scene.table.outline
     edges = np.roll(outline, -1, axis=0) - outline
     inward = np.column_stack([-edges[:, 1], edges[:, 0]])

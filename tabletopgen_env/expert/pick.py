@@ -17,6 +17,7 @@ stuck      stand still: no grasp can reach the object where it lies now
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Literal
 
 import numpy as np
@@ -100,7 +101,13 @@ class Picker(Expert):
         """Return the next action, ``float32`` in [-1, 1]."""
         self._steps += 1
         late = self._steps > self._patience * _PATIENCE[self.phase]
-        return getattr(self, f"_{self.phase}")(late)
+        phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
+            "wait": self._wait, "approach": self._approach, "descend": self._descend,
+            "close": self._close, "lift": self._lift, "hold": self._hold, "carry": self._carry,
+            "lower": self._lower, "release": self._release, "retreat": self._retreat,
+            "stuck": self._stuck,
+        }  # fmt: skip
+        return phases[self.phase](late)
 
     def _wait(self, late: bool) -> Float[np.ndarray, "5"]:
         if late or (self._steps > 4 and not self._is_moving()):

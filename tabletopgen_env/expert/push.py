@@ -12,6 +12,7 @@ stuck      stand still: no stroke can be made from where the object is
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Literal
 
 import numpy as np
@@ -90,7 +91,11 @@ class Pusher(Expert):
         self._speed = self._tool - self._before
         self._before = self._tool
         late = self._steps > self._patience * _PATIENCE[self.phase]
-        return getattr(self, f"_{self.phase}")(late)
+        phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
+            "approach": self._approach, "descend": self._descend, "stroke": self._stroke,
+            "back": self._back, "retreat": self._retreat, "stuck": self._stuck,
+        }  # fmt: skip
+        return phases[self.phase](late)
 
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
         above = self._plan.start + up(HOVER)

@@ -189,7 +189,8 @@ class GlDrawer(Drawer):
                     scene.flags[getattr(mujoco.mjtRndFlag, f"mjRND_{flag}")] = 0
             scene.flags[int(mujoco.mjtRndFlag.mjRND_FOG)] = 1  # the floor's way into the haze
             self._held[id(world)] = (world, context, scene)
-        held = self._held[id(world)] = self._held.pop(id(world))
+        held = self._held.pop(id(world))
+        self._held[id(world)] = held  # the last used is last
         return held[1:]
 
 

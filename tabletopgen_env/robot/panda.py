@@ -277,7 +277,7 @@ def _add_actuators(spec: mujoco.MjSpec) -> None:
 
 
 def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
-    """Let no two bodies collide within three joints of one another, nor the fingers (limits do)."""
+    """Let bodies within three joints of one another not collide; the fingers have joint limits."""
     chain = [*_LINKS, "hand"]
     pairs = [(a, b) for i, a in enumerate(chain) for b in chain[i + 1 : i + 4]]
     pairs += [(link, finger) for link in chain[-4:] for finger in _FINGERS]

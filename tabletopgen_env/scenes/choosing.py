@@ -93,5 +93,6 @@ def _make(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
     fresh.check()
     if head == FRESH:
         return fresh
-    made = colon or isinstance(start, SceneSource) or on_demand(start)
-    return RefreshingScenes(fresh, initial=None if made else start)  # pyright: ignore
+    if colon or isinstance(start, SceneSource) or on_demand(start):
+        return RefreshingScenes(fresh)
+    return RefreshingScenes(fresh, initial=start)

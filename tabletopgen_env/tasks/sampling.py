@@ -191,7 +191,8 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
 def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
     """Return the object that a goal option names, None without one.
 
-    ``use`` says what it is for, ``wanted`` what the option of which task has to be.
+    ``use`` says what the object is for ("to put things on"), ``wanted`` names the task and what its
+    option has to be ("Stack is an object's name").
 
     Raises:
         InputError: the option is a spot or a point, or the scene has no such object.

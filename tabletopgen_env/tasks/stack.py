@@ -49,8 +49,10 @@ class Stack(Task):
 
         def make(obj: Object) -> Episode | None:
             found = list(supports(world, obj, wanted))
-            base = found[int(rng.integers(len(found)))] if found else None
-            return base and episode(world, (on_top(world, obj, base),))
+            if not found:
+                return None
+            base = found[int(rng.integers(len(found)))]
+            return episode(world, (on_top(world, obj, base),))
 
         lacks = "no flat top in reach that carries it"
         return draw_episode(world, rng, target, liftable(world), make, lacks)

@@ -371,10 +371,9 @@ def _ramp(
 
 def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
     """Label bodies: 0 not the robot's, 1 robot, 2 left finger, 3 right finger."""
-    names = (model.body(k).name for k in range(model.nbody))
-    return np.array(
-        [
-            name.startswith(PREFIX) * (1 + ("left_finger" in name) + 2 * ("right_finger" in name))
-            for name in names
-        ]
-    )
+    sides = np.zeros(model.nbody, int)
+    for k in range(model.nbody):
+        name = model.body(k).name
+        if name.startswith(PREFIX):
+            sides[k] = 2 if "left_finger" in name else 3 if "right_finger" in name else 1
+    return sides

@@ -207,21 +207,19 @@ with CallStore(sys.argv[1]).holding(sys.argv[2]):
 """
 
 
-def test_another_process_holds_it_until_it_is_killed(tmp_path: Path) -> None:
+@pytest.mark.parametrize("error", [KeyError, StorageError])  # one of them is an OSError
+def test_another_process_holds_it_until_it_is_killed(error: type, tmp_path: Path) -> None:
     store = CallStore(tmp_path)
 
-    class Waited(Exception):
-        pass
-
     def give_up() -> None:
-        raise Waited
+        raise error(1, "gives up")
 
     with running(
         sys.executable, "-c", HOLD, tmp_path, key("q"),
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
     ) as other:  # fmt: skip
         assert line_of(other) == "held\n"
-        with pytest.raises(Waited), store.holding(key("q"), give_up):
+        with pytest.raises(error, match="gives up"), store.holding(key("q"), give_up):
             raise AssertionError
         other.kill()
         other.wait(LONG)

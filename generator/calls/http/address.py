@@ -28,7 +28,7 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
         fine, named = _resolvable(url, parts.hostname), "@" in parts.netloc
     except BackendError:
         fine = named = False
-    hint = hint and f" {hint}"
+    hint = f" {hint}" if hint else ""
     if not isinstance(url, str):
         raise BackendError(f"{what} must be a text, not {type(url).__name__}.{hint}")
     shown = _USER.sub(r"\1[redacted]@", url[:MAX_URL_LENGTH])

@@ -50,7 +50,10 @@ class RetryPolicy:
 
 
 def retry_after(text: str | None, now: datetime | None = None) -> float | None:
-    """Return the seconds that a Retry-After header asks for, a number or a date, if it has one."""
+    """Return the seconds that a Retry-After header asks for, by a number or a date.
+
+    None if it is absent, unreadable or infinite.
+    """
     if text is None:
         return None
     with contextlib.suppress(ValueError):

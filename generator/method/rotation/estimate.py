@@ -95,5 +95,8 @@ def optimise_rotation(
 
 
 def _rotation(name: str, answer: RotationAnswer) -> Rotation:
-    a, candidates = answer, tuple((f.yaw, f.loss) for f in answer.looks[0])
-    return Rotation(name, *candidates[0], candidates, a.margin, a.width, a.symmetric, a.order)
+    candidates = tuple((found.yaw, found.loss) for found in answer.looks[0])
+    return Rotation(
+        name, *candidates[0], candidates,
+        answer.margin, answer.width, answer.symmetric, answer.order,
+    )  # fmt: skip

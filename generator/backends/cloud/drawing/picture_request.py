@@ -165,7 +165,8 @@ class Painter:
                 named = [k for k in left if k in said]
                 if not left:
                     raise
-                left = {k: v for k, v in left.items() if named and k not in named}
+                dropped = named or left  # where the server names none, all
+                left = {k: v for k, v in left.items() if k not in dropped}
                 continue
             with self.tolerated.lock:
                 self.tolerated.unknown.update(set(options) - set(left))
