@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Annotated
 
 from tyro import conf
 
@@ -15,7 +16,7 @@ _USUAL = Terms()
 
 
 def certify(
-    bundles: conf.Positional[tuple[str, ...]],
+    bundles: Annotated[conf.Positional[tuple[str, ...]], conf.arg(metavar="BUNDLE [BUNDLE ...]")],
     /,
     *,
     tasks: tuple[str, ...] = _USUAL.tasks,
