@@ -40,7 +40,7 @@ def verify(
 ) -> int:
     """Check bundles: hashes, paths, numbers, and whether they still simulate soundly.
 
-    Certificates beside bundles are not checked here; environments check those they read.
+    Certificates are not checked here; environments check those they read.
 
     Args:
         bundles: Names, digests, globs or paths.

@@ -26,7 +26,7 @@ def certify(
     workers: int = 1,
     again: bool = False,
 ) -> int:
-    """Run the scripted expert on the tasks that bundles offer; write a certificate beside each.
+    """Run the scripted expert on the tasks that bundles offer; write a certificate into each.
 
     Bundles with a certificate for the same terms are skipped, so an interrupted command resumes
     when it is run again; a certificate for other terms is replaced, not extended. Bundles that
