@@ -1,4 +1,6 @@
-"""Turn a text or one picture of a tabletop into a simulated table (TabletopGen). Knows no robots.
+"""Turn a text or one picture of a tabletop into a simulated table (TabletopGen).
+
+Contains no robot code.
 
     from generator import compose, generate, load, save
 

@@ -1,4 +1,7 @@
-"""The direct route: text to plan to layout to scene, without a picture. Fast, always sound."""
+"""The direct route: text to plan to layout to scene, without a picture.
+
+Fast; objects are placed without overlap.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +31,7 @@ def compose(
     is replaced by another one.
 
     Raises:
-        InputError: the text cannot be planned, or the seed is none.
+        InputError: the text cannot be planned, or the seed is not a whole number in range.
         SceneError: the objects fit on no plausible table, or no layout comes to rest.
     """
     require_seed(seed)

@@ -50,7 +50,7 @@ def generate(
         progress: called as each stage starts.
 
     Raises:
-        InputError: the source cannot be used, or the seed is none.
+        InputError: the source cannot be used, or the seed is not a whole number in range.
         BackendError: a backend could not answer, or cannot stand in for a stage left out.
         SceneError: the scene cannot be built.
     """

@@ -130,15 +130,23 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     ) -> tuple[Any, dict[str, Any]]:
         """Draw a scene, a target and a goal, and start an episode.
 
-        What runs: ``_draw`` asks the scene source (``scenes/``) for a bundle; its world is compiled
-        or found in the cache (``world/``); the randomiser shuffles it (``randomization/``); the
-        task samples goals, certified ones if there are any (``certificates/``, ``tasks/``); the
-        controller is reset (``actions/``); the first observation is read (``observations/``).
+        What runs:
+
+        1. The scene source learns how the last episode that it drew ended (``scenes/``).
+        2. Up to ``DRAWS`` times, until a scene offers something to do: the source draws one, or
+           ``options`` name it; its world is compiled or taken from the cache (``world/``);
+           ``Randomizer.begin`` undoes what was randomised there and draws anew
+           (``randomization/``); an episode is sampled, a certified one if there are any
+           (``certificates/``, ``tasks/``).
+        3. ``Randomizer.finish`` perturbs the start and removes distractors.
+        4. The controller is reset (``actions/``).
+        5. The first observation is read (``observations/``).
 
         After a reset that fails there is no episode: ``step`` asks for another reset.
 
         Raises:
-            InputError: an unknown option, or one that names nothing in the scene; no dict, no seed.
+            InputError: an unknown option, or one that names nothing in the scene; ``options`` is
+                not a dict, or ``seed`` is invalid.
             SceneError: none of the scenes drawn offers anything to do.
             BundleError: a scene or its certificate is damaged.
         """
@@ -367,7 +375,7 @@ def as_options(options: Any) -> dict[str, Any]:
     """Return the options of a reset as a dict of its own; None is none.
 
     Raises:
-        InputError: they are no dict.
+        InputError: they are not a dict.
     """
     if options is None:
         return {}

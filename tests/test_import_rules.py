@@ -11,8 +11,8 @@ import pytest
 ROOT = Path(__file__).parent.parent
 PACKAGES = ("generator", "tabletopgen_env", "assets_cache", "research")
 
-# The layers, lowest first. A module belongs to the longest name here that it starts with. It may
-# import what is in its own part and in the rows below it; never its row's other parts.
+# The layers, foundations first. A module may import its own part and the rows listed before it,
+# never another part of its own row. It belongs to the longest name here that it starts with.
 LAYERS: tuple[tuple[str, ...], ...] = (
     ("generator.errors", "generator.threads"),
     ("generator.io",),
@@ -109,15 +109,15 @@ def part_of(name: str) -> tuple[int, str]:
 
 def violations(name: str, used: set[str]) -> list[str]:
     row, part = part_of(name)
-    above = {u for u in used if part_of(u)[1] != part and part_of(u)[0] >= row}
+    forbidden = {u for u in used if part_of(u)[1] != part and part_of(u)[0] >= row}
     if within(name, "tabletopgen_env") and name != "tabletopgen_env.__main__":
         allowed = (*OF_GENERATOR, "tabletopgen_env", "assets_cache")
-        above |= {u for u in used if not any(within(u, a) for a in allowed)}
-    return sorted(above - {"generator", "tabletopgen_env", name})
+        forbidden |= {u for u in used if not any(within(u, a) for a in allowed)}
+    return sorted(forbidden - {"generator", "tabletopgen_env", name})
 
 
 @pytest.mark.parametrize("package", PACKAGES)
-def test_every_module_imports_downwards_only(package: str) -> None:
+def test_every_module_imports_earlier_layers_only(package: str) -> None:
     wrong = {
         name: found
         for name, path in modules()

@@ -18,7 +18,7 @@ class Mix:
         reasoner: Who plans, names, sizes and orders things.
         imager: Who draws, completes and looks from above.
         segmenter: Who finds and masks things.
-        modeler: Who makes a picture of a thing a mesh.
+        modeler: Who turns the picture of an object into a mesh.
         encoder: Whose features compare a render with the picture.
     """
 

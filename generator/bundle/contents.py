@@ -33,7 +33,7 @@ def picture_size(raw: bytes, name: str) -> tuple[int, int]:
     """Return width and height of a PNG called ``name``, by its header alone.
 
     Raises:
-        BundleError: it is none, or is out of bounds.
+        BundleError: it is not a PNG, or is out of bounds.
     """
     if raw[:16] != b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" or len(raw) < 33:
         raise BundleError(f"{name} is not a PNG picture.")
@@ -49,7 +49,7 @@ def opened_png(raw: bytes, name: str) -> Generator[Image, None, None]:
     """Open a PNG called ``name`` whose size is within bounds.
 
     Raises:
-        BundleError: it is none, cannot be decoded, or is out of bounds.
+        BundleError: it is not a PNG, cannot be decoded, or is out of bounds.
     """
     from PIL import Image
 
@@ -71,7 +71,7 @@ def decode_png(raw: bytes, name: str) -> UInt8[np.ndarray, "h w 3"]:
     """Return the pixels of a PNG called ``name``.
 
     Raises:
-        BundleError: it is none, or is out of bounds.
+        BundleError: it is not a PNG, or is out of bounds.
     """
     with opened_png(raw, name) as image:
         return np.asarray(image.convert("RGB"))

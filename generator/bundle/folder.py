@@ -59,7 +59,8 @@ def save(
     failed or is missing.
 
     Raises:
-        SceneError: the report failed or is missing, or a picture is none or too large to be read.
+        SceneError: the report failed or is missing, or a picture is not a PNG or is too large to
+            be read.
         StorageError: the folder cannot be written, or the disk is full.
     """
     _check_publishable(scene, allow_failed)

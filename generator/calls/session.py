@@ -85,7 +85,7 @@ class Session(SessionState):
             sign: gives the headers that sign a request, for each attempt anew.
 
         Raises:
-            BackendError: the extra is not installed, or the URL is none, or holds a password.
+            BackendError: the extra is not installed, or the URL is invalid, or holds a password.
             UnusableError: by a call, of an answer that is a web page or too large.
         """
         try:

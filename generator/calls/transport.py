@@ -14,7 +14,7 @@ import httpx2
 from ..errors import BackendError, StorageError
 from .http.address import local, near
 from .http.dialing import Wire, proxy_for
-from .http.exchange import UNPACKED, Reply, Trouble, exchange
+from .http.exchange import COMPRESSIONS, Reply, Trouble, exchange
 from .http.pending import begin
 from .http.redaction import excerpt, holds
 from .http.retries import Breaker
@@ -121,7 +121,7 @@ class PaidTransport(httpx2.BaseTransport):
             for name, value in request.headers.multi_items()
             if (name in sent or name.startswith(_SIGNED_BY))
             and (name != "authorization" or not self.secrets or holds(value, self.secrets))
-        ] + [("accept-encoding", UNPACKED)]
+        ] + [("accept-encoding", COMPRESSIONS)]
         given = request.extensions.get("timeout", {})
         most = dict.fromkeys(("connect", "read", "write", "pool"), self.timeout)
         most["connect"] = min(self.timeout, _CONNECT)

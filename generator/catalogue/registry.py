@@ -67,7 +67,7 @@ from .things.office import (
 from .things.tools import benchwork, craft, fasteners, hardware, tools, workbench
 from .things.wardrobe import bathroom, clothes, gifts, jewelry
 
-_SHELVES = (
+_DRAWN_BY_THEME = (
     *(cups, dining, cutlery, brewing, cooking, bottles, pantry, food, bakery),
     *(fruit, produce, groceries, meals, sweets, hardware),
     *(devices, portables, deskware, leisure, ornaments, household),
@@ -75,7 +75,7 @@ _SHELVES = (
     *(tools, workbench, toys, games, craft, vanity, lab),
     *(paper, maps, mats, clinic, figurines),
 )
-_LATER = (
+_ON_REQUEST = (
     appliances,
     barista,
     glassware,
@@ -110,11 +110,11 @@ _LATER = (
     printed,
 )
 
-FURNISHING = frozenset(c.key for shelf in _SHELVES for c in shelf.CATEGORIES)
+FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)
 """What a table drawn by theme alone may hold; another one here changes what every seed draws."""
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
-    {c.key: c for shelf in (*_SHELVES, *_LATER) for c in shelf.CATEGORIES}
+    {c.key: c for module in (*_DRAWN_BY_THEME, *_ON_REQUEST) for c in module.CATEGORIES}
 )
 """Every category by key."""
 

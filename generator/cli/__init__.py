@@ -25,7 +25,7 @@ Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle,
 """
 
 GROUPS: Mapping[str, tuple[tyro.extras.SubcommandApp, str]] = MappingProxyType({
-    "cache": (cache.app, "List, check and remove the finished tables of the store."),
+    "cache": (cache.app, "List, check and remove bundles of the store."),
     "models": (models.app, "List, fetch and remove the open models."),
 })  # fmt: skip
 """Commands with commands of their own, and what they are for."""

@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from tyro.conf import OmitArgPrefixes, Positional
+from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from ..errors import InputError, escape, require_number, require_seed
 from ..io.files import check_folder
@@ -41,7 +41,7 @@ _POOL = PoolOptions()
 
 
 def batch(
-    prompts: Positional[Path],
+    prompts: Annotated[Positional[Path], arg(metavar="PROMPTS")],
     /,
     *,
     out: Path,

@@ -1,11 +1,12 @@
-"""``tabletopgen cache``: the store of finished tables."""
+"""``tabletopgen cache``: the bundles of the store."""
 
 from __future__ import annotations
 
 import fnmatch
+from typing import Annotated
 
 import tyro
-from tyro.conf import Positional
+from tyro.conf import Positional, arg
 
 from ..errors import escape
 from . import looking
@@ -16,7 +17,12 @@ app = tyro.extras.SubcommandApp()
 
 
 @app.command(name="list")
-def list_bundles(pattern: Positional[str] = "*", /, *, json: bool = False) -> int:
+def list_bundles(
+    pattern: Annotated[Positional[str], arg(metavar="[PATTERN]")] = "*",
+    /,
+    *,
+    json: bool = False,
+) -> int:
     """List the bundles that can be found by name.
 
     They are the shipped ones, those of TABLETOPGEN_CACHE, and those in the user cache.
@@ -33,7 +39,9 @@ def list_bundles(pattern: Positional[str] = "*", /, *, json: bool = False) -> in
 
 
 @app.command(name="rm")
-def remove(bundles: Positional[tuple[str, ...]], /) -> int:
+def remove(
+    bundles: Annotated[Positional[tuple[str, ...]], arg(metavar="BUNDLE [BUNDLE ...]")], /
+) -> int:
     """Remove bundles from the user cache.
 
     Args:

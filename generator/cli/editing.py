@@ -50,7 +50,7 @@ _MOVE = MoveOptions()
 
 
 def edit(
-    bundle: Positional[str],
+    bundle: Annotated[Positional[str], conf.arg(metavar="BUNDLE")],
     action: Positional[Action],
     words: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="[NAME] [WORDS]")],
     /,

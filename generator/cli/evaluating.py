@@ -8,9 +8,9 @@ import sys
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from tyro.conf import Positional
+from tyro.conf import Positional, arg
 
 from ..backends import Backends
 from ..errors import DryRunError, InputError, escape
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def evaluate(
-    bundles: Positional[tuple[str, ...]],
+    bundles: Annotated[Positional[tuple[str, ...]], arg(metavar="BUNDLE [BUNDLE ...]")],
     /,
     *,
     picture: Path | None = None,

@@ -17,7 +17,9 @@ from .printing import emit, print_scene
 from .store import find, one, some
 
 
-def inspect(bundle: Positional[str], /, *, json: bool = False) -> int:
+def inspect(
+    bundle: Annotated[Positional[str], conf.arg(metavar="BUNDLE")], /, *, json: bool = False
+) -> int:
     """Show what a bundle holds: its objects, their sizes and masses, and its recorded gate.
 
     Args:
@@ -30,10 +32,15 @@ def inspect(bundle: Positional[str], /, *, json: bool = False) -> int:
     return print_scene(path, load(path), json)
 
 
-def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> int:
+def verify(
+    bundles: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="BUNDLE [BUNDLE ...]")],
+    /,
+    *,
+    json: bool = False,
+) -> int:
     """Check bundles: hashes, paths, numbers, and whether they still simulate soundly.
 
-    Certificates beside bundles are not checked here; environments check those they read.
+    Certificates are not checked here; environments check those they read.
 
     Args:
         bundles: Names, digests, globs or paths.
@@ -61,7 +68,12 @@ def verify_all(paths: Iterable[Path], json: bool, *, may_vanish: bool = False) -
     return 1 if any(results.values()) else 0
 
 
-def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
+def view(
+    bundle: Annotated[Positional[str], conf.arg(metavar="BUNDLE")],
+    /,
+    *,
+    picture: Path | None = None,
+) -> int:
     """Open a bundle in MuJoCo's viewer; without a screen, write a picture instead.
 
     Args:

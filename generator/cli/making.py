@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
-from tyro.conf import OmitArgPrefixes, Positional
+from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from ..errors import DryRunError, InputError, require_seed
 from ..io.files import check_folder
@@ -52,7 +52,7 @@ _CAMERA, _OUTPUT = CameraOptions(), OutputOptions()
 
 
 def generate(
-    source: Positional[str],
+    source: Annotated[Positional[str], arg(metavar="TEXT|PICTURE")],
     /,
     *,
     output: OmitArgPrefixes[OutputOptions] = _OUTPUT,
@@ -118,7 +118,7 @@ def generate(
 
 
 def compose(
-    text: Positional[str],
+    text: Annotated[Positional[str], arg(metavar="TEXT")],
     /,
     *,
     out: Path | None = None,

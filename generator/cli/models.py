@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 import tyro
-from tyro.conf import Positional
+from tyro.conf import Positional, arg
 
 from ..backends.huggingface.weights.folder import missing, models_folder, snapshot
 from ..backends.huggingface.weights.pins import pin, pins
@@ -52,7 +53,12 @@ def list_models(*, folder: Path | None = None, json: bool = False) -> int:
 
 
 @app.command(name="pull")
-def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) -> int:
+def fetch(
+    names: Annotated[Positional[tuple[str, ...]], arg(metavar="MODEL [MODEL ...]")],
+    /,
+    *,
+    folder: Path | None = None,
+) -> int:
     """Download models from Hugging Face: safetensors and configurations only, at fixed commits.
 
     What is there is not downloaded again; an interrupted download resumes.

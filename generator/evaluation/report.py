@@ -124,7 +124,7 @@ def evaluate(
     Raises:
         InputError: a picture is missing for what was asked, or does not fit ``segments``.
         SceneError: MuJoCo cannot build the scene.
-        BackendError: ``judge`` is none.
+        BackendError: ``judge`` is not a ``Judge``.
     """
     if picture is None and (metrics is not None or judge is not None):
         raise InputError("Metrics and judges compare with a picture; pass the reference picture.")
@@ -200,7 +200,7 @@ def ranking(
     """Ask a judge to order several methods' scenes of one picture, by method, the best first.
 
     Raises:
-        BackendError: ``judge`` is none, or its answer does not name each method once.
+        BackendError: ``judge`` is not a ``Judge``, or its answer does not name each method once.
     """
     shown = {name: (_draw(e.scene, e.comparison),) for name, e in evaluations.items()}
     return rank_methods(judge, picture, shown)

@@ -1,7 +1,7 @@
 """The nouns of the pipeline: frozen values that flow from a text or an image to a scene.
 
-Frames and units, stated once for the whole project
----------------------------------------------------
+Frames and units of the whole project
+-------------------------------------
 SI metres, kilograms, radians, seconds; quaternions are ``wxyz`` as in MuJoCo.
 
 *World (table) frame*: right-handed, origin on the floor under the table's centre, +x right and
@@ -11,9 +11,17 @@ above.
 *Canonical object frame*: +z up, the mesh normalised to the unit box ``[-0.5, 0.5]^3``. ``scale``
 is the object's *extent* along its own axes in metres; ``translation`` is the *centre of its box*.
 
+*Camera axes*: x right, y down, z forward. A ``View`` of azimuth 0 looks along +y, a positive
+one moves the camera towards +x; elevation is above the horizon, ``fov`` is vertical.
+
+*Robot base frame*, defined in ``tabletopgen_env.world.world``: origin at the robot's base, x
+forward, z up.
+
 *Images* are ``uint8`` RGB, row 0 at the top. *Pixel boxes* are ``(x0, y0, x1, y1)``, right and
-bottom exclusive. *Texture coordinates* have u to the right and v upwards (Wavefront OBJ), so
-texture row 0 is v = 1.
+bottom exclusive. *Pixel coordinates*: (0, 0) is the corner at the top left, so pixel centres are at
+halves; only ``Intrinsics`` put the centre of the first pixel at (0, 0), as OpenCV and ROS do. In
+the *top view* u (right) is world +x and v (down) is world -y. *Texture coordinates* have u to the
+right and v upwards (Wavefront OBJ), so texture row 0 is v = 1.
 """
 
 from .arrays import frozen_array as frozen_array

@@ -30,15 +30,15 @@ from generator.errors import InputError
 from .sample import worth_finding
 from .shards import ShardReader
 
-_RIGHT = 0.5  # overlap (IoU) with a thing from which a find shows it
+_RIGHT = 0.5  # overlap (IoU) with a thing from which a detection shows it
 _STEPS, _BATCH, _RATE, _DECAY = 3000, 512, 2e-3, 1e-2
 
 
 @dataclass(frozen=True, eq=False)
 class JudgeLesson:
-    """Clues with their truths: finds that show a thing, and pairs that show two.
+    """Clues with their truths: detections that show a thing, and pairs that show two.
 
-    ``counts`` is False for finds of things that hardly show: they are neither right nor wrong.
+    ``counts`` is False for detections of things that hardly show: they are neither right nor wrong.
     """
 
     alone: Float[np.ndarray, "n a"]
@@ -154,9 +154,13 @@ def main() -> None:
             [JudgeLesson.load(p) for p in track(paths, "looking", total=len(shards))]
         )
     judge = train_judge(lesson, args.seed)
-    notes = {"pictures": args.data.name, "finds": str(len(lesson.right)), "seed": str(args.seed)}
+    notes = {
+        "pictures": args.data.name,
+        "detections": str(len(lesson.right)),
+        "seed": str(args.seed),
+    }
     save_weights(args.out, judge.state_dict(), notes)
-    print(f"{args.out.name}: {len(lesson.right)} finds, {len(lesson.apart)} overlapping pairs")
+    print(f"{args.out.name}: {len(lesson.right)} detections, {len(lesson.apart)} overlapping pairs")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Annotated
 
 from tyro import conf
 
@@ -15,7 +16,7 @@ _USUAL = Terms()
 
 
 def certify(
-    bundles: conf.Positional[tuple[str, ...]],
+    bundles: Annotated[conf.Positional[tuple[str, ...]], conf.arg(metavar="BUNDLE [BUNDLE ...]")],
     /,
     *,
     tasks: tuple[str, ...] = _USUAL.tasks,
@@ -25,7 +26,7 @@ def certify(
     workers: int = 1,
     again: bool = False,
 ) -> int:
-    """Run the scripted expert on the tasks that bundles offer; write a certificate beside each.
+    """Run the scripted expert on the tasks that bundles offer; write a certificate into each.
 
     Bundles with a certificate for the same terms are skipped, so an interrupted command resumes
     when it is run again; a certificate for other terms is replaced, not extended. Bundles that

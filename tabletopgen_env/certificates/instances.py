@@ -65,9 +65,9 @@ def certificate_of(world: World) -> Certificate | None:
     """
     if world.bundle is None:
         return None
-    if FILE not in world.notes:
-        world.notes[FILE] = read_certificate(world.bundle)
-    return world.notes[FILE]
+    if FILE not in world.cached:
+        world.cached[FILE] = read_certificate(world.bundle)
+    return world.cached[FILE]
 
 
 def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int) -> SceneError:

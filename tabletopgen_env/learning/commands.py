@@ -51,7 +51,7 @@ _CHECKS = CheckOptions()
 
 
 def train(
-    recipe: Positional[str],
+    recipe: Annotated[Positional[str], arg(metavar="RECIPE")],
     /,
     *,
     scenes: tuple[str, ...] = (),
@@ -71,7 +71,10 @@ def train(
     After Ctrl-C, --resume continues a run of reinforcement learning; clone recipes start over.
 
     Args:
-        recipe: Name of a recipe, or the path of a TOML file of your own.
+        recipe: Name of a recipe, or the path of a TOML file of your own. The names: reach-sac,
+            reach-ppo, reach-td3, reach-clone, lift-sac, lift-sac-demos, lift-ppo, lift-clone,
+            lift-clone-planned, lift-clone-plain, pickplace-clone, pickplace-clone-planned,
+            pickplace-sac-her, push-sac-her.
         scenes: Where it trains, by default where the recipe says: names, globs or paths of
             bundles; "starter:train" (shipped training tables), "fresh[:TEXT]" (new tables made on
             demand) or "refreshing[:TEXT]" (a pool renewed in the background).
@@ -108,7 +111,7 @@ def train(
 
 
 def enjoy(
-    policy: Positional[str],
+    policy: Annotated[Positional[str], arg(metavar="POLICY")],
     /,
     *,
     scenes: tuple[str, ...] = ("starter:held_out",),
@@ -171,7 +174,7 @@ def enjoy(
 
 
 def plot(
-    runs: Positional[tuple[Path, ...]],
+    runs: Annotated[Positional[tuple[Path, ...]], arg(metavar="RUN [RUN ...]")],
     /,
     *,
     out: Path = Path("success.png"),

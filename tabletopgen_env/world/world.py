@@ -68,7 +68,7 @@ class World:
         actuators: ids of the seven servos and the gripper.
         robot_bodies: MuJoCo body ids of the robot's links, hand and fingers.
         tcp: id of the tool centre point's site.
-        notes: what others keep of the scene as it was given, by keys of theirs; twins share it.
+        cached: what others keep of the scene as it was given, by keys of theirs; twins share it.
         absent: objects that are out of this episode; see ``randomization``.
     """
 
@@ -115,7 +115,7 @@ class World:
         self._known: dict[Hashable, Any] = {}  # of this arrangement of the objects
         self._known_of_given = self._known
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
-        self.notes: dict[Hashable, Any] = {}
+        self.cached: dict[Hashable, Any] = {}
 
     def twin(self) -> World:
         """Return a world of the same scene that shares what is known of it, with its own model."""

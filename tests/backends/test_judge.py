@@ -18,30 +18,30 @@ from research.eye.judging import JudgeLesson, lesson, train_judge
 REGION = np.full((4, 40, 60), 0.25)
 
 
-def find(x0: int, y0: int, x1: int, y1: int, score: float = 0.5) -> EyeDetection:
+def detection(x0: int, y0: int, x1: int, y1: int, score: float = 0.5) -> EyeDetection:
     mask = np.zeros(REGION.shape[1:], bool)
     mask[y0:y1, x0:x1] = True
     return EyeDetection(score, score, mask, mask, np.array([0.7, 0.2, 0.1]))
 
 
 def test_pairs_that_touch_have_clues_the_larger_one_first():
-    finds = [find(10, 10, 20, 20), find(5, 5, 35, 35), find(50, 5, 55, 10)]
-    clues = clues_of(finds, REGION)
+    detections = [detection(10, 10, 20, 20), detection(5, 5, 35, 35), detection(50, 5, 55, 10)]
+    clues = clues_of(detections, REGION)
     assert clues.alone.shape == (3, ALONE) and clues.both.shape == (1, BOTH)
     assert clues.pairs.tolist() == [[1, 0]]
     assert np.isfinite(clues.alone).all() and np.isfinite(clues.both).all()
 
 
-def test_a_lone_find_is_clueless_about_others():
-    alone = clues_of([find(10, 10, 20, 20)], REGION).alone[0]
-    crowded = clues_of([find(10, 10, 20, 20), find(8, 8, 30, 30)], REGION).alone[0]
+def test_a_lone_detection_is_clueless_about_others():
+    alone = clues_of([detection(10, 10, 20, 20)], REGION).alone[0]
+    crowded = clues_of([detection(10, 10, 20, 20), detection(8, 8, 30, 30)], REGION).alone[0]
     np.testing.assert_array_equal(alone[:14], crowded[:14])  # what it is itself
     assert not alone[14:26].any() and crowded[14:26].any()  # how others overlap it
 
 
 @pytest.mark.parametrize("count", [0, 1])
 def test_none_and_one_can_be_judged(count: int):
-    clues = clues_of([find(10, 10, 20, 20)][:count], REGION)
+    clues = clues_of([detection(10, 10, 20, 20)][:count], REGION)
     assert len(DetectionJudge().eval().choose(clues, 0.0)) == count
 
 
@@ -57,7 +57,7 @@ class Given(torch.nn.Module):
 
 
 @pytest.mark.parametrize(("apart", "kept"), [(3.0, [1, 0]), (-3.0, [1])])
-def test_a_find_goes_if_it_is_likely_the_same_as_a_surer_one(apart: float, kept: list[int]):
+def test_a_detection_goes_if_it_is_likely_the_same_as_a_surer_one(apart: float, kept: list[int]):
     judge = DetectionJudge()
     judge.alone, judge.both = Given(1.0, 2.0, -2.0), Given(apart)  # type: ignore[assignment]
     clues = Clues(np.zeros((3, ALONE)), np.array([[0, 1]]), np.zeros((1, BOTH)))

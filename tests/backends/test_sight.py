@@ -5,7 +5,7 @@ import pytest
 import torch
 from painted import Picture, paint
 
-from generator.backends.embedded.eye.finds import apart, overlaps
+from generator.backends.embedded.eye.detections import apart, overlaps
 from generator.backends.embedded.eye.sight import EyeReading, glance_at, look
 from generator.backends.embedded.eye.weights import load_weights
 from generator.meshes.pixels import mask_iou

@@ -45,6 +45,17 @@ def test_links_lead_somewhere(page: Path) -> None:
     assert wrong == []
 
 
+def test_the_stub_of_the_tasks_has_the_sections_of_the_site() -> None:
+    stub, made = ROOT / "docs/reference/tasks.md", tasks_page.page()
+    sections = re.findall(r"^## .+$", _FENCED.sub("", made), flags=re.M)
+    text = stub.read_text(encoding="utf-8")
+    assert re.findall(r"^## .+$", text, flags=re.M) == sections
+    for title, module in tasks_page.SECTIONS:
+        body = text.partition(f"## {title}\n")[2].partition("## ")[0]
+        assert module.replace(".", "/") in body, title
+        assert all((stub.parent / link).exists() for link in _LINK.findall(body)), title
+
+
 def test_every_page_is_in_a_table_of_contents() -> None:
     index = ROOT / "docs/index.md"
     listed, waiting = {index}, [index]

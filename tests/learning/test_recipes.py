@@ -11,7 +11,7 @@ import pytest
 
 from generator.bundle import load
 from generator.errors import InputError
-from tabletopgen_env.learning import training
+from tabletopgen_env.learning import commands, training
 from tabletopgen_env.learning.making import (
     blank_model,
     count_shared,
@@ -75,6 +75,11 @@ def _less(options) -> dict:
     return {
         key: least for key, least in (("buffer_size", 1000), ("batch_size", 64)) if key in options
     }
+
+
+def test_the_help_of_train_names_every_shipped_recipe() -> None:
+    words = {word.strip(",.") for word in (commands.train.__doc__ or "").split()}
+    assert {*NAMES} <= words
 
 
 def test_a_recipe_comes_back_from_its_facts() -> None:

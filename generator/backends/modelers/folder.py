@@ -75,7 +75,7 @@ class Folder:
         """Return the folder.
 
         Raises:
-            BackendError: none is named, or it is none.
+            BackendError: no folder is named, or what is named is not a folder.
         """
         named = self.path or os.environ.get(ASSETS, "")
         if not named:

@@ -49,7 +49,7 @@ def check_link(url: object, what: str, error: type[TabletopError]) -> SplitResul
     not repeat the address: it may be signed.
 
     Raises:
-        TabletopError: ``error``, if it is none.
+        TabletopError: ``error``, if it is not such an address.
     """
     parts = split_url(url, what, error)
     if "@" in parts.netloc:

@@ -148,7 +148,7 @@ def proxy_for(scheme: str, host: str) -> str | None:
     """Return the proxy that the environment names for a host (HTTPS_PROXY and its like), or None.
 
     Raises:
-        BackendError: it is of a kind that is not spoken, or its address is none.
+        BackendError: it is of a kind that is not spoken, or its address is invalid.
     """
     named = urllib.request.getproxies()
     proxy = named.get(scheme) or named.get("all")

@@ -20,10 +20,10 @@ _AGAIN = frozenset({408, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 
 _LATE = frozenset({504, 524})  # a gateway waited in vain; behind it the call may be worked on
 _CHARGED = _LATE | {502, 520}  # the same of one whose answer broke off there
 _EXCERPT = 300  # characters of an answer that a message quotes
-_PIECE = 2**18  # bytes that are unpacked at once
+_PIECE = 2**18  # bytes that are decompressed at once
 
-UNPACKED = "gzip, deflate"
-"""How an answer's body may be packed, as a request says it; it is packed once, or not at all."""
+COMPRESSIONS = "gzip, deflate"
+"""How an answer's body may be compressed, as a request says it: once, or not at all."""
 
 
 @dataclass(frozen=True)
@@ -87,12 +87,12 @@ def exchange(
         return Trouble(f"It cannot be reached ({e}).", again=again)
     except (httpx2.TransportError, zlib.error, _TooSlow) as error:
         if isinstance(error, _TooSlow | httpx2.TimeoutException) or time.monotonic() >= until:
-            told = f"It did not answer within {timeout:g} s."
-            return Trouble(told, again=True, charged=paid, late=True)
+            message = f"It did not answer within {timeout:g} s."
+            return Trouble(message, again=True, charged=paid, late=True)
         if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
             return Trouble(f"The request cannot be sent ({error}).", again=False)
-        told = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
-        return Trouble(told, again=True, charged=paid)
+        message = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
+        return Trouble(message, again=True, charged=paid)
     return reply if isinstance(reply, Trouble) else _judge(reply, paid, secrets)
 
 
@@ -115,7 +115,7 @@ def _read(
             return target
         if request.method not in ("GET", "HEAD") and response.status_code not in (307, 308):
             return Trouble(
-                f"It sends a {request.method} on with status {response.status_code}, which would "
+                f"It redirects a {request.method} with status {response.status_code}, which would "
                 "lose the question. Check the address.",
                 again=False,
             )
@@ -123,7 +123,7 @@ def _read(
             request.method, target, headers=request.headers, content=request.content,
             extensions=request.extensions,
         )  # fmt: skip
-    return Trouble(f"It sent on more than {MOST_REDIRECTS} times.", again=False)
+    return Trouble(f"It redirected more than {MOST_REDIRECTS} times.", again=False)
 
 
 def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
@@ -133,28 +133,28 @@ def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
         origin, where = _origin(target), f"{target.scheme}://{target.netloc.decode()}"
         bare = not target.userinfo
     except (httpx2.InvalidURL, ValueError):
-        return Trouble("It sends on to what is no address.", again=False)
+        return Trouble("It redirects to an invalid address.", again=False)
     if origin != _origin(url):
         return Trouble(
-            f"It sends on to another server, {where[:_EXCERPT]}, which was not followed: the key "
+            f"It redirects to another server, {where[:_EXCERPT]}, which was not followed: the key "
             "would go there. If that is right, name that address.",
             again=False,
         )
     if not bare:
-        return Trouble("It sends on to an address with a user name in it.", again=False)
+        return Trouble("It redirects to an address with a user name in it.", again=False)
     return target
 
 
 def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | Trouble:
     """Read an answer piece by piece, so that no more is held than may be."""
-    packed = response.headers.get("content-encoding", "").strip().lower()
-    if packed not in ("", "identity", "gzip", "x-gzip", "deflate"):
-        told = f"Its answer is packed by {packed[:40]!r}, which was not asked for."
-        return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
+    encoding = response.headers.get("content-encoding", "").strip().lower()
+    if encoding not in ("", "identity", "gzip", "x-gzip", "deflate"):
+        message = f"Its answer is compressed with {encoding[:40]!r}, which was not asked for."
+        return Trouble(message, again=False, charged=response.is_success, alive=True, unusable=True)
     pieces, size = [], 0
     length = response.headers.get("content-length", "")
     if not (length.isdecimal() and (len(length) > 18 or int(length) > most_bytes)):
-        for piece in _unpack(response.iter_raw(_PIECE), packed):
+        for piece in _decompress(response.iter_raw(_PIECE), encoding):
             size += len(piece)
             pieces.append(piece)
             if size > most_bytes:
@@ -165,54 +165,54 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
             kind = response.headers.get("content-type", "")
             wait = response.headers.get("retry-after")
             return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
-    told = f"Its answer has more than the {most_bytes} bytes that are read."
-    return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
+    message = f"Its answer has more than the {most_bytes} bytes that are read."
+    return Trouble(message, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
-def _unpack(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
-    """Yield a body's pieces, none of more than ``_PIECE`` bytes, as they were before packing."""
-    if packed in ("", "identity"):
+def _decompress(raw: Iterator[bytes], encoding: str) -> Iterator[bytes]:
+    """Yield a body's pieces decompressed, none of more than ``_PIECE`` bytes."""
+    if encoding in ("", "identity"):
         yield from raw
         return
-    unpacker = None
+    decompressor = None
     for piece in raw:
-        if unpacker is None:  # "deflate" is sent with and without a header
-            bare = packed == "deflate" and piece[:1] and piece[0] & 15 != 8
-            unpacker = zlib.decompressobj(-zlib.MAX_WBITS if bare else zlib.MAX_WBITS | 32)
-        while piece and not unpacker.eof:
-            yield unpacker.decompress(piece, _PIECE)
-            piece = unpacker.unconsumed_tail
-    if unpacker is not None:
-        yield unpacker.flush()
-        if not unpacker.eof:
-            raise zlib.error("the packed body ends too early")
+        if decompressor is None:  # "deflate" is sent with and without a header
+            bare = encoding == "deflate" and piece[:1] and piece[0] & 15 != 8
+            decompressor = zlib.decompressobj(-zlib.MAX_WBITS if bare else zlib.MAX_WBITS | 32)
+        while piece and not decompressor.eof:
+            yield decompressor.decompress(piece, _PIECE)
+            piece = decompressor.unconsumed_tail
+    if decompressor is not None:
+        yield decompressor.flush()
+        if not decompressor.eof:
+            raise zlib.error("the compressed body ends too early")
 
 
 def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
-    """Return the answer with its JSON, or why it is none."""
+    """Return the answer with its JSON, or what is wrong with it."""
     status, again = reply.status, reply.status in _AGAIN
     head = reply.body[:_EXCERPT].lstrip().lower()
     if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
-        told = (
+        message = (
             f"It answered with an HTML page (status {status}), not with JSON or a file: "
             f"{_excerpt(reply.body, secrets)}. Check the address; a proxy or a web "
             "site may answer there."
         )
         trouble = _trouble(reply, status, paid, secrets)
         alive = trouble.alive or not again
-        return replace(trouble, reason=told, alive=alive, unusable=not again)
+        return replace(trouble, reason=message, alive=alive, unusable=not again)
     payload = None
     if "json" in reply.content_type and reply.body:
         try:
             payload = parse_json(reply.body, "It", UnusableError)
         except UnusableError:
             if reply.good:
-                told = f"Its answer is not whole JSON: {_excerpt(reply.body, secrets)}."
-                return Trouble(told, again=True, charged=paid)
+                message = f"Its answer is not whole JSON: {_excerpt(reply.body, secrets)}."
+                return Trouble(message, again=True, charged=paid)
     passed_on = _code(payload) if reply.good else None
     if passed_on in _AGAIN:
-        told = f"It passed on an error of code {passed_on}: {_excerpt(reply.body, secrets)}."
-        return replace(_trouble(reply, passed_on, paid, secrets), reason=told)
+        message = f"It passed on an error of code {passed_on}: {_excerpt(reply.body, secrets)}."
+        return replace(_trouble(reply, passed_on, paid, secrets), reason=message)
     if again or status >= 500 or status < 200:
         spent = status == 429 and b"insufficient_quota" in reply.body
         trouble = _trouble(reply, status, paid, secrets)
@@ -221,7 +221,7 @@ def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troubl
 
 
 def _trouble(reply: Reply, status: int, paid: bool, secrets: tuple[str, ...]) -> Trouble:
-    """Return what an answer of a status that is none of use means."""
+    """Return what an answer of a status that is of no use means."""
     return Trouble(
         f"It answered with status {status}: {_excerpt(reply.body, secrets)}.",
         again=status in _AGAIN, charged=paid and status in _CHARGED, late=status in _LATE,

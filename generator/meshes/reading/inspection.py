@@ -87,7 +87,7 @@ def inspect_obj(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> N
     """Check that an OBJ file is text with faces, and not too many: of each face its triangles.
 
     Raises:
-        BackendError: it is none, or too large.
+        BackendError: it is not such a file, or is too large.
     """
     _check_size(raw, what, bounds.MOST_OBJ_BYTES)
     if b"\0" in raw[:4096]:

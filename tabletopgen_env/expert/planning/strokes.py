@@ -31,15 +31,15 @@ PAD = 0.01
 
 _THICK = 0.013  # half the closed fingers' thickness, metres
 _HALF_STRIP = 0.012  # half the breadth of what the fingers meet, metres
-_FINGERS = (0.03, 0.015)  # half their breadth and thickness, shafts and all, and some room
-_TIPS = (0.012, 0.0095)  # half the breadth and thickness of the pads alone
-_PALM = (0.11, 0.042)
-_TIGHT = ((0.0265, 0.0105), (0.102, 0.0315))  # without the room
+_FINGERS = (0.03, 0.015)  # half their breadth and thickness, shafts and all, and some room, metres
+_TIPS = (0.012, 0.0095)  # half the breadth and thickness of the pads alone, metres
+_PALM = (0.11, 0.042)  # half its breadth and thickness, and some room, metres
+_TIGHT = ((0.0265, 0.0105), (0.102, 0.0315))  # fingers and palm without the room, metres
 _PALM_Z = 0.044  # the palm above the fingertips, metres
-_PAD = 0.03  # how far up the fingers push, metres
+_PUSH_HEIGHT = 0.03  # how far up the fingers push, metres
 _CLOSE = 0.01  # metres behind the object where there is little room
-_LOWEST, _HIGHEST = 0.012, 0.07
-_CELL = 0.006
+_LOWEST, _HIGHEST = 0.012, 0.07  # of the tool above the table, metres
+_CELL = 0.006  # of height maps, metres
 _TURNS = np.deg2rad([0.0, 180.0, 30.0, -30.0, 150.0, -150.0, 60.0, -60.0, 120.0, -120.0, 90.0])
 _REACH = 0.62  # metres about the object that a stroke may touch
 
@@ -145,7 +145,7 @@ def _contact(
     lowest = float(np.clip(0.4 * (high - low), _LOWEST, 0.04))
     for height in floor + np.arange(lowest, _HIGHEST, 0.006):
         tip = height - TIP
-        met = (spans[:, 1] >= tip + 0.003) & (spans[:, 0] <= tip + _PAD)
+        met = (spans[:, 1] >= tip + 0.003) & (spans[:, 0] <= tip + _PUSH_HEIGHT)
         behind = _behind([parts[k] for k in np.flatnonzero(met)], com, ahead)
         if behind is None:
             continue

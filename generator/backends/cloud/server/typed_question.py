@@ -184,7 +184,7 @@ class Chat:
             return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
-        """Return the text of a chat completion (UnusableError: it is none, refused, or cut off)."""
+        """Return the text of a chat completion (UnusableError: none, refused, or cut off)."""
         try:
             choice = data["choices"][0]
             message = choice["message"]

@@ -1,8 +1,9 @@
-"""Which finds are things, and which overlapping finds are two things rather than one.
+"""Which detections are things, and which overlapping detections are two things rather than one.
 
-Suppressing every find that overlaps a surer one loses what lies in a bowl or before a box. A small
-network learns it instead, as in Hosang et al., "Learning non-maximum suppression", CVPR 2017, from
-what the looks left: certainties, names, sizes, the region below, and how the finds overlap.
+Suppressing every detection that overlaps a surer one loses what lies in a bowl or before a box. A
+small network learns it instead, as in Hosang et al., "Learning non-maximum suppression", CVPR 2017,
+from what the looks left: certainties, names, sizes, the region below, and how the detections
+overlap.
 """
 
 from __future__ import annotations
@@ -19,17 +20,17 @@ from ....geometry import mask_box
 from .network import REGIONS
 
 ALONE = 26 + len(REGIONS)
-"""Clues about one find."""
+"""Clues about one detection."""
 
 BOTH = 2 * ALONE + 7
-"""Clues about two finds that overlap."""
+"""Clues about two detections that overlap."""
 
 _HIDDEN = 48
 _MEMBERS = 3  # networks that are averaged
-_TOUCH = 0.1  # share of the smaller of two finds from which they are judged together
+_TOUCH = 0.1  # share of the smaller of two detections from which they are judged together
 _COARSE = 544  # most pixels of the longer side at which masks are compared
-_SURE = 0.3  # certainty from which another find counts as covered
-_APART = 0.35  # probability that two finds are two things, from which both stay
+_SURE = 0.3  # certainty from which another detection counts as covered
+_APART = 0.35  # probability that two detections are two things, from which both stay
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +50,7 @@ class EyeDetection:
 
 @dataclass(frozen=True, eq=False)
 class Clues:
-    """What is known of n finds, and of their m overlapping pairs (the larger one first)."""
+    """What is known of n detections, and of their m overlapping pairs (the larger one first)."""
 
     alone: Float[np.ndarray, "n a"]
     pairs: Int[np.ndarray, "m 2"]
@@ -92,9 +93,10 @@ class DetectionJudge(nn.Module):
 
     @torch.inference_mode()
     def choose(self, clues: Clues, minimum: float) -> list[tuple[int, float]]:
-        """Return the finds that are things with at least this probability, and it; surest first.
+        """Return which detections are things, with their probabilities; surest first.
 
-        A find goes if it is more likely than not the same as, or part of, a surer one.
+        They are things with a probability of at least ``minimum``. A detection goes if it is
+        more likely than not the same as, or part of, a surer one.
         """
         alone, both = (
             panel(torch.from_numpy(inputs)).mean(0).sigmoid().numpy()
@@ -111,7 +113,7 @@ class DetectionJudge(nn.Module):
 
 
 def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h w"]) -> Clues:
-    """Return what is known of the finds of one picture; ``region`` as in ``EyeReading``."""
+    """Return what is known of the detections of one picture; ``region`` as in ``EyeReading``."""
     if not detections:
         nothing = np.zeros((0, ALONE), np.float32), np.zeros((0, BOTH), np.float32)
         return Clues(nothing[0], np.zeros((0, 2), int), nothing[1])
@@ -137,11 +139,12 @@ def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h 
 
 @dataclass(frozen=True, eq=False)
 class _Shares:
-    """How n finds overlap each other; the diagonals are 0, so that none overlaps itself.
+    """How n detections overlap each other; the diagonals are 0, so that none overlaps itself.
 
     ``visible`` are the masks (pixels at which they are compared), ``area`` and ``reach`` the pixels
-    of the visible and the whole masks. ``within`` is the share of the row's find that the column's
-    covers, ``behind`` that of the column's find that the row's whole mask covers, ``overlap`` IoU.
+    of the visible and the whole masks. ``within`` is the share of the row's detection that the
+    column's covers, ``behind`` that of the column's detection that the row's whole mask covers,
+    ``overlap`` IoU.
     """
 
     visible: Float[np.ndarray, "n p"]
@@ -153,7 +156,7 @@ class _Shares:
 
     @classmethod
     def of(cls, detections: Sequence[EyeDetection], step: int) -> _Shares:
-        """Compare finds at every ``step``-th pixel."""
+        """Compare detections at every ``step``-th pixel."""
         visible, whole = (
             np.stack([mask[::step, ::step].ravel() for mask in masks]).astype(np.float32)
             for masks in ([f.visible for f in detections], [f.whole for f in detections])
@@ -166,7 +169,7 @@ class _Shares:
         return cls(visible, area, np.maximum(whole.sum(1), 1), within, behind, overlap)
 
     def pairs(self) -> Int[np.ndarray, "m 2"]:
-        """Return the finds that touch, the larger one first."""
+        """Return the detections that touch, the larger one first."""
         i, j = np.nonzero(np.triu(np.maximum(self.within, self.within.T) > _TOUCH, 1))
         swap = self.area[i] < self.area[j]
         return np.column_stack([np.where(swap, j, i), np.where(swap, i, j)])
@@ -193,7 +196,7 @@ def _shape(
 def _company(
     shares: _Shares, scores: Float[np.ndarray, "n"], names: Float[np.ndarray, "n k"]
 ) -> Float[np.ndarray, "n 16"]:
-    """Return how other finds overlap each one, how sure and well named those are, and how many."""
+    """Return how others overlap each detection, how sure and well named those are, and how many."""
     named, count = names[:, :-1].max(1), len(scores)
     larger = shares.area[None] > shares.area[:, None]
     within, covers = shares.within, shares.within.T

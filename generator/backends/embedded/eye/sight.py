@@ -20,7 +20,7 @@ from torch.nn import functional
 from ....geometry import mask_box
 from ....threads import single_thread
 from .closeups import closeup
-from .finds import FAINT, Detections, answers, ask, tensor
+from .detections import FAINT, Detections, answers, ask, tensor
 from .frames import Frame
 from .judge import EyeDetection, clues_of
 from .network import REGIONS, STRIDE, Eye, Maps
@@ -35,13 +35,13 @@ CLOSE = 192
 _ROOM = 1.6  # side of a closer look over the longer side of the thing's box
 _ASKED = 24  # cells of a closer look that are asked for what else it shows
 _CHOICES = 4  # cells of a closer look that are asked
-_HELD = 0.75  # share of a first find that a closer one must show
+_HELD = 0.75  # share of a first detection that a closer one must show
 _YIELD = 0.6  # of the first look's certainty, which the closer one must have
 _LEAST = 0.15  # certainty of a thing that is told at all
-_SAME = 0.6  # overlap (IoU) at which two finds are one
+_SAME = 0.6  # overlap (IoU) at which two detections are one
 _NEAR = 0.15  # certainty of what only shows from near
 _INSIDE = 0.3  # share of it that must lie within the thing looked at
-_MOST = 16  # such finds
+_MOST = 16  # such detections
 _NAMELESS = np.zeros(0)
 
 
@@ -89,7 +89,7 @@ def _apart(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h
 
 
 def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> EyeReading:
-    """Return every find of a picture as a thing, looked at from near, but not judged yet."""
+    """Return every detection of a picture as a thing, looked at from near, but not judged yet."""
     height, width = image.shape[:2]
     factor = float(np.clip(max(height, width), *SIDES)) / max(height, width)
     small = _resize(image, factor)
@@ -140,7 +140,7 @@ def _enlarge(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.ndar
 def _closer(
     eye: Eye, image: UInt8[np.ndarray, "h w 3"], detections: Detections, factor: float
 ) -> list[EyeDetection]:
-    """Look at all finds again from near, and at what else shows within them.
+    """Look at all detections again from near, and at what else shows within them.
 
     Where that shows nothing surer, the first look stands.
     """
@@ -162,14 +162,14 @@ def _closer(
         held = (drawn & (thing.amax(0) > 0.5)).sum((1, 2)) > _INSIDE * drawn.sum((1, 2))
         clues = zip(near.score.tolist(), near.masks, held.tolist(), strict=True)
         more += [(score, frame, masks) for score, masks, in_it in clues if in_it and score > _NEAR]
-    more.sort(key=lambda find: -find[0])
+    more.sort(key=lambda found: -found[0])
     return _new([f for f in seen if f.visible.any()], more, size)
 
 
 def _new(
     seen: list[EyeDetection], more: list[tuple[float, Frame, Tensor]], size: tuple[int, ...]
 ) -> list[EyeDetection]:
-    """Add what only shows from near: finds that are none of those ``seen``, each once."""
+    """Add what only shows from near: detections that are none of those ``seen``, each once."""
     taken = [(detection.visible, int(detection.visible.sum())) for detection in seen]
     new: list[EyeDetection] = []
     for score, frame, masks in more:
@@ -192,20 +192,20 @@ def _new(
 def spread(
     frame: Frame, masks: Tensor, size: tuple[int, ...]
 ) -> tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
-    """Return a find's masks (2, h, w), visible and whole, in a picture of ``size`` (h, w)."""
+    """Return a detection's masks (2, h, w), visible and whole, in a picture of ``size`` (h, w)."""
     fine = functional.interpolate(masks[None], size=(frame.side, frame.side), mode="bilinear")[0]
     visible, whole = frame.spread(fine.numpy(), size)
     return visible, visible | whole
 
 
 def _frame(masks: Tensor, factor: float) -> Frame:
-    """Return the frame around a find's masks (2, h, w), in cells of the first look."""
+    """Return the frame around a detection's masks (2, h, w), in cells of the first look."""
     low, high = mask_box((masks.amax(0) > 0.5).numpy()).reshape(2, 2) * STRIDE / factor
     return Frame.around(low, high, CLOSE, _ROOM, 32 / factor)
 
 
 def _choose(eye: Eye, maps: Maps, k: int, score: float, first: Tensor) -> tuple[float, Tensor]:
-    """Return look ``k``'s surest find that shows most of the first look's, or that one."""
+    """Return look ``k``'s surest detection that shows most of the first look's, or that one."""
     wanted = first[0] > 0.5
     heat, place = (maps.heat[k, 0].sigmoid() * wanted).flatten().topk(_CHOICES)
     place = place[heat > FAINT]

@@ -15,7 +15,7 @@ from .network import STRIDE, Eye, Maps
 FAINT = 0.1
 """Certainty below which a cell is not asked."""
 
-_KEPT = 72  # finds of a look, the surest
+_KEPT = 72  # detections of a look, the surest
 _MOST = 200  # cells asked, unless said otherwise
 _SAME = 0.6  # overlap (IoU) at which two masks of a look are one thing
 
@@ -40,7 +40,7 @@ def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
 def ask(
     eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, maximum: int = _MOST
 ) -> Detections:
-    """Ask the ``maximum`` cells of look ``owner`` surest to lie within things; one find a thing."""
+    """Ask the ``maximum`` cells of look ``owner`` surest to lie within things, one for each."""
     heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
@@ -72,7 +72,7 @@ def overlaps(masks: Tensor) -> Tensor:
 
 
 def apart(score: Tensor, clash: Tensor) -> list[int]:
-    """Return finds that do not clash (n, n) with a surer one, surest first."""
+    """Return detections that do not clash (n, n) with a surer one, surest first."""
     kept: list[int] = []
     for k in score.argsort(descending=True).tolist():
         if score[k] > 0 and not clash[k, kept].any():
