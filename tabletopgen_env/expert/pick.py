@@ -105,7 +105,7 @@ class Picker(Expert):
             "wait": self._wait, "approach": self._approach, "descend": self._descend,
             "close": self._close, "lift": self._lift, "hold": self._hold, "carry": self._carry,
             "lower": self._lower, "release": self._release, "retreat": self._retreat,
-            "stuck": self._stuck,
+            "stuck": self._recover,
         }  # fmt: skip
         return phases[self.phase](late)
 
@@ -243,7 +243,7 @@ class Picker(Expert):
         rise = self._placed[2] + _RISE - self._tool[2]
         return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, let_go_at(self._plan.grasp))
 
-    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
         if late:
             return self._retry(failed=False)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)

@@ -93,7 +93,7 @@ class Pusher(Expert):
         late = self._steps > self._patience * _PATIENCE[self.phase]
         phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
             "approach": self._approach, "descend": self._descend, "stroke": self._stroke,
-            "back": self._back, "retreat": self._retreat, "stuck": self._stuck,
+            "back": self._back, "retreat": self._retreat, "stuck": self._recover,
         }  # fmt: skip
         return phases[self.phase](late)
 
@@ -164,7 +164,7 @@ class Pusher(Expert):
         rise = self._plan.start[2] + 0.15 - self._tool[2]
         return self._act(up(max(rise, 0.0)), 0.0, 0.0)
 
-    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
         return self._begin() if late else self._act(np.zeros(3), 0.0, 0.0)
 
     # ---------------------------------------------------------------------------------- planning
