@@ -9,10 +9,11 @@ import numpy as np
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from .parsing.grammar import NounPhrase
+from ..scene import GroupKind
 from .relations import fits
+from .syntax.tree import Noun
 
-MAX_OBJECTS = 24
+MAX_OBJECTS = 40
 """More objects than this no table of the catalogue holds."""
 
 
@@ -28,6 +29,9 @@ class Draft:
     provisional: bool = False
     implied: bool = False
     stacked_under: Draft | None = None
+    position: str | None = None
+    contents: str = ""
+    told: bool = False
 
     def relate(self, kind: str, target: Draft | str) -> None:
         """Add a relation; it replaces one that was only assumed."""
@@ -41,18 +45,32 @@ class Draft:
 Group = list[Draft]
 
 
+@dataclass(frozen=True, eq=False)
+class Grouping:
+    """Things arranged as one: in a row, a circle (around something), a heap, ..."""
+
+    kind: GroupKind
+    members: tuple[Draft, ...]
+    around: Draft | None = None
+    order: str | None = None
+    seat: tuple[int, int] | None = None
+
+
 @dataclass(eq=False)
 class Reading:
     """What the text said, read so far."""
 
     objects: list[Draft] = field(default_factory=list)
-    table: list[NounPhrase] = field(default_factory=list)
-    table_parts: list[NounPhrase] = field(default_factory=list)
+    table: list[Noun] = field(default_factory=list)
+    table_parts: list[Noun] = field(default_factory=list)
     excluded: set[str] = field(default_factory=set)
+    banned: set[str] = field(default_factory=set)
+    groupings: list[Grouping] = field(default_factory=list)
+    people: int = 0  # for whom the table is laid with what its theme has; 0 where it is not said
     warnings: list[str] = field(default_factory=list)
     vague: bool = False
 
-    def number(self, noun: NounPhrase, rng: np.random.Generator) -> int:
+    def number(self, noun: Noun, rng: np.random.Generator) -> int:
         """Return how many objects a noun phrase asks for; vague amounts are drawn.
 
         Raises:
@@ -69,11 +87,11 @@ class Reading:
                     f"{MAX_OBJECTS} objects in all. Ask for fewer."
                 )
             return int(noun.count)
-        if noun.vague is None and not noun.plural:
+        if noun.amount is None and not noun.plural:
             return 1
         self.vague = True
-        low, high = noun.vague or (2, 3)
-        if noun.vague == (2, 3) and not noun.plural:  # "some bread"
+        low, high = noun.amount or (2, 3)
+        if noun.amount == (2, 3) and not noun.plural:  # "some bread"
             return 1
         return int(rng.integers(low, high + 1))
 
@@ -85,6 +103,7 @@ class Reading:
         *,
         lengths: tuple[float, ...] = (),
         implied: bool = False,
+        position: str | None = None,
     ) -> Draft:
         """Add one object.
 
@@ -97,19 +116,13 @@ class Reading:
                 "Ask for fewer."
             )
         kept = {k: v for k, v in attributes.items() if k != "stack"}
-        self.objects.append(Draft(noun, category, kept, lengths, implied=implied))
+        self.objects.append(
+            Draft(noun, category, kept, lengths, implied=implied, position=position)
+        )
         return self.objects[-1]
 
 
-def same(draft: Draft, noun: NounPhrase) -> bool:
-    """Tell whether a noun phrase may mean this object: same kind, no clashing attribute."""
-    alike = draft.category == noun.category and (noun.category or draft.noun == noun.noun)
-    return bool(alike) and all(
-        draft.attributes.get(k, v) == v for k, v in noun.attributes.items() if k != "state"
-    )
-
-
-def phrase_text(noun: NounPhrase) -> str:
+def phrase_text(noun: Noun) -> str:
     """Return a noun phrase about as the text had it."""
     amount = f"{noun.count:g} " if noun.count is not None else ""
     return amount + " ".join(noun.words)
@@ -133,6 +146,10 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
     )
 
 
+_CARRIERS = frozenset({"basket", "bowl", "box", "pot", "tray", "toolbox", "pencil_holder"})
+"""What is there to hold things: "a basket with pears" holds them."""
+
+
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
     if owner.category is None:
@@ -141,7 +158,8 @@ def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     if draft.category is None:
         return "next_to" if not held else "in" if outer.container else "on"
     inner = CATEGORIES[draft.category].size
-    if fits("in", inner, outer.size, outer.container) and (held or min(inner) < 0.06):
+    open_to = held or min(inner) < 0.06 or owner.category in _CARRIERS
+    if fits("in", inner, outer.size, outer.container) and open_to:
         return "in"
     if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(outer.size[:2])):
         return "on"

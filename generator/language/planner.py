@@ -10,23 +10,23 @@ import numpy as np
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from ..scene import PlannedObject, Relation, ScenePlan
+from ..scene import PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
 from .drafts import Draft, Reading
 from .filling import fill
 from .furniture import plan_table
 from .laying import place_settings, setting_of
 from .parsing import lexicon
-from .parsing.grammar import chunks
-from .parsing.statements import Reader
 from .parsing.vocabulary import (
     COLORS,
     DEFINITE,
     DRAWN,
     FILLERS,
     FOREIGN,
+    LEGS,
     MATERIALS,
     NUMBERS,
+    OUTLINES,
     PEOPLE,
     PLACES,
     STATES,
@@ -34,6 +34,13 @@ from .parsing.vocabulary import (
     VAGUE,
     VERBS,
 )
+from .semantics import contents
+from .semantics.interpreter import Interpreter
+from .sizing import grow_carriers
+from .spelling import correct
+from .syntax.clauses import Parser
+from .syntax.tokens import small_words, tokens_of
+from .syntax.words import words_of
 from .themes import DEFAULT_TABLES, THEMES
 
 MAX_CHARACTERS = 2000
@@ -71,24 +78,35 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     text, drawn = _split_style(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    reading = Reader(rng).read(chunks(words))
+    spelt, fixes = correct(
+        words_of(_undrawn(prompt)),
+        _ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary(),
+    )
+    parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
+    reading = Interpreter(rng).read(parser.sentences())
+    reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
     theme = _theme(words)
     _check_content(prompt, reading, theme)
-    objects = _plan_objects(reading)
+    objects, groups = _plan_objects(reading)
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
-    setting = setting_of(THEMES[name], objects) if name and people > 1 else None
+    people = reading.people or people
+    laid = (name or "dining") if reading.people else name
+    setting = setting_of(THEMES[laid], objects) if laid and people > 1 else None
+    if setting is None and reading.people:
+        setting = setting_of(THEMES["dining"], objects)
     if setting:
-        objects = [*objects, *place_settings(people, setting, objects, reading.excluded)]
+        more, seated = place_settings(people, setting, objects, reading.excluded)
+        objects, groups = [*objects, *more], [*groups, *seated]
     elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
         most = min(7, len(objects) + 3) if objects else 7
         fewest = most if objects else max(THEMES[name].core, most - 2)
         objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
-    objects, doubts = relations.check_relations(objects)
+    objects, doubts = relations.check_relations(grow_carriers(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
     warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown_nouns(objects), *doubts]))
-    return ScenePlan(prompt, table, tuple(objects), style, warnings)
+    return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))
 
 
 # ------------------------------------------------------------------------------------- checks
@@ -121,7 +139,7 @@ def _check_text(prompt: str) -> None:
 
 def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
     known = any(draft.category for draft in reading.objects)
-    if known or reading.table or theme:
+    if known or reading.table or theme or reading.people:
         return
     words = ", ".join(repr(draft.noun) for draft in reading.objects[:4])
     found = f" (of {words} none is known)" if words else ""
@@ -161,6 +179,16 @@ def _split_style(text: str) -> tuple[str, str | None]:
     return text, None
 
 
+def _undrawn(prompt: str) -> str:
+    """Return a prompt with blanks for "cartoon style" and the like."""
+    for phrase in DRAWN:
+        pattern = rf"(?i)\b{phrase.replace(' ', '[ -]')}\b(?:[ -]styled?\b)?"
+        found = re.search(pattern, prompt)
+        if found:
+            return prompt[: found.start()] + " " * len(found.group()) + prompt[found.end() :]
+    return prompt
+
+
 def _theme(words: Sequence[str]) -> str | None:
     """Return the theme whose longest phrase occurs in the text."""
     text = f" {' '.join(words)} "
@@ -184,9 +212,9 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
 # ------------------------------------------------------------------------------------- objects
 
 
-def _plan_objects(reading: Reading) -> list[PlannedObject]:
-    """Name the drafted objects and turn references into names."""
-    drafts = [d for d in reading.objects if not d.category or d.category not in reading.excluded]
+def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGroup]]:
+    """Name the drafted objects and turn references into names; return them and their groups."""
+    drafts = [d for d in reading.objects if not d.category or d.category not in reading.banned]
     taken: Counter[str] = Counter()
     names: dict[int, str] = {}
     for draft in drafts:
@@ -194,9 +222,9 @@ def _plan_objects(reading: Reading) -> list[PlannedObject]:
         stem = "object" if stem == "table" else stem
         taken[stem] += 1
         names[id(draft)] = f"{stem}_{taken[stem]}"
-    return [
+    objects = [
         PlannedObject(
-            names[id(d)], d.noun, d.category or "generic", dict(d.attributes),
+            names[id(d)], contents.full_name(d), d.category or "generic", dict(d.attributes),
             tuple(
                 Relation(relations.kind(kind), names[id(to)] if isinstance(to, Draft) else to)
                 for kind, to in d.relations
@@ -206,6 +234,14 @@ def _plan_objects(reading: Reading) -> list[PlannedObject]:
         )
         for d in drafts
     ]  # fmt: skip
+    groups = [
+        PlannedGroup(
+            g.kind, tuple(names[id(d)] for d in g.members if id(d) in names),
+            names.get(id(g.around)) if g.around else None, g.seat,
+        )
+        for g in reading.groupings
+    ]  # fmt: skip
+    return objects, [group for group in groups if len(group.members) + bool(group.around) > 1]
 
 
 GENERIC_SIZE = (0.1, 0.08, 0.09)

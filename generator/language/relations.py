@@ -46,8 +46,9 @@ def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObjec
         kept = []
         for relation in planned.relations:
             better = _plausible(planned, relation, by_name)
-            if better != relation and relation.kind in _SUPPORTED:
-                target = by_name[relation.target]
+            target = by_name.get(relation.target)
+            placed = target is not None and "places" in target.attributes
+            if better != relation and relation.kind in _SUPPORTED and target and not placed:
                 warnings.append(
                     f"A {planned.noun} does not fit {relation.kind} a {target.noun}; it stands "
                     f"{better.kind.replace('_', ' ')} it."
@@ -110,6 +111,17 @@ def size_of(planned: PlannedObject) -> tuple[float, float, float]:
     return CATEGORIES[planned.category].size
 
 
+_FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "laptop": 0.9}
+"""What share of its width and depth a thing with a foot stands on."""
+
+
+def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
+    """Return the extent of what a thing stands on, and its height, metres."""
+    x, y, z = size_of(planned)
+    share = _FOOT.get(planned.category, 1.0)
+    return x * share, y * share, z
+
+
 def _plausible(
     planned: PlannedObject, relation: Relation, by_name: dict[str, PlannedObject]
 ) -> Relation:
@@ -121,7 +133,7 @@ def _plausible(
         relation = Relation("on" if relation.kind == "center" else "next_to", target.name)
     if relation.kind not in _SUPPORTED:
         return relation
-    inner, outer = size_of(planned), size_of(target)
+    inner, outer = standing_size(planned), size_of(target)
     container = target.category != "generic" and CATEGORIES[target.category].container
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation

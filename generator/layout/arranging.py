@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import numpy as np
 from jaxtyping import Float
 
+from ..catalogue import CATEGORIES
 from ..errors import SceneError
-from ..geometry import rotation_z
 from ..scene import TABLE, Model, Placement, PlannedObject, Relation, ScenePlan
 from . import stacking
 from .facing import natural_yaw
+from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
 from .furnishing import outline_of
 from .scoring import Neighbour, Request, proposals, score, violation
+from .seats import seat_center
+from .units import Unit, units_of
 
 MARGIN = 0.02
 """Least distance from a footprint to the table's edge, metres."""
@@ -39,6 +42,7 @@ class _State:
 
     places: dict[str, Placement] = field(default_factory=dict)
     neighbours: dict[str, Neighbour] = field(default_factory=dict)
+    fields: dict[str, HeightField] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
     cost: float = 0.0
 
@@ -158,13 +162,24 @@ def _place_all(
     """Place everything not yet placed; return the name of the first that finds no place."""
     supports = {o.name: support_of(o) for o in plan.objects}
     missing = [o for o in plan.objects if o.name not in state.places]
-    standing = _order([o for o in missing if supports[o.name] is None], models, rng)
+    standing = [o for o in missing if supports[o.name] is None]
     above = [o for o in missing if supports[o.name] is not None]
     shapes = {name: there.shape for name, there in state.neighbours.items()}
     facing = {o.name: natural_yaw(o, models[o.name], plan, rng) for o in missing} | {**yaws}
     shapes |= {o.name: footprint(models[o.name], facing[o.name]) for o in missing}
-    for planned in standing:
-        if not _stand(planned, models, table, outline, rng, state, shapes, above):
+    on_table = {o.name: o for o in standing}
+    carrying = {name: _cover(name, shapes, above) for name in on_table}
+    sized = replace(plan.table, size=(*map(float, table.size),))
+    units = {u.planned.name: u for u in units_of(plan.groups, on_table, carrying, sized, rng)}
+    inside = {name for unit in units.values() for name in unit.offsets}
+    alone = [o for o in standing if o.name not in inside]
+    wholes = [unit.planned for unit in units.values()]
+    for planned in _order([*alone, *wholes], models, rng, units):
+        unit = units.get(planned.name)
+        if unit is not None:
+            if not _stand_unit(unit, models, table, outline, rng, state, shapes, carrying):
+                return planned.name
+        elif not _stand(planned, models, table, outline, rng, state, shapes, above):
             return planned.name
     while above:
         ready = [o for o in above if supports[o.name] in state.places]
@@ -219,15 +234,24 @@ def _beside(planned: PlannedObject, support: str) -> PlannedObject:
 
 
 def _order(
-    objects: list[PlannedObject], models: Mapping[str, Model], rng: np.random.Generator
+    objects: list[PlannedObject],
+    models: Mapping[str, Model],
+    rng: np.random.Generator,
+    units: Mapping[str, Unit],
 ) -> list[PlannedObject]:
-    """Order objects so that those others refer to come first, larger ones before smaller."""
+    """Order objects so that those others refer to come first, larger ones before smaller.
+
+    What is laid for a seat comes before all else: it has no other place.
+    """
     size = {o.name: float(models[o.name].size[:2].max()) * rng.uniform(0.7, 1.3) for o in objects}
+    for name, unit in units.items():
+        size[name] = 10.0 if unit.seat is not None else 2 * float(unit.shape.half.max())
     waiting = sorted(objects, key=lambda o: -size[o.name])
-    names = {o.name for o in objects}
+    names = {o.name for o in objects} | {name for u in units.values() for name in u.offsets}
     done: list[PlannedObject] = []
     while waiting:
         placed = {o.name for o in done}
+        placed |= {name for o in done if o.name in units for name in units[o.name].offsets}
         ready = [
             o
             for o in waiting
@@ -242,6 +266,49 @@ def _order(
 # ----------------------------------------------------------------------------- on the table
 
 
+def _cover(
+    name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
+) -> Footprint:
+    """Return the footprint of an object with what stands on it."""
+    own = shapes[name]
+    for other in above:
+        if support_of(other) == name:
+            own = own.covering(shapes[other.name])
+    return own
+
+
+def _stand_unit(
+    unit: Unit,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: _State,
+    shapes: dict[str, Footprint],
+    carrying: Mapping[str, Footprint],
+) -> bool:
+    """Find a place for things arranged as one; tell whether there was one."""
+    if unit.seat is not None:
+        center = seat_center(unit.seat, unit.shape, outline)
+        for other in state.neighbours.values():
+            if float(gaps(unit.shape, center[None], other.shape, other.center)[0]) < GAP / 2:
+                return False
+    else:
+        found = _best_place(unit.planned, unit.shape, outline, rng, state)
+        if found is None:
+            return False
+        center = found
+    for name, offset in unit.offsets.items():
+        model, yaw = models[name], shapes[name].yaw + unit.turns[name]
+        shapes[name] = footprint(model, yaw)
+        place = center + offset
+        turned = shapes[name] if carrying[name] is shapes[name] else carrying[name]
+        state.neighbours[name] = Neighbour(turned, place)
+        height = float(table.size[2] + model.size[2] / 2)
+        state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
+    return True
+
+
 def _stand(
     planned: PlannedObject,
     models: Mapping[str, Model],
@@ -254,10 +321,26 @@ def _stand(
 ) -> bool:
     """Find the best free place on the tabletop; tell whether there was one."""
     model, shape = models[planned.name], shapes[planned.name]
-    own = shape
-    for other in above:
-        if support_of(other) == planned.name:
-            own = own.covering(shapes[other.name])
+    own = _cover(planned.name, shapes, above)
+    center = _best_place(planned, own, outline, rng, state)
+    if center is None:
+        return False
+    state.neighbours[planned.name] = Neighbour(own, center)
+    height = float(table.size[2] + model.size[2] / 2)
+    state.places[planned.name] = Placement(
+        planned.name, shape.yaw, np.array([*center, height]), model.size
+    )
+    return True
+
+
+def _best_place(
+    planned: PlannedObject,
+    own: Footprint,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: _State,
+) -> Float[np.ndarray, "2"] | None:
+    """Return the best free place on the tabletop, None where there is none; its cost is added."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
     request = Request(planned.relations, own, near, outline)
@@ -268,17 +351,12 @@ def _stand(
         room = np.minimum(room, gaps(own, centers, other.shape, other.center))
     free &= room >= GAP
     if not free.any():
-        return False
+        return None
     costs = score(request, centers[free], room[free], list(state.neighbours.values()))
     pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
     center = centers[free][pick]
     state.cost += float(costs[pick])
-    state.neighbours[planned.name] = Neighbour(own, center)
-    height = float(table.size[2] + model.size[2] / 2)
-    state.places[planned.name] = Placement(
-        planned.name, shape.yaw, np.array([*center, height]), model.size
-    )
-    return True
+    return center
 
 
 # ----------------------------------------------------------------------- on and in other things
@@ -298,7 +376,6 @@ def _put(
     inside = any(r.kind == "in" and r.target == support for r in planned.relations)
     sharing = [o.name for o in plan.objects if support_of(o) == support]
     alone = len(sharing) == 1
-    share = (sharing.index(planned.name), len(sharing))
     siblings = [p for p in state.places.values() if p.on == support]
     below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
@@ -306,50 +383,78 @@ def _put(
     if not inside:  # what lies on another thing lies nearly in line with it
         shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
     shape = shapes[planned.name]
-    best: tuple[float, Placement] | None = None
-    for offset in _offsets(models[support], model, base.yaw, share, rng):
-        center = base.translation[:2] + offset
-        start = np.array([*center, top + model.size[2]])
-        placement = stacking.lower(
-            model, Placement(planned.name, shape.yaw, start, model.size, support, inside), below
-        )
-        bottom = placement.translation[2] - model.size[2] / 2
-        crowd = min(
-            (float(gaps(shape, center[None], shapes[p.name], p.translation[:2])[0])
-             for p in siblings),
-            default=0.0,
-        )  # fmt: skip
-        cost = (
-            bottom + max(0.0, 0.003 - crowd) * 4 + (0.2 * float(np.hypot(*offset)) if alone else 0)
-        )
-        if best is None or cost < best[0]:
-            best = cost, placement
-    if best is None or (inside and not sunk(best[1], top, heaped=bool(siblings))):
-        return False
-    state.places[planned.name] = best[1]
-    state.neighbours[planned.name] = Neighbour(shape, best[1].translation[:2])
-    return True
+    ground = state.fields.get(support) or field_of(models[support], base)
+    for turn in _TURNS if inside and _is_long(model) else (0.0,):
+        yaw = shape.yaw + turn
+        height, empty = ground.resting(model, yaw)
+        cost = _resting_cost(planned, support, ground, height, empty, alone, base, shapes, state)
+        for cell in _best_cells(cost):
+            start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
+            placement = stacking.lower(
+                model, Placement(planned.name, yaw, start, model.size, support, inside), below
+            )
+            if not inside or sunk(placement, top, heaped=bool(siblings)):
+                shapes[planned.name] = footprint(model, yaw)
+                state.places[planned.name] = placement
+                state.neighbours[planned.name] = Neighbour(
+                    shapes[planned.name], placement.translation[:2]
+                )
+                state.fields[support] = ground.with_thing(model, placement)
+                return True
+    return False
+
+
+_TURNS = (0.0, np.pi / 3, -np.pi / 3, np.pi / 2)
+"""How else a thing may lie in a vessel, radians."""
+
+
+def _is_long(model: Model) -> bool:
+    return float(model.size[:2].max()) > 1.8 * float(model.size[:2].min())
+
+
+_OVERHANG = 0.35
+"""Share of a thing's underside that may be beyond what it stands on."""
+
+
+def _resting_cost(
+    planned: PlannedObject,
+    support: str,
+    ground: HeightField,
+    height: Float[np.ndarray, "nx ny"],
+    empty: Float[np.ndarray, "nx ny"],
+    alone: bool,
+    base: Placement,
+    shapes: Mapping[str, Footprint],
+    state: _State,
+) -> Float[np.ndarray, "nx ny"]:
+    """Return how bad each place on or in a support is; inf where nothing can stand.
+
+    Low is good, and so are room to the others and, alone, the middle.
+    """
+    nx, ny = height.shape
+    grid = np.stack(np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"), -1)
+    centers = (ground.origin + ground.step * grid).reshape(-1, 2)
+    cost = np.where(np.isneginf(height) | np.isneginf(ground.top), np.inf, height).ravel()
+    rolls = planned.category in CATEGORIES and "round" in CATEGORIES[planned.category].roles
+    cost = cost + 0.2 * np.clip(empty.ravel() - (0.08 if rolls else _OVERHANG), 0, None)
+    away = np.hypot(*(centers - base.translation[:2]).T)
+    cost += (0.2 if alone else 0.01) * away
+    shape = shapes[planned.name]
+    for place in state.places.values():
+        if place.on == support:
+            room = gaps(shape, centers, shapes[place.name], place.translation[:2])
+            cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
+    return cost.reshape(nx, ny)
+
+
+def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:
+    """Return a few of the cheapest cells, the best first."""
+    order = np.argsort(cost, axis=None, kind="stable")[:400:100]
+    cells = [divmod(int(k), cost.shape[1]) for k in order]
+    return [cell for cell in cells if np.isfinite(cost[cell])]
 
 
 def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
     """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
     return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
-
-
-def _offsets(
-    support: Model, model: Model, yaw: float, share: tuple[int, int], rng: np.random.Generator
-) -> list[Float[np.ndarray, "2"]]:
-    """Return where on its support a thing may stand, relative to the support's centre, metres.
-
-    ``share`` is its number and how many things the support carries: they go round its middle.
-    """
-    spare = np.maximum((support.size[:2] - model.size[:2]) / 2, 0.0)
-    number, count = share
-    if count == 1:
-        return [np.zeros(2), rotation_z(yaw)[:2, :2] @ (0.25 * spare * rng.uniform(-1, 1, 2))]
-    start = 0.4 if count == 2 else np.pi / 2
-    angles = start + 2 * np.pi * (number / count + np.linspace(0, 1, 8, endpoint=False))
-    circle = np.column_stack([np.cos(angles), np.sin(angles)])
-    centers = [reach * spare * way for reach in (0.9, 0.6) for way in circle]
-    return [rotation_z(yaw)[:2, :2] @ c for c in [*centers, np.zeros(2)]]

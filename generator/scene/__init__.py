@@ -19,7 +19,17 @@ texture row 0 is v = 1.
 from .arrays import frozen_array
 from .model import ConvexPart, Mesh, Model, PartKind, Physics, SizePrior
 from .picture import USUAL_VIEW, Detection, Instance, Intrinsics, Reference, TopView, View
-from .plan import TABLE, OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind, ScenePlan
+from .plan import (
+    TABLE,
+    GroupKind,
+    OutlineKind,
+    PlannedGroup,
+    PlannedObject,
+    PlannedTable,
+    Relation,
+    RelationKind,
+    ScenePlan,
+)
 from .result import (
     Edit,
     EditKind,
@@ -43,6 +53,7 @@ __all__ = [
     "Detection",
     "Edit",
     "EditKind",
+    "GroupKind",
     "Instance",
     "Intrinsics",
     "LayoutBox",
@@ -53,6 +64,7 @@ __all__ = [
     "PartKind",
     "Physics",
     "Placement",
+    "PlannedGroup",
     "PlannedObject",
     "PlannedTable",
     "Pose",

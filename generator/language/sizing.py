@@ -1,0 +1,84 @@
+"""Vessels and carriers grown to hold what the text puts in or on them.
+
+A fruit bowl is larger than a cereal bowl, a tray for a tea service larger than one for two cups:
+what carries something is as large as it has to be, within what such things can be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..catalogue import CATEGORIES
+from ..scene import TABLE, PlannedObject
+from . import relations
+
+Extent = tuple[float, float, float]
+
+_GROWTH: Mapping[str, float] = {
+    "bowl": 1.75, "basket": 1.6, "box": 1.8, "tray": 1.9, "plate": 1.35, "pot": 1.5, "pan": 1.3,
+    "cutting_board": 1.6, "book": 1.35, "toolbox": 1.4, "cake_stand": 1.4, "generic": 1.6,
+}  # fmt: skip
+"""How much larger than usual a carrier may be."""
+
+_OTHERS = 1.25
+_PLACES = ("egg_carton",)
+"""What has a place for each thing in it, and is empty where the text fills it."""
+
+_FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
+_LAYERS = 1.6
+_COVERED = 0.7  # share of a tray that things may cover
+
+
+def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, those that carry too much for their usual size grown."""
+    held: dict[str, list[tuple[str, PlannedObject]]] = {}
+    for planned in objects:
+        for relation in planned.relations:
+            if relation.kind in ("on", "in") and relation.target != TABLE:
+                held.setdefault(relation.target, []).append((relation.kind, planned))
+    out = []
+    for planned in objects:
+        if planned.category in _PLACES and held.get(planned.name):
+            places = {"state": "empty", "places": str(len(held[planned.name]))}
+            planned = replace(planned, attributes={**planned.attributes, **places})
+        factor = _factor(planned, held.get(planned.name, ()))
+        if factor > 1.0 and planned.size is None:
+            usual = relations.size_of(planned)
+            planned = replace(planned, size=tuple(factor * side for side in usual))
+        out.append(planned)
+    return out
+
+
+def _factor(planned: PlannedObject, held: Sequence[tuple[str, PlannedObject]]) -> float:
+    """Return how much larger than usual a thing has to be, at most what it can be."""
+    if not held:
+        return 1.0
+    usual = relations.size_of(planned)
+    container = planned.category in CATEGORIES and CATEGORIES[planned.category].container
+    most = _GROWTH.get(planned.category, _OTHERS)
+    sizes = [relations.standing_size(thing) for _, thing in held]
+    area = sum(float(size[0] * size[1]) for size in sizes)
+    deep = usual[2] > 0.3 * min(usual[:2])
+    inside = container and deep and any(kind == "in" for kind, _ in held)
+    room = usual[0] * usual[1] * (_FILLED * _LAYERS if inside else _COVERED)
+    needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
+    for factor in np.linspace(1.0, most, 16):
+        extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)
+        fit = all(
+            relations.fits("in" if inside else "on", size, extent, container) for size in sizes
+        )
+        if factor >= needed and fit:
+            return float(factor)
+    fitting = [
+        factor
+        for factor in np.linspace(1.0, most, 16)
+        if any(
+            relations.fits("in" if inside else "on", size, tuple(factor * s for s in usual),
+                           container)
+            for size in sizes
+        )
+    ]  # fmt: skip
+    return float(most if fitting else 1.0)
