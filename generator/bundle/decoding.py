@@ -52,6 +52,7 @@ class _Model:
     parts: tuple[ConvexPart, ...]
     category: str
     container: bool
+    stand_in: bool = False
 
 
 @dataclass(frozen=True)

@@ -105,6 +105,7 @@ def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
         "parts": [_encode_part(p, _UNIT) for p in model.parts],
         "category": one_line(model.category),
         "container": bool(model.container),
+        **({"stand_in": True} if model.stand_in else {}),
     }
 
 

@@ -1,6 +1,7 @@
 """Words beyond the catalogue: what kind of thing a noun names, and which words are English.
 
-The tables are made of WordNet by ``research.language.families``; its licence is in NOTICE.
+The tables of nouns and words are made of WordNet by ``research.language.families``; its licence is
+in NOTICE. ``substituted.txt`` lists aliases and synonyms that are not the same thing.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
 
-from .parsing.lexicon import singular
+from .parsing.lexicon import category_of, singular
 
 _TABLES = files("generator.language") / "words"
 
@@ -61,6 +62,19 @@ def entry_of(words: tuple[str, ...]) -> NounEntry | None:
             if found is not None:
                 return found
     return None
+
+
+@cache
+def _substituted() -> frozenset[str]:
+    return frozenset((_TABLES / "substituted.txt").read_text().splitlines())
+
+
+def is_substituted(noun: str) -> bool:
+    """Tell whether a noun is shown as a category that is not the same thing."""
+    words = tuple(noun.split(" of ")[0].split())
+    tails = (words[k:] for k in range(len(words)))
+    known = next((tail for tail in tails if category_of(tail) is not None), None)
+    return known is None or " ".join(known) in _substituted()
 
 
 def is_english(word: str) -> bool:

@@ -25,6 +25,7 @@ class Draft:
     category: str | None
     attributes: dict[str, str]
     lengths: tuple[float, ...] = ()
+    family: str = ""
     relations: list[tuple[str, Draft | str]] = field(default_factory=list)
     provisional: bool = False
     implied: bool = False
@@ -68,6 +69,7 @@ class Reading:
     groupings: list[Grouping] = field(default_factory=list)
     people: int = 0  # for whom the table is laid with what its theme has; 0 where it is not said
     warnings: list[str] = field(default_factory=list)
+    lost: list[str] = field(default_factory=list)  # what was not understood
     vague: bool = False
 
     def number(self, noun: Noun, rng: np.random.Generator) -> int:
@@ -102,6 +104,7 @@ class Reading:
         attributes: dict[str, str],
         *,
         lengths: tuple[float, ...] = (),
+        family: str = "",
         implied: bool = False,
         position: str | None = None,
     ) -> Draft:
@@ -117,7 +120,7 @@ class Reading:
             )
         kept = {k: v for k, v in attributes.items() if k != "stack"}
         self.objects.append(
-            Draft(noun, category, kept, lengths, implied=implied, position=position)
+            Draft(noun, category, kept, lengths, family, implied=implied, position=position)
         )
         return self.objects[-1]
 

@@ -27,7 +27,9 @@ SETTINGS: Mapping[str, PlaceSetting] = MappingProxyType(
             (("plate", None), ("fork", "left_of"), ("knife", "right_of"), ("glass", "behind")),
             "candle",
         ),
-        "teacup": PlaceSetting((("saucer", None), ("teacup", "on"), ("spoon", "right_of")), "teapot"),
+        "teacup": PlaceSetting(
+            (("saucer", None), ("teacup", "on"), ("spoon", "right_of")), "teapot"
+        ),
     }
 )
 """How tables are laid, by the thing of a theme that says so."""

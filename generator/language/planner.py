@@ -9,9 +9,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..catalogue import CATEGORIES
+from ..catalogue.stand_ins import GENERIC, stand_in_size
 from ..errors import InputError
 from ..scene import PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
+from .dictionary import is_substituted
 from .drafts import Draft, Reading
 from .filling import fill
 from .furniture import plan_table
@@ -39,7 +41,7 @@ from .semantics.interpreter import Interpreter
 from .sizing import grow_carriers
 from .spelling import correct
 from .syntax.clauses import Parser
-from .syntax.tokens import small_words, tokens_of
+from .syntax.tokens import list_skipped, small_words, tokens_of
 from .syntax.words import words_of
 from .themes import DEFAULT_TABLES, THEMES
 
@@ -85,6 +87,8 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
     reading = Interpreter(rng).read(parser.sentences())
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
+    reading.lost += list_skipped(parser.skipped)
+    reading.warnings += [f"Not understood: {phrase!r}." for phrase in dict.fromkeys(reading.lost)]
     theme = _theme(words)
     _check_content(prompt, reading, theme)
     objects, groups = _plan_objects(reading)
@@ -105,7 +109,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.check_relations(grow_carriers(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
-    warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown_nouns(objects), *doubts]))
+    warnings = tuple(dict.fromkeys([*reading.warnings, *_changed_nouns(objects), *doubts]))
     return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))
 
 
@@ -138,7 +142,7 @@ def _check_text(prompt: str) -> None:
 
 
 def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
-    known = any(draft.category for draft in reading.objects)
+    known = any(draft.category or draft.family for draft in reading.objects)
     if known or reading.table or theme or reading.people:
         return
     words = ", ".join(repr(draft.noun) for draft in reading.objects[:4])
@@ -159,12 +163,16 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
         )
 
 
-def _unknown_nouns(objects: Sequence[PlannedObject]) -> list[str]:
-    nouns = dict.fromkeys(o.noun for o in objects if o.category == "generic")
+def _changed_nouns(objects: Sequence[PlannedObject]) -> list[str]:
+    """Return a warning for each noun that something else stands for."""
+    unknown = dict.fromkeys(o.noun for o in objects if o.category == GENERIC)
+    shown = dict.fromkeys((o.noun, o.category) for o in objects if o.category != GENERIC)
     return [
-        f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
-        for noun in nouns
-    ]
+        *(f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
+          for noun in unknown),
+        *(f"The catalogue has no {noun!r}; it is shown as {key.replace('_', ' ')!r}."
+          for noun, key in shown if is_substituted(noun)),
+    ]  # fmt: skip
 
 
 # -------------------------------------------------------------------------------------- themes
@@ -224,13 +232,13 @@ def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGr
         names[id(draft)] = f"{stem}_{taken[stem]}"
     objects = [
         PlannedObject(
-            names[id(d)], contents.full_name(d), d.category or "generic", dict(d.attributes),
+            names[id(d)], contents.full_name(d), d.category or GENERIC, dict(d.attributes),
             tuple(
                 Relation(relations.kind(kind), names[id(to)] if isinstance(to, Draft) else to)
                 for kind, to in d.relations
                 if isinstance(to, str) or id(to) in names
             ),
-            _size(d),
+            _size(d), "" if d.category else d.family,
         )
         for d in drafts
     ]  # fmt: skip
@@ -244,20 +252,10 @@ def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGr
     return objects, [group for group in groups if len(group.members) + bool(group.around) > 1]
 
 
-GENERIC_SIZE = (0.1, 0.08, 0.09)
-"""Extent in metres of an object nothing is known about."""
-
-_SIZE_FACTORS = {"tiny": 0.45, "small": 0.7, "large": 1.5, "huge": 2.0}
-
-
 def _size(draft: Draft) -> tuple[float, float, float] | None:
-    """Return the extent a text fixes: a length in it, or the guess for an unknown thing."""
-    known = CATEGORIES[draft.category].size if draft.category else GENERIC_SIZE
-    if draft.lengths:
-        longest = float(np.clip(draft.lengths[0], 0.01, 0.6))
-        factor = longest / max(known)
-    elif draft.category:
-        return None
-    else:
-        factor = _SIZE_FACTORS.get(draft.attributes.get("size", ""), 1.0)
+    """Return the extent that a length in the text fixes, or what an unknown thing's kind has."""
+    if not draft.lengths:
+        return None if draft.category else stand_in_size(draft.family, draft.attributes)
+    known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)
+    factor = float(np.clip(draft.lengths[0], 0.01, 0.6)) / max(known)
     return float(known[0] * factor), float(known[1] * factor), float(known[2] * factor)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import cast, get_args
 
 from ..catalogue import CATEGORIES
+from ..catalogue.stand_ins import FAMILIES, GENERIC, stand_in_size
 from ..errors import InputError
 from ..scene import TABLE, PlannedObject, Relation, RelationKind
 
@@ -108,7 +109,16 @@ def size_of(planned: PlannedObject) -> tuple[float, float, float]:
     """Return the extent in metres expected of a planned object."""
     if planned.size is not None:
         return planned.size
+    if planned.category == GENERIC:
+        return stand_in_size(planned.family, planned.attributes)
     return CATEGORIES[planned.category].size
+
+
+def is_container(planned: PlannedObject) -> bool:
+    """Tell whether things can be put into a planned object."""
+    if planned.category == GENERIC:
+        return planned.family in FAMILIES and FAMILIES[planned.family].container
+    return CATEGORIES[planned.category].container
 
 
 _FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "laptop": 0.9}
@@ -134,7 +144,7 @@ def _plausible(
     if relation.kind not in _SUPPORTED:
         return relation
     inner, outer = standing_size(planned), size_of(target)
-    container = target.category != "generic" and CATEGORIES[target.category].container
+    container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation
     if fits("on", inner, outer, container) and not (relation.kind == "in" and container):

@@ -11,7 +11,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
 from ..scene import TABLE, PlannedObject
 from . import relations
 
@@ -57,7 +56,7 @@ def _factor(planned: PlannedObject, held: Sequence[tuple[str, PlannedObject]]) -
     if not held:
         return 1.0
     usual = relations.size_of(planned)
-    container = planned.category in CATEGORIES and CATEGORIES[planned.category].container
+    container = relations.is_container(planned)
     most = _GROWTH.get(planned.category, _OTHERS)
     sizes = [relations.standing_size(thing) for _, thing in held]
     area = sum(float(size[0] * size[1]) for size in sizes)

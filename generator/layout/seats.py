@@ -48,8 +48,9 @@ def seats(count: int, outline: str, size: tuple[float, float]) -> list[Seat]:
     sides += [(_RIGHT, ends > 0), (_LEFT, ends > 1)]
     found = []
     for side, number in sides:
-        for k in range(int(number)):
-            found.append(Seat(_TURNS[side], side, (2 * k + 1) / number - 1))
+        found += [
+            Seat(_TURNS[side], side, (2 * k + 1) / number - 1) for k in range(int(number))
+        ]
     return found
 
 

@@ -236,8 +236,7 @@ def _setting(
         else:
             target = next(iter(kinds.values()), first)
             x = float(places.get(target, places[first])[0])
-            top = behind if target == first else behind
-            y = top + _GAP + float(shape.reach[FRONT])
+            y = behind + _GAP + float(shape.reach[FRONT])
             if target == first:
                 behind = y + float(shape.reach[BACK])
             places[name] = np.array([x, y])

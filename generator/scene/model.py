@@ -109,7 +109,7 @@ class Model:
     ``container`` says that things can be put into it. ``orientation`` turns canonical axes into
     those of the world, as the thing's modeler saw it in the picture (a rotation matrix; columns are
     the model's axes); None where it says nothing. It is a hint to what poses the thing, not a pose,
-    and no bundle keeps it.
+    and no bundle keeps it. ``stand_in`` marks a plain thing that only stands for what it is called.
     """
 
     name: str
@@ -121,6 +121,7 @@ class Model:
     category: str = "generic"
     container: bool = False
     orientation: Float[np.ndarray, "3 3"] | None = None
+    stand_in: bool = False
 
     def __post_init__(self) -> None:
         size = frozen_array(self.size, np.float64, (3,), "Model.size", maximum=FARTHEST)

@@ -36,6 +36,7 @@ class PlannedObject:
     ``name`` is unique ("mug_1"); ``noun`` is the word used; ``category`` is a catalogue key, or
     "generic" when no category fits. ``attributes`` maps "color", "material", "size" ("small",
     "large") and "state" to words. ``size`` is the extent in metres if the text fixed one.
+    ``family`` is the kind of thing that stands for a "generic" object ("appliance"), if known.
     """
 
     name: str
@@ -44,6 +45,7 @@ class PlannedObject:
     attributes: Mapping[str, str] = field(default_factory=dict[str, str])
     relations: tuple[Relation, ...] = ()
     size: tuple[float, float, float] | None = None
+    family: str = ""
 
     def __post_init__(self) -> None:
         if self.size is not None:

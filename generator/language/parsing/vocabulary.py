@@ -74,6 +74,7 @@ SIZES: Mapping[str, str] = _table(
     """
 )
 STATES = _words(
+    "different identical similar separate individual "
     "open closed bare empty full half fresh ripe folded lit old new antique vintage rusty "
     "broken used "
     "worn steaming hot cold sliced stacked burning potted framed lidded striped spotted patterned "
@@ -161,7 +162,7 @@ PLACES = _words(
     "cafe bathroom garden balcony window wall school classroom kindergarten nursery scene image "
     "picture photo photograph view background foreground day morning evening afternoon night "
     "dinner lunch supper party style person people guest guests child children kid work use "
-    "way things thing stuff items item objects object everything something life still "
+    "way things thing stuff items item objects object everything something life still nothing "
     "arrangement place setup light sunlight corner date time ground shelf hand light "
     "arm gripper distance order place reach lighting hours hour world programmer student artist "
     "writer"
@@ -228,7 +229,7 @@ SYNONYMS = _pairs(
     pepper shaker: pepper, pepper mill, pepper grinder
     cutting board: chopping board, breadboard, bread board, butcher block
     napkin: serviette, cloth napkin, paper napkin
-    candle: tea light, tealight, pillar candle
+    candle: candlelight, tea light, tealight, pillar candle
     vase: flower vase, flower, bouquet, rose, tulip, bouquet of flowers, vase of flowers
     plant: potted plant, houseplant, house plant, succulent, cactus, flower pot, flowerpot
     plant: plant pot

@@ -1,4 +1,4 @@
-""" "A bowl of apples", "a glass of orange juice", "a box of gloves", "a photo of a vase"."""
+"""What follows "of": a bowl of apples, a glass of orange juice, a photo of a vase."""
 
 from __future__ import annotations
 
@@ -10,28 +10,18 @@ from ..parsing.vocabulary import PACKAGES, SUBSTANCES
 from ..relations import fits
 from ..syntax.tree import Noun
 
-DEPICTIONS = frozenset(
-    [
-        "photo",
-        "photograph",
-        "picture",
-        "painting",
-        "drawing",
-        "poster",
-        "portrait",
-        "sketch",
-        "print",
-        "postcard",
-        "image",
-        "map",
-        "statue",
-        "bust",
-        "figurine",
-        "sculpture",
-        "model",
-    ]
-)
+DEPICTIONS = frozenset({
+    "photo", "photograph", "picture", "painting", "drawing", "poster", "portrait", "sketch",
+    "print", "postcard", "image", "map", "statue", "bust", "figurine", "sculpture", "model",
+})  # fmt: skip
 """Things "of" which only show what follows."""
+
+
+DECORATIONS = frozenset({
+    "picture", "photo", "print", "drawing", "image", "design", "motif", "logo", "sticker",
+    "inscription", "engraving", "writing", "text", "slogan",
+})  # fmt: skip
+"""What "with" adds to a thing's looks."""
 
 
 def labels(owner: Noun, inner: Noun) -> bool:
@@ -63,6 +53,15 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     (item,) = items
     plain = not item.determined and not item.plural and item.category is None
     return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)
+
+
+def decorates(item: Noun, owners: Group) -> bool:
+    """Tell whether "with a picture of a cat" only says how things look; then they are so."""
+    if item.head not in DECORATIONS or owners[0].category in ("picture_frame", "photo_print"):
+        return False
+    for draft in owners:
+        draft.attributes.setdefault("state", f"with {' '.join(item.words)}")
+    return True
 
 
 def label(owner: Noun, inner: Noun, drafts: Group) -> None:

@@ -12,6 +12,7 @@ from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Grouping, Reading, assumed_relation, phrase_text, shares
 from ..syntax.tree import (
+    VARIED,
     Arranged,
     Carry,
     Clause,
@@ -29,6 +30,11 @@ from .references import Context, Target, antecedent, find_referred
 
 _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "sticky_notes"))
 """Categories that are a stack or a heap already."""
+
+_HEAPED = frozenset(("pancakes", "paper_stack"))
+"""Those of which several are one heap without a word for it: "three pancakes"."""
+
+_COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
 _ZONES = {-1: ("left_of", "in_front_of"), 1: ("right_of", "behind")}
 
@@ -92,6 +98,8 @@ class Interpreter:
             return
         for group in things:
             self._post(post, group, None)
+        if isinstance(post, Location) and not groups and not things:
+            self._resolve(post, [])  # "dinner for two by candlelight"
         if isinstance(post, Carry) and TABLE in groups:
             self._carry(post, TABLE, None)
         if isinstance(post, Description) and TABLE in groups:
@@ -147,7 +155,9 @@ class Interpreter:
             if isinstance(group, list):
                 self._posts(noun, group)
             return group
-        if noun.kind in ("setting", "vague"):
+        if noun.kind == "abstract":
+            self.reading.lost.append(" ".join(noun.words))
+        if noun.kind in ("setting", "vague", "abstract"):
             return self._loose(noun)
         if noun.kind == "part":
             if owner == TABLE:
@@ -176,8 +186,8 @@ class Interpreter:
     def _table(self, noun: Noun) -> str:
         if (noun.count or 1) > 1 or noun.amount or noun.plural:
             raise InputError(
-                f"A scene has exactly one table, the text asks for several ({phrase_text(noun)!r}). "
-                "Describe one table."
+                "A scene has exactly one table, the text asks for several "
+                f"({phrase_text(noun)!r}). Describe one table."
             )
         self.reading.table.append(noun)
         for post in noun.post:
@@ -238,18 +248,23 @@ class Interpreter:
             claimed[0].implied = False
             claimed[0].attributes.update(noun.attributes)
             return claimed[:1]
-        single = noun.arrangement is not None and noun.category in _ONE_PIECE
+        single = noun.category in _ONE_PIECE and (
+            noun.arrangement is not None or noun.category in _HEAPED
+        )
         count = 1 if single else len(noun.variants) or self.reading.number(noun, self.rng)
         group = [
             self.reading.add(
                 noun.head, noun.category,
                 {**noun.attributes, **(noun.variants[k] if noun.variants else {})},
-                lengths=noun.lengths, implied=noun.definite, position=noun.position,
+                lengths=noun.lengths, family=noun.family, implied=noun.definite,
+                position=noun.position,
             )
             for k in range(count)
         ]  # fmt: skip
         if noun.arrangement is not None:
             self._arrange(Arranged(noun.arrangement), group)
+        if noun.attributes.get("state") in _COLORFUL and "color" not in noun.attributes:
+            self._post(Description(VARIED["color"]), group, noun)
         return group
 
     # ---------------------------------------------------------------------------------- posts
@@ -271,6 +286,8 @@ class Interpreter:
         elif isinstance(post, Arranged):
             self._arrange(post, group)
         else:
+            if len(post.each) > len(group) == 1:
+                return  # "a mug in different colours"
             for k, draft in enumerate(group):
                 draft.attributes.update(post.each[k % len(post.each)])
 
@@ -300,12 +317,14 @@ class Interpreter:
                 self._contents(post, owner, noun)
                 return
             items = post.items
+            if isinstance(owner, list):
+                items = tuple(item for item in items if not contents.decorates(item, owner))
             if isinstance(owner, list) and noun is not None and contents.fills(noun, items):
                 contents.label(noun, items[0], owner)
                 context.owner = outer
                 self._posts(items[0], owner)
                 return
-            moved = _owners_places(owner, post)
+            moved = _owners_places(owner, items, post.how)
             if moved and isinstance(owner, list):
                 items = (*items[:-1], replace(items[-1], post=[
                     p for p in items[-1].post if p not in moved]))  # fmt: skip
@@ -361,10 +380,8 @@ class Interpreter:
         try:
             if noun.kind == "pronoun":
                 return antecedent(noun, place.kind, context)
-            if place.each and noun.category and subject and len(subject) > 1 and not noun.definite:
-                if (noun.count or 1) == 1 and not noun.each and not noun.plural:
-                    noun = replace(noun, count=float(len(subject)))
-                    return self._noun(noun, None)
+            if place.each and len(subject) > 1 and _is_one(noun):
+                return self._noun(replace(noun, count=float(len(subject))), None)
             if noun.each or (place.each and not noun.determined):
                 found = [d for d in self.reading.objects if d.category == noun.category
                          and (noun.category or d.noun == noun.head)]  # fmt: skip
@@ -458,7 +475,8 @@ class Interpreter:
 
     def _people(self, clause: Clause) -> None:
         """Read "set the table for four: a plate, a fork on the left"."""
-        if not clause.subjects:
+        loose = ("setting", "vague", "table", "collective")
+        if all(noun.kind in loose for noun in clause.subjects):
             self.reading.people = self.reading.people or clause.people
             return
         self._lay(clause.people, lambda: self._list(clause.subjects, None))
@@ -489,15 +507,17 @@ CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
 _DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
 
 
-def _owners_places(owner: Target, post: Carry) -> list[Post]:
+def _owners_places(owner: Target, items: Sequence[Noun], how: str) -> list[Post]:
     """Return the places said of a thing in a vessel that are the vessel's.
 
     "A bowl with two eggs behind the pot": the bowl is behind the pot.
     """
-    item = post.items[-1]
-    if not isinstance(owner, list) or item.category is None or owner[0].category is None:
+    if not isinstance(owner, list) or not items:
         return []
-    inside = assumed_relation(Draft("", item.category, {}), owner[0], held=post.how != "with")
+    item = items[-1]
+    if item.category is None or owner[0].category is None:
+        return []
+    inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
     if inside not in ("on", "in"):
         return []
     return [
@@ -507,6 +527,12 @@ def _owners_places(owner: Target, post: Carry) -> list[Post]:
         and place.kind in _DIRECTIONS
         and not (isinstance(place.target, Noun) and place.target.kind == "pronoun")
     ]
+
+
+def _is_one(noun: Noun) -> bool:
+    """Tell whether a noun phrase brings in one new thing of a known kind."""
+    several = (noun.count or 1) != 1 or noun.plural or noun.each
+    return bool(noun.category) and not noun.definite and not several
 
 
 def _claims(draft: Draft, noun: Noun) -> bool:

@@ -27,6 +27,16 @@ def stack(group: Group) -> None:
         below.stacked_under = above
 
 
+_PILED = frozenset({"book", "notebook", "magazine", "box", "pizza", "newspaper", "open_book"})
+"""What one thing that is on several of them makes a stack: "a monitor on two books"."""
+
+
+def _pile(targets: Sequence[Draft | str]) -> bool:
+    kinds = {t.category if isinstance(t, Draft) else None for t in targets}
+    free = all(isinstance(t, Draft) and t.stacked_under is None for t in targets)
+    return len(targets) > 1 and len(kinds) == 1 and kinds <= _PILED and free
+
+
 def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list[str]) -> None:
     """Relate the drafts of ``group`` to ``targets``: one each, or all to the first.
 
@@ -34,6 +44,8 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
         InputError: a draft related to itself.
     """
     kind = _BESIDE.get(kind, kind)
+    if kind == "on" and len(group) == 1 and _pile(targets):
+        stack([target for target in targets if isinstance(target, Draft)])
     everyone = kind == "next_to" or kind in _OF_BOTH
     paired = len(targets) > 1 and not everyone and len(group) % len(targets) == 0
     share = len(group) // len(targets) if paired else len(group)

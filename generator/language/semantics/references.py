@@ -40,7 +40,8 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     if context.owner == TABLE and kind in ("on", "in", "at", "center", "edge") and not several:
         return TABLE
     candidates: list[Target | None] = [
-        context.owner, context.parallel, context.topic, context.earlier, *reversed(context.mentioned)
+        context.owner, context.parallel, context.topic, context.earlier,
+        *reversed(context.mentioned),
     ]  # fmt: skip
     fit = [c for c in candidates if isinstance(c, list) and c and not _overlaps(c, context.subject)]
     for group in fit:

@@ -1,1 +1,1 @@
-"""The grammar: a text becomes words, tokens, noun phrases and clauses, each with its place in it."""
+"""The grammar: a text becomes words, tokens, noun phrases and clauses, each with its place."""

@@ -11,6 +11,7 @@ from . import function_words as fw
 from .nouns import read_noun
 from .tokens import Token
 from .tree import (
+    VARIED,
     Arranged,
     Carry,
     Clause,
@@ -345,6 +346,10 @@ class Parser:
             return self._lacks(out)
         if self._tag() == "carry":
             return self._carried(noun, out, each)
+        if self._text() == "for" and noun is not None:
+            return self._purpose()
+        if self._aspect(out):
+            return True
         if self._tag() == "of" and noun is not None:
             return self._contents(noun, out)
         place = self._place()
@@ -415,9 +420,13 @@ class Parser:
         if self._tag() == "no" or self._text() == "not":
             return self._lacks(out)
         back = self._returns()
+        full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
         items = self._items(noun, how)
         if not items:
             return False
+        for item in items if full else ():
+            if item.plural and not item.determined:
+                item.amount = (4, 5)
         out.append(Carry(how, tuple(items), each, back))
         return True
 
@@ -438,6 +447,36 @@ class Parser:
             self.i = end
             items.append(more)
         out.append(Carry("of", tuple(items)))
+        return True
+
+    def _purpose(self) -> bool:
+        """Skip what something is for ("for meal prep"), unless it is for so many people."""
+        before = self.i
+        if self._people():
+            self.i = before
+            return False
+        noun, end = read_noun(self.tokens, self.i + 1)
+        if noun is None:
+            return False
+        self.i = end
+        return True
+
+    def _aspect(self, out: list[Post]) -> bool:
+        """Read "in different colours", "of various sizes", "in red"."""
+        if self._text() not in ("in", "of"):
+            return False
+        noun, end = read_noun(self.tokens, self.i + 1)
+        if noun is None or noun.definite:
+            return False
+        last = noun.head.split()[-1:]
+        aspect = "color" if last == ["colour"] else "".join(last)
+        if noun.kind == "adjective" and set(noun.attributes) == {"color"}:
+            out.append(Description(noun.variants or (noun.attributes,)))
+        elif noun.kind in ("part", "abstract", "thing") and aspect in VARIED and noun.plural:
+            out.append(Description(VARIED[aspect]))
+        else:
+            return False
+        self.i = end
         return True
 
     def _is_clause(self, end: int) -> bool:
@@ -516,7 +555,7 @@ class Parser:
         if noun is None:
             return None
         self.i = end
-        if self._tag() == "of" and not (noun.kind == "part"):
+        if self._tag() == "of" and noun.kind != "part":
             self._contents(noun, noun.post)
         if noun.kind == "table":
             return noun

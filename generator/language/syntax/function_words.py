@@ -112,6 +112,9 @@ CARRIES = _table(
 )
 """Phrases by which a thing brings others along ("a bowl containing two apples")."""
 
+FULL = _words("full filled stuffed packed brimming heaped piled")
+"""First words of phrases for vessels that hold several things."""
+
 NEGATIONS = _words("no without not never except excluding minus lacking neither nor none hardly")
 NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any", "with no",
            "with out", "other than", "instead of", "devoid of", "empty of", "not a",
@@ -188,7 +191,7 @@ ARRANGING_VERBS = _table(
 
 BE = _words("is are was were be been being sits sit stands stand lies lie lays rests rest lay sat "
             "stood remain remains stays stay goes go belongs belong appears appear hangs hang "
-            "leans lean faces face should must can could shall will would may might 'll")  # fmt: skip
+            "leans lean faces face should must can could shall will would may might")  # fmt: skip
 """Verbs between subjects and what is said of them."""
 
 PARTICIPLES = _words(

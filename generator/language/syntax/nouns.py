@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from ..dictionary import entry_of
 from ..parsing import lexicon
 from ..parsing.vocabulary import (
     COLLECTIVES,
@@ -25,7 +26,10 @@ from .tree import Arrangement, Noun, NounKind
 _STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
 
 
-_MORE = frozenset(["medium", "sized", "middle", "smallest", "largest", "biggest", "tallest", "shortest", "opened", "shut", "upright", "sideways", "tipped", "overturned", "empty"])  # fmt: skip
+_MORE = frozenset({
+    "medium", "sized", "middle", "smallest", "largest", "biggest", "tallest", "shortest", "opened",
+    "shut", "upright", "sideways", "tipped", "overturned", "empty",
+})  # fmt: skip
 
 
 @dataclass
@@ -290,7 +294,7 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: _Run) -> int:
 def _noun(run: _Run) -> Noun:
     """Return the noun phrase of what was read."""
     words = tuple(run.words)
-    kind, head, category = _head(words, run.name)
+    kind, head, category, family = _head(words, run.name)
     modifiers = words[: len(words) - len(head)] if head else words
     count, amount = _count(run)
     glasses = False
@@ -320,40 +324,52 @@ def _noun(run: _Run) -> Noun:
         lengths=tuple(run.lengths), arrangement=run.arrangement,
         position=next((w for w in modifiers if w in ("left", "right", "back", "front", "middle",
                                                      "center", "centre")), None),
+        family=family,
     )  # fmt: skip
 
 
 def _head(
     words: tuple[str, ...], name: tuple[str, ...]
-) -> tuple[NounKind, tuple[str, ...], str | None]:
-    """Return the kind of noun, its head (the longest known ending) and its category."""
+) -> tuple[NounKind, tuple[str, ...], str | None, str]:
+    """Return the kind of noun, its head (the longest known ending), its category and family."""
     if name:
         if lexicon.collective_of(name):
-            return "collective", name, None
-        return "thing", name, lexicon.category_of(name)
+            return "collective", name, None, ""
+        return "thing", name, lexicon.category_of(name), ""
     if not words:
-        return "member", (), None
+        return "member", (), None, ""
     last = words[-1]
     for start in range(len(words)):
         tail = words[start:]
         if lexicon.collective_of(tail):
-            return "collective", tail, None
+            return "collective", tail, None, ""
         if " ".join(tail) not in TABLE_NOUNS and (key := lexicon.category_of(tail)):
             strange = any(_is_strange(word) for word in words[:start])
             if not (strange and len(tail) == 1 and last in LOOSE_NOUNS):
-                return "thing", tail, key
-    if last in TABLE_NOUNS:
-        return "table", (last,), None
-    if last in VAGUE_THINGS:
-        return "vague", (last,), None
-    if last in PARTS:
-        return "part", (last,), None
-    if lexicon.is_setting(last):
-        return "setting", (last,), None
+                return "thing", tail, key, ""
+    kinds: tuple[tuple[NounKind, bool], ...] = (
+        ("table", last in TABLE_NOUNS), ("vague", last in VAGUE_THINGS),
+        ("part", last in PARTS or lexicon.singular(last) in PARTS),
+        ("setting", lexicon.is_setting(last)),
+    )  # fmt: skip
+    kind = next((kind for kind, holds in kinds if holds), None)
+    if kind is not None:
+        return kind, (last,), None, ""
     if all(_describes(word) or word in fw.SIDES for word in words):
-        return "adjective", (), None
+        return "adjective", (), None, ""
+    return _look_up(words)
+
+
+def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
+    """Return what the dictionary knows of a noun phrase that the catalogue does not have."""
+    entry = entry_of(words)
     strange = len(words) > 1 and not _describes(words[-2])
-    return "thing", words[-2:] if strange else words[-1:], None
+    if entry is None:
+        return "thing", words[-2:] if strange else words[-1:], None, ""
+    head = words[-max(len(entry.noun.split()), 1 + strange) :]
+    if entry.is_thing:
+        return "thing", head, entry.category, entry.family
+    return "setting" if entry.family == "place" else "abstract", head, None, ""
 
 
 def _is_strange(word: str) -> bool:

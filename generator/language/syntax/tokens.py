@@ -110,6 +110,12 @@ def _phrase(words: Sequence[Word], i: int) -> tuple[int, str, Any]:
     return 1, "word", words[i].text
 
 
+def list_skipped(tokens: Sequence[Token]) -> list[str]:
+    """Return the words of skipped tokens that say something."""
+    empty = small_words() | fw.FILLERS
+    return [t.text for t in tokens if t.tag in ("word", "name") and t.text not in empty]
+
+
 @cache
 def small_words() -> frozenset[str]:
     """Return every word that the grammar goes by."""

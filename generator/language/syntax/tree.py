@@ -14,6 +14,7 @@ NounKind = Literal[
     "part",  # of a thing: legs, lid, surface
     "setting",  # a room, an hour, an occasion: no thing
     "vague",  # "things", "stuff"
+    "abstract",  # what is no thing: "happiness"
     "member",  # "one", "the other", "two of them"
     "adjective",  # describing words alone
 ]
@@ -87,6 +88,14 @@ class Description:
     each: tuple[Mapping[str, str], ...]
 
 
+VARIED: Mapping[str, tuple[Mapping[str, str], ...]] = {
+    "color": tuple({"color": word} for word in (
+        "red", "blue", "yellow", "green", "white", "orange", "purple", "black")),
+    "size": tuple({"size": word} for word in ("small", "medium", "large")),
+}  # fmt: skip
+"""What "in different colours" and "of various sizes" mean, one after the other."""
+
+
 Post = Location | Carry | Lack | Arranged | Description
 
 
@@ -114,6 +123,7 @@ class Noun:
         position: "left", "right", ... ("the left plate").
         post: what follows the noun and belongs to it.
         joint: how it is joined to the item before it in its list: "", "and", "comma".
+        family: kind of thing that stands for one without a category ("appliance").
     """
 
     kind: NounKind
@@ -135,6 +145,7 @@ class Noun:
     position: str | None = None
     post: list[Post] = field(default_factory=list)
     joint: str = ""
+    family: str = ""
 
     @property
     def determined(self) -> bool:

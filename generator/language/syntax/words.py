@@ -30,9 +30,9 @@ _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 @dataclass(frozen=True)
 class Word:
-    """A word in lower case without accents, a number, or a mark.
+    r"""A word in lower case without accents, a number, or a mark.
 
-    ``start`` and ``end`` are where it stands in the text. Marks are punctuation, "\\n" for the end
+    ``start`` and ``end`` are where it stands in the text. Marks are punctuation, "\n" for the end
     of a line, "'s" for a possessive, and "-" for a dash between parts of a sentence.
     """
 

@@ -272,7 +272,7 @@ CATEGORIES = (
         napkins,
         (0.163, 0.163, 0.021),
         0.08,
-        ("napkin", "napkin stack", "stack of napkins", "folded napkin", "tissue", "cloth", "towel"),
+        ("napkin", "napkin stack", "stack of napkins", "folded napkin", "tissue", "cloth"),
         ("dining", "kitchen"),
         ("support", "flat"),
         ("white", "red"),
