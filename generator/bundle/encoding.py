@@ -12,7 +12,7 @@ import numpy as np
 from ..io.png import encode_png
 from ..io.reading import MAX_NAME_LENGTH
 from ..physics.mjcf import encode_obj, mesh_path, texture_path
-from ..scene import ConvexPart, Model, Placement, Pose, Provenance, Scene
+from ..scene import ConvexPart, Model, Placement, Pose, Provenance, Scene, ScenePlan
 from ..scene.provenance import plain
 
 HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
@@ -78,10 +78,24 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         "models": models,
         "provenance": _encode_provenance(scene.provenance),
         "view": plain(scene.view),
-        "report": _printable(plain(scene.report)),
-        "plan": _printable(plain(scene.plan)),
+        "report": _without_empty(_printable(plain(scene.report)), "relations"),
+        "plan": _encode_plan(scene.plan),
     }
     return payload, files
+
+
+def _encode_plan(plan: ScenePlan | None) -> dict[str, Any] | None:
+    """Return it without the groups and families that it does not have."""
+    encoded = _without_empty(_printable(plain(plan)), "groups")
+    if encoded is not None:
+        encoded["objects"] = [_without_empty(thing, "family") for thing in encoded["objects"]]
+    return encoded
+
+
+def _without_empty(encoded: Any, key: str) -> Any:
+    if encoded is None or encoded[key]:
+        return encoded
+    return {k: v for k, v in encoded.items() if k != key}
 
 
 def _encode_provenance(provenance: Provenance) -> dict[str, Any]:

@@ -65,16 +65,16 @@ def entry_of(words: tuple[str, ...]) -> NounEntry | None:
 
 
 @cache
-def _substituted() -> frozenset[str]:
+def _substitutes() -> frozenset[str]:
     return frozenset((_TABLES / "substituted.txt").read_text().splitlines())
 
 
 def is_substituted(noun: str) -> bool:
     """Tell whether a noun is shown as a category that is not the same thing."""
-    words = tuple(noun.split(" of ")[0].split())
-    tails = (words[k:] for k in range(len(words)))
+    whole, words = tuple(noun.split()), tuple(noun.split(" of ")[0].split())
+    tails = (whole, *(words[k:] for k in range(len(words))))
     known = next((tail for tail in tails if category_of(tail) is not None), None)
-    return known is None or " ".join(known) in _substituted()
+    return known is None or " ".join(known) in _substitutes()
 
 
 def is_english(word: str) -> bool:

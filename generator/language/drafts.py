@@ -11,6 +11,7 @@ from ..catalogue import CATEGORIES
 from ..errors import InputError
 from ..scene import GroupKind
 from .relations import fits
+from .sizing import largest_size
 from .syntax.tree import Noun
 
 MAX_OBJECTS = 40
@@ -142,8 +143,9 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
     if any(not d.category for d in (group[0], target)):
         return False
     outer = CATEGORIES[str(target.category)]
+    room = largest_size(outer.key)
     return all(
-        fits(kind, CATEGORIES[str(d.category)].size, outer.size, outer.container)
+        fits(kind, CATEGORIES[str(d.category)].size, room, outer.container)
         and not d.relations
         for d in group
     )
@@ -162,8 +164,9 @@ def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
         return "next_to" if not held else "in" if outer.container else "on"
     inner = CATEGORIES[draft.category].size
     open_to = held or min(inner) < 0.06 or owner.category in _CARRIERS
-    if fits("in", inner, outer.size, outer.container) and open_to:
+    room = largest_size(outer.key)
+    if fits("in", inner, room, outer.container) and open_to:
         return "in"
-    if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(outer.size[:2])):
+    if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(room[:2])):
         return "on"
     return "next_to"

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..catalogue import CATEGORIES
 from ..scene import TABLE, PlannedObject
 from . import relations
 
@@ -27,8 +28,15 @@ _PLACES = ("egg_carton",)
 """What has a place for each thing in it, and is empty where the text fills it."""
 
 _FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
-_LAYERS = 1.6
+_LAYERS = 1.6  # layers in which more than three things lie
 _COVERED = 0.7  # share of a tray that things may cover
+
+
+def largest_size(category: str) -> Extent:
+    """Return the extent of a category's largest things, metres."""
+    factor = _GROWTH.get(category, _OTHERS)
+    x, y, z = CATEGORIES[category].size
+    return factor * x, factor * y, factor * z
 
 
 def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
@@ -62,7 +70,8 @@ def _factor(planned: PlannedObject, held: Sequence[tuple[str, PlannedObject]]) -
     area = sum(float(size[0] * size[1]) for size in sizes)
     deep = usual[2] > 0.3 * min(usual[:2])
     inside = container and deep and any(kind == "in" for kind, _ in held)
-    room = usual[0] * usual[1] * (_FILLED * _LAYERS if inside else _COVERED)
+    filled = _FILLED * (_LAYERS if len(held) > 3 else 1.0)
+    room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
     for factor in np.linspace(1.0, most, 16):
         extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)
