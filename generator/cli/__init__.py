@@ -37,6 +37,7 @@ COMMANDS: tuple[Callable[..., int], ...] = (
     making.compose,
     batching.batch,
     editing.edit,
+    looking.explain,
     looking.inspect,
     looking.verify,
     looking.view,

@@ -13,46 +13,18 @@ from ..catalogue.stand_ins import GENERIC, stand_in_size
 from ..errors import InputError
 from ..scene import PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
-from .dictionary import is_substituted
 from .drafts import Draft, Reading
 from .filling import fill
 from .furniture import plan_table
 from .laying import place_settings, setting_of
 from .parsing import lexicon
-from .parsing.vocabulary import (
-    COLORS,
-    DEFINITE,
-    DRAWN,
-    FILLERS,
-    FOREIGN,
-    LEGS,
-    MATERIALS,
-    NUMBERS,
-    OUTLINES,
-    PEOPLE,
-    PLACES,
-    STATES,
-    STYLES,
-    VAGUE,
-    VERBS,
-)
+from .parsing.vocabulary import DRAWN, PEOPLE, STYLES
+from .reading import EXAMPLE, read_text
 from .semantics import contents
-from .semantics.interpreter import Interpreter
 from .sizing import grow_carriers
-from .spelling import correct
-from .syntax.clauses import Parser
-from .syntax.tokens import list_skipped, small_words, tokens_of
-from .syntax.words import words_of
 from .themes import DEFAULT_TABLES, THEMES
+from .words.dictionary import is_substituted
 
-MAX_CHARACTERS = 2000
-"""Longest text the planner reads."""
-
-EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
-_ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
-    "and", "on", "in", "with", "of", "left", "right", "behind", "front", "next", "between",
-    *NUMBERS, *VAGUE,
-}  # fmt: skip
 _REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
 _SOME = "|".join(PEOPLE)
 _PEOPLE = re.compile(
@@ -74,21 +46,12 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
         InputError: empty, too long or not English; nothing for a table in it; impossible counts
             or contradicting relations.
     """
-    _check_text(prompt)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
+    reading = read_text(prompt, rng).reading
     text = _REQUEST.sub(" ", " ".join(lexicon.tokens(prompt)))
     text, drawn = _split_style(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    spelt, fixes = correct(
-        words_of(_undrawn(prompt)),
-        _ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary(),
-    )
-    parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
-    reading = Interpreter(rng).read(parser.sentences())
-    reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
-    reading.lost += list_skipped(parser.skipped)
-    reading.warnings += [f"Not understood: {phrase!r}." for phrase in dict.fromkeys(reading.lost)]
     theme = _theme(words)
     _check_content(prompt, reading, theme)
     objects, groups = _plan_objects(reading)
@@ -114,31 +77,6 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
 
 
 # ------------------------------------------------------------------------------------- checks
-
-
-def _check_text(prompt: str) -> None:
-    if not isinstance(prompt, str):
-        raise InputError(f"A text or a ScenePlan is needed, got {type(prompt).__name__}.")
-    if not prompt.strip():
-        raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
-    if len(prompt) > MAX_CHARACTERS:
-        raise InputError(
-            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are read. "
-            "Describe one table in a few sentences."
-        )
-    letters = [c for c in prompt if c.isalpha()]
-    if not letters:
-        raise InputError(f"The text holds no words. Describe a tabletop, for example {EXAMPLE}.")
-    latin = sum(bool(re.fullmatch("[a-z]+", "".join(lexicon.tokens(c)) or "-")) for c in letters)
-    words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
-    known = _ENGLISH | lexicon.vocabulary()
-    english = sum(w in known or lexicon.singular(w) in known for w in words)
-    foreign = sum(w in FOREIGN for w in words)
-    if latin < 0.7 * len(letters) or not english or foreign > english - foreign:
-        raise InputError(
-            "The embedded planner reads English and recognised none here. Write in English, for "
-            f"example {EXAMPLE}, or choose another reasoner backend that reads your language."
-        )
 
 
 def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
@@ -185,16 +123,6 @@ def _split_style(text: str) -> tuple[str, str | None]:
         if found:
             return f"{text[: found.start()]} {text[found.end() :]}", drawn
     return text, None
-
-
-def _undrawn(prompt: str) -> str:
-    """Return a prompt with blanks for "cartoon style" and the like."""
-    for phrase in DRAWN:
-        pattern = rf"(?i)\b{phrase.replace(' ', '[ -]')}\b(?:[ -]styled?\b)?"
-        found = re.search(pattern, prompt)
-        if found:
-            return prompt[: found.start()] + " " * len(found.group()) + prompt[found.end() :]
-    return prompt
 
 
 def _theme(words: Sequence[str]) -> str | None:

@@ -48,8 +48,7 @@ def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObjec
         for relation in planned.relations:
             better = _plausible(planned, relation, by_name)
             target = by_name.get(relation.target)
-            placed = target is not None and "places" in target.attributes
-            if better != relation and relation.kind in _SUPPORTED and target and not placed:
+            if better.kind not in ("in", relation.kind) and relation.kind in _SUPPORTED and target:
                 warnings.append(
                     f"A {planned.noun} does not fit {relation.kind} a {target.noun}; it stands "
                     f"{better.kind.replace('_', ' ')} it."
@@ -116,6 +115,8 @@ def size_of(planned: PlannedObject) -> tuple[float, float, float]:
 
 def is_container(planned: PlannedObject) -> bool:
     """Tell whether things can be put into a planned object."""
+    if "places" in planned.attributes:
+        return True
     if planned.category == GENERIC:
         return planned.family in FAMILIES and FAMILIES[planned.family].container
     return CATEGORIES[planned.category].container
@@ -143,6 +144,8 @@ def _plausible(
         relation = Relation("on" if relation.kind == "center" else "next_to", target.name)
     if relation.kind not in _SUPPORTED:
         return relation
+    if "places" in target.attributes:
+        return Relation("in", target.name)
     inner, outer = standing_size(planned), size_of(target)
     container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):

@@ -26,7 +26,8 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     The plan's style decides how they are drawn, if it is one of the catalogue's.
 
     Equal planned things ("two red mugs") look alike, since they share the seed. A long thin thing
-    that goes into a vessel stands upright, as a pencil does in a mug.
+    that goes into a vessel stands upright, as a pencil does in a mug, and so does an egg in the
+    place that a carton has for it.
     """
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
@@ -36,8 +37,10 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
         models[planned.name] = _build(planned, plan.style, seed * 1009 + number)
     by_name = {o.name: o for o in plan.objects}
     for planned in plan.objects:
-        if any(r.kind == "in" and r.target in by_name for r in planned.relations):
-            models[planned.name] = _upright(models[planned.name])
+        for relation in planned.relations:
+            if relation.kind == "in" and relation.target in by_name:
+                fitted = "places" in by_name[relation.target].attributes
+                models[planned.name] = _upright(models[planned.name], 1.0 if fitted else 3.0)
     return models
 
 
@@ -54,10 +57,10 @@ def _build(planned: PlannedObject, style: str, seed: int) -> Model:
     return replace(model, label=planned.noun)
 
 
-def _upright(model: Model) -> Model:
-    """Turn a long thin model so that its +x end points up; others stay as they are."""
+def _upright(model: Model, slenderness: float) -> Model:
+    """Turn a model that is so much longer than wide that its +x end points up, and no other."""
     length, *others = model.size
-    if length < 3 * max(others):
+    if length < slenderness * max(others):
         return model
     turn = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
     mesh = model.mesh

@@ -16,7 +16,8 @@ from generator.errors import InputError
 from generator.language import relations, themes
 from generator.language.parsing.lexicon import category_of, singular, tokens
 from generator.language.parsing.vocabulary import COLLECTIVES, SYNONYMS
-from generator.language.planner import MAX_CHARACTERS, plan_scene
+from generator.language.planner import plan_scene
+from generator.language.reading import MAX_CHARACTERS
 from generator.scene import OutlineKind, PlannedObject, Relation, ScenePlan
 
 

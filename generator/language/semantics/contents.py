@@ -34,6 +34,8 @@ def labels(owner: Noun, inner: Noun) -> bool:
         return True
     if inner.kind == "setting":
         return True
+    if inner.kind == "abstract":
+        return False
     if inner.kind == "collective" or inner.determined:
         return False
     package = head in PACKAGES

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from ..dictionary import entry_of
 from ..parsing import lexicon
 from ..parsing.vocabulary import (
     COLLECTIVES,
@@ -19,6 +18,7 @@ from ..parsing.vocabulary import (
     TABLE_NOUNS,
     VAGUE_THINGS,
 )
+from ..words.dictionary import entry_of
 from . import function_words as fw
 from .tokens import Token
 from .tree import Arrangement, Noun, NounKind

@@ -13,7 +13,7 @@ from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
 
-from .parsing.lexicon import category_of, singular
+from ..parsing.lexicon import category_of, singular
 
 _TABLES = files("generator.language") / "words"
 

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from rapidfuzz.distance import OSA
 
-from ..catalogue import CATEGORIES
+from ...catalogue import CATEGORIES
+from ..parsing import lexicon
+from ..syntax.words import Word
 from .dictionary import is_english
-from .parsing import lexicon
-from .syntax.words import Word
 
 _SHORTEST = 4
 
