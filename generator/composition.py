@@ -60,12 +60,12 @@ def compose(
             failures = scene.report.failures
             continue
         scene = _record_relations(scene, scene.report)
-        if best is None or len(_unmet(scene)) < len(_unmet(best)):
+        if best is None or len(_list_unmet(scene)) < len(_list_unmet(best)):
             best = scene
-        if not _unmet(best) or attempt + 1 >= _FULFILLED:
+        if not _list_unmet(best) or attempt + 1 >= _FULFILLED:
             break
     if best is not None:
-        told = tuple(_warning(outcome, best) for outcome in _unmet(best))
+        told = tuple(_warning(outcome, best) for outcome in _list_unmet(best))
         provenance = best.provenance
         warned = tuple(dict.fromkeys([*provenance.warnings, *told]))
         return best.replace(provenance=replace(provenance, warnings=warned))
@@ -82,7 +82,7 @@ def _record_relations(scene: Scene, report: Report) -> Scene:
     return correct_supports(rest).replace(report=replace(report, relations=outcomes))
 
 
-def _unmet(scene: Scene) -> list[RelationOutcome]:
+def _list_unmet(scene: Scene) -> list[RelationOutcome]:
     return [] if scene.report is None else [o for o in scene.report.relations if not o.holds]
 
 

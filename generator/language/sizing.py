@@ -50,7 +50,8 @@ def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     for planned in objects:
         if planned.category in _PLACES and held.get(planned.name):
             places = {"state": "empty", "places": str(len(held[planned.name]))}
-            planned = replace(planned, attributes={**planned.attributes, **places})
+            out.append(replace(planned, attributes={**planned.attributes, **places}))
+            continue
         factor = _factor(planned, held.get(planned.name, ()))
         if factor > 1.0 and planned.size is None:
             usual = relations.size_of(planned)

@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from .. import catalogue
+from ..catalogue.build.collision import resting_ball
 from ..catalogue.build.styles import STYLES
 from ..catalogue.stand_ins import build_stand_in
 from ..errors import SceneError
@@ -40,8 +41,13 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
         for relation in planned.relations:
             if relation.kind == "in" and relation.target in by_name:
                 fitted = "places" in by_name[relation.target].attributes
-                models[planned.name] = _upright(models[planned.name], 1.0 if fitted else 3.0)
+                model = _upright(models[planned.name], 1.0 if fitted else 3.0)
+                models[planned.name] = replace(model, parts=_FITTED) if fitted else model
     return models
+
+
+_FITTED = (ConvexPart(resting_ball(1.0, 1.0, 1.0).vertices - [0.0, 0.0, 0.5]),)
+"""Collision shape of a round thing that stands in its place, in the canonical frame."""
 
 
 def _build(planned: PlannedObject, style: str, seed: int) -> Model:

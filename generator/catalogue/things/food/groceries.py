@@ -238,7 +238,7 @@ def egg_carton(look: Look) -> Shape:
     columns = int(look.pick([3, 5]))
     empty = look.attributes.get("state") == "empty"
     if "places" in look.attributes:
-        columns, pitch = -(-int(look.attributes["places"]) // rows), 0.051
+        columns, pitch = -(-int(look.attributes["places"]) // rows), 0.052
     color = look.color("gray", "beige", "sage", "lavender", "sky")
     pulp = textures.spots(look.rng, color, tint_color(color, 0.8), 0.1)
     x, y, h = columns * pitch + 0.01, rows * pitch + 0.01, 0.042
@@ -260,8 +260,8 @@ def egg_carton(look: Look) -> Shape:
                for name, some in eggs.items() if some]  # fmt: skip
     if not empty:
         return shape(pieces, [*frame_parts(x, y, h, 0.008, 0.01), hull_of(lid)])
-    walls = [box_part(0.004, y, h, (pitch * (i - columns / 2), 0, 0)) for i in range(columns + 1)]
-    walls += [box_part(x, 0.004, h, (0, pitch * (j - rows / 2), 0)) for j in range(rows + 1)]
+    walls = [box_part(0.002, y, h, (pitch * (i - columns / 2), 0, 0)) for i in range(columns + 1)]
+    walls += [box_part(x, 0.002, h, (0, pitch * (j - rows / 2), 0)) for j in range(rows + 1)]
     return shape(pieces, [box_part(x, y, floor), *walls, hull_of(lid)])
 
 
