@@ -10,7 +10,7 @@ import numpy as np
 from ..catalogue import CATEGORIES
 from ..errors import InputError
 from ..scene import GroupKind
-from .relations import fits
+from .relations import fits, is_shallow
 from .sizing import largest_size
 from .syntax.tree import Noun
 
@@ -165,7 +165,8 @@ def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     inner = CATEGORIES[draft.category].size
     open_to = held or min(inner) < 0.06 or owner.category in _CARRIERS
     room = largest_size(outer.key)
-    if fits("in", inner, room, outer.container) and open_to:
+    laid = is_shallow(room) and "support" in outer.roles
+    if fits("in", inner, room, outer.container) and open_to and not laid:
         return "in"
     if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(room[:2])):
         return "on"

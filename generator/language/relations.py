@@ -150,9 +150,15 @@ def _plausible(
     container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation
-    if fits("on", inner, outer, container) and not (relation.kind == "in" and container):
+    vessel = container and not is_shallow(outer)
+    if fits("on", inner, outer, container) and not (relation.kind == "in" and vessel):
         return Relation("on", target.name)
     return Relation("next_to", target.name)
+
+
+def is_shallow(extent: tuple[float, float, float]) -> bool:
+    """Tell whether things lie rather on than in a thing of an extent, as on a tray."""
+    return extent[2] < 0.3 * min(extent[:2])
 
 
 def fits(

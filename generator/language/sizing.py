@@ -6,13 +6,13 @@ what carries something is as large as it has to be, within what such things can 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from ..catalogue import CATEGORIES
-from ..scene import TABLE, PlannedObject
+from ..scene import PlannedObject
 from . import relations
 
 Extent = tuple[float, float, float]
@@ -41,36 +41,48 @@ def largest_size(category: str) -> Extent:
 
 def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     """Return the objects, those that carry too much for their usual size grown."""
-    held: dict[str, list[tuple[str, PlannedObject]]] = {}
+    names = {o.name: o for o in objects}
+    held: dict[str, list[str]] = {}
+    kinds: dict[str, set[str]] = {}
     for planned in objects:
         for relation in planned.relations:
-            if relation.kind in ("on", "in") and relation.target != TABLE:
-                held.setdefault(relation.target, []).append((relation.kind, planned))
-    out = []
-    for planned in objects:
-        if planned.category in _PLACES and held.get(planned.name):
-            places = {"state": "empty", "places": str(len(held[planned.name]))}
-            out.append(replace(planned, attributes={**planned.attributes, **places}))
-            continue
-        factor = _factor(planned, held.get(planned.name, ()))
-        if factor > 1.0 and planned.size is None:
-            usual = relations.size_of(planned)
-            planned = replace(planned, size=tuple(factor * side for side in usual))
-        out.append(planned)
-    return out
+            if relation.kind in ("on", "in") and relation.target in names:
+                held.setdefault(relation.target, []).append(planned.name)
+                kinds.setdefault(relation.target, set()).add(relation.kind)
+    done: dict[str, PlannedObject] = {}
+    while len(done) < len(objects):
+        ready = [n for n in names if n not in done and done.keys() >= {*held.get(n, ())}]
+        for name in ready or [n for n in names if n not in done]:  # all of a circle at once
+            carried = [done.get(other, names[other]) for other in held.get(name, ())]
+            done[name] = _grow(names[name], carried, kinds.get(name, set()))
+    return [done[o.name] for o in objects]
 
 
-def _factor(planned: PlannedObject, held: Sequence[tuple[str, PlannedObject]]) -> float:
+def _grow(
+    planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]
+) -> PlannedObject:
+    if planned.category in _PLACES and held:
+        places = {"state": "empty", "places": str(len(held))}
+        return replace(planned, attributes={**planned.attributes, **places})
+    factor = _factor(planned, held, kinds)
+    if factor <= 1.0 or planned.size is not None:
+        return planned
+    x, y, z = relations.size_of(planned)
+    return replace(planned, size=(factor * x, factor * y, factor * z))
+
+
+def _factor(
+    planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]
+) -> float:
     """Return how much larger than usual a thing has to be, at most what it can be."""
     if not held:
         return 1.0
     usual = relations.size_of(planned)
     container = relations.is_container(planned)
     most = _GROWTH.get(planned.category, _OTHERS)
-    sizes = [relations.standing_size(thing) for _, thing in held]
+    sizes = [relations.standing_size(thing) for thing in held]
     area = sum(float(size[0] * size[1]) for size in sizes)
-    deep = usual[2] > 0.3 * min(usual[:2])
-    inside = container and deep and any(kind == "in" for kind, _ in held)
+    inside = container and not relations.is_shallow(usual) and "in" in kinds
     filled = _FILLED * (_LAYERS if len(held) > 3 else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0

@@ -74,7 +74,7 @@ def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
     for planned in plan.objects:
         for relation in planned.relations:
             if planned.name in rest.things and relation.target in (TABLE, *rest.things):
-                margin = _margin(planned, relation, rest, turns)
+                margin = float(_margin(planned, relation, rest, turns))
                 out.append(
                     RelationOutcome(
                         planned.name, relation.kind, relation.target, margin > 0, round(margin, 4)

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-
-import numpy as np
+from dataclasses import dataclass, replace
 
 from ...catalogue import CATEGORIES
 from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Grouping, Reading, assumed_relation, phrase_text, shares
 from ..syntax.tree import (
-    VARIED,
     Arranged,
     Carry,
     Clause,
@@ -25,29 +22,14 @@ from ..syntax.tree import (
     Zone,
 )
 from . import contents
-from .linking import flank, link, stack
-from .references import Context, Target, antecedent, find_referred
-
-_ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "sticky_notes"))
-"""Categories that are a stack or a heap already."""
-
-_HEAPED = frozenset(("pancakes", "paper_stack"))
-"""Those of which several are one heap without a word for it: "three pancakes"."""
-
-_COLORFUL = ("colored", "coloured", "colorful", "colourful")
-
-_ZONES = {-1: ("left_of", "in_front_of"), 1: ("right_of", "behind")}
+from .linking import link
+from .references import Context, Target, antecedent
+from .things import ThingReader
 
 
 @dataclass(eq=False)
-class Interpreter:
-    """Turns clauses into drafts; vague numbers are drawn by ``rng``."""
-
-    rng: np.random.Generator
-    reading: Reading = field(default_factory=Reading)
-    _context: Context = field(default_factory=Context)
-    _side: tuple[str, Target] | None = None  # the last "left of X" of this sentence
-    _seated: int | None = None  # the first object of the place setting that is being read
+class Interpreter(ThingReader):
+    """Turns clauses into drafts."""
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
         """Read all sentences.
@@ -105,8 +87,6 @@ class Interpreter:
         if isinstance(post, Description) and TABLE in groups:
             self.reading.table.append(_describing(post))
 
-    # ---------------------------------------------------------------------------------- lists
-
     def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
         """Read a list; what is said of its last item only may be said of the others, too."""
         found: list[Target] = []
@@ -143,8 +123,6 @@ class Interpreter:
                     continue
                 if shares(kind, other, targets):
                     link(kind, other, targets[:1], self.reading.warnings)
-
-    # ---------------------------------------------------------------------------------- nouns
 
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
@@ -203,72 +181,6 @@ class Interpreter:
                 self._resolve(post, [])
         return TABLE
 
-    def _member(self, noun: Noun) -> Group | None:
-        """Read "one on the plate", "the other behind it": single ones of the last group."""
-        groups = [g for g in self._context.mentioned if len(g) > 1]
-        if not groups or not noun.post:
-            return None
-        free = [d for d in groups[-1] if not d.told]
-        count = len(free) if noun.other and noun.plural else int(noun.count or 1)
-        chosen = free[:count]
-        for draft in chosen:
-            draft.told = True
-            draft.attributes.update(noun.attributes)
-        if chosen:
-            self._posts(noun, chosen)
-        return chosen or None
-
-    def _thing(self, noun: Noun) -> Group:
-        """Return the objects a noun phrase means: those there are, or new ones."""
-        if noun.kind == "collective":
-            return self._collective(noun)
-        if noun.definite or noun.other or noun.each:
-            known = self.reading.objects[self._seated or 0 :]
-            found = find_referred(noun, known, self._context.subject)
-            if noun.each and not found:
-                found = [d for d in self.reading.objects if d.noun == noun.head]
-            if found and not (noun.other and not noun.definite):
-                return found
-        return self._introduce(noun)
-
-    def _collective(self, noun: Noun) -> Group:
-        members = [m for m in noun.members if m not in self.reading.excluded]
-        if noun.head.endswith(("setting", "settings")) and (noun.count or 1) > 1:
-            self.reading.people = self.reading.people or int(noun.count or 1)
-            return []
-        self.reading.vague = self.reading.vague or not noun.head.startswith("salt")
-        return [
-            self.reading.add(category.replace("_", " "), category, noun.attributes)
-            for category in members
-        ]
-
-    def _introduce(self, noun: Noun) -> Group:
-        claimed = [d for d in self.reading.objects if d.implied and _claims(d, noun)]
-        if claimed and not noun.definite and (noun.count or 1) == 1 and not noun.plural:
-            claimed[0].implied = False
-            claimed[0].attributes.update(noun.attributes)
-            return claimed[:1]
-        single = noun.category in _ONE_PIECE and (
-            noun.arrangement is not None or noun.category in _HEAPED
-        )
-        count = 1 if single else len(noun.variants) or self.reading.number(noun, self.rng)
-        group = [
-            self.reading.add(
-                noun.head, noun.category,
-                {**noun.attributes, **(noun.variants[k] if noun.variants else {})},
-                lengths=noun.lengths, family=noun.family, implied=noun.definite,
-                position=noun.position,
-            )
-            for k in range(count)
-        ]  # fmt: skip
-        if noun.arrangement is not None:
-            self._arrange(Arranged(noun.arrangement), group)
-        if noun.attributes.get("state") in _COLORFUL and "color" not in noun.attributes:
-            self._post(Description(VARIED["color"]), group, noun)
-        return group
-
-    # ---------------------------------------------------------------------------------- posts
-
     def _posts(self, noun: Noun, group: Group) -> None:
         for post in noun.post:
             self._post(post, group, noun)
@@ -290,22 +202,6 @@ class Interpreter:
                 return  # "a mug in different colours"
             for k, draft in enumerate(group):
                 draft.attributes.update(post.each[k % len(post.each)])
-
-    def _lack(self, post: Lack, group: Group) -> None:
-        for item in post.items:
-            names = {item.category, *item.members} - {None}
-            own = any(d.category in names for d in group)
-            self.reading.excluded |= {str(n) for n in names}
-            if not group or own:
-                self.reading.banned |= {str(n) for n in names}
-
-    def _arrange(self, post: Arranged, group: Group) -> None:
-        if len(group) < 2:
-            return
-        if post.kind == "stack":
-            stack(group)
-        else:
-            self.reading.groupings.append(Grouping(post.kind, tuple(group), order=post.order))
 
     def _carry(self, post: Carry, owner: Target, noun: Noun | None) -> None:
         """Read what a thing brings along, and put it where it fits until the text says more."""
@@ -366,8 +262,6 @@ class Interpreter:
             draft.relations.append((kind, owner))
             draft.provisional = True
 
-    # ------------------------------------------------------------------------------- relations
-
     def _resolve(self, place: Location, subject: Group) -> Target | None:
         """Return what a place refers to, reading its noun phrase; None if it cannot be told."""
         context = self._context
@@ -396,83 +290,6 @@ class Interpreter:
             target = target + [d for group in others if isinstance(group, list) for d in group]
         return target
 
-    def _attach(self, place: Location, target: Target, group: Group) -> None:
-        """Relate a group to what a place refers to."""
-        context, kind = self._context, place.kind
-        if self._seated is not None and kind == "on" and isinstance(target, list):
-            flat = [d.category in CUTLERY for d in target]
-            kind = "behind" if all(flat) else kind  # "the glass above the knife"
-        if isinstance(place.target, Zone):
-            self._zone(place.target, group, loose=kind == "beside")
-            return
-        if target == TABLE:
-            if kind == "under":
-                self.reading.warnings.append(
-                    f"The {group[0].noun} cannot go under the table; it stands on it."
-                )
-            elif kind not in ("on", "in", "next_to", "at", "against", "around", "opposite"):
-                for draft in group:
-                    draft.relate(kind, TABLE)
-            return
-        assert isinstance(target, list)
-        if any(draft is other for draft in group for other in target):
-            raise InputError(
-                f"The text relates the {group[0].noun} to itself; name two different objects."
-            )
-        if place.each or (isinstance(place.target, Noun) and place.target.each):
-            self._one_each(group, target)
-        self._drop_assumed(group, target)
-        if kind in ("left_of", "right_of", "in_front_of", "behind"):
-            self._side = kind, target
-        if kind == "flank":
-            flank(group, target, self.reading)
-        elif kind in ("around", "surrounded"):
-            inner, ring = (target, group) if kind == "around" else (group, target)
-            laid = self.reading.groupings
-            laid[:] = [g for g in laid if g.kind != "circle" or set(g.members) != set(ring)]
-            laid.append(Grouping("circle", tuple(ring), around=inner[0]))
-            link("next_to", ring, inner[:1], self.reading.warnings)
-        else:
-            link(kind, group, target, self.reading.warnings)
-        context.parallel = target
-
-    def _drop_assumed(self, group: Group, target: Group) -> None:
-        """Drop what was assumed of things that the text relates to something else."""
-        for draft in group:
-            if draft.provisional and not any(draft.relations[0][1] is to for to in target):
-                keep = draft.relations[0][0] in ("on", "in")
-                if not keep:
-                    draft.relations.clear()
-                draft.provisional = False
-
-    def _one_each(self, group: Group, targets: Group) -> None:
-        """Multiply the subject so that each target gets its own ("on each plate")."""
-        one, share = group[0], len(group)
-        for _ in range(len(targets) * share - len(group) if share < len(targets) else 0):
-            group.append(self.reading.add(one.noun, one.category, one.attributes))
-
-    def _zone(self, zone: Zone, group: Group, *, loose: bool) -> None:
-        """Put a group into a part of the table, or beside what was just spoken of."""
-        if self._seated is not None and zone.x and not zone.edge:
-            plate = self.reading.objects[self._seated]
-            for draft in group:
-                if draft is not plate:
-                    draft.relate("left_of" if zone.x < 0 else "right_of", plate)
-            return
-        if loose and self._side is not None and zone.y is None and zone.x:
-            kind, target = self._side
-            if kind in ("left_of", "right_of") and isinstance(target, list):
-                link("left_of" if zone.x < 0 else "right_of", group, target, self.reading.warnings)
-                return
-        for draft in group:
-            if (zone.x, zone.y) == (0, 0):
-                draft.relate("center", TABLE)
-            for value, axis in ((zone.x, 0), (zone.y, 1)):
-                if value:
-                    draft.relate(_ZONES[value][axis], TABLE)
-            if zone.edge and zone.x is None and zone.y is None:
-                draft.relate("edge", TABLE)
-
     def _people(self, clause: Clause) -> None:
         """Read "set the table for four: a plate, a fork on the left"."""
         loose = ("setting", "vague", "table", "collective")
@@ -499,12 +316,6 @@ class Interpreter:
 
 def _is_supported(draft: Draft) -> bool:
     return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
-
-
-CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
-"""What lies beside a plate; a glass "above" it stands behind it."""
-
-_DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
 
 
 def _owners_places(owner: Target, items: Sequence[Noun], how: str) -> list[Post]:
@@ -535,11 +346,6 @@ def _is_one(noun: Noun) -> bool:
     return bool(noun.category) and not noun.definite and not several
 
 
-def _claims(draft: Draft, noun: Noun) -> bool:
-    alike = draft.category == noun.category and (noun.category or draft.noun == noun.head)
-    return bool(alike)
-
-
 def _times(noun: Noun, owners: int) -> Noun:
     """Return a noun phrase for each of several owners: "three bowls of two apples"."""
     if noun.definite or noun.kind != "thing":
@@ -553,6 +359,8 @@ def _describing(post: Description) -> Noun:
     words = tuple(word for each in post.each for value in each.values() for word in value.split())
     return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]))
 
+
+_DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
 
 _TURNED = InputError(
     "The text puts the table on an object; objects stand on the table. Turn it round, for example "

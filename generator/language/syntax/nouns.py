@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 
 from ..parsing import lexicon
 from ..parsing.vocabulary import (
@@ -20,42 +19,24 @@ from ..parsing.vocabulary import (
 )
 from ..words.dictionary import entry_of
 from . import function_words as fw
+from .introductions import (
+    MORE,
+    PhraseStart,
+    is_describing,
+    may_continue,
+    multiply,
+    read_introduction,
+)
 from .tokens import Token
-from .tree import Arrangement, Noun, NounKind
+from .tree import Noun, NounKind
 
 _STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
 
 
-_MORE = frozenset({
-    "medium", "sized", "middle", "smallest", "largest", "biggest", "tallest", "shortest", "opened",
-    "shut", "upright", "sideways", "tipped", "overturned", "empty",
-})  # fmt: skip
-
-
-@dataclass
-class _Run:
-    """What is read of a noun phrase so far."""
-
-    numbers: list[float] = field(default_factory=list)
-    amount: tuple[int, int] | None = None
-    article: bool = False
-    definite: bool = False
-    other: bool = False
-    each: bool = False
-    groups: float = 0.0
-    arrangement: Arrangement | None = None
-    portion: bool = False  # "a slice of": one, whatever the noun's form
-    words: list[str] = field(default_factory=list)
-    variants: list[list[str]] = field(default_factory=list)
-    lengths: list[float] = field(default_factory=list)
-    name: tuple[str, ...] = ()
-    first: int = 0
-
-
 def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     """Return the noun phrase that starts at a token and where it ends; None where there is none."""
-    run = _Run(first=start)
-    i = _introduction(tokens, start, run)
+    run = PhraseStart(first=start)
+    i = read_introduction(tokens, start, run)
     i = _content(tokens, i, run)
     if i == start:
         return None, start
@@ -64,135 +45,10 @@ def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     return noun, i
 
 
-# ------------------------------------------------------------------------------- introduction
-
-
-def _introduction(tokens: Sequence[Token], i: int, run: _Run) -> int:
-    """Read articles, numbers, lengths and "a stack of"; return where they end."""
-    while i < len(tokens):
-        token = tokens[i]
-        step = _measure(tokens, i, run) or _group(tokens, i, run) or _number(tokens, i, run)
-        if step:
-            i += step
-        elif token.tag == "each":
-            run.each = True
-            i += 1 + _is_of(tokens, i + 1)
-        elif token.tag != "word":
-            break
-        elif token.text in fw.DEFINITE:
-            run.definite = True
-            i += 1
-        elif token.text in fw.INDEFINITE:
-            run.article = True
-            i += 1
-        elif token.text in ("other", "second", "third") and (run.article or run.definite):
-            run.other = True
-            i += 1
-        elif token.text in fw.AMOUNTS and _continues(tokens, i + 1):
-            run.amount = fw.AMOUNTS[token.text]
-            i += 1 + _is_of(tokens, i + 1)
-        elif token.text in ("whole", "about", "around", "exactly", "approximately", "roughly",
-                            "only", "just", "nearly", "at", "least", "most"):  # fmt: skip
-            i += 1
-        else:
-            break
-    return i
-
-
-def _is_of(tokens: Sequence[Token], i: int) -> int:
-    return int(i < len(tokens) and tokens[i].tag == "of")
-
-
-def _continues(tokens: Sequence[Token], i: int) -> bool:
-    """Tell whether a noun may follow here, perhaps after "of"."""
-    i += _is_of(tokens, i)
-    return i < len(tokens) and tokens[i].tag in ("word", "name", "number")
-
-
-def _number(tokens: Sequence[Token], i: int, run: _Run) -> int:
-    """Read "three", "2-3", "half a dozen of", "2 x"; return how many tokens they take."""
-    value = _value(tokens[i])
-    if value is None:
-        if tokens[i].text == "half" and [t.text for t in tokens[i + 1 : i + 3]] == ["a", "dozen"]:
-            run.numbers = [6.0]
-            return 3 + _is_of(tokens, i + 3)
-        return 0
-    if tokens[i].text == "one" and not _continues(tokens, i + 1) and run.definite:
-        return 0
-    step = 1
-    following = [t.text for t in tokens[i + 1 : i + 3]]
-    upper = _value(tokens[i + 2]) if len(following) == 2 else None
-    if following[:1] in (["-"], ["or"], ["to"]) and upper is not None and upper > value:
-        run.amount = (int(value), int(min(upper, 1e6)))
-        run.numbers = []
-        step = 3
-    else:
-        run.numbers.append(value)
-    if i + step < len(tokens) and tokens[i + step].text in ("x", "times"):
-        step += 1
-    return step + _is_of(tokens, i + step)
-
-
-def _value(token: Token) -> float | None:
-    if token.tag == "number":
-        return float(token.value)
-    return fw.NUMBERS.get(token.text) if token.tag == "word" else None
-
-
-def _measure(tokens: Sequence[Token], i: int, run: _Run) -> int:
-    """Read "20 cm", "120 x 60 cm" and "30 cm tall"; return how many tokens they take."""
-    values: list[float] = []
-    k = i
-    while k < len(tokens) and tokens[k].tag == "number":
-        values.append(float(tokens[k].value))
-        k += 1
-        if k < len(tokens) and tokens[k].text in ("x", "by"):
-            k += 1
-    if not values or k >= len(tokens) or tokens[k].text not in fw.MEASURES:
-        return 0
-    run.lengths += [value * fw.MEASURES[tokens[k].text] for value in values]
-    k += 1
-    while k < len(tokens) and tokens[k].text in ("tall", "high", "long", "wide", "deep", "across",
-                                                 "diameter", "-", "in", "thick"):  # fmt: skip
-        if tokens[k].text == "in" and (k + 1 >= len(tokens) or tokens[k + 1].text != "diameter"):
-            break
-        k += 1
-    return k - i
-
-
-def _group(tokens: Sequence[Token], i: int, run: _Run) -> int:
-    """Read "stack of" and "neat little pile of"; return how many tokens they take."""
-    k = i
-    while k < len(tokens) and tokens[k].tag == "word" and _describes(tokens[k].text):
-        k += 1
-    if k + 1 >= len(tokens) or tokens[k].tag != "word" or tokens[k + 1].tag != "of":
-        return 0
-    word = tokens[k].text
-    if word not in fw.GROUPS:
-        return 0
-    kind = fw.GROUPS[word]
-    run.portion = run.portion or word in ("slice", "piece", "portion", "serving", "sheet", "loaf",
-                                          "slices", "pieces", "sheets", "servings")  # fmt: skip
-    if kind != "group":
-        run.arrangement = kind  # type: ignore[assignment]
-    run.groups = _total(run.numbers) or 1.0
-    run.amount = fw.AMOUNTS.get(word, run.amount)
-    many = run.portion or (run.amount is None and kind == "group" and run.groups > 1)
-    run.numbers = run.numbers if many else []
-    return k + 2 - i
-
-
-def _describes(word: str) -> bool:
-    """Tell whether a word only describes: a colour, a material, a size, a state."""
-    return any(word in words for words in (COLORS, SHADES, MATERIALS, SIZES, STATES, _MORE)) or (
-        word.endswith("ly") and len(word) > 4
-    )
-
-
 # ------------------------------------------------------------------------------------ content
 
 
-def _content(tokens: Sequence[Token], i: int, run: _Run) -> int:
+def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read describing words and the noun; return where they end."""
     while i < len(tokens):
         token = tokens[i]
@@ -200,7 +56,7 @@ def _content(tokens: Sequence[Token], i: int, run: _Run) -> int:
             run.name = tuple(w.text for w in token.words)
             run.words += run.name
             return i + 1
-        if token.tag == "arranged" and len(token.words) == 1 and _continues(tokens, i + 1):
+        if token.tag == "arranged" and len(token.words) == 1 and may_continue(tokens, i + 1):
             if any(token.words[0].text == w for w in ("ordered", "sorted", "aligned", "inside")):
                 break
             run.arrangement = run.arrangement or token.value
@@ -221,12 +77,12 @@ def _content(tokens: Sequence[Token], i: int, run: _Run) -> int:
     return i
 
 
-def _ends(tokens: Sequence[Token], i: int, run: _Run) -> bool:
+def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     """Tell whether a word is none of this noun phrase's any more."""
     word = tokens[i].text
     if word in fw.DEFINITE or word in fw.INDEFINITE or word in fw.PRONOUNS:
         return True
-    nouns = [w for w in run.words if not _describes(w)]
+    nouns = [w for w in run.words if not is_describing(w)]
     if word in fw.NUMBERS and nouns:
         return True
     if word in _STOPS or word in fw.STARTERS:
@@ -244,9 +100,11 @@ def _ends(tokens: Sequence[Token], i: int, run: _Run) -> bool:
         if named and (nouns or following is None or following.text not in fw.DEFINITE):
             return False
         before_noun = not nouns and following is not None and following.tag in ("word", "name")
-        describes = _describes(word) or word in ("standing", "hanging", "left", "right", "upright")
+        describes = is_describing(word) or word in (
+            "standing", "hanging", "left", "right", "upright"
+        )  # fmt: skip
         return not (before_noun and describes)
-    if nouns and (word.endswith(("ing", "ed")) or _describes(word)) and _is_known(run.words):
+    if nouns and (word.endswith(("ing", "ed")) or is_describing(word)) and _is_known(run.words):
         extended = (*run.words, word)
         ahead = [*extended, *(t.text for t in tokens[i + 1 : i + 3] if t.tag == "word")]
         return not any(
@@ -264,17 +122,17 @@ def _is_known(words: Sequence[str]) -> bool:
     )
 
 
-def _joined_adjectives(tokens: Sequence[Token], i: int, run: _Run) -> int:
+def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read the comma or "and" between describing words: "red, green and blue cubes"."""
     if tokens[i].tag not in ("comma", "and") or not run.words:
         return 0
-    if not all(_describes(w) or w in fw.SIDES for w in run.words):
+    if not all(is_describing(w) or w in fw.SIDES for w in run.words):
         return 0
     k = i + 1
     if k < len(tokens) and tokens[i].tag == "comma" and tokens[k].tag == "and":
         k += 1
     described = 0
-    while k < len(tokens) and tokens[k].tag == "word" and _describes(tokens[k].text):
+    while k < len(tokens) and tokens[k].tag == "word" and is_describing(tokens[k].text):
         described += 1
         k += 1
     if not described or k >= len(tokens):
@@ -291,7 +149,7 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: _Run) -> int:
 # ---------------------------------------------------------------------------------- the noun
 
 
-def _noun(run: _Run) -> Noun:
+def _noun(run: PhraseStart) -> Noun:
     """Return the noun phrase of what was read."""
     words = tuple(run.words)
     kind, head, category, family = _head(words, run.name)
@@ -352,10 +210,10 @@ def _head(
         ("part", last in PARTS or lexicon.singular(last) in PARTS),
         ("setting", lexicon.is_setting(last)),
     )  # fmt: skip
-    kind = next((kind for kind, holds in kinds if holds), None)
-    if kind is not None:
-        return kind, (last,), None, ""
-    if all(_describes(word) or word in fw.SIDES for word in words):
+    for kind, holds in kinds:
+        if holds:
+            return kind, (last,), None, ""
+    if all(is_describing(word) or word in fw.SIDES for word in words):
         return "adjective", (), None, ""
     return _look_up(words)
 
@@ -363,7 +221,7 @@ def _head(
 def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
     """Return what the dictionary knows of a noun phrase that the catalogue does not have."""
     entry = entry_of(words)
-    strange = len(words) > 1 and not _describes(words[-2])
+    strange = len(words) > 1 and not is_describing(words[-2])
     if entry is None:
         return "thing", words[-2:] if strange else words[-1:], None, ""
     head = words[-max(len(entry.noun.split()), 1 + strange) :]
@@ -374,29 +232,16 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
 
 def _is_strange(word: str) -> bool:
     """Tell whether a word before a noun may change what it means ("arduino board")."""
-    return not _describes(word) and word not in lexicon.vocabulary()
+    return not is_describing(word) and word not in lexicon.vocabulary()
 
 
-def _count(run: _Run) -> tuple[float | None, tuple[int, int] | None]:
+def _count(run: PhraseStart) -> tuple[float | None, tuple[int, int] | None]:
     if run.amount is not None:
         return None, run.amount
-    total = _total(run.numbers)
+    total = multiply(run.numbers)
     if total is None and run.article and not run.groups:
         total = 1.0
     return total, None
-
-
-def _total(numbers: Sequence[float]) -> float | None:
-    """Return "twenty five", "two hundred", "three pairs" as one number."""
-    total: float | None = None
-    for value in numbers:
-        if total is None:
-            total = value
-        elif 20 <= total < 100 and value < 10:
-            total += value
-        else:
-            total = min(total * value, 1e12)
-    return total
 
 
 def attributes_of(modifiers: Sequence[str]) -> dict[str, str]:
@@ -412,16 +257,16 @@ def attributes_of(modifiers: Sequence[str]) -> dict[str, str]:
             found.setdefault("size", SIZES[word])
         elif word == "medium":
             found.setdefault("size", "medium")
-        elif word in STATES or word in _MORE:
+        elif word in STATES or word in MORE:
             found.setdefault("state", word)
     return found
 
 
 def _variants(
-    run: _Run, last: Mapping[str, str], plural: bool, count: float | None
+    run: PhraseStart, last: Mapping[str, str], plural: bool, count: float | None
 ) -> tuple[Mapping[str, str], ...]:
     """Return the attributes of single ones: "red, green and blue cubes" are three."""
-    if not run.variants or not (plural or not any(not _describes(w) for w in run.words)):
+    if not run.variants or not (plural or not any(not is_describing(w) for w in run.words)):
         return ()
     each = (*(attributes_of(words) for words in run.variants), dict(last))
     distinct = all(attributes.keys() == each[0].keys() for attributes in each) and len(
@@ -430,7 +275,7 @@ def _variants(
     return each if distinct and (count is None or count == len(each)) else ()
 
 
-def _two_colored(run: _Run, last: Mapping[str, str]) -> dict[str, str]:
+def _two_colored(run: PhraseStart, last: Mapping[str, str]) -> dict[str, str]:
     """Return the attributes of "a yellow and white mug": a second colour beside the first."""
     merged: dict[str, str] = {}
     for attributes in (*(attributes_of(words) for words in run.variants), last):
