@@ -133,6 +133,10 @@ def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
     return x * share, y * share, z
 
 
+_CLOSED = frozenset({"jar", "bottle", "can", "tea_tin", "milk_carton", "screw_box", "wine_bottle"})
+"""What has a lid: nothing is put in it."""
+
+
 def _plausible(
     planned: PlannedObject, relation: Relation, by_name: dict[str, PlannedObject]
 ) -> Relation:
@@ -150,7 +154,8 @@ def _plausible(
     container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation
-    vessel = container and not is_shallow(outer)
+    closed = not container and target.category in _CLOSED
+    vessel = closed or (container and not is_shallow(outer))
     if fits("on", inner, outer, container) and not (relation.kind == "in" and vessel):
         return Relation("on", target.name)
     return Relation("next_to", target.name)

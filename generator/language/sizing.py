@@ -54,7 +54,11 @@ def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
         ready = [n for n in names if n not in done and done.keys() >= {*held.get(n, ())}]
         for name in ready or [n for n in names if n not in done]:  # all of a circle at once
             carried = [done.get(other, names[other]) for other in held.get(name, ())]
-            done[name] = _grow(names[name], carried, kinds.get(name, set()))
+            alike = [o for o in carried if o.category == names[name].category]
+            others = [o for o in carried if o not in alike]
+            done[name] = _grow(names[name], others, kinds.get(name, set()))
+            if done[name] == names[name] and alike and alike[0].size is not None:
+                done[name] = replace(names[name], size=names[name].size or alike[0].size)
     return [done[o.name] for o in objects]
 
 

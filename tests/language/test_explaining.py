@@ -12,7 +12,8 @@ from generator.language.explaining import Explained, explain
 
 def test_every_role_is_told() -> None:
     rows = explain(
-        "A round table with three red mugs in a row, happiness and a zither on the left, but no plates."
+        "A round table with three red mugs in a row, happiness and a zither on the left, "
+        "but no plates."
     )
     assert {row.role for row in rows} >= {
         "table", "thing", "count", "attribute", "arrangement", "place", "absent", "not understood",

@@ -121,3 +121,74 @@ def test_changed_words_are_warned_of(text: str, warning: str) -> None:
 )  # fmt: skip
 def test_known_words_need_no_warning(text: str) -> None:
     assert plan(text).warnings == ()
+
+
+def test_the_red_one_is_the_thing_of_that_colour() -> None:
+    text = "Put the red cube to the left of the blue cube and the green cube on the red one."
+    planned = plan(text)
+    colors = {o.attributes["color"]: o.name for o in planned.objects}
+    assert len(planned.objects) == 3
+    assert ("on", colors["red"]) in related(planned, colors["green"])
+
+
+def test_one_red_and_one_blue_of_several() -> None:
+    colors = [o.attributes.get("color") for o in plan("two mugs, a red one and a blue one").objects]
+    assert colors == ["red", "blue"]
+
+
+def test_colours_listed_after_a_colon_are_of_single_ones() -> None:
+    planned = plan("Five blocks: red, green, blue, yellow and purple, from left to right")
+    colors = [o.attributes["color"] for o in planned.objects]
+    assert colors == ["red", "green", "blue", "yellow", "purple"]
+    assert [g.kind for g in planned.groups] == ["row"]
+
+
+def test_single_things_in_a_row() -> None:
+    (group,) = plan("an apple, a pear and a peach in a row").groups
+    assert (group.kind, len(group.members)) == ("row", 3)
+
+
+def test_a_relation_that_is_denied_is_not_planned() -> None:
+    planned = plan("a book and a lamp that is not on the book")
+    assert counts("a book and a lamp that is not on the book") == {"book": 1, "desk_lamp": 1}
+    assert ("on", "book_1") not in related(planned, "desk_lamp_1")
+
+
+def test_cutlery_at_each_plate() -> None:
+    text = "four plates on a round table, a knife and a fork at each plate"
+    planned = plan(text)
+    assert counts(text) == {"plate": 4, "knife": 4, "fork": 4}
+    assert related(planned, "fork_3") == {("left_of", "plate_3")}
+    assert related(planned, "knife_4") == {("right_of", "plate_4")}
+
+
+def test_a_breakfast_is_laid_for_each() -> None:
+    text = "breakfast for three: a bowl of cereal, a glass of orange juice and a banana"
+    assert counts(text) == {"bowl": 3, "glass": 3, "banana": 3}
+
+
+def test_the_top_bowl_is_the_upper_one() -> None:
+    planned = plan("two bowls, one on the other, and a spoon in the top bowl")
+    assert related(planned, "bowl_1") | related(planned, "bowl_2") in (
+        {("on", "bowl_1")}, {("on", "bowl_2")},
+    )  # fmt: skip
+    upper = next(o.name for o in planned.objects if o.category == "bowl" and o.relations)
+    assert related(planned, "spoon_1") == {("in", upper)}
+    assert len({o.size for o in planned.objects if o.category == "bowl"}) == 1
+
+
+def test_a_bag_of_coffee_beans_is_one_bag() -> None:
+    assert counts("an espresso machine and a bag of coffee beans") == {
+        "espresso_machine": 1, "coffee_bag": 1,
+    }  # fmt: skip
+
+
+def test_nothing_is_put_on_a_closed_jar() -> None:
+    planned = plan("nails in a jar")
+    assert {r.kind for o in planned.objects for r in o.relations} <= {"next_to"}
+    assert planned.warnings
+
+
+def test_things_scattered_around_another_are_near_it() -> None:
+    planned = plan("three pens scattered around an open notebook")
+    assert related(planned, "pen_2") == {("next_to", "open_book_1")}

@@ -162,6 +162,7 @@ PLACES = _words(
     "cafe bathroom garden balcony window wall school classroom kindergarten nursery scene image "
     "picture photo photograph view background foreground day morning evening afternoon night "
     "dinner lunch supper party style person people guest guests child children kid work use "
+    "breakfast brunch meal feast banquet picnic barbecue "
     "way things thing stuff items item objects object everything something life still nothing "
     "arrangement place setup light sunlight corner date time ground shelf hand light "
     "arm gripper distance order place reach lighting hours hour world programmer student artist "

@@ -102,7 +102,15 @@ class Interpreter(ThingReader):
                     context.topic = target
                 self._share(nouns[: k + 1], noun, found)
         context.parallel = parallel
+        self._arrange_all(nouns, found)
         return found
+
+    def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
+        """Arrange "an apple, a pear and a peach in a row": what is said of the last is of all."""
+        posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
+        groups = [group for group in found if isinstance(group, list)]
+        if posts and len(groups) > 1 and all(len(g) == 1 and not g[0].relations for g in groups):
+            self._arrange(posts[0], [draft for group in groups for draft in group])
 
     def _share(self, nouns: Sequence[Noun], last: Noun, found: Sequence[Target]) -> None:
         """Give "an apple and a pear on a plate" one place."""
@@ -112,6 +120,9 @@ class Interpreter(ThingReader):
         other = found[-2]
         previous = nouns[-2]
         if not isinstance(other, list) or previous.post:
+            return
+        if places[0].each or (isinstance(places[0].target, Noun) and places[0].target.each):
+            self._attach(places[0], self._context.parallel or [], other)
             return
         listed = len(nouns) > 2
         drafts = found[-1]

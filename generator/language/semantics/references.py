@@ -63,7 +63,11 @@ def _overlaps(one: Group, other: Sequence[Draft]) -> bool:
 def same(draft: Draft, noun: Noun) -> bool:
     """Tell whether a noun phrase may mean this object: same kind, no clashing attribute."""
     alike = draft.category == noun.category and (noun.category or draft.noun == noun.head)
-    return bool(alike) and all(
+    return bool(alike) and _agrees(draft, noun)
+
+
+def _agrees(draft: Draft, noun: Noun) -> bool:
+    return all(
         draft.attributes.get(key, value) == value
         for key, value in noun.attributes.items()
         if key != "state"
@@ -80,7 +84,11 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
         placed = [d for d in alike if d.position == noun.position]
         if placed or any(d.position for d in alike) or len(alike) < 2:
             return placed
-        return [alike[0] if noun.position in ("left", "front") else alike[-1]]
+        stacked = [d for d in alike if d.stacked_under is not None or any(
+            kind == "on" and to in alike for kind, to in d.relations)]  # fmt: skip
+        if noun.position in ("top", "upper") and stacked:
+            return [d for d in stacked if d.stacked_under is None][-1:] or stacked[-1:]
+        return [alike[0] if noun.position in ("left", "front", "bottom", "lower") else alike[-1]]
     if noun.other and len(alike) > 1:
         return [alike[1]]
     if noun.plural and (noun.count or 2) > 1:
@@ -97,6 +105,6 @@ def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
     found = []
     for draft in objects:
         words = [singular(word) for word in draft.noun.split(" of ")[0].split()]
-        if head == words[-1:] or head == draft.noun.split()[-1:]:
+        if head in (words[-1:], draft.noun.split()[-1:]) and _agrees(draft, noun):
             found.append(draft)
     return found

@@ -25,6 +25,9 @@ CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
 """What lies beside a plate; a glass "above" it stands behind it."""
 
 
+_SIDES = {"fork": "left_of", "knife": "right_of", "spoon": "right_of", "chopsticks": "right_of"}
+
+
 @dataclass(eq=False)
 class Relater:
     """Relates drafts to one another and to the table; vague numbers are drawn by ``rng``."""
@@ -49,7 +52,7 @@ class Relater:
                 self.reading.warnings.append(
                     f"The {group[0].noun} cannot go under the table; it stands on it."
                 )
-            elif kind not in ("on", "in", "next_to", "at", "against", "around", "opposite"):
+            elif kind not in ("on", "in", "next_to", "at", "against", "around", "opposite", "laid"):
                 for draft in group:
                     draft.relate(kind, TABLE)
             return
@@ -63,6 +66,8 @@ class Relater:
         self._drop_assumed(group, target)
         if kind in ("left_of", "right_of", "in_front_of", "behind"):
             self._side = kind, target
+        if kind == "laid" and group[0].category in _SIDES:  # cutlery at a plate
+            kind = _SIDES[group[0].category]
         if kind == "flank":
             flank(group, target, self.reading)
         elif kind in ("around", "surrounded"):

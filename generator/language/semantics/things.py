@@ -80,8 +80,13 @@ class ThingReader(Relater, ABC):
 
     def _member(self, noun: Noun) -> Group | None:
         """Read "one on the plate", "the other behind it": single ones of the last group."""
+        if noun.definite and noun.attributes:  # "the red one"
+            wanted = noun.attributes.items()
+            known = [d for d in self.reading.objects if wanted <= d.attributes.items()]
+            self._posts(noun, known[-1:])
+            return known[-1:] or None
         groups = [g for g in self._context.mentioned if len(g) > 1]
-        if not groups or not noun.post:
+        if not groups or not (noun.post or noun.attributes):
             return None
         free = [d for d in groups[-1] if not d.told]
         count = len(free) if noun.other and noun.plural else int(noun.count or 1)

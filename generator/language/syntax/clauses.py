@@ -56,7 +56,8 @@ class Parser(ListReader):
             subjects[0].post.append(arrangement)
         predicate: list[Post] = []
         people = people or self._people()
-        if people and not subjects and self._tag() in ("colon", "dash"):
+        loose = all(noun.kind == "setting" for noun in subjects)
+        if people and loose and self._tag() in ("colon", "dash"):
             self.i += 1
             subjects = self._items(None, "with")
         if self._text() in fw.BE or self._tag() == "relative":

@@ -60,6 +60,7 @@ RELATIONS = _table(
     next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby
     next_to: not far from, touching, by the side of, at the side of, to the side of
     next_to: together with, close by, right by, near to, accompanying, outside, outside of
+    laid: at
     next_to: along, within reach of, off to the side of
     against: against, leaning against, propped against, propped up against, leaning on
     against: leaning up against, resting against, leant against, up against

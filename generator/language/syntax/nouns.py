@@ -33,6 +33,13 @@ from .tree import Noun, NounKind
 _STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
 
 
+_POSITIONS = frozenset(
+    ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",
+     "lower"]
+)  # fmt: skip
+"""What tells one of several alike from the others: "the left plate"."""
+
+
 def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     """Return the noun phrase that starts at a token and where it ends; None where there is none."""
     run = PhraseStart(first=start)
@@ -80,6 +87,8 @@ def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     """Tell whether a word is none of this noun phrase's any more."""
     word = tokens[i].text
+    if word in ("one", "ones") and run.words and all(map(is_describing, run.words)):
+        return False
     if word in fw.DEFINITE or word in fw.INDEFINITE or word in fw.PRONOUNS:
         return True
     nouns = [w for w in run.words if not is_describing(w)]
@@ -180,8 +189,7 @@ def _noun(run: PhraseStart) -> Noun:
         attributes=attributes, variants=variants,
         members=lexicon.collective_of(head) if kind == "collective" else (),
         lengths=tuple(run.lengths), arrangement=run.arrangement,
-        position=next((w for w in modifiers if w in ("left", "right", "back", "front", "middle",
-                                                     "center", "centre")), None),
+        position=next((word for word in modifiers if word in _POSITIONS), None),
         family=family,
     )  # fmt: skip
 
@@ -197,6 +205,8 @@ def _head(
     if not words:
         return "member", (), None, ""
     last = words[-1]
+    if last in ("one", "ones") and len(words) > 1:
+        return "member", (last,), None, ""
     for start in range(len(words)):
         tail = words[start:]
         if lexicon.collective_of(tail):

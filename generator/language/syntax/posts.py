@@ -15,6 +15,7 @@ from .tree import (
     Description,
     How,
     Lack,
+    Location,
     Noun,
     Post,
 )
@@ -41,6 +42,8 @@ class PostReader(PlaceReader):
             if (not out and joined) or not self._goes_on():
                 return self._listed_attributes(noun, out) if comma else False
             self.i += 1
+        if self._tag() in ("colon", "dash"):
+            return self._listed_attributes(noun, out)
         each = self._tag() == "each" or self._text() in ("all", "both")
         if self._tag() == "each" or (each and self._tag(1) in ("relation", "carry", "arranged")):
             self.i += 1
@@ -101,6 +104,11 @@ class PostReader(PlaceReader):
     def _arranged(self, out: list[Post]) -> bool:
         kind = self._take().value
         order = None
+        if self.tokens[self.i - 1].words[-1].text == "around" and self._starts_noun(0):
+            target = self._target(nested=False)  # "scattered around the book"
+            if target is not None:
+                out.append(Location("next_to", target))
+                return True
         if self._tag() == "order":
             order = str(self._take().value)
         out.append(Arranged(kind, order))
@@ -108,7 +116,9 @@ class PostReader(PlaceReader):
 
     def _lacks(self, out: list[Post]) -> bool:
         self.i += 1
-        items = []
+        if self._place() is not None:
+            return True  # "that is not on the book"
+        items: list[Noun] = []
         while True:
             noun, end = read_noun(self.tokens, self.i)
             if noun is None:
@@ -209,7 +219,7 @@ class PostReader(PlaceReader):
         if noun is None or not (noun.plural or (noun.count or 1) > 1):
             return False
         before, each = self.i, []
-        while self._tag() in ("comma", "and", "open", "close"):
+        while self._tag() in ("comma", "and", "open", "close", "colon", "dash"):
             self.i += 1
             if self._tag() in ("comma", "and"):
                 continue

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from ..parsing import lexicon
 from . import function_words as fw
 from .words import Word
 
@@ -95,6 +96,10 @@ def _name_length(words: Sequence[Word], i: int, is_noun: Any) -> int:
     for length in range(min(_LONGEST, len(words) - i), 1, -1):
         run = words[i : i + length]
         if all(w.kind == "word" for w in run) and is_noun(tuple(w.text for w in run)):
+            more = words[i + length : i + length + 1]
+            pair = tuple(w.text for w in (*run[-1:], *more))
+            if run[-2].text == "of" and len(pair) == 2 and lexicon.category_of(pair):
+                return 0  # "a bag of coffee beans"
             return length
     return 0
 
