@@ -34,7 +34,7 @@ _FAMILIES = """
     rod: writing_implement cue bow
     rod: baton wand candle match drumstick spear pipe pointer
     keyed: keyboard_instrument
-    appliance: kitchen_appliance home_appliance appliance white_goods oven stove heater refrigerator
+    appliance: kitchen_appliance home_appliance appliance oven stove heater refrigerator
     appliance: coffee_maker textile_machine blender mixer sewing_machine
     device: electronic_equipment electronic_device computer machine measuring_instrument
     device: telephone audio_system scientific_instrument medical_instrument optical_instrument
@@ -55,6 +55,7 @@ _FAMILIES = """
     lamp: lamp source_of_illumination
     shoe: footwear shoe
     hat: headdress hat cap helmet
+    cloth: household_linen
     cloth: clothing garment fabric piece_of_cloth bedclothes towel cloth_covering blanket
     cloth: consumer_goods_textile accessory neckwear necktie scarf glove handwear mask apron
     book: book publication notebook

@@ -192,3 +192,41 @@ def test_nothing_is_put_on_a_closed_jar() -> None:
 def test_things_scattered_around_another_are_near_it() -> None:
     planned = plan("three pens scattered around an open notebook")
     assert related(planned, "pen_2") == {("next_to", "open_book_1")}
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("a big red apple next to a small green one", {"apple": 2}),
+        ("a vase of tulips", {"vase": 1}),
+        ("a first aid kit", {"first_aid_kit": 1}),
+        ("I don't want any plates, just a cup", {"mug": 1}),
+        ("a cup of tea with milk", {"mug": 1}),
+        ("a bottle of red wine and two glasses", {"wine_bottle": 1, "glass": 2}),
+        ("cups and saucers for four people", {"mug": 4, "saucer": 4}),
+        ("<html><body>a mug</body></html>", {"mug": 1}),
+        ("two of the three mugs are red", {"mug": 3}),
+        ("a plate with a sandwich, a banana and a cookie",
+         {"plate": 1, "sandwich": 1, "banana": 1, "cookie": 1}),
+    ],
+)
+def test_more_counts(text: str, expected: dict[str, int]) -> None:
+    assert counts(text) == expected
+
+
+def test_a_list_on_a_plate_is_on_it() -> None:
+    planned = plan("a plate with a sandwich, a banana and a cookie")
+    assert all(o.relations[0].target == "plate_1" for o in planned.objects if o.name != "plate_1")
+
+
+def test_a_cup_laid_with_its_saucer_is_on_it() -> None:
+    planned = plan("cups and saucers for four people")
+    assert related(planned, "mug_3") == {("on", "saucer_3")}
+
+
+def test_linen_is_cloth() -> None:
+    assert {o.family for o in plan("a lace doily and a tablecloth").objects} <= {"cloth", ""}
+
+
+def test_what_does_not_fit_in_is_warned_of() -> None:
+    assert any("does not fit" in w for w in plan("a mug with a hammer inside").warnings)

@@ -332,6 +332,17 @@ SYNONYMS = _pairs(
 )  # fmt: skip
 """Words to a catalogue word (key, noun or alias), beside the catalogue's own aliases."""
 
+MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
+    {
+        "piece": (("chess_board", "chess_piece"),),
+        "set": (("chess_board", "chess_piece"),),
+        "bean": (("coffee_grinder", "coffee_bag"), ("espresso_machine", "coffee_bag")),
+        "card": (("poker_chips", "playing_cards"),),
+        "chip": (("playing_cards", "poker_chips"),),
+    }
+)
+"""Words that mean a category where another one is there: pieces by a chess board."""
+
 COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "tools": ("hammer", "screwdriver", "wrench", "pliers"),

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group
+from ..parsing.lexicon import category_of
 from ..parsing.vocabulary import PACKAGES, SUBSTANCES
 from ..relations import fits
 from ..syntax.tree import Noun
@@ -39,6 +40,8 @@ def labels(owner: Noun, inner: Noun) -> bool:
     if inner.kind == "collective" or inner.determined:
         return False
     package = head in PACKAGES
+    if inner.category == owner.category is not None:
+        return True  # a vase of tulips
     if inner.category is None:
         return package or not inner.plural or owner.category is not None
     vessel = CATEGORIES[owner.category] if owner.category else None
@@ -48,12 +51,17 @@ def labels(owner: Noun, inner: Noun) -> bool:
     return package
 
 
+_VESSELS = frozenset({"mug", "teacup", "glass", "wine_glass", "paper_cup", "beer_mug", "carafe"})
+"""What holds a drink, and nothing else."""
+
+
 def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     """Tell whether "with tea" only says what a vessel holds."""
     if len(items) != 1 or owner.category is None:
         return False
     (item,) = items
-    plain = not item.determined and not item.plural and item.category is None
+    vessel = item.category is None or owner.category in _VESSELS
+    plain = not item.determined and not item.plural and vessel
     return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)
 
 
@@ -71,7 +79,9 @@ def label(owner: Noun, inner: Noun, drafts: Group) -> None:
     said = " ".join(inner.words)
     known = inner.category is not None and owner.head.split()[-1:][0] in PACKAGES
     itself = known and (not inner.plural or bool(PACKAGES & set(str(inner.category).split("_"))))
+    whole = category_of((*owner.head.split(), "of", inner.head.split()[-1]))
     for draft in drafts:
+        draft.category = whole or draft.category
         if itself and inner.head not in SUBSTANCES:
             draft.category, draft.noun = inner.category, inner.head
         else:

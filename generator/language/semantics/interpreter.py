@@ -307,6 +307,9 @@ class Interpreter(ThingReader):
         if all(noun.kind in loose for noun in clause.subjects):
             self.reading.people = self.reading.people or clause.people
             return
+        for noun in clause.subjects:  # "cups and saucers": one for each
+            if noun.plural and noun.count is None and noun.amount is None:
+                noun.count, noun.plural = 1.0, False
         self._lay(clause.people, lambda: self._list(clause.subjects, None))
 
     def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
@@ -318,6 +321,10 @@ class Interpreter(ThingReader):
             read()
             self._seated, self._context = None, context
             members = self.reading.objects[start:]
+            saucer = next((d for d in members if d.category == "saucer"), None)
+            for draft in members:
+                if saucer is not None and draft.category in ("mug", "teacup"):
+                    draft.relate("on", saucer)
             for draft in members[1:]:
                 if not draft.relations:
                     draft.relations.append(("right_of", members[0]))

@@ -10,7 +10,7 @@ from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
 
 _OF_BOTH = ("between",)
-_BESIDE = dict.fromkeys(("against", "opposite", "beside", "at", "laid"), "next_to")
+_BESIDE: dict[str, str] = dict.fromkeys(("against", "opposite", "beside", "at", "laid"), "next_to")
 
 
 def topmost(target: Draft | str) -> Draft | str:

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 from ..drafts import Draft, Group
+from ..parsing.vocabulary import MEANT_WITH
 from ..syntax.tree import (
     VARIED,
     Arranged,
@@ -59,13 +60,17 @@ class ThingReader(Relater, ABC):
             claimed[0].implied = False
             claimed[0].attributes.update(noun.attributes)
             return claimed[:1]
+        there = {draft.category for draft in self.reading.objects}
+        meant = MEANT_WITH.get(noun.head, ())
+        category = next((key for other, key in meant if other in there), noun.category)
+        head = noun.head if category == noun.category else str(category).replace("_", " ")
         single = noun.category in _ONE_PIECE and (
             noun.arrangement is not None or noun.category in _HEAPED
         )
         count = 1 if single else len(noun.variants) or self.reading.number(noun, self.rng)
         group = [
             self.reading.add(
-                noun.head, noun.category,
+                head, category,
                 {**noun.attributes, **(noun.variants[k] if noun.variants else {})},
                 lengths=noun.lengths, family=noun.family, implied=noun.definite,
                 position=noun.position,
@@ -86,6 +91,12 @@ class ThingReader(Relater, ABC):
             self._posts(noun, known[-1:])
             return known[-1:] or None
         groups = [g for g in self._context.mentioned if len(g) > 1]
+        if noun.attributes and not groups and self._context.mentioned:  # "a small green one"
+            like = self._context.mentioned[-1][0]
+            bare = like.noun.split()[-1]
+            made = self.reading.add(bare, like.category, noun.attributes, family=like.family)
+            self._posts(noun, [made])
+            return [made]
         if not groups or not (noun.post or noun.attributes):
             return None
         free = [d for d in groups[-1] if not d.told]

@@ -152,7 +152,7 @@ ARRANGED = _table(
 GROUPS = _table(
     """
     stack: stack, stacks, tower, towers
-    heap: pile, piles, heap, heaps, mound, mounds, jumble, mountain
+    heap: pile, piles, heap, heaps, mound, mounds, jumble, mountain, pyramid
     row: row, rows, line, lines, series, lineup, sequence
     column: column, columns
     circle: circle, ring, arc, semicircle

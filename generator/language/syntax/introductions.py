@@ -51,6 +51,7 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             break
         elif token.text in fw.DEFINITE:
             run.definite = True
+            run.numbers = []  # "two of the three mugs"
             i += 1
         elif token.text in fw.INDEFINITE:
             run.article = True

@@ -130,7 +130,8 @@ class ListReader(PostReader):
             return True
         if how == "hold":
             return not _may_hold(owner, noun)
-        if joint == "and":
+        served = owner.category in ("plate", "bowl") and _is_food(noun)
+        if joint == "and" or served:
             return False
         return not (_carries(owner) and _may_hold(owner, noun))
 
@@ -143,7 +144,8 @@ class ListReader(PostReader):
             kind = self.tokens[self.i + k].value
             if self._tag(k) == "relation" and kind in SUPPORTING:
                 pronoun = self._text(k + 1) in fw.PRONOUNS and self._text(k + 1) != "one"
-                return str(kind) if pronoun else None
+                ended = self._tag(k + 1) in (*ENDS, "", "comma")  # "with a spoon inside"
+                return str(kind) if pronoun or ended else None
             if self._tag(k) == "here" and kind in SUPPORTING:
                 return str(kind)
             if self._tag(k) in ("relation", "here"):
@@ -165,6 +167,16 @@ def _may_hold(owner: Noun, item: Noun) -> bool:
         and fits("on", inner, outer.size, outer.container)
         and min(inner[:2]) < 0.8 * min(outer.size[:2])
     )
+
+
+_FOOD = frozenset({"bread", "fruit", "slab", "sweet", "meal"})
+"""Families of food."""
+
+
+def _is_food(item: Noun) -> bool:
+    if item.category is None:
+        return item.family in _FOOD
+    return "edible" in CATEGORIES[item.category].roles
 
 
 def _carries(owner: Noun) -> bool:

@@ -98,9 +98,10 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
         following = tokens[i + 1] if i + 1 < len(tokens) else None
         ahead = following.text if following is not None and following.tag == "word" else ""
         extended, longer = (*run.words, word), (*run.words, word, ahead)
+        third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
         named = any(
             lexicon.category_of(some[k:]) or lexicon.collective_of(some[k:])
-            for some in (extended, longer)
+            for some in (extended, longer, (*longer, third))
             for k in range(len(extended))
         )
         closed = following is None or following.tag in ("comma", "stop", "line", "and", "close")

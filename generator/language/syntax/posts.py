@@ -118,6 +118,7 @@ class PostReader(PlaceReader):
         self.i += 1
         if self._place() is not None:
             return True  # "that is not on the book"
+        self._skip(fw.STARTERS)  # "do not want any plates"
         items: list[Noun] = []
         while True:
             noun, end = read_noun(self.tokens, self.i)

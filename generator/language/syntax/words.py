@@ -25,6 +25,7 @@ _PIECE = re.compile(
     """,
     re.VERBOSE,
 )
+_TAG = re.compile(r"</?[A-Za-z][^<>\n]{0,80}>")
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
@@ -44,6 +45,7 @@ class Word:
 
 def words_of(text: str) -> tuple[Word, ...]:
     """Return the words of a text; bullets and numbers of list items are line ends."""
+    text = _TAG.sub(lambda found: " " * len(found.group()), text)
     text = _BULLET.sub(lambda found: "\n".ljust(len(found.group())), text)
     plain, places = _plain(text)
     found = []
