@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..errors import SceneError
-from ..scene import TABLE, Model, Placement, PlannedObject, Relation, ScenePlan
+from ..scene import TABLE, Model, Placement, PlannedGroup, PlannedObject, Relation, ScenePlan
 from .facing import natural_yaw
 from .footprint import Footprint, footprint, gaps, margins
 from .furnishing import outline_of
@@ -157,7 +157,8 @@ def _place_all(
     on_table = {o.name: o for o in standing}
     carrying = {name: _cover(name, shapes, above) for name in on_table}
     sized = replace(plan.table, size=(*map(float, table.size),))
-    units = {u.planned.name: u for u in units_of(plan.groups, on_table, carrying, sized, rng)}
+    groups = [_grounded(group, supports) for group in plan.groups]
+    units = {u.planned.name: u for u in units_of(groups, on_table, carrying, sized, rng)}
     inside = {name for unit in units.values() for name in unit.offsets}
     alone = [o for o in standing if o.name not in inside]
     wholes = [unit.planned for unit in units.values()]
@@ -182,6 +183,18 @@ def _place_all(
                     return planned.name
         above = [o for o in above if o not in ready]
     return None
+
+
+def _grounded(group: PlannedGroup, supports: Mapping[str, str | None]) -> PlannedGroup:
+    """Return a group of what its members stand on: cups on saucers are arranged by the saucers."""
+
+    def bottom(name: str) -> str:
+        below = supports.get(name)
+        return name if below is None else bottom(below)
+
+    around = None if group.around is None else bottom(group.around)
+    members = tuple(dict.fromkeys(bottom(name) for name in group.members))
+    return replace(group, members=members, around=around)
 
 
 def _center(state: State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -> None:

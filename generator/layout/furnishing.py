@@ -27,8 +27,8 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     The plan's style decides how they are drawn, if it is one of the catalogue's.
 
     Equal planned things ("two red mugs") look alike, since they share the seed. A long thin thing
-    that goes into a vessel stands upright, as a pencil does in a mug, and so does an egg in the
-    place that a carton has for it.
+    that goes into a vessel stands upright, as a pencil does in a mug, unless the vessel is as wide
+    as it is long, and so does an egg in the place that a carton has for it.
     """
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
@@ -40,11 +40,17 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     for planned in plan.objects:
         for relation in planned.relations:
             if relation.kind == "in" and relation.target in by_name:
+                own = models[planned.name]
                 fitted = "places" in by_name[relation.target].attributes
-                model = _upright(models[planned.name], 1.0 if fitted else 3.0)
+                mouth = float(models[relation.target].size[:2].min())
+                if not fitted and own.size[0] < mouth / _LIES:
+                    continue
+                model = _upright(own, 1.0 if fitted else 3.0)
                 models[planned.name] = replace(model, parts=_FITTED) if fitted else model
     return models
 
+
+_LIES = 0.9  # share of its length that a vessel's mouth has where a long thing lies in it
 
 _FITTED = (ConvexPart(resting_ball(1.0, 1.0, 1.0).vertices - [0.0, 0.0, 0.5]),)
 """Collision shape of a round thing that stands in its place, in the canonical frame."""

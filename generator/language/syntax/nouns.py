@@ -33,6 +33,9 @@ from .tree import Noun, NounKind
 _STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
 
 
+_COMPOUNDED = frozenset(["rest", "stand", "set", "kit", "press", "mount", "guard", "control"])
+"""Nouns that name a thing only after another one: "foot rest"."""
+
 _POSITIONS = frozenset(
     ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",
      "lower"]
@@ -236,6 +239,8 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
     if entry is None:
         return "thing", words[-2:] if strange else words[-1:], None, ""
     head = words[-max(len(entry.noun.split()), 1 + strange) :]
+    if not entry.family and strange and entry.noun in _COMPOUNDED:
+        return "thing", head, None, "block"
     if entry.is_thing:
         return "thing", head, entry.category, entry.family
     return "setting" if entry.family == "place" else "abstract", head, None, ""
