@@ -109,7 +109,7 @@ def _changed_nouns(objects: Sequence[PlannedObject]) -> list[str]:
         *(f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
           for noun in unknown),
         *(f"The catalogue has no {noun!r}; it is shown as {key.replace('_', ' ')!r}."
-          for noun, key in shown if is_substituted(noun)),
+          for noun, key in shown if is_substituted(noun, key)),
     ]  # fmt: skip
 
 

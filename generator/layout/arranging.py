@@ -171,6 +171,7 @@ def _place_all(
             return planned.name
     while above:
         ready = [o for o in above if supports[o.name] in state.places]
+        ready.sort(key=lambda o: _rank(o, models[o.name]))
         for planned in ready:
             support = str(supports[planned.name])
             if not put_on(planned, support, plan, models, rng, state, shapes):
@@ -183,6 +184,12 @@ def _place_all(
                     return planned.name
         above = [o for o in above if o not in ready]
     return None
+
+
+def _rank(planned: PlannedObject, model: Model) -> float:
+    """Return the order in which things come on or in others: into vessels the longest first."""
+    inside = any(r.kind == "in" for r in planned.relations)
+    return -float(model.size.max()) if inside else 0.0
 
 
 def _grounded(group: PlannedGroup, supports: Mapping[str, str | None]) -> PlannedGroup:

@@ -117,7 +117,7 @@ def test_changed_words_are_warned_of(text: str, warning: str) -> None:
 @pytest.mark.parametrize(
     "text",
     ["a towel", "two drinking glasses", "a breadboard", "a nail file", "a moka pot",
-     "a standing mirror", "poker chips", "mugs of various sizes"],
+     "a standing mirror", "poker chips", "mugs of various sizes", "a chessboard"],
 )  # fmt: skip
 def test_known_words_need_no_warning(text: str) -> None:
     assert plan(text).warnings == ()
@@ -230,3 +230,9 @@ def test_linen_is_cloth() -> None:
 
 def test_what_does_not_fit_in_is_warned_of() -> None:
     assert any("does not fit" in w for w in plan("a mug with a hammer inside").warnings)
+
+
+def test_what_is_between_two_things_has_one_on_each_side() -> None:
+    planned = plan("a chess board between two mugs")
+    assert related(planned, "mug_1") == {("left_of", "chess_board_1")}
+    assert related(planned, "mug_2") == {("right_of", "chess_board_1")}

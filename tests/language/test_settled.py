@@ -13,6 +13,8 @@ from generator.composition import compose
     [
         ("a bun on a basket", "bun_1", "basket_1"),
         ("a bowl with a banana and two apples", "banana_1", "bowl_1"),
+        ("a fruit bowl with three apples, a banana and grapes", "banana_1", "bowl_1"),
+        ("a whisk inside a mixing bowl", "whisk_1", "mixing_bowl_1"),
         ("a mug of pens", "pen_2", "mug_1"),
         ("a tray holding a teapot, a jug and 2 cups", "mug_2", "tray_1"),
         ("a monitor on two books", "monitor_1", "book_2"),

@@ -55,6 +55,8 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
         chosen = [targets[i // share]] if paired else list(targets if everyone else targets[:1])
         if any(to is other for _, to in draft.relations for other in group):
             continue  # in a stack with the others
+        if kind == "between" and len(group) == 1 and len(chosen) == 2:
+            _flanked(draft, chosen)
         for target in chosen:
             if target is draft:
                 raise InputError(
@@ -72,6 +74,13 @@ def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> 
         draft.relate("next_to", target)
     elif (kind, target) not in (("on", TABLE), ("in", TABLE), ("next_to", TABLE)):
         draft.relate(kind, target)
+
+
+def _flanked(draft: Draft, targets: Sequence[Draft | str]) -> None:
+    """Put two new things on either side of what is between them."""
+    for kind, target in zip(("left_of", "right_of"), targets, strict=True):
+        if isinstance(target, Draft) and target is not draft and not target.relations:
+            target.relate(kind, draft)
 
 
 def flank(group: Group, targets: Group, reading: Reading) -> None:

@@ -69,8 +69,10 @@ def _substitutes() -> frozenset[str]:
     return frozenset((_TABLES / "substituted.txt").read_text().splitlines())
 
 
-def is_substituted(noun: str) -> bool:
+def is_substituted(noun: str, category: str) -> bool:
     """Tell whether a noun is shown as a category that is not the same thing."""
+    if noun.replace(" ", "") == category.replace("_", ""):
+        return False  # a chessboard
     whole, words = tuple(noun.split()), tuple(noun.split(" of ")[0].split())
     tails = (whole, *(words[k:] for k in range(len(words))))
     known = next((tail for tail in tails if category_of(tail) is not None), None)
