@@ -14,7 +14,7 @@ from ..errors import InputError
 from ..scene import PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
 from .drafts import Draft, Reading
-from .filling import fill
+from .filling import fill, relate_by_habit
 from .furniture import plan_table
 from .laying import place_settings, setting_of
 from .parsing import lexicon
@@ -54,7 +54,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     words = _PEOPLE.sub(" ", text).split()
     theme = _theme(words)
     _check_content(prompt, reading, theme)
-    objects, groups = _plan_objects(reading)
+    objects, groups = relate_by_habit(*_plan_objects(reading))
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
     people = reading.people or people

@@ -257,7 +257,8 @@ def _order(
             for o in waiting
             if all(r.target in placed or r.target not in names for r in o.relations)
         ]
-        chosen = (ready or waiting)[0]
+        named = [r.target for o in waiting for r in o.relations]
+        chosen = ready[0] if ready else max(waiting, key=lambda o: named.count(o.name))
         done.append(chosen)
         waiting.remove(chosen)
     return done

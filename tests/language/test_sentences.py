@@ -236,3 +236,20 @@ def test_what_is_between_two_things_has_one_on_each_side() -> None:
     planned = plan("a chess board between two mugs")
     assert related(planned, "mug_1") == {("left_of", "chess_board_1")}
     assert related(planned, "mug_2") == {("right_of", "chess_board_1")}
+
+
+def test_a_colour_in_a_name_is_kept() -> None:
+    apple, onion = plan("a green apple and a red onion").objects
+    assert (apple.attributes["color"], onion.attributes["color"]) == ("green", "red")
+
+
+def test_an_occasion_is_no_thing() -> None:
+    assert counts("an afternoon tea: a teapot and two scones")["teapot"] == 1
+    assert all(o.noun.split()[-1] != "tea" for o in plan("an afternoon tea: a teapot").objects)
+
+
+def test_a_desk_is_set_as_people_have_it() -> None:
+    planned = plan("a desk with two monitors, a keyboard and a mouse")
+    assert related(planned, "keyboard_1") == {("in_front_of", "monitor_1")}
+    assert related(planned, "computer_mouse_1") == {("right_of", "keyboard_1")}
+    assert [g.members for g in planned.groups] == [("monitor_1", "monitor_2")]

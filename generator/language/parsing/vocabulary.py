@@ -170,6 +170,9 @@ PLACES = _words(
 )
 """Words for where, when and what it is about; no objects."""
 
+OCCASIONS = frozenset({"afternoon tea", "high tea", "coffee break", "game night", "movie night"})
+"""Occasions of two words."""
+
 VAGUE_THINGS = _words("things thing stuff items item objects object everything supplies etc")
 
 VERBS = _words(
@@ -234,7 +237,6 @@ SYNONYMS = _pairs(
     vase: flower vase, flower, bouquet, rose, tulip, bouquet of flowers, vase of flowers
     plant: potted plant, houseplant, house plant, succulent, cactus, flower pot, flowerpot
     plant: plant pot
-    apple: red apple, green apple
     orange: mandarin, tangerine, clementine, grapefruit
     lemon: lime
     banana: plantain

@@ -10,6 +10,7 @@ from ..parsing.vocabulary import (
     COLORS,
     LOOSE_NOUNS,
     MATERIALS,
+    OCCASIONS,
     PARTS,
     SHADES,
     SIZES,
@@ -215,6 +216,8 @@ def _head(
         tail = words[start:]
         if lexicon.collective_of(tail):
             return "collective", tail, None, ""
+        if _only_describes(tail):
+            continue
         if " ".join(tail) not in TABLE_NOUNS and (key := lexicon.category_of(tail)):
             strange = any(_is_strange(word) for word in words[:start])
             if not (strange and len(tail) == 1 and last in LOOSE_NOUNS):
@@ -222,7 +225,7 @@ def _head(
     kinds: tuple[tuple[NounKind, bool], ...] = (
         ("table", last in TABLE_NOUNS), ("vague", last in VAGUE_THINGS),
         ("part", last in PARTS or lexicon.singular(last) in PARTS),
-        ("setting", lexicon.is_setting(last)),
+        ("setting", lexicon.is_setting(last) or " ".join(words[-2:]) in OCCASIONS),
     )  # fmt: skip
     for kind, holds in kinds:
         if holds:
@@ -230,6 +233,12 @@ def _head(
     if all(is_describing(word) or word in fw.SIDES for word in words):
         return "adjective", (), None, ""
     return _look_up(words)
+
+
+def _only_describes(tail: tuple[str, ...]) -> bool:
+    """Tell whether the first word of a name only describes: the colour of "green apple"."""
+    key = lexicon.category_of(tail[1:]) if len(tail) > 1 and tail[0] in COLORS else None
+    return key is not None and key == lexicon.category_of(tail)
 
 
 def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
