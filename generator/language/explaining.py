@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from ..catalogue import CATEGORIES
+from .parsing.vocabulary import SIZES
 from .planner import plan_scene
 from .reading import read_text
 from .syntax.tree import Arranged, Carry, Description, Lack, Location, Noun, Post, Zone
@@ -67,10 +68,21 @@ def _noun(noun: Noun, text: str) -> Iterator[Explained]:
         yield Explained("setting", said)
     for key, value in noun.attributes.items():
         yield Explained("attribute", value, f"{key} of {noun.head or said}")
+    for word in noun.words[: -len(noun.head.split()) or None]:
+        if not _is_used(word, noun):
+            yield Explained("not understood", word, f"of {noun.head or said}")
     if noun.arrangement is not None:
         yield Explained("arrangement", said, noun.arrangement)
     for post in noun.post:
         yield from _post(post, noun.head or said, text)
+
+
+def _is_used(word: str, noun: Noun) -> bool:
+    """Tell whether a describing word says something about a thing in the plan."""
+    values = {part for value in noun.attributes.values() for part in value.split()}
+    varied = {part for each in noun.variants for value in each.values() for part in value.split()}
+    known = word in values | varied | SIZES.keys() or word == noun.position
+    return known or noun.kind not in ("thing", "collective")
 
 
 def _meaning(noun: Noun) -> str:

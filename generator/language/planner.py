@@ -72,7 +72,8 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.check_relations(grow_carriers(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
-    warnings = tuple(dict.fromkeys([*reading.warnings, *_changed_nouns(objects), *doubts]))
+    told = [*reading.warnings, *_warn_of_lengths(reading), *_changed_nouns(objects), *doubts]
+    warnings = tuple(dict.fromkeys(told))
     return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))
 
 
@@ -180,10 +181,22 @@ def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGr
     return objects, [group for group in groups if len(group.members) + bool(group.around) > 1]
 
 
+_LENGTHS = 0.01, 0.6  # metres: the shortest and the longest thing on a table
+
+
+def _warn_of_lengths(reading: Reading) -> list[str]:
+    return [
+        f"A {d.noun} of {d.lengths[0]:g} m does not belong on a table; it is "
+        f"{np.clip(d.lengths[0], *_LENGTHS):g} m long."
+        for d in reading.objects
+        if d.lengths and not _LENGTHS[0] <= d.lengths[0] <= _LENGTHS[1]
+    ]
+
+
 def _size(draft: Draft) -> tuple[float, float, float] | None:
     """Return the extent that a length in the text fixes, or what an unknown thing's kind has."""
     if not draft.lengths:
         return None if draft.category else stand_in_size(draft.family, draft.attributes)
     known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)
-    factor = float(np.clip(draft.lengths[0], 0.01, 0.6)) / max(known)
+    factor = float(np.clip(draft.lengths[0], *_LENGTHS)) / max(known)
     return float(known[0] * factor), float(known[1] * factor), float(known[2] * factor)

@@ -30,3 +30,9 @@ def test_the_command_prints_lines_or_json(capsys: pytest.CaptureFixture[str]) ->
     )
     assert run(["explain", "a mug on a book"]) == 0
     assert "relation        on book" in capsys.readouterr().out
+
+
+def test_ignored_words_are_told() -> None:
+    rows = explain("a telescopic red mug and two books")
+    assert Explained("not understood", "telescopic", "of mug") in rows
+    assert not any(row.role == "not understood" and row.phrase == "red" for row in rows)

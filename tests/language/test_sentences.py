@@ -81,6 +81,7 @@ def test_one_thing_on_several_books_makes_a_stack_of_them() -> None:
         ("a desk with a mug, love and happiness", "love"),
         ("a desk with a mug, love and happiness", "happiness"),
         ("a bowl of apples and a sense of order", "sense"),
+        ("a mug and a church on a desk", "church"),
     ],
 )
 def test_what_is_no_thing_is_not_understood(text: str, phrase: str) -> None:
@@ -253,3 +254,20 @@ def test_a_desk_is_set_as_people_have_it() -> None:
     assert related(planned, "keyboard_1") == {("in_front_of", "monitor_1")}
     assert related(planned, "computer_mouse_1") == {("right_of", "keyboard_1")}
     assert [g.members for g in planned.groups] == [("monitor_1", "monitor_2")]
+
+
+@pytest.mark.parametrize(
+    ("text", "warning"),
+    [
+        ("a 3 m long plank on a desk", "does not belong on a table"),
+        ("a hammer leaning against a toolbox", "does not lean against"),
+    ],
+)
+def test_what_cannot_be_done_is_warned_of(text: str, warning: str) -> None:
+    assert any(warning in w for w in plan(text).warnings)
+
+
+@pytest.mark.parametrize("text", ["a 20 cm tall vase", "a vase 20 cm tall", "a vase of 20 cm"])
+def test_a_length_is_kept_before_and_after_the_noun(text: str) -> None:
+    (vase,) = plan(text).objects
+    assert vase.size is not None and max(vase.size) == pytest.approx(0.2)

@@ -95,6 +95,9 @@ class Interpreter(ThingReader):
         for k, noun in enumerate(nouns):
             target = self._noun(noun, owner)
             if target is None:
+                brings = any(isinstance(post, Carry) for post in noun.post)
+                if noun.family == "place" and not brings and noun.kind == "setting":
+                    self.reading.lost.append(" ".join(noun.words))  # "a house on a table"
                 continue
             found.append(target)
             if isinstance(target, list):
@@ -213,6 +216,7 @@ class Interpreter(ThingReader):
                 return  # "a mug in different colours"
             for k, draft in enumerate(group):
                 draft.attributes.update(post.each[k % len(post.each)])
+                draft.lengths = post.lengths or draft.lengths
 
     def _carry(self, post: Carry, owner: Target, noun: Noun | None) -> None:
         """Read what a thing brings along, and put it where it fits until the text says more."""

@@ -66,6 +66,11 @@ class Relater:
         self._drop_assumed(group, target)
         if kind in ("left_of", "right_of", "in_front_of", "behind"):
             self._side = kind, target
+        if kind == "against":
+            self.reading.warnings.append(
+                f"The {group[0].noun} does not lean against the {target[0].noun}; it stands next "
+                "to it."
+            )
         if kind == "laid" and group[0].category in _SIDES:  # cutlery at a plate
             kind = _SIDES[group[0].category]
         if kind == "flank":

@@ -128,7 +128,7 @@ def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         if tokens[k].text == "in" and (k + 1 >= len(tokens) or tokens[k + 1].text != "diameter"):
             break
         k += 1
-    return k - i
+    return k + _is_of(tokens, k) - i
 
 
 def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:

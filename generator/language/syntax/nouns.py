@@ -252,7 +252,7 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
         return "thing", head, None, "block"
     if entry.is_thing:
         return "thing", head, entry.category, entry.family
-    return "setting" if entry.family == "place" else "abstract", head, None, ""
+    return "setting" if entry.family == "place" else "abstract", head, None, entry.family
 
 
 def _is_strange(word: str) -> bool:

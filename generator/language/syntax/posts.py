@@ -72,7 +72,7 @@ class PostReader(PlaceReader):
         if place is not None:
             out.append(replace(place, each=place.each or (each and not comma) or each))
             return True
-        if noun is not None and self._tag() == "word" and not comma:
+        if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False
 
@@ -160,6 +160,9 @@ class PostReader(PlaceReader):
         if inner is None:
             return False
         self.i = end
+        if inner.lengths and not inner.words:
+            out.append(Description(({},), inner.lengths))
+            return True
         items = [inner]
         while self._tag() in ("and", "comma"):
             before = self.i
@@ -209,10 +212,13 @@ class PostReader(PlaceReader):
     def _described(self, out: list[Post]) -> bool:
         """Read describing words after the noun: "a book open", "three mugs upside down"."""
         noun, end = read_noun(self.tokens, self.i)
-        if noun is None or noun.kind != "adjective" or noun.determined:
+        if noun is None:
+            return False
+        measured = noun.kind == "member" and bool(noun.lengths) and not noun.words
+        if not measured and (noun.kind != "adjective" or noun.determined):
             return False
         self.i = end
-        out.append(Description((noun.attributes,)))
+        out.append(Description((noun.attributes,), noun.lengths))
         return True
 
     def _listed_attributes(self, noun: Noun | None, out: list[Post]) -> bool:

@@ -83,9 +83,13 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Description:
-    """Attributes said after the noun: all the same, or one after the other for each."""
+    """Attributes said after the noun: all the same, or one after the other for each.
+
+    ``lengths``: "20 cm tall", metres.
+    """
 
     each: tuple[Mapping[str, str], ...]
+    lengths: tuple[float, ...] = ()
 
 
 VARIED: Mapping[str, tuple[Mapping[str, str], ...]] = {
