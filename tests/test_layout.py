@@ -21,9 +21,9 @@ from generator.layout import (
     table_size,
     unmet_relations,
 )
-from generator.layout.arranging import GAP, MARGIN
 from generator.layout.footprint import footprint, gaps, margins
 from generator.layout.furnishing import outline_of
+from generator.layout.resting import GAP, MARGIN
 from generator.scene import (
     Model,
     Placement,

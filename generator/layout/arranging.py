@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -12,17 +12,12 @@ from jaxtyping import Float
 from ..errors import SceneError
 from ..scene import TABLE, Model, Placement, PlannedGroup, PlannedObject, Relation, ScenePlan
 from .facing import natural_yaw
-from .footprint import Footprint, footprint, gaps, margins
+from .footprint import footprint, margins
 from .furnishing import outline_of
-from .resting import State, put_on, support_of
-from .scoring import Neighbour, Request, proposals, score, violation
-from .seats import seat_center
+from .resting import MARGIN, State, cover_with, put_on, stand_on_table, stand_unit, support_of
+from .scoring import Neighbour, Request, violation
 from .units import Unit, units_of
 
-MARGIN = 0.02
-"""Least distance from a footprint to the table's edge, metres."""
-GAP = 0.014
-"""Least gap between two footprints, metres."""
 _TRIES = 12
 
 
@@ -155,9 +150,9 @@ def _place_all(
     facing = {o.name: natural_yaw(o, models[o.name], plan, rng) for o in missing} | {**yaws}
     shapes |= {o.name: footprint(models[o.name], facing[o.name]) for o in missing}
     on_table = {o.name: o for o in standing}
-    carrying = {name: _cover(name, shapes, above) for name in on_table}
+    carrying = {name: cover_with(name, shapes, above) for name in on_table}
     sized = replace(plan.table, size=(*map(float, table.size),))
-    groups = [_grounded(group, supports) for group in plan.groups]
+    groups = [_take_supports(group, supports) for group in plan.groups]
     units = {u.planned.name: u for u in units_of(groups, on_table, carrying, sized, rng)}
     inside = {name for unit in units.values() for name in unit.offsets}
     alone = [o for o in standing if o.name not in inside]
@@ -165,9 +160,9 @@ def _place_all(
     for planned in _order([*alone, *wholes], models, rng, units):
         unit = units.get(planned.name)
         if unit is not None:
-            if not _stand_unit(unit, models, table, outline, rng, state, shapes, carrying):
+            if not stand_unit(unit, models, table, outline, rng, state, shapes, carrying):
                 return planned.name
-        elif not _stand(planned, models, table, outline, rng, state, shapes, above):
+        elif not stand_on_table(planned, models, table, outline, rng, state, shapes, above):
             return planned.name
     while above:
         ready = [o for o in above if supports[o.name] in state.places]
@@ -180,7 +175,7 @@ def _place_all(
                     f"{planned.name} does not fit on or in {support}; it stands next to it."
                 )
                 state.cost += 1.0
-                if not _stand(beside, models, table, outline, rng, state, shapes, []):
+                if not stand_on_table(beside, models, table, outline, rng, state, shapes, []):
                     return planned.name
         above = [o for o in above if o not in ready]
     return None
@@ -192,7 +187,7 @@ def _rank(planned: PlannedObject, model: Model) -> float:
     return -float(model.size.max()) if inside else 0.0
 
 
-def _grounded(group: PlannedGroup, supports: Mapping[str, str | None]) -> PlannedGroup:
+def _take_supports(group: PlannedGroup, supports: Mapping[str, str | None]) -> PlannedGroup:
     """Return a group of what its members stand on: cups on saucers are arranged by the saucers."""
 
     def bottom(name: str) -> str:
@@ -262,99 +257,3 @@ def _order(
         done.append(chosen)
         waiting.remove(chosen)
     return done
-
-
-# ----------------------------------------------------------------------------- on the table
-
-
-def _cover(
-    name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
-) -> Footprint:
-    """Return the footprint of an object with what stands on it."""
-    own = shapes[name]
-    for other in above:
-        if support_of(other) == name:
-            own = own.covering(shapes[other.name])
-    return own
-
-
-def _stand_unit(
-    unit: Unit,
-    models: Mapping[str, Model],
-    table: Model,
-    outline: Float[np.ndarray, "k 2"],
-    rng: np.random.Generator,
-    state: State,
-    shapes: dict[str, Footprint],
-    carrying: Mapping[str, Footprint],
-) -> bool:
-    """Find a place for things arranged as one; tell whether there was one."""
-    if unit.seat is not None:
-        center = seat_center(unit.seat, unit.shape, outline)
-        for other in state.neighbours.values():
-            if float(gaps(unit.shape, center[None], other.shape, other.center)[0]) < GAP / 2:
-                return False
-    else:
-        found = _best_place(unit.planned, unit.shape, outline, rng, state)
-        if found is None:
-            return False
-        center = found
-    for name, offset in unit.offsets.items():
-        model, yaw = models[name], shapes[name].yaw + unit.turns[name]
-        shapes[name] = footprint(model, yaw)
-        place = center + offset
-        turned = shapes[name] if carrying[name] is shapes[name] else carrying[name]
-        state.neighbours[name] = Neighbour(turned, place)
-        height = float(table.size[2] + model.size[2] / 2)
-        state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
-    return True
-
-
-def _stand(
-    planned: PlannedObject,
-    models: Mapping[str, Model],
-    table: Model,
-    outline: Float[np.ndarray, "k 2"],
-    rng: np.random.Generator,
-    state: State,
-    shapes: Mapping[str, Footprint],
-    above: list[PlannedObject],
-) -> bool:
-    """Find the best free place on the tabletop; tell whether there was one."""
-    model, shape = models[planned.name], shapes[planned.name]
-    own = _cover(planned.name, shapes, above)
-    center = _best_place(planned, own, outline, rng, state)
-    if center is None:
-        return False
-    state.neighbours[planned.name] = Neighbour(own, center)
-    height = float(table.size[2] + model.size[2] / 2)
-    state.places[planned.name] = Placement(
-        planned.name, shape.yaw, np.array([*center, height]), model.size
-    )
-    return True
-
-
-def _best_place(
-    planned: PlannedObject,
-    own: Footprint,
-    outline: Float[np.ndarray, "k 2"],
-    rng: np.random.Generator,
-    state: State,
-) -> Float[np.ndarray, "2"] | None:
-    """Return the best free place on the tabletop, None where there is none; its cost is added."""
-    near = {r.target: state.neighbours[r.target] for r in planned.relations
-            if r.target in state.neighbours}  # fmt: skip
-    request = Request(planned.relations, own, near, outline)
-    centers = proposals(request, rng)
-    free = margins(own, centers, outline) >= MARGIN
-    room = np.full(len(centers), 0.2)
-    for other in state.neighbours.values():
-        room = np.minimum(room, gaps(own, centers, other.shape, other.center))
-    free &= room >= GAP
-    if not free.any():
-        return None
-    costs = score(request, centers[free], room[free], list(state.neighbours.values()))
-    pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
-    center = centers[free][pick]
-    state.cost += float(costs[pick])
-    return center

@@ -1,8 +1,8 @@
-"""Things on and in other things: where they come to lie deepest."""
+"""Things on the table, and on and in other things: where they come to lie."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,8 +12,15 @@ from ..catalogue import CATEGORIES
 from ..scene import TABLE, Model, Placement, PlannedObject, ScenePlan
 from . import stacking
 from .fields import HeightField, field_of
-from .footprint import Footprint, footprint, gaps
-from .scoring import Neighbour
+from .footprint import Footprint, footprint, gaps, margins
+from .scoring import Neighbour, Request, proposals, score
+from .seats import seat_center
+from .units import Unit
+
+MARGIN = 0.02
+"""Least distance from a footprint to the table's edge, metres."""
+GAP = 0.014
+"""Least gap between two footprints, metres."""
 
 
 @dataclass(eq=False)
@@ -130,3 +137,99 @@ def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
     """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
     return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
+
+
+# ----------------------------------------------------------------------------- on the table
+
+
+def cover_with(
+    name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
+) -> Footprint:
+    """Return the footprint of an object with what stands on it."""
+    own = shapes[name]
+    for other in above:
+        if support_of(other) == name:
+            own = own.covering(shapes[other.name])
+    return own
+
+
+def stand_unit(
+    unit: Unit,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+    shapes: dict[str, Footprint],
+    carrying: Mapping[str, Footprint],
+) -> bool:
+    """Find a place for things arranged as one; tell whether there was one."""
+    if unit.seat is not None:
+        center = seat_center(unit.seat, unit.shape, outline)
+        for other in state.neighbours.values():
+            if float(gaps(unit.shape, center[None], other.shape, other.center)[0]) < GAP / 2:
+                return False
+    else:
+        found = _best_place(unit.planned, unit.shape, outline, rng, state)
+        if found is None:
+            return False
+        center = found
+    for name, offset in unit.offsets.items():
+        model, yaw = models[name], shapes[name].yaw + unit.turns[name]
+        shapes[name] = footprint(model, yaw)
+        place = center + offset
+        turned = shapes[name] if carrying[name] is shapes[name] else carrying[name]
+        state.neighbours[name] = Neighbour(turned, place)
+        height = float(table.size[2] + model.size[2] / 2)
+        state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
+    return True
+
+
+def stand_on_table(
+    planned: PlannedObject,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+    shapes: Mapping[str, Footprint],
+    above: list[PlannedObject],
+) -> bool:
+    """Find the best free place on the tabletop; tell whether there was one."""
+    model, shape = models[planned.name], shapes[planned.name]
+    own = cover_with(planned.name, shapes, above)
+    center = _best_place(planned, own, outline, rng, state)
+    if center is None:
+        return False
+    state.neighbours[planned.name] = Neighbour(own, center)
+    height = float(table.size[2] + model.size[2] / 2)
+    state.places[planned.name] = Placement(
+        planned.name, shape.yaw, np.array([*center, height]), model.size
+    )
+    return True
+
+
+def _best_place(
+    planned: PlannedObject,
+    own: Footprint,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+) -> Float[np.ndarray, "2"] | None:
+    """Return the best free place on the tabletop, None where there is none; its cost is added."""
+    near = {r.target: state.neighbours[r.target] for r in planned.relations
+            if r.target in state.neighbours}  # fmt: skip
+    request = Request(planned.relations, own, near, outline)
+    centers = proposals(request, rng)
+    free = margins(own, centers, outline) >= MARGIN
+    room = np.full(len(centers), 0.2)
+    for other in state.neighbours.values():
+        room = np.minimum(room, gaps(own, centers, other.shape, other.center))
+    free &= room >= GAP
+    if not free.any():
+        return None
+    costs = score(request, centers[free], room[free], list(state.neighbours.values()))
+    pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
+    center = centers[free][pick]
+    state.cost += float(costs[pick])
+    return center

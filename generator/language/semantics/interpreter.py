@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from ...catalogue import CATEGORIES
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import Draft, Group, Grouping, Reading, assumed_relation, phrase_text, shares
+from ..drafts import Draft, Group, Grouping, Reading, phrase_text, shares
 from ..syntax.tree import (
     Arranged,
     Carry,
@@ -21,14 +20,13 @@ from ..syntax.tree import (
     Sentence,
     Zone,
 )
-from . import contents
+from .carrying import CarryReader
 from .linking import link
 from .references import Context, Target, antecedent
-from .things import ThingReader
 
 
 @dataclass(eq=False)
-class Interpreter(ThingReader):
+class Interpreter(CarryReader):
     """Turns clauses into drafts."""
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
@@ -218,65 +216,6 @@ class Interpreter(ThingReader):
                 draft.attributes.update(post.each[k % len(post.each)])
                 draft.lengths = post.lengths or draft.lengths
 
-    def _carry(self, post: Carry, owner: Target, noun: Noun | None) -> None:
-        """Read what a thing brings along, and put it where it fits until the text says more."""
-        context = self._context
-        outer, context.owner = context.owner, owner
-        subject, context.subject = context.subject, []
-        try:
-            if post.how == "of" and noun is not None and isinstance(owner, list):
-                self._contents(post, owner, noun)
-                return
-            items = post.items
-            if isinstance(owner, list):
-                items = tuple(item for item in items if not contents.decorates(item, owner))
-            if isinstance(owner, list) and noun is not None and contents.fills(noun, items):
-                contents.label(noun, items[0], owner)
-                context.owner = outer
-                self._posts(items[0], owner)
-                return
-            moved = _owners_places(owner, items, post.how)
-            if moved and isinstance(owner, list):
-                items = (*items[:-1], replace(items[-1], post=[
-                    p for p in items[-1].post if p not in moved]))  # fmt: skip
-            if isinstance(owner, list) and len(owner) > 1 and (post.each or post.how == "hold"):
-                items = tuple(_times(item, len(owner)) for item in items)
-            groups = self._list(items, owner)
-            if isinstance(owner, list):
-                for group in groups:
-                    if isinstance(group, list):
-                        self._assume(group, owner, post)
-                context.owner = outer
-                for place in moved:
-                    self._post(place, owner, noun)
-        finally:
-            context.owner, context.subject = outer, subject
-
-    def _contents(self, post: Carry, owner: Group, noun: Noun) -> None:
-        for inner in post.items:
-            if contents.labels(noun, inner):
-                contents.label(noun, inner, owner)
-                continue
-            group = self._noun(_times(inner, len(owner)) if len(owner) > 1 else inner, owner)
-            if isinstance(group, list):
-                self._assume(group, owner, post)
-
-    def _assume(self, group: Group, owners: Group, post: Carry) -> None:
-        share = -(-len(group) // len(owners))
-        for k, draft in enumerate(group):
-            if draft.relations or any(draft is o for o in owners):
-                continue
-            owner = owners[min(k // share, len(owners) - 1)]
-            kind = post.back or assumed_relation(draft, owner, held=post.how != "with")
-            if (
-                post.back in ("on", "in")
-                and owner.category
-                and CATEGORIES[owner.category].container
-            ):
-                kind = "in" if post.back == "in" else kind
-            draft.relations.append((kind, owner))
-            draft.provisional = True
-
     def _resolve(self, place: Location, subject: Group) -> Target | None:
         """Return what a place refers to, reading its noun phrase; None if it cannot be told."""
         context = self._context
@@ -340,49 +279,16 @@ def _is_supported(draft: Draft) -> bool:
     return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
 
 
-def _owners_places(owner: Target, items: Sequence[Noun], how: str) -> list[Post]:
-    """Return the places said of a thing in a vessel that are the vessel's.
-
-    "A bowl with two eggs behind the pot": the bowl is behind the pot.
-    """
-    if not isinstance(owner, list) or not items:
-        return []
-    item = items[-1]
-    if item.category is None or owner[0].category is None:
-        return []
-    inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
-    if inside not in ("on", "in"):
-        return []
-    return [
-        place
-        for place in item.post
-        if isinstance(place, Location)
-        and place.kind in _DIRECTIONS
-        and not (isinstance(place.target, Noun) and place.target.kind == "pronoun")
-    ]
-
-
 def _is_one(noun: Noun) -> bool:
     """Tell whether a noun phrase brings in one new thing of a known kind."""
     several = (noun.count or 1) != 1 or noun.plural or noun.each
     return bool(noun.category) and not noun.definite and not several
 
 
-def _times(noun: Noun, owners: int) -> Noun:
-    """Return a noun phrase for each of several owners: "three bowls of two apples"."""
-    if noun.definite or noun.kind != "thing":
-        return noun
-    if noun.count is not None or not (noun.plural or noun.amount):
-        return replace(noun, count=(noun.count or 1.0) * owners)
-    return replace(noun, count=2.0 * owners, amount=None)
-
-
 def _describing(post: Description) -> Noun:
     words = tuple(word for each in post.each for value in each.values() for word in value.split())
     return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]))
 
-
-_DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
 
 _TURNED = InputError(
     "The text puts the table on an object; objects stand on the table. Turn it round, for example "

@@ -56,7 +56,7 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
         if any(to is other for _, to in draft.relations for other in group):
             continue  # in a stack with the others
         if kind == "between" and len(group) == 1 and len(chosen) == 2:
-            _flanked(draft, chosen)
+            _put_beside(draft, chosen)
         for target in chosen:
             if target is draft:
                 raise InputError(
@@ -76,7 +76,7 @@ def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> 
         draft.relate(kind, target)
 
 
-def _flanked(draft: Draft, targets: Sequence[Draft | str]) -> None:
+def _put_beside(draft: Draft, targets: Sequence[Draft | str]) -> None:
     """Put two new things on either side of what is between them."""
     for kind, target in zip(("left_of", "right_of"), targets, strict=True):
         if isinstance(target, Draft) and target is not draft and not target.relations:

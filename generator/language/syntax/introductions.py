@@ -36,7 +36,6 @@ class PhraseStart:
     first: int = 0
 
 
-
 def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read articles, numbers, lengths and "a stack of"; return where they end."""
     while i < len(tokens):
