@@ -4,6 +4,7 @@ VENV ?= .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 WORKERS ?= 2
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 
 .PHONY: demo check test test-fast lint format types docs build clean
 
@@ -25,12 +26,12 @@ demo: $(VENV)/.installed  ## a text and a picture to bundles, the Panda moves an
 check: $(VENV)/.installed-dev  ## lint, types and the fast tests, side by side
 	$(MAKE) --jobs=3 --output-sync=target lint types test-fast
 
-test: export TABLETOPGEN_CHECK_ARRAYS = 1  # shapes and types of arrays, at run time
-test: $(VENV)/.installed-dev  ## the whole test suite
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
+test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of arrays are checked in its fast part
+	TABLETOPGEN_CHECK_ARRAYS=1 $(PYTEST) -m "not slow"
+	$(PYTEST) -m slow
 
 test-fast: $(VENV)/.installed-dev
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "not slow"
+	$(PYTEST) -m "not slow"
 
 lint: $(VENV)/.installed-dev
 	$(BIN)/ruff check .

@@ -179,7 +179,7 @@ def test_exposure_dims_what_is_too_bright_and_leaves_the_rest() -> None:
     def of(sun: float, ambient: float, head: float) -> float:
         return exposure(np.full((1, 3), sun), np.full(3, ambient), np.full(3, head))
 
-    assert of(SUN, AMBIENT, HEADLIGHT) == 1.0 and of(0, 0, 0) == 1.0
+    assert of(SUN, AMBIENT, HEADLIGHT) == 1.0 and of(0.0, 0.0, 0.0) == 1.0
     assert of(2 * SUN, 2 * AMBIENT, 2 * HEADLIGHT) == pytest.approx(0.5)
     colored = exposure(np.array([[2 * BRIGHTEST, 0, 0]]), np.zeros(3), np.zeros(3))
     assert colored == pytest.approx(0.5), "no colour is blown out"

@@ -106,6 +106,6 @@ def test_a_layer_thinner_than_a_voxel_is_solid() -> None:
     )
     shape = solid(cup, 0.005, 0.003)
     columns = shape.filled.reshape(-1, len(shape.levels))
-    column = columns[shape.nearest(np.array([0.025, 0.025]))]
+    (column,) = columns[shape.nearest(np.array([[0.025, 0.025]]))]
     assert column[:1].all() and column.sum() in (2, 3)
     assert shape.levels[column].max() == pytest.approx(0.0375, abs=0.002)
