@@ -189,8 +189,10 @@ def _lock(descriptor: int) -> bool:
     """Lock a new folder, unless it is about to be removed by one whose clock is far ahead."""
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:  # a file system without locks: there it never counts as stale
-        return not isinstance(error, BlockingIOError)
+    except BlockingIOError:
+        return False
+    except OSError:  # a file system without locks: there it never counts as stale
+        return True
     return True
 
 

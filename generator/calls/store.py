@@ -127,9 +127,13 @@ class CallStore:
         path = self.folder / "locks" / f"{key[:3]}.lock"  # a few keys of 4096 share one
         lock = FileLock(path, mode=0o600)
         with contextlib.ExitStack() as held:
-            while True:
+            try:
+                make_private(path.parent)
+                lockable = True
+            except OSError:
+                lockable = False
+            while lockable:
                 try:
-                    make_private(path.parent)
                     held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
                     self._clear(key)
                     break
