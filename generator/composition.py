@@ -10,12 +10,15 @@ from dataclasses import replace
 from .errors import InputError, SceneError, require_seed
 from .language.planner import plan_scene
 from .layout import build_models, lay_out
+from .layout.checking import check_relations, correct_supports, observe
 from .method.assembly import AssemblyConfig, assemble
-from .scene import Provenance, Scene, ScenePlan
+from .scene import Provenance, RelationOutcome, Report, Scene, ScenePlan
 from .scene.provenance import scene_name, versions
 
 ATTEMPTS = 6
 """Layouts tried until one comes to rest soundly."""
+
+_FULFILLED = 3  # layouts tried until one comes to rest with all relations that were asked for
 
 
 def compose(
@@ -28,7 +31,9 @@ def compose(
     """Compose a scene straight from a text (or a plan) with catalogue objects.
 
     The same text and seed give the same scene. A layout whose objects do not come to rest soundly
-    is replaced by another one.
+    is replaced by another one, and so is one at rest in which not every relation of the plan holds;
+    of those the one with most is taken, with a warning for each that does not hold. What each thing
+    stands on is what it rests on.
 
     Raises:
         InputError: the text cannot be planned, or the seed is not a whole number in range.
@@ -41,6 +46,7 @@ def compose(
         raise InputError("The plan holds no object; a scene needs at least one.")
     models = build_models(plan, seed)
     failures: tuple[str, ...] = ()
+    best: Scene | None = None
     for attempt in range(ATTEMPTS):
         layout, table = lay_out(plan, models, seed + 7919 * attempt)
         provenance = Provenance(
@@ -52,10 +58,40 @@ def compose(
             name=name or scene_name(plan.prompt), config=config,
             plan=replace(plan, table=replace(plan.table, size=tuple(map(float, table.size)))),
         )  # fmt: skip
-        if scene.report is not None and scene.report.passed:
-            return scene
-        failures = scene.report.failures if scene.report is not None else ()
+        assert scene.report is not None
+        if not scene.report.passed:
+            failures = scene.report.failures
+            continue
+        scene = _record_relations(scene, scene.report)
+        if best is None or len(_list_unmet(scene)) < len(_list_unmet(best)):
+            best = scene
+        if not _list_unmet(best) or attempt + 1 >= _FULFILLED:
+            break
+    if best is not None:
+        told = tuple(_warning(outcome, best) for outcome in _list_unmet(best))
+        provenance = best.provenance
+        warned = tuple(dict.fromkeys([*provenance.warnings, *told]))
+        return best.replace(provenance=replace(provenance, warnings=warned))
     raise SceneError(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
         f"{'; '.join(failures)}. Try another seed, or fewer stacked things."
     )
+
+
+def _record_relations(scene: Scene, report: Report) -> Scene:
+    """Return a scene at rest with its plan's relations in the report and its true supports."""
+    rest = observe(scene)
+    outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
+    return correct_supports(rest).replace(report=replace(report, relations=outcomes))
+
+
+def _list_unmet(scene: Scene) -> list[RelationOutcome]:
+    return [] if scene.report is None else [o for o in scene.report.relations if not o.holds]
+
+
+def _warning(outcome: RelationOutcome, scene: Scene) -> str:
+    kind = outcome.kind.replace("_", " ")
+    if outcome.kind in ("center", "edge"):
+        kind = f"at the {outcome.kind} of"
+    on = scene.object(outcome.name).placement.on
+    return f"{outcome.name} is not {kind} {outcome.target}; it stands on {on}."

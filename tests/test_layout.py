@@ -19,9 +19,9 @@ from generator.layout import (
     table_size,
     unmet_relations,
 )
-from generator.layout.arranging import GAP, MARGIN
 from generator.layout.footprint import footprint, gaps, margins
 from generator.layout.furnishing import outline_of
+from generator.layout.resting import GAP, MARGIN
 from generator.scene import (
     Model,
     Placement,
@@ -239,3 +239,14 @@ def test_one_more_thing_faces_as_told_and_stands_where_it_was_asked_for() -> Non
     assert unmet_relations(planned, mug, placed, models, table) == ()
     other = replace(mug, translation=mug.translation * [-1, 1, 1])
     assert unmet_relations(planned, other, placed, models, table) == planned.relations
+
+
+def test_cups_on_saucers_stand_around_a_teapot() -> None:
+    plan = plan_scene("Three cups, each on a saucer, around a teapot.", 0)
+    layout, _ = lay_out(plan, build_models(plan, 0), 0)
+    at = {p.name: p.translation[:2] for p in layout.placements}
+    ways = [at[f"saucer_{k}"] - at["teapot_1"] for k in (1, 2, 3)]
+    distances = [float(np.hypot(*way)) for way in ways]
+    assert max(distances) - min(distances) < 0.02
+    angles = np.sort([np.arctan2(way[1], way[0]) for way in ways])
+    assert np.diff(angles).min() > 1.5

@@ -60,7 +60,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     models = {
         key: arguments(
             Model, model, f"scene.json.models[{key[:40]!r}]",
-            mesh=str, texture=str, opacity=float, orientation=None,
+            frozenset({"stand_in"}), mesh=str, texture=str, opacity=float, orientation=None,
         )
         for key, model in entry.pop("models").items()
     }  # fmt: skip

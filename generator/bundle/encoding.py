@@ -11,7 +11,7 @@ import numpy as np
 
 from ..io.reading import MAX_NAME_LENGTH
 from ..physics.mjcf import mesh_files
-from ..scene import ConvexPart, Model, Scene
+from ..scene import ConvexPart, Model, Scene, ScenePlan
 from ..scene.provenance import plain
 
 HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
@@ -80,9 +80,7 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         }
         for o in scene.objects
     ]
-    provenance = _printable(plain(scene.provenance))
-    if not scene.provenance.edits:
-        del provenance["edits"]
+    provenance = _without_empty(_printable(plain(scene.provenance)), "edits")
     payload = {
         "name": scene.name,
         "table": table,
@@ -90,10 +88,24 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         "models": models,
         "provenance": provenance,
         "view": plain(scene.view),
-        "report": _printable(plain(scene.report)),
-        "plan": _printable(plain(scene.plan)),
+        "report": _without_empty(_printable(plain(scene.report)), "relations"),
+        "plan": _encode_plan(scene.plan),
     }
     return payload, files
+
+
+def _encode_plan(plan: ScenePlan | None) -> dict[str, Any] | None:
+    """Return it without the groups and families that it does not have."""
+    encoded = _without_empty(_printable(plain(plan)), "groups")
+    if encoded is not None:
+        encoded["objects"] = [_without_empty(thing, "family") for thing in encoded["objects"]]
+    return encoded
+
+
+def _without_empty(encoded: Any, key: str) -> Any:
+    if encoded is None or encoded[key]:
+        return encoded
+    return {k: v for k, v in encoded.items() if k != key}
 
 
 def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
@@ -111,6 +123,7 @@ def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
         "parts": [_encode_part(p, _UNIT) for p in model.parts],
         "category": one_line(model.category),
         "container": bool(model.container),
+        **({"stand_in": True} if model.stand_in else {}),
     }
 
 

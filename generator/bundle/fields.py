@@ -18,18 +18,21 @@ from ..errors import BundleError
 _MOST_INTEGER = 2**64
 
 
-def arguments(kind: type, entry: object, what: str, **written: Any) -> dict[str, Any]:
+def arguments(
+    kind: type, entry: object, what: str, optional: Set[str] = frozenset(), **written: Any
+) -> dict[str, Any]:
     """Return an object of JSON as a dataclass's arguments: all of its fields, each of its own type.
 
-    ``what`` says where it stands: "objects[3]". ``written`` are the types of fields that are
-    written in another way; None for those that are not written.
+    ``what`` says where it stands: "objects[3]". ``optional`` fields are not written where they have
+    their default: a field that is new, and that earlier bundles lack, is one. ``written`` are the
+    types of fields that are written in another way; None for those that are never written.
 
     Raises:
         BundleError: a field is missing, unknown or of another type.
         InputError: a value's own checks refuse it.
     """
     hints = {k: hint for k, hint in (_hints(kind) | written).items() if hint is not None}
-    return _fields(hints, hints.keys(), entry, what)
+    return _fields(hints, hints.keys() - optional, entry, what)
 
 
 def _fields(

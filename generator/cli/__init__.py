@@ -32,7 +32,8 @@ GROUPS: Mapping[str, tuple[tyro.extras.SubcommandApp, str]] = MappingProxyType({
 
 COMMANDS: tuple[Callable[..., int], ...] = (
     making.generate, making.compose, batching.batch, editing.edit,
-    looking.inspect, looking.verify, looking.view, looking.compare, evaluating.evaluate, doctor,
+    looking.explain, looking.inspect, looking.verify, looking.view, looking.compare,
+    evaluating.evaluate, doctor,
 )  # fmt: skip
 
 

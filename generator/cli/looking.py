@@ -1,7 +1,8 @@
-"""The commands that look at bundles: ``inspect``, ``verify``, ``view`` and ``compare``."""
+"""The commands that look at a text or at bundles: ``explain``, ``inspect``, ``verify``, ..."""
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import sys
 from collections.abc import Iterable, Mapping
@@ -15,6 +16,30 @@ from ..errors import InputError, MissingError, TabletopError, escape
 from ..io.files import check_target
 from .printing import emit, print_scene
 from .store import find, one, some
+
+
+def explain(
+    text: Annotated[Positional[str], conf.arg(metavar="TEXT")],
+    /,
+    *,
+    seed: int = 0,
+    json: bool = False,
+) -> int:
+    """Show how the embedded planner reads a text, and what it does not understand.
+
+    Args:
+        text: English about a tabletop.
+        seed: What vague words ("a few") are drawn with.
+        json: Print one JSON array instead of lines.
+    """
+    from ..language.explaining import explain as explain_text
+
+    rows = explain_text(text, seed)
+    emit(
+        [dataclasses.asdict(row) for row in rows], json,
+        lambda: [f"{row.role:<15} {row.phrase:<32} {row.meaning}".rstrip() for row in rows],
+    )  # fmt: skip
+    return 0
 
 
 def inspect(

@@ -51,6 +51,7 @@ def describe(path: Path, scene: Scene) -> dict[str, Any]:
                 "mass_kg": round(o.mass, 3),
                 "position_m": [round(float(v), 3) for v in o.pose.position],
                 "on": o.placement.on,
+                **({"stand_in": True} if o.model.stand_in else {}),
             }
             for o in scene.objects
         ],
@@ -82,6 +83,7 @@ def print_scene(
             f"  {o['name']:<22} {o['label']:<18} "
             + "x".join(f"{100 * v:.1f}" for v in o["size_m"])
             + f" cm  {o['mass_kg']:.3f} kg  on {o['on']}"
+            + ("  (stand-in)" if o.get("stand_in") else "")
             for o in facts["objects"]
         ]
         gate = "no report"

@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import SceneError
 from ..geometry import rotation_z, turned_quaternion, yaw_quaternion
 from ..layout import arrange_more, unmet_relations
-from ..layout.arranging import sunk
+from ..layout.resting import sunk
 from ..physics.parts import highest, lowest
 from ..physics.seating import carry, nearest_free, seat_on_table, seat_stacked
 from ..physics.separation import ancestry

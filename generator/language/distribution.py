@@ -14,6 +14,7 @@ from ..scene import OutlineKind, ScenePlan
 Needs = tuple[tuple[str, ...], ...]
 """What a table has to hold: for each entry one of the things that it lists."""
 
+_MOST = 24  # objects of a drawn table
 PLAIN = "plain"
 """The style in which things are drawn as they are."""
 
@@ -49,7 +50,6 @@ class SceneDistribution:
 
     def __post_init__(self) -> None:
         from ..catalogue.build.styles import STYLES
-        from .drafts import MAX_OBJECTS
 
         self._check("themes", themes_known())
         self._check("tables", get_args(OutlineKind))
@@ -62,9 +62,9 @@ class SceneDistribution:
                 f"SceneDistribution.objects is the least and the most objects, got {self.objects}."
             )
         low, high = self.objects
-        if not 1 <= low <= high <= MAX_OBJECTS:
+        if not 1 <= low <= high <= _MOST:
             raise InputError(
-                f"SceneDistribution.objects must be from 1 to {MAX_OBJECTS}, the least first, got "
+                f"SceneDistribution.objects must be from 1 to {_MOST}, the least first, got "
                 f"({low}, {high})."
             )
         object.__setattr__(self, "objects", (low, high))

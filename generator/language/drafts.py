@@ -9,10 +9,12 @@ import numpy as np
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from .parsing.grammar import NounPhrase
-from .relations import fits
+from ..scene import GroupKind
+from .relations import fits, is_shallow
+from .sizing import largest_size
+from .syntax.tree import Noun
 
-MAX_OBJECTS = 24
+MAX_OBJECTS = 40
 """More objects than this no table of the catalogue holds."""
 
 
@@ -24,10 +26,14 @@ class Draft:
     category: str | None
     attributes: dict[str, str]
     lengths: tuple[float, ...] = ()
+    family: str = ""
     relations: list[tuple[str, Draft | str]] = field(default_factory=list)
     provisional: bool = False
     implied: bool = False
     stacked_under: Draft | None = None
+    position: str | None = None
+    contents: str = ""
+    told: bool = False
 
     def relate(self, kind: str, target: Draft | str) -> None:
         """Add a relation; it replaces one that was only assumed."""
@@ -41,18 +47,33 @@ class Draft:
 Group = list[Draft]
 
 
+@dataclass(frozen=True, eq=False)
+class Grouping:
+    """Things arranged as one: in a row, a circle (around something), a heap, ..."""
+
+    kind: GroupKind
+    members: tuple[Draft, ...]
+    around: Draft | None = None
+    order: str | None = None
+    seat: tuple[int, int] | None = None
+
+
 @dataclass(eq=False)
 class Reading:
     """What the text said, read so far."""
 
     objects: list[Draft] = field(default_factory=list)
-    table: list[NounPhrase] = field(default_factory=list)
-    table_parts: list[NounPhrase] = field(default_factory=list)
+    table: list[Noun] = field(default_factory=list)
+    table_parts: list[Noun] = field(default_factory=list)
     excluded: set[str] = field(default_factory=set)
+    banned: set[str] = field(default_factory=set)
+    groupings: list[Grouping] = field(default_factory=list)
+    people: int = 0  # for whom the table is laid with what its theme has; 0 where it is not said
     warnings: list[str] = field(default_factory=list)
+    lost: list[str] = field(default_factory=list)  # what was not understood
     vague: bool = False
 
-    def number(self, noun: NounPhrase, rng: np.random.Generator) -> int:
+    def number(self, noun: Noun, rng: np.random.Generator) -> int:
         """Return how many objects a noun phrase asks for; vague amounts are drawn.
 
         Raises:
@@ -69,11 +90,11 @@ class Reading:
                     f"{MAX_OBJECTS} objects in all. Ask for fewer."
                 )
             return int(noun.count)
-        if noun.vague is None and not noun.plural:
+        if noun.amount is None and not noun.plural:
             return 1
         self.vague = True
-        low, high = noun.vague or (2, 3)
-        if noun.vague == (2, 3) and not noun.plural:  # "some bread"
+        low, high = noun.amount or (2, 3)
+        if noun.amount == (2, 3) and not noun.plural:  # "some bread"
             return 1
         return int(rng.integers(low, high + 1))
 
@@ -84,7 +105,9 @@ class Reading:
         attributes: dict[str, str],
         *,
         lengths: tuple[float, ...] = (),
+        family: str = "",
         implied: bool = False,
+        position: str | None = None,
     ) -> Draft:
         """Add one object.
 
@@ -97,19 +120,13 @@ class Reading:
                 "Ask for fewer."
             )
         kept = {k: v for k, v in attributes.items() if k != "stack"}
-        self.objects.append(Draft(noun, category, kept, lengths, implied=implied))
+        self.objects.append(
+            Draft(noun, category, kept, lengths, family, implied=implied, position=position)
+        )
         return self.objects[-1]
 
 
-def same(draft: Draft, noun: NounPhrase) -> bool:
-    """Tell whether a noun phrase may mean this object: same kind, no clashing attribute."""
-    alike = draft.category == noun.category and (noun.category or draft.noun == noun.noun)
-    return bool(alike) and all(
-        draft.attributes.get(k, v) == v for k, v in noun.attributes.items() if k != "state"
-    )
-
-
-def phrase_text(noun: NounPhrase) -> str:
+def phrase_text(noun: Noun) -> str:
     """Return a noun phrase about as the text had it."""
     amount = f"{noun.count:g} " if noun.count is not None else ""
     return amount + " ".join(noun.words)
@@ -126,11 +143,15 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
     if any(not d.category for d in (group[0], target)):
         return False
     outer = CATEGORIES[str(target.category)]
+    room = largest_size(outer.key)
     return all(
-        fits(kind, CATEGORIES[str(d.category)].size, outer.size, outer.container)
-        and not d.relations
+        fits(kind, CATEGORIES[str(d.category)].size, room, outer.container) and not d.relations
         for d in group
     )
+
+
+_CARRIERS = frozenset({"basket", "bowl", "box", "pot", "tray", "toolbox", "pencil_holder"})
+"""What is there to hold things: "a basket with pears" holds them."""
 
 
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
@@ -141,8 +162,11 @@ def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     if draft.category is None:
         return "next_to" if not held else "in" if outer.container else "on"
     inner = CATEGORIES[draft.category].size
-    if fits("in", inner, outer.size, outer.container) and (held or min(inner) < 0.06):
+    open_to = held or min(inner) < 0.06 or owner.category in _CARRIERS
+    room = largest_size(outer.key)
+    laid = is_shallow(room) and "support" in outer.roles
+    if fits("in", inner, room, outer.container) and open_to and not laid:
         return "in"
-    if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(outer.size[:2])):
+    if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(room[:2])):
         return "on"
     return "next_to"

@@ -12,7 +12,7 @@ from ..catalogue import CATEGORIES
 from ..catalogue.registry import FURNISHING
 from ..catalogue.surfaces.look import SIZE_FACTORS
 from ..errors import InputError, choices
-from ..scene import OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind
+from ..scene import OutlineKind, PlannedGroup, PlannedObject, PlannedTable, Relation, RelationKind
 from . import relations
 from .drafts import Reading
 from .furniture import plan_table
@@ -56,6 +56,37 @@ def fill(
         out.append(PlannedObject(f"{key}_1", key.replace("_", " "), key, {}, relation))
         present[key] += 1
     return out
+
+
+HABITS: tuple[tuple[str, RelationKind, tuple[str, ...]], ...] = (
+    ("keyboard", "in_front_of", ("monitor",)),
+    ("wrist_rest", "in_front_of", ("keyboard",)),
+    ("computer_mouse", "right_of", ("wrist_rest", "keyboard", "laptop")),
+)
+"""Where people have things of which a text does not say where they are."""
+
+
+def relate_by_habit(
+    objects: Sequence[PlannedObject], groups: Sequence[PlannedGroup]
+) -> tuple[list[PlannedObject], list[PlannedGroup]]:
+    """Return the objects of a text with the relations, and the groups, that people are used to.
+
+    Only what the text says nothing of gets one. Several monitors stand side by side.
+    """
+    by_kind: dict[str, list[PlannedObject]] = {}
+    for planned in objects:
+        by_kind.setdefault(planned.category, []).append(planned)
+    related = {r.target for o in objects for r in o.relations}
+    found = {o.name: o for o in objects}
+    for key, kind, targets in HABITS:
+        to = next((by_kind[t][0].name for t in targets if t in by_kind), None)
+        for planned in by_kind.get(key, [])[:1]:
+            if to is not None and not planned.relations and planned.name not in related:
+                found[planned.name] = replace(planned, relations=(Relation(kind, to),))
+    screens = [o.name for o in by_kind.get("monitor", []) if not o.relations]
+    grouped = {name for group in groups for name in group.members}
+    rows = [PlannedGroup("row", tuple(screens))] if len(screens) > 1 else []
+    return list(found.values()), [*groups, *(g for g in rows if not grouped & set(g.members))]
 
 
 def thing(entry: str) -> Thing:

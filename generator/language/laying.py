@@ -7,33 +7,35 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ..scene import PlannedObject, Relation, RelationKind
-from . import relations
+from ..scene import PlannedGroup, PlannedObject, Relation, RelationKind
+from .drafts import MAX_OBJECTS
 from .parsing import lexicon
 from .themes import Theme
 
 
 @dataclass(frozen=True)
-class Setting:
+class PlaceSetting:
     """What is laid for each person: things and their relation to the first, and a centrepiece."""
 
     things: tuple[tuple[str, RelationKind | None], ...]
     center: str
 
 
-SETTINGS: Mapping[str, Setting] = MappingProxyType(
+SETTINGS: Mapping[str, PlaceSetting] = MappingProxyType(
     {
-        "plate": Setting(
+        "plate": PlaceSetting(
             (("plate", None), ("fork", "left_of"), ("knife", "right_of"), ("glass", "behind")),
             "candle",
         ),
-        "teacup": Setting((("saucer", None), ("teacup", "on"), ("spoon", "right_of")), "teapot"),
+        "teacup": PlaceSetting(
+            (("saucer", None), ("teacup", "on"), ("spoon", "right_of")), "teapot"
+        ),
     }
 )
 """How tables are laid, by the thing of a theme that says so."""
 
 
-def setting_of(theme: Theme, objects: Sequence[PlannedObject]) -> Setting | None:
+def setting_of(theme: Theme, objects: Sequence[PlannedObject]) -> PlaceSetting | None:
     """Return how a table of ``theme`` is laid, unless the text has laid it already."""
     words = {o.noun for o in objects} | {o.category for o in objects}
     for thing, setting in SETTINGS.items():
@@ -43,26 +45,32 @@ def setting_of(theme: Theme, objects: Sequence[PlannedObject]) -> Setting | None
 
 
 def place_settings(
-    people: int, setting: Setting, objects: Sequence[PlannedObject], excluded: set[str]
-) -> list[PlannedObject]:
-    """Lay a table for each of at most four people; the fourth thing only for one or two."""
+    people: int, setting: PlaceSetting, objects: Sequence[PlannedObject], excluded: set[str]
+) -> tuple[list[PlannedObject], list[PlannedGroup]]:
+    """Lay a table for so many people; return what is laid, and what belongs to each seat.
+
+    Where a table for all of them would be too full, each gets the first three things only.
+    """
     taken = Counter(o.category for o in objects)
+    room = MAX_OBJECTS - len(objects) - 1
+    share = min(len(setting.things), room // people)
     out: list[PlannedObject] = []
-    sides: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
-    for person, side in enumerate(sides[:people], start=1):
-        first = ""
-        for word, where in setting.things[: 4 if people < 3 else 3]:
+    groups: list[PlannedGroup] = []
+    for person in range(people):
+        names: list[str] = []
+        for word, where in setting.things[:share]:
             key = lexicon.category_of((word,))
             if key is None or key in excluded:
                 continue
-            if where and where in relations.OPPOSITE and side == "behind":  # as who sits there sees
-                where = relations.kind(relations.OPPOSITE[where])
-            name = f"{key}_{taken[key] + person}"
-            first = first or name
-            relation = Relation(side) if where is None or first == name else Relation(where, first)
-            out.append(PlannedObject(name, word, key, {}, (relation,)))
+            name = f"{key}_{taken[key] + person + 1}"
+            relation = (Relation(where, names[0]),) if where and names else ()
+            names.append(name)
+            out.append(PlannedObject(name, word, key, {}, relation))
+        on_others = {o.name for o in out if any(r.kind == "on" for r in o.relations)}
+        members = tuple(name for name in names if name not in on_others)
+        groups.append(PlannedGroup("setting", members, seat=(person, people)))
     center = lexicon.category_of((setting.center,))
     if center and center not in excluded and not objects:
-        relation = Relation("center")
-        out.append(PlannedObject(f"{center}_1", setting.center, center, {}, (relation,)))
-    return out
+        relation = (Relation("center"),)
+        out.append(PlannedObject(f"{center}_1", setting.center, center, {}, relation))
+    return out, groups

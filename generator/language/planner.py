@@ -9,41 +9,22 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..catalogue import CATEGORIES
+from ..catalogue.stand_ins import GENERIC, stand_in_size
 from ..errors import InputError
-from ..scene import PlannedObject, Relation, ScenePlan
+from ..scene import PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
 from .drafts import Draft, Reading
-from .filling import fill
+from .filling import fill, relate_by_habit
 from .furniture import plan_table
 from .laying import place_settings, setting_of
 from .parsing import lexicon
-from .parsing.grammar import chunks
-from .parsing.statements import Reader
-from .parsing.vocabulary import (
-    COLORS,
-    DEFINITE,
-    DRAWN,
-    FILLERS,
-    FOREIGN,
-    MATERIALS,
-    NUMBERS,
-    PEOPLE,
-    PLACES,
-    STATES,
-    STYLES,
-    VAGUE,
-    VERBS,
-)
+from .parsing.vocabulary import DRAWN, PEOPLE, STYLES
+from .reading import EXAMPLE, read_text
+from .semantics import contents
+from .sizing import grow_carriers
 from .themes import DEFAULT_TABLES, THEMES
+from .words.dictionary import is_substituted
 
-MAX_CHARACTERS = 2000
-"""Longest text the planner reads."""
-
-EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
-_ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
-    "and", "on", "in", "with", "of", "left", "right", "behind", "front", "next", "between",
-    *NUMBERS, *VAGUE,
-}  # fmt: skip
 _REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
 _SOME = "|".join(PEOPLE)
 _PEOPLE = re.compile(
@@ -65,63 +46,43 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
         InputError: empty, too long or not English; nothing for a table in it; impossible counts
             or contradicting relations.
     """
-    _check_text(prompt)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
+    reading = read_text(prompt, rng).reading
     text = _REQUEST.sub(" ", " ".join(lexicon.tokens(prompt)))
     text, drawn = _split_style(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    reading = Reader(rng).read(chunks(words))
     theme = _theme(words)
     _check_content(prompt, reading, theme)
-    objects = _plan_objects(reading)
+    objects, groups = relate_by_habit(*_plan_objects(reading))
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
-    setting = setting_of(THEMES[name], objects) if name and people > 1 else None
+    people = reading.people or people
+    laid = (name or "dining") if reading.people else name
+    setting = setting_of(THEMES[laid], objects) if laid and people > 1 else None
+    if setting is None and reading.people:
+        setting = setting_of(THEMES["dining"], objects)
     if setting:
-        objects = [*objects, *place_settings(people, setting, objects, reading.excluded)]
+        more, seated = place_settings(people, setting, objects, reading.excluded)
+        objects, groups = [*objects, *more], [*groups, *seated]
     elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
         most = min(7, len(objects) + 3) if objects else 7
         fewest = most if objects else max(THEMES[name].core, most - 2)
         objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
-    objects, doubts = relations.check_relations(objects)
+    objects, doubts = relations.check_relations(grow_carriers(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
-    warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown_nouns(objects), *doubts]))
-    return ScenePlan(prompt, table, tuple(objects), style, warnings)
+    told = [*reading.warnings, *_warn_of_lengths(reading), *_changed_nouns(objects), *doubts]
+    warnings = tuple(dict.fromkeys(told))
+    return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))
 
 
 # ------------------------------------------------------------------------------------- checks
 
 
-def _check_text(prompt: str) -> None:
-    if not isinstance(prompt, str):
-        raise InputError(f"A text or a ScenePlan is needed, got {type(prompt).__name__}.")
-    if not prompt.strip():
-        raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
-    if len(prompt) > MAX_CHARACTERS:
-        raise InputError(
-            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are read. "
-            "Describe one table in a few sentences."
-        )
-    letters = [c for c in prompt if c.isalpha()]
-    if not letters:
-        raise InputError(f"The text holds no words. Describe a tabletop, for example {EXAMPLE}.")
-    latin = sum(bool(re.fullmatch("[a-z]+", "".join(lexicon.tokens(c)) or "-")) for c in letters)
-    words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
-    known = _ENGLISH | lexicon.vocabulary()
-    english = sum(w in known or lexicon.singular(w) in known for w in words)
-    foreign = sum(w in FOREIGN for w in words)
-    if latin < 0.7 * len(letters) or not english or foreign > english - foreign:
-        raise InputError(
-            "The embedded planner reads English and recognised none here. Write in English, for "
-            f"example {EXAMPLE}, or choose another reasoner backend that reads your language."
-        )
-
-
 def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
-    known = any(draft.category for draft in reading.objects)
-    if known or reading.table or theme:
+    known = any(draft.category or draft.family for draft in reading.objects)
+    if known or reading.table or theme or reading.people:
         return
     words = ", ".join(repr(draft.noun) for draft in reading.objects[:4])
     found = f" (of {words} none is known)" if words else ""
@@ -141,12 +102,16 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
         )
 
 
-def _unknown_nouns(objects: Sequence[PlannedObject]) -> list[str]:
-    nouns = dict.fromkeys(o.noun for o in objects if o.category == "generic")
+def _changed_nouns(objects: Sequence[PlannedObject]) -> list[str]:
+    """Return a warning for each noun that something else stands for."""
+    unknown = dict.fromkeys(o.noun for o in objects if o.category == GENERIC)
+    shown = dict.fromkeys((o.noun, o.category) for o in objects if o.category != GENERIC)
     return [
-        f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
-        for noun in nouns
-    ]
+        *(f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
+          for noun in unknown),
+        *(f"The catalogue has no {noun!r}; it is shown as {key.replace('_', ' ')!r}."
+          for noun, key in shown if is_substituted(noun, key)),
+    ]  # fmt: skip
 
 
 # -------------------------------------------------------------------------------------- themes
@@ -184,9 +149,9 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
 # ------------------------------------------------------------------------------------- objects
 
 
-def _plan_objects(reading: Reading) -> list[PlannedObject]:
-    """Name the drafted objects and turn references into names."""
-    drafts = [d for d in reading.objects if not d.category or d.category not in reading.excluded]
+def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGroup]]:
+    """Name the drafted objects and turn references into names; return them and their groups."""
+    drafts = [d for d in reading.objects if not d.category or d.category not in reading.banned]
     taken: Counter[str] = Counter()
     names: dict[int, str] = {}
     for draft in drafts:
@@ -194,34 +159,44 @@ def _plan_objects(reading: Reading) -> list[PlannedObject]:
         stem = "object" if stem == "table" else stem
         taken[stem] += 1
         names[id(draft)] = f"{stem}_{taken[stem]}"
-    return [
+    objects = [
         PlannedObject(
-            names[id(d)], d.noun, d.category or "generic", dict(d.attributes),
+            names[id(d)], contents.full_name(d), d.category or GENERIC, dict(d.attributes),
             tuple(
                 Relation(relations.kind(kind), names[id(to)] if isinstance(to, Draft) else to)
                 for kind, to in d.relations
                 if isinstance(to, str) or id(to) in names
             ),
-            _size(d),
+            _size(d), "" if d.category else d.family,
         )
         for d in drafts
     ]  # fmt: skip
+    groups = [
+        PlannedGroup(
+            g.kind, tuple(names[id(d)] for d in g.members if id(d) in names),
+            names.get(id(g.around)) if g.around else None, g.seat,
+        )
+        for g in reading.groupings
+    ]  # fmt: skip
+    return objects, [group for group in groups if len(group.members) + bool(group.around) > 1]
 
 
-GENERIC_SIZE = (0.1, 0.08, 0.09)
-"""Extent in metres of an object nothing is known about."""
+_LENGTHS = 0.01, 0.6  # metres: the shortest and the longest thing on a table
 
-_SIZE_FACTORS = {"tiny": 0.45, "small": 0.7, "large": 1.5, "huge": 2.0}
+
+def _warn_of_lengths(reading: Reading) -> list[str]:
+    return [
+        f"A {d.noun} of {d.lengths[0]:g} m does not belong on a table; it is "
+        f"{np.clip(d.lengths[0], *_LENGTHS):g} m long."
+        for d in reading.objects
+        if d.lengths and not _LENGTHS[0] <= d.lengths[0] <= _LENGTHS[1]
+    ]
 
 
 def _size(draft: Draft) -> tuple[float, float, float] | None:
-    """Return the extent a text fixes: a length in it, or the guess for an unknown thing."""
-    known = CATEGORIES[draft.category].size if draft.category else GENERIC_SIZE
-    if draft.lengths:
-        longest = float(np.clip(draft.lengths[0], 0.01, 0.6))
-        factor = longest / max(known)
-    elif draft.category:
-        return None
-    else:
-        factor = _SIZE_FACTORS.get(draft.attributes.get("size", ""), 1.0)
+    """Return the extent that a length in the text fixes, or what an unknown thing's kind has."""
+    if not draft.lengths:
+        return None if draft.category else stand_in_size(draft.family, draft.attributes)
+    known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)
+    factor = float(np.clip(draft.lengths[0], *_LENGTHS)) / max(known)
     return float(known[0] * factor), float(known[1] * factor), float(known[2] * factor)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import cast, get_args
 
 from ..catalogue import CATEGORIES
+from ..catalogue.stand_ins import FAMILIES, GENERIC, stand_in_size
 from ..errors import InputError
 from ..scene import TABLE, PlannedObject, Relation, RelationKind
 
@@ -46,8 +47,8 @@ def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObjec
         kept = []
         for relation in planned.relations:
             better = _plausible(planned, relation, by_name)
-            if better != relation and relation.kind in _SUPPORTED:
-                target = by_name[relation.target]
+            target = by_name.get(relation.target)
+            if better.kind not in ("in", relation.kind) and relation.kind in _SUPPORTED and target:
                 warnings.append(
                     f"A {planned.noun} does not fit {relation.kind} a {target.noun}; it stands "
                     f"{better.kind.replace('_', ' ')} it."
@@ -107,7 +108,33 @@ def size_of(planned: PlannedObject) -> tuple[float, float, float]:
     """Return the extent in metres expected of a planned object."""
     if planned.size is not None:
         return planned.size
+    if planned.category == GENERIC:
+        return stand_in_size(planned.family, planned.attributes)
     return CATEGORIES[planned.category].size
+
+
+def is_container(planned: PlannedObject) -> bool:
+    """Tell whether things can be put into a planned object."""
+    if "places" in planned.attributes:
+        return True
+    if planned.category == GENERIC:
+        return planned.family in FAMILIES and FAMILIES[planned.family].container
+    return CATEGORIES[planned.category].container
+
+
+_FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "laptop": 0.9}
+"""What share of its width and depth a thing with a foot stands on."""
+
+
+def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
+    """Return the extent of what a thing stands on, and its height, metres."""
+    x, y, z = size_of(planned)
+    share = _FOOT.get(planned.category, 1.0)
+    return x * share, y * share, z
+
+
+_CLOSED = frozenset({"jar", "bottle", "can", "tea_tin", "milk_carton", "screw_box", "wine_bottle"})
+"""What has a lid: nothing is put in it."""
 
 
 def _plausible(
@@ -121,13 +148,22 @@ def _plausible(
         relation = Relation("on" if relation.kind == "center" else "next_to", target.name)
     if relation.kind not in _SUPPORTED:
         return relation
-    inner, outer = size_of(planned), size_of(target)
-    container = target.category != "generic" and CATEGORIES[target.category].container
+    if "places" in target.attributes:
+        return Relation("in", target.name)
+    inner, outer = standing_size(planned), size_of(target)
+    container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation
-    if fits("on", inner, outer, container) and not (relation.kind == "in" and container):
+    closed = not container and target.category in _CLOSED
+    vessel = closed or (container and not is_shallow(outer))
+    if fits("on", inner, outer, container) and not (relation.kind == "in" and vessel):
         return Relation("on", target.name)
     return Relation("next_to", target.name)
+
+
+def is_shallow(extent: tuple[float, float, float]) -> bool:
+    """Tell whether things lie rather on than in a thing of an extent, as on a tray."""
+    return extent[2] < 0.3 * min(extent[:2])
 
 
 def fits(

@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
 from jaxtyping import Float
 
 from ..errors import SceneError
-from ..geometry import rotation_z
-from ..scene import TABLE, Model, Placement, PlannedObject, Relation, ScenePlan
-from . import stacking
+from ..scene import TABLE, Model, Placement, PlannedGroup, PlannedObject, Relation, ScenePlan
 from .facing import natural_yaw
-from .footprint import Footprint, footprint, gaps, margins
+from .footprint import footprint, margins
 from .furnishing import outline_of
-from .scoring import Neighbour, Request, proposals, score, violation
+from .resting import MARGIN, State, cover_with, put_on, stand_on_table, stand_unit, support_of
+from .scoring import Neighbour, Request, violation
+from .units import Unit, units_of
 
-MARGIN = 0.02
-"""Least distance from a footprint to the table's edge, metres."""
-GAP = 0.014
-"""Least gap between two footprints, metres."""
 _TRIES = 12
 
 
@@ -31,16 +27,6 @@ class Layout:
 
     placements: tuple[Placement, ...]
     warnings: tuple[str, ...] = ()
-
-
-@dataclass(eq=False)
-class _State:
-    """One try: what has been put where."""
-
-    places: dict[str, Placement] = field(default_factory=dict)
-    neighbours: dict[str, Neighbour] = field(default_factory=dict)
-    warnings: list[str] = field(default_factory=list)
-    cost: float = 0.0
 
 
 def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: int) -> Layout:
@@ -54,11 +40,11 @@ def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: in
         SceneError: some object finds no free place; the message names it.
     """
     outline = outline_of(table)
-    best: _State | None = None
+    best: State | None = None
     failed: str = ""
     for attempt in range(_TRIES):
         rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, attempt, 3])
-        state = _State()
+        state = State()
         stuck = _place_all(plan, models, table, outline, rng, state)
         if stuck is not None:
             failed = stuck
@@ -94,7 +80,7 @@ def arrange_more(
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 5])
     warnings: list[str] = []
     while True:
-        state = _State(dict(placed), {n: _standing(models[n], p) for n, p in placed.items()})
+        state = State(dict(placed), {n: _standing(models[n], p) for n, p in placed.items()})
         stuck = _place_all(plan, models, table, outline, rng, state, yaws)
         if stuck is None:
             new = tuple(p for name, p in state.places.items() if name not in placed)
@@ -152,37 +138,68 @@ def _place_all(
     table: Model,
     outline: Float[np.ndarray, "k 2"],
     rng: np.random.Generator,
-    state: _State,
+    state: State,
     yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> str | None:
     """Place everything not yet placed; return the name of the first that finds no place."""
     supports = {o.name: support_of(o) for o in plan.objects}
     missing = [o for o in plan.objects if o.name not in state.places]
-    standing = _order([o for o in missing if supports[o.name] is None], models, rng)
+    standing = [o for o in missing if supports[o.name] is None]
     above = [o for o in missing if supports[o.name] is not None]
     shapes = {name: there.shape for name, there in state.neighbours.items()}
     facing = {o.name: natural_yaw(o, models[o.name], plan, rng) for o in missing} | {**yaws}
     shapes |= {o.name: footprint(models[o.name], facing[o.name]) for o in missing}
-    for planned in standing:
-        if not _stand(planned, models, table, outline, rng, state, shapes, above):
+    on_table = {o.name: o for o in standing}
+    carrying = {name: cover_with(name, shapes, above) for name in on_table}
+    sized = replace(plan.table, size=(*map(float, table.size),))
+    groups = [_take_supports(group, supports) for group in plan.groups]
+    units = {u.planned.name: u for u in units_of(groups, on_table, carrying, sized, rng)}
+    inside = {name for unit in units.values() for name in unit.offsets}
+    alone = [o for o in standing if o.name not in inside]
+    wholes = [unit.planned for unit in units.values()]
+    for planned in _order([*alone, *wholes], models, rng, units):
+        unit = units.get(planned.name)
+        if unit is not None:
+            if not stand_unit(unit, models, table, outline, rng, state, shapes, carrying):
+                return planned.name
+        elif not stand_on_table(planned, models, table, outline, rng, state, shapes, above):
             return planned.name
     while above:
         ready = [o for o in above if supports[o.name] in state.places]
+        ready.sort(key=lambda o: _rank(o, models[o.name]))
         for planned in ready:
             support = str(supports[planned.name])
-            if not _put(planned, support, plan, models, rng, state, shapes):
+            if not put_on(planned, support, plan, models, rng, state, shapes):
                 beside = _beside(planned, support)
                 state.warnings.append(
                     f"{planned.name} does not fit on or in {support}; it stands next to it."
                 )
                 state.cost += 1.0
-                if not _stand(beside, models, table, outline, rng, state, shapes, []):
+                if not stand_on_table(beside, models, table, outline, rng, state, shapes, []):
                     return planned.name
         above = [o for o in above if o not in ready]
     return None
 
 
-def _center(state: _State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -> None:
+def _rank(planned: PlannedObject, model: Model) -> float:
+    """Return the order in which things come on or in others: into vessels the longest first."""
+    inside = any(r.kind == "in" for r in planned.relations)
+    return -float(model.size.max()) if inside else 0.0
+
+
+def _take_supports(group: PlannedGroup, supports: Mapping[str, str | None]) -> PlannedGroup:
+    """Return a group of what its members stand on: cups on saucers are arranged by the saucers."""
+
+    def bottom(name: str) -> str:
+        below = supports.get(name)
+        return name if below is None else bottom(below)
+
+    around = None if group.around is None else bottom(group.around)
+    members = tuple(dict.fromkeys(bottom(name) for name in group.members))
+    return replace(group, members=members, around=around)
+
+
+def _center(state: State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -> None:
     """Move all things towards the table's middle, a little to the front, if relations allow it."""
     kinds = {r.kind for o in plan.objects for r in o.relations if r.target == TABLE}
     fixed = bool(kinds & {"center", "edge"})
@@ -204,13 +221,6 @@ def _center(state: _State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -
         state.places[name] = replace(place, translation=place.translation + np.append(move, 0.0))
 
 
-def support_of(planned: PlannedObject) -> str | None:
-    """Return the object it stands on or in, or None for the table."""
-    return next(
-        (r.target for r in planned.relations if r.kind in ("on", "in") and r.target != TABLE), None
-    )
-
-
 def _beside(planned: PlannedObject, support: str) -> PlannedObject:
     relations = tuple(
         replace(r, kind="next_to") if r.target == support else r for r in planned.relations
@@ -219,137 +229,31 @@ def _beside(planned: PlannedObject, support: str) -> PlannedObject:
 
 
 def _order(
-    objects: list[PlannedObject], models: Mapping[str, Model], rng: np.random.Generator
+    objects: list[PlannedObject],
+    models: Mapping[str, Model],
+    rng: np.random.Generator,
+    units: Mapping[str, Unit],
 ) -> list[PlannedObject]:
-    """Order objects so that those others refer to come first, larger ones before smaller."""
+    """Order objects so that those others refer to come first, larger ones before smaller.
+
+    What is laid for a seat comes before all else: it has no other place.
+    """
     size = {o.name: float(models[o.name].size[:2].max()) * rng.uniform(0.7, 1.3) for o in objects}
+    for name, unit in units.items():
+        size[name] = 10.0 if unit.seat is not None else 2 * float(unit.shape.half.max())
     waiting = sorted(objects, key=lambda o: -size[o.name])
-    names = {o.name for o in objects}
+    names = {o.name for o in objects} | {name for u in units.values() for name in u.offsets}
     done: list[PlannedObject] = []
     while waiting:
         placed = {o.name for o in done}
+        placed |= {name for o in done if o.name in units for name in units[o.name].offsets}
         ready = [
             o
             for o in waiting
             if all(r.target in placed or r.target not in names for r in o.relations)
         ]
-        chosen = (ready or waiting)[0]
+        named = [r.target for o in waiting for r in o.relations]
+        chosen = ready[0] if ready else max(waiting, key=lambda o: named.count(o.name))
         done.append(chosen)
         waiting.remove(chosen)
     return done
-
-
-# ----------------------------------------------------------------------------- on the table
-
-
-def _stand(
-    planned: PlannedObject,
-    models: Mapping[str, Model],
-    table: Model,
-    outline: Float[np.ndarray, "k 2"],
-    rng: np.random.Generator,
-    state: _State,
-    shapes: Mapping[str, Footprint],
-    above: list[PlannedObject],
-) -> bool:
-    """Find the best free place on the tabletop; tell whether there was one."""
-    model, shape = models[planned.name], shapes[planned.name]
-    own = shape
-    for other in above:
-        if support_of(other) == planned.name:
-            own = own.covering(shapes[other.name])
-    near = {r.target: state.neighbours[r.target] for r in planned.relations
-            if r.target in state.neighbours}  # fmt: skip
-    request = Request(planned.relations, own, near, outline)
-    centers = proposals(request, rng)
-    free = margins(own, centers, outline) >= MARGIN
-    room = np.full(len(centers), 0.2)
-    for other in state.neighbours.values():
-        room = np.minimum(room, gaps(own, centers, other.shape, other.center))
-    free &= room >= GAP
-    if not free.any():
-        return False
-    costs = score(request, centers[free], room[free], list(state.neighbours.values()))
-    pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
-    center = centers[free][pick]
-    state.cost += float(costs[pick])
-    state.neighbours[planned.name] = Neighbour(own, center)
-    height = float(table.size[2] + model.size[2] / 2)
-    state.places[planned.name] = Placement(
-        planned.name, shape.yaw, np.array([*center, height]), model.size
-    )
-    return True
-
-
-# ----------------------------------------------------------------------- on and in other things
-
-
-def _put(
-    planned: PlannedObject,
-    support: str,
-    plan: ScenePlan,
-    models: Mapping[str, Model],
-    rng: np.random.Generator,
-    state: _State,
-    shapes: dict[str, Footprint],
-) -> bool:
-    """Lower an object onto or into its support, at the place where it comes to lie deepest."""
-    base = state.places[support]
-    inside = any(r.kind == "in" and r.target == support for r in planned.relations)
-    sharing = [o.name for o in plan.objects if support_of(o) == support]
-    alone = len(sharing) == 1
-    share = (sharing.index(planned.name), len(sharing))
-    siblings = [p for p in state.places.values() if p.on == support]
-    below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
-    top = float(below[0][..., 2].max())
-    model = models[planned.name]
-    if not inside:  # what lies on another thing lies nearly in line with it
-        shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
-    shape = shapes[planned.name]
-    best: tuple[float, Placement] | None = None
-    for offset in _offsets(models[support], model, base.yaw, share, rng):
-        center = base.translation[:2] + offset
-        start = np.array([*center, top + model.size[2]])
-        placement = stacking.lower(
-            model, Placement(planned.name, shape.yaw, start, model.size, support, inside), below
-        )
-        bottom = placement.translation[2] - model.size[2] / 2
-        crowd = min(
-            (float(gaps(shape, center[None], shapes[p.name], p.translation[:2])[0])
-             for p in siblings),
-            default=0.0,
-        )  # fmt: skip
-        cost = (
-            bottom + max(0.0, 0.003 - crowd) * 4 + (0.2 * float(np.hypot(*offset)) if alone else 0)
-        )
-        if best is None or cost < best[0]:
-            best = cost, placement
-    if best is None or (inside and not sunk(best[1], top, heaped=bool(siblings))):
-        return False
-    state.places[planned.name] = best[1]
-    state.neighbours[planned.name] = Neighbour(shape, best[1].translation[:2])
-    return True
-
-
-def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
-    """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
-    bottom = placement.translation[2] - placement.scale[2] / 2
-    return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
-
-
-def _offsets(
-    support: Model, model: Model, yaw: float, share: tuple[int, int], rng: np.random.Generator
-) -> list[Float[np.ndarray, "2"]]:
-    """Return where on its support a thing may stand, relative to the support's centre, metres.
-
-    ``share`` is its number and how many things the support carries: they go round its middle.
-    """
-    spare = np.maximum((support.size[:2] - model.size[:2]) / 2, 0.0)
-    number, count = share
-    if count == 1:
-        return [np.zeros(2), rotation_z(yaw)[:2, :2] @ (0.25 * spare * rng.uniform(-1, 1, 2))]
-    start = 0.4 if count == 2 else np.pi / 2
-    angles = start + 2 * np.pi * (number / count + np.linspace(0, 1, 8, endpoint=False))
-    circle = np.column_stack([np.cos(angles), np.sin(angles)])
-    centers = [reach * spare * way for reach in (0.9, 0.6) for way in circle]
-    return [rotation_z(yaw)[:2, :2] @ c for c in [*centers, np.zeros(2)]]

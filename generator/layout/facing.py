@@ -10,7 +10,9 @@ from ..scene import Model, PlannedObject, ScenePlan
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
 """Categories laid in parallel; their working end (-x) points away from the eater."""
 
-STRAIGHT = frozenset({"laptop", "keyboard", "monitor", "mousepad", "cutting_board", "tray"})
+STRAIGHT = frozenset({
+    "laptop", "keyboard", "monitor", "mousepad", "cutting_board", "tray", "wrist_rest",
+})  # fmt: skip
 """Categories that people line up with the table's edge."""
 
 

@@ -9,12 +9,9 @@ import numpy as np
 from jaxtyping import Float
 
 from .. import catalogue
-from ..catalogue.build.category import Category, model_of
-from ..catalogue.build.collision import box_part, cylinder_part
-from ..catalogue.build.shape import Shape, shape
-from ..catalogue.build.solids import block, cylinder
+from ..catalogue.build.collision import resting_ball
 from ..catalogue.build.styles import STYLES
-from ..catalogue.surfaces.look import Look
+from ..catalogue.stand_ins import build_stand_in
 from ..errors import SceneError
 from ..geometry import convex_outline
 from ..scene import ConvexPart, Mesh, Model, PlannedObject, PlannedTable, ScenePlan
@@ -24,13 +21,6 @@ _FILLING = 0.42  # share of a tabletop that objects and the room around them may
 _LARGEST = 1.5  # how much longer than planned a table may become
 _ROOM = 0.035  # metres of free space counted around each object
 
-STAND_IN = (0.1, 0.08, 0.09)
-"""Extent in metres of a thing of which nothing is known."""
-
-_ROUND = ("pot", "jar", "can", "cup", "tube", "barrel", "roll", "wheel", "disc", "candle", "vase",
-          "bottle", "ball", "coin", "pill", "round")  # fmt: skip
-_PALETTE = ("gray", "tan", "teal", "navy", "terracotta", "olive", "mustard")
-
 
 def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     """Build a catalogue model for every planned object, each by its own seed.
@@ -38,7 +28,8 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     The plan's style decides how they are drawn, if it is one of the catalogue's.
 
     Equal planned things ("two red mugs") look alike, since they share the seed. A long thin thing
-    that goes into a vessel stands upright, as a pencil does in a mug.
+    that goes into a vessel stands upright, as a pencil does in a mug, unless the vessel is as wide
+    as it is long, and so does an egg in the place that a carton has for it.
     """
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
@@ -48,14 +39,27 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
         models[planned.name] = _build(planned, plan.style, seed * 1009 + number)
     by_name = {o.name: o for o in plan.objects}
     for planned in plan.objects:
-        if any(r.kind == "in" and r.target in by_name for r in planned.relations):
-            models[planned.name] = _upright(models[planned.name])
+        for relation in planned.relations:
+            if relation.kind == "in" and relation.target in by_name:
+                own = models[planned.name]
+                fitted = "places" in by_name[relation.target].attributes
+                mouth = float(models[relation.target].size[:2].min())
+                if not fitted and own.size[0] < mouth / _LIES:
+                    continue
+                model = _upright(own, 1.0 if fitted else 3.0)
+                models[planned.name] = replace(model, parts=_FITTED) if fitted else model
     return models
+
+
+_LIES = 0.9  # share of its length that a vessel's mouth has where a long thing lies in it
+
+_FITTED = (ConvexPart(resting_ball(1.0, 1.0, 1.0).vertices - [0.0, 0.0, 0.5]),)
+"""Collision shape of a round thing that stands in its place, in the canonical frame."""
 
 
 def _build(planned: PlannedObject, style: str, seed: int) -> Model:
     if planned.category == "generic":
-        return replace(stand_in(planned, seed), label=planned.noun)
+        return build_stand_in(planned.family, planned.noun, seed, planned.attributes, planned.size)
     drawn = {"style": style} if style in STYLES else {}
     model = catalogue.build(planned.category, seed, attributes={**drawn, **planned.attributes})
     if planned.size is not None:
@@ -64,10 +68,10 @@ def _build(planned: PlannedObject, style: str, seed: int) -> Model:
     return replace(model, label=planned.noun)
 
 
-def _upright(model: Model) -> Model:
-    """Turn a long thin model so that its +x end points up; others stay as they are."""
+def _upright(model: Model, slenderness: float) -> Model:
+    """Turn a model that is so much longer than wide that its +x end points up, and no other."""
     length, *others = model.size
-    if length < 3 * max(others):
+    if length < slenderness * max(others):
         return model
     turn = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
     mesh = model.mesh
@@ -129,30 +133,3 @@ def outline_of(table: Model) -> Float[np.ndarray, "k 2"]:
     """Return the convex outline of a table model's top, metres, counter-clockwise."""
     points = table.mesh.vertices[table.mesh.vertices[:, 2] > 0.499]
     return convex_outline(points[:, :2] * table.size[:2])
-
-
-def stand_in(planned: PlannedObject, seed: int) -> Model:
-    """Return a plain solid for a thing that the catalogue does not know, at its size.
-
-    It is a box, or a drum if its name sounds round, in the colour and material asked for.
-    """
-    words = (*planned.noun.split(), planned.attributes.get("state", ""))
-    make = _drum if any(word in _ROUND for word in words) else _box
-    size = planned.size or STAND_IN
-    category = Category(
-        "generic", make, size, float(np.clip(400 * np.prod(size), 0.02, 5.0)), friction=0.7
-    )
-    look = Look(np.random.default_rng([int(seed) & 0xFFFFFFFF, 5]), planned.attributes)
-    return model_of(category, look, size)
-
-
-def _box(look: Look) -> Shape:
-    tile = look.surface(look.color(*_PALETTE))
-    x, y, z = STAND_IN
-    return shape([(block(x, y, z, 0.006, 0.003), tile)], [box_part(x, y, z)])
-
-
-def _drum(look: Look) -> Shape:
-    tile = look.surface(look.color(*_PALETTE))
-    x, _, z = STAND_IN
-    return shape([(cylinder(x / 2, z, 32, bevel=0.003), tile)], [cylinder_part(x / 2, z)])

@@ -15,7 +15,7 @@ from jaxtyping import Float
 from scipy.optimize import linear_sum_assignment
 
 from ..layout import arrange_more, build_models
-from ..layout.arranging import support_of
+from ..layout.resting import support_of
 from ..scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan, names_in
 
 

@@ -39,7 +39,9 @@ from .picture import Reference as Reference
 from .picture import TopView as TopView
 from .picture import View as View
 from .plan import TABLE as TABLE
+from .plan import GroupKind as GroupKind
 from .plan import OutlineKind as OutlineKind
+from .plan import PlannedGroup as PlannedGroup
 from .plan import PlannedObject as PlannedObject
 from .plan import PlannedTable as PlannedTable
 from .plan import Relation as Relation
@@ -52,6 +54,7 @@ from .result import Object as Object
 from .result import Placement as Placement
 from .result import Pose as Pose
 from .result import Provenance as Provenance
+from .result import RelationOutcome as RelationOutcome
 from .result import Report as Report
 from .result import Rotation as Rotation
 from .result import Scene as Scene

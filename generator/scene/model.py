@@ -102,6 +102,7 @@ class Model:
     pieces in the canonical frame; without any, assembly decomposes the mesh. Things can be put into
     a ``container``. ``orientation``, a rotation matrix whose columns are the model's axes in the
     world, is how the modeler saw the thing in the picture, if it says: a hint that no bundle keeps.
+    ``stand_in`` marks a plain thing that only stands for what it is called.
     """
 
     name: str
@@ -113,6 +114,7 @@ class Model:
     category: str = "generic"
     container: bool = False
     orientation: Float[np.ndarray, "3 3"] | None = None
+    stand_in: bool = False
 
     def __post_init__(self) -> None:
         freeze(self, FARTHEST, size=VECTOR)

@@ -15,6 +15,7 @@ TABLE = "table"
 RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "on", "in", "next_to", "center", "edge"
 ]
+GroupKind = Literal["row", "column", "circle", "fan", "heap", "scatter", "grid", "group", "setting"]
 OutlineKind = Literal["rectangle", "square", "round", "oval", "triangle", "slatted"]
 
 
@@ -33,6 +34,7 @@ class PlannedObject:
     ``name`` is unique ("mug_1"); ``noun`` is the word used; ``category`` is a catalogue key, or
     "generic" when no category fits. ``attributes`` maps "color", "material", "size" ("small",
     "large") and "state" to words. ``size`` is the extent in metres if the text fixed one.
+    ``family`` is the kind of thing that stands for a "generic" object ("appliance"), if known.
     """
 
     name: str
@@ -41,6 +43,7 @@ class PlannedObject:
     attributes: Mapping[str, str] = field(default_factory=dict[str, str])
     relations: tuple[Relation, ...] = ()
     size: tuple[float, float, float] | None = None
+    family: str = ""
 
     def __post_init__(self) -> None:
         if self.size is not None:
@@ -73,6 +76,23 @@ class PlannedTable:
 
 
 @dataclass(frozen=True)
+class PlannedGroup:
+    """Things that a text asks to be arranged as one; stacks are relations ("on").
+
+    Attributes:
+        kind: how they are arranged; "setting" is what is laid for one person.
+        members: names of planned objects, in order.
+        around: the object that a circle is laid around, if any.
+        seat: of a setting, the number of the seat and how many there are.
+    """
+
+    kind: GroupKind
+    members: tuple[str, ...]
+    around: str | None = None
+    seat: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
 class ScenePlan:
     """What a text asks for (Sec. 3, Fig. 8): the table, its objects, a style; no coordinates."""
 
@@ -81,11 +101,19 @@ class ScenePlan:
     objects: tuple[PlannedObject, ...]
     style: str = "plain"
     warnings: tuple[str, ...] = ()
+    groups: tuple[PlannedGroup, ...] = ()
 
     def __post_init__(self) -> None:
         names = [planned.name for planned in self.objects]
         if len(set(names)) < len(names) or TABLE in names:
             raise InputError(f"Planned names must be unique and not {TABLE!r}: {names}.")
+        for group in self.groups:
+            strange = {*group.members, *([group.around] if group.around else [])} - {*names}
+            if strange or group.kind not in get_args(GroupKind):
+                raise InputError(
+                    f"The plan's {group.kind!r} of {', '.join(group.members)} names what is not "
+                    f"planned: {', '.join(sorted(strange)) or group.kind}."
+                )
         on = {p.name: [r.target for r in p.relations if r.kind in ("on", "in")]
               for p in self.objects}  # fmt: skip
         for planned in self.objects:

@@ -15,7 +15,7 @@ from ..io.reading import printable
 from .arrays import FARTHEST, OUTLINE, SMALLEST, VECTOR, freeze
 from .model import ConvexPart, Model
 from .picture import USUAL_VIEW, View
-from .plan import TABLE, ScenePlan
+from .plan import TABLE, RelationKind, ScenePlan
 
 _LEAST_MASS = 1e-9  # of an object, kg; MuJoCo's own limit is a millionth of it
 _LEAST_TOP = 1e-6  # of a tabletop, square metres
@@ -208,6 +208,23 @@ def names_in(failure: str) -> tuple[str, ...]:
 
 
 @dataclass(frozen=True)
+class RelationOutcome:
+    """Whether a relation that a text asks for holds in the settled scene.
+
+    Attributes:
+        name, kind, target: the relation of the object ``name``.
+        holds: whether it does.
+        margin: by how many metres; 0 or less where it does not hold.
+    """
+
+    name: str
+    kind: RelationKind
+    target: str
+    holds: bool
+    margin: float
+
+
+@dataclass(frozen=True)
 class Report:
     """The recorded physical gate of a scene (lengths in metres, angles in radians).
 
@@ -226,6 +243,7 @@ class Report:
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
         over the objects: before the joint refinement, and of the finished scene, as it rests.
+    relations: what the plan asks for, held or not.
     """
 
     penetration: float
@@ -243,6 +261,7 @@ class Report:
     failures: tuple[str, ...] = ()
     misfit: tuple[float, float] | None = None
     simulated: float | None = None
+    relations: tuple[RelationOutcome, ...] = ()
 
     @property
     def passed(self) -> bool:

@@ -38,7 +38,7 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 _MADE_OF: Mapping[str, str] = {
     "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
     "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter plant_pot "
-    "cactus succulent ice_cream",
+    "cactus succulent ice_cream sink",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass salt_shaker "
     "pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug shot_glass "

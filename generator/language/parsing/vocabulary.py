@@ -48,81 +48,9 @@ VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
 """Vague amounts: the lowest and highest number they stand for."""
 
 DEFINITE = _words("the this that these those its his her my your their our")
-PRONOUNS = _words("it them itself themselves")
-SEVERAL = _words("them themselves")
-OTHERS = _words("other second")
-GROUP_NOUNS = _words(
-    "set stack pile group row bunch collection piece pieces slice slices stacks piles sets pair "
-    "pairs bundle handful heap assortment variety number lot selection cluster type types kind "
-    "kinds arrangement array"
-)
 LOOSE_NOUNS = _words("board brush tin ring case dish compact tube powder figure deck note paint")
 """Heads that mean a known thing alone, but hardly after a strange word ("arduino board")."""
 
-STACKED = _words("stack stacks pile piles heap")
-
-RELATIONS = _table(
-    """
-    left_of: to the left of, on the left of, on the left side of, at the left of, left of
-    left_of: on the left hand side of, to the left side of, in the left of, on the left part of
-    left_of: at the left side of
-    right_of: to the right of, on the right of, on the right side of, at the right of, right of
-    right_of: on the right hand side of, to the right side of, in the right of
-    right_of: on the right part of, at the right side of
-    left_of table&behind table: in the back left corner, at the back left, in the back left
-    left_of table&behind table: in the far left corner, at the back on the left
-    right_of table&behind table: in the back right corner, at the back right, in the back right
-    right_of table&behind table: in the far right corner, at the back on the right
-    left_of table&in_front_of table: in the front left corner, at the front left, in the front left
-    right_of table&in_front_of table: in the front right corner, at the front right
-    right_of table&in_front_of table: in the front right
-    flank each: on either side of, on both sides of, to either side of, on each side of
-    left_of it: to its left, on its left
-    right_of it: to its right, on its right
-    left_of table: on the left, at the left, to the left, on the left side, on the left hand side
-    right_of table: on the right, at the right, to the right, on the right side
-    right_of table: on the right hand side
-    in_front_of: in front of, at the front of, ahead of, before
-    in_front_of it: in front of it
-    in_front_of table: in front, at the front, in the foreground
-    behind: behind, in back of, at the back of, across from, beyond, at the rear of
-    behind table: at the back, in the back, in the background, at the rear, further back
-    next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby
-    next_to: against, leaning against, leaning on, around, surrounding, together with
-    next_to: not far from, along, touching, opposite, surrounded by, flanked by, by the side of
-    next_to: at the side of
-    stacked: on top of each other, on each other, on top of one another, one on top of the other
-    stacked: stacked on top of each other, stacked on each other, stacked up, stacked on one another
-    between: between, in between, amid, among
-    on: on, on top of, atop, upon, onto, on top, above, over, over the top of, resting on top of
-    on: stacked on, stacked on top of, balanced on
-    in: in, inside, inside of, within, into
-    under: under, beneath, underneath, below, under neath
-    center: in the middle of, in the center of, in the centre of, at the center of
-    center: at the centre of, at the middle of, on the middle of, in the very middle of
-    center: on the center of, on the centre of
-    center table: in the middle, in the center, in the centre, at the center, at the centre
-    center table: as the centerpiece, as a centerpiece, as centerpiece, centrally, centered
-    edge: at the edge of, on the edge of, near the edge of, at the corner of, in the corner of
-    edge: on the corner of, near the corner of, at the end of, by the edge of, along the edge of
-    edge: close to the edge of, at one end of, at the far end of, in one corner of
-    edge table: at the edge, on the edge, near the edge, at the corner, in the corner
-    edge table: on the corner, in one corner, at one end
-    """
-)  # fmt: skip
-"""Phrases to relation kinds. After a blank: the target they carry themselves, "it" or "table"."""
-
-CARRIES = _table(
-    """
-    with: with, has, have, having, featuring, including, includes, bearing, plus a, carrying
-    with: along with, decorated with, set with, equipped with, covered with, covered in
-    with: topped with
-    hold: containing, contains, holding, holds, filled with, full of, contain, hold, that holds
-    hold: stuffed with
-    without: without, no, not, except, excluding, minus, free of, lacking
-    """
-)  # fmt: skip
-"""Phrases by which a thing brings others along ("a bowl containing two apples")."""
 
 COLORS = _words(
     "white cream ivory beige black charcoal gray grey silver red crimson maroon pink coral orange "
@@ -146,6 +74,7 @@ SIZES: Mapping[str, str] = _table(
     """
 )
 STATES = _words(
+    "different identical similar separate individual "
     "open closed bare empty full half fresh ripe folded lit old new antique vintage rusty "
     "broken used "
     "worn steaming hot cold sliced stacked burning potted framed lidded striped spotted patterned "
@@ -233,12 +162,16 @@ PLACES = _words(
     "cafe bathroom garden balcony window wall school classroom kindergarten nursery scene image "
     "picture photo photograph view background foreground day morning evening afternoon night "
     "dinner lunch supper party style person people guest guests child children kid work use "
-    "way things thing stuff items item objects object everything something life still "
+    "breakfast brunch meal feast banquet picnic barbecue "
+    "way things thing stuff items item objects object everything something life still nothing "
     "arrangement place setup light sunlight corner date time ground shelf hand light "
     "arm gripper distance order place reach lighting hours hour world programmer student artist "
     "writer"
 )
 """Words for where, when and what it is about; no objects."""
+
+OCCASIONS = frozenset({"afternoon tea", "high tea", "coffee break", "game night", "movie night"})
+"""Occasions of two words."""
 
 VAGUE_THINGS = _words("things thing stuff items item objects object everything supplies etc")
 
@@ -300,11 +233,10 @@ SYNONYMS = _pairs(
     pepper shaker: pepper, pepper mill, pepper grinder
     cutting board: chopping board, breadboard, bread board, butcher block
     napkin: serviette, cloth napkin, paper napkin
-    candle: tea light, tealight, pillar candle
+    candle: candlelight, tea light, tealight, pillar candle
     vase: flower vase, flower, bouquet, rose, tulip, bouquet of flowers, vase of flowers
     plant: potted plant, houseplant, house plant, succulent, cactus, flower pot, flowerpot
     plant: plant pot
-    apple: red apple, green apple
     orange: mandarin, tangerine, clementine, grapefruit
     lemon: lime
     banana: plantain
@@ -401,6 +333,17 @@ SYNONYMS = _pairs(
     """
 )  # fmt: skip
 """Words to a catalogue word (key, noun or alias), beside the catalogue's own aliases."""
+
+MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
+    {
+        "piece": (("chess_board", "chess_piece"),),
+        "set": (("chess_board", "chess_piece"),),
+        "bean": (("coffee_grinder", "coffee_bag"), ("espresso_machine", "coffee_bag")),
+        "card": (("poker_chips", "playing_cards"),),
+        "chip": (("playing_cards", "poker_chips"),),
+    }
+)
+"""Words that mean a category where another one is there: pieces by a chess board."""
 
 COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {

@@ -151,7 +151,22 @@ def mini_pc(look: Look) -> Shape:
     return shape(pieces, [box_part(x, y, h)])
 
 
+def wrist_rest(look: Look) -> Shape:
+    """A soft bar for the wrists, its top rounded."""
+    x, y, h = look.between(0.36, 0.44), look.between(0.07, 0.085), look.between(0.018, 0.022)
+    bar = block(x, y, h, 0.45 * y, 0.4 * h, 8)
+    base = block(x * 0.985, y * 0.94, 0.004, 0.42 * y)
+    color = look.color("black", "charcoal", "navy", "gray", "purple", "brown")
+    return shape(
+        [(bar, look.surface(color, "fabric")), (base, textures.plain((40, 40, 44)))],
+        [box_part(x, 0.8 * y, h)],
+    )
+
+
 CATEGORIES = (
+    Category("wrist_rest", wrist_rest, (0.4, 0.078, 0.02), 0.18, ("wrist pad", "palm rest",
+             "keyboard rest", "wrist support"), ("office",), ("flat",), ("black", "gray"), 0.8,
+             "lying flat"),
     Category("usb_stick", usb_stick, (0.055, 0.017, 0.008), 0.01, ("flash drive",
              "usb flash drive", "memory stick", "thumb drive", "pen drive", "usb", "usb key",
              "usb drive", "memory card", "sd card"), ("office", "gaming"), ("flat",), ("black",

@@ -233,20 +233,24 @@ def spray_bottle(look: Look) -> Shape:
 
 
 def egg_carton(look: Look) -> Shape:
-    """An open carton of eggs."""
+    """An open carton of eggs; empty, with as many ``places`` as the attribute says."""
     rows, pitch = 2, 0.048
     columns = int(look.pick([3, 5]))
+    empty = look.attributes.get("state") == "empty"
+    if "places" in look.attributes:
+        columns, pitch = -(-int(look.attributes["places"]) // rows), 0.052
     color = look.color("gray", "beige", "sage", "lavender", "sky")
     pulp = textures.spots(look.rng, color, tint_color(color, 0.8), 0.1)
     x, y, h = columns * pitch + 0.01, rows * pitch + 0.01, 0.042
-    tray = [block(x, y, 0.018, 0.008, 0.003)]
+    floor = 0.01 if empty else 0.018
+    tray = [block(x, y, floor, 0.008, 0.003)]
     eggs: dict[str, list[Solid]] = {"cream": [], "tan": []}
     kind = look.pick([("cream", "cream"), ("tan", "tan"), ("cream", "tan")])
     for i in range(columns + 1):
         for j in range(rows + 1):
             at = (pitch * (i - columns / 2) * 0.97, pitch * (j - rows / 2) * 0.97)
             tray.append(cylinder(0.014, h, 8, top=0.005).move(*at))
-            if i < columns and j < rows and (look.chance(0.85) or i + j == 0):
+            if i < columns and j < rows and (look.chance(0.85) or i + j == 0) and not empty:
                 egg = ellipsoid(0.043, 0.043, 0.056, 14, 8)
                 place = (pitch * (i + 0.5 - columns / 2), pitch * (j + 0.5 - rows / 2), 0.034)
                 eggs[kind[int(look.rng.integers(2))]].append(egg.move(*place))
@@ -254,7 +258,11 @@ def egg_carton(look: Look) -> Shape:
     pieces = [(join(tray), pulp), (lid, pulp)]
     pieces += [(join(some), textures.speckles(look.rng, look.own_color(name), 4))
                for name, some in eggs.items() if some]  # fmt: skip
-    return shape(pieces, [*frame_parts(x, y, h, 0.008, 0.01), hull_of(lid)])
+    if not empty:
+        return shape(pieces, [*frame_parts(x, y, h, 0.008, 0.01), hull_of(lid)])
+    walls = [box_part(0.002, y, h, (pitch * (i - columns / 2), 0, 0)) for i in range(columns + 1)]
+    walls += [box_part(x, 0.002, h, (0, pitch * (j - rows / 2), 0)) for j in range(rows + 1)]
+    return shape(pieces, [box_part(x, y, floor), *walls, hull_of(lid)])
 
 
 CATEGORIES = (

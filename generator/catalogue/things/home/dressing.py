@@ -168,7 +168,30 @@ def ashtray(look: Look) -> Shape:
     return shape(pieces, parts)
 
 
+def sink(look: Look) -> Shape:
+    """A washbasin that stands on a top, with a tap behind it."""
+    r, h = look.between(0.17, 0.2), look.between(0.11, 0.13)
+    side = [(0.62 * r, 0), (0.8 * r, 0.3 * h), (0.94 * r, 0.7 * h), (r, h)]
+    basin, parts = open_vessel(side, 0.012, 0.014)
+    reach = r + 0.035
+    neck = [(0, reach, 0), (0, reach, 1.7 * h), (0, reach - 0.03, 1.95 * h),
+            (0, reach - 0.1, 1.95 * h), (0, reach - 0.12, 1.8 * h)]  # fmt: skip
+    tap = join([tube(neck, 0.012, 14), cylinder(0.026, 0.012, 20).move(y=reach),
+                cylinder(0.016, 0.03, 16).move(y=reach, z=1.95 * h),
+                box(0.05, 0.01, 0.008).move(y=reach, z=1.95 * h + 0.03)])  # fmt: skip
+    drain = cylinder(0.022, 0.002, 20).move(z=0.0145)
+    steel = textures.brushed_metal(look.rng, (196, 200, 204))
+    glaze = look.surface(look.color("white", "white", "cream", "charcoal"), "ceramic")
+    return shape(
+        [(basin, glaze), (join([tap, drain]), steel)],
+        [*parts, cylinder_part(0.026, 2 * h, at=(0, reach, 0))],
+    )
+
+
 CATEGORIES = (
+    Category("sink", sink, (0.37, 0.44, 0.27), 4.0, ("washbasin", "wash basin", "hand basin",
+             "bathroom sink", "kitchen sink", "vessel sink"), ("vanity",), ("container", "big"),
+             ("white",)),
     Category("candlestick", candlestick, (0.126, 0.092, 0.245), 0.4, ("candle holder",
              "candleholder", "candlestick holder", "candelabra", "candelabrum", "candle stick",
              "taper candle"), ("dining", "living"), ("tall",), ("brass", "silver")),

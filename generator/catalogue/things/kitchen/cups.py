@@ -12,6 +12,7 @@ from ...build.shape import Shape, shape
 from ...build.solids import Solid, cylinder, lathe, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
+from ...surfaces.contents import contents
 from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
@@ -49,8 +50,11 @@ def handle_part(radius: float, low: float, high: float, reach: float, thick: flo
 
 
 def _drink(look: Look, radius: float, height: float) -> list[tuple[Solid, textures.Tile]]:
-    """Return the surface of a drink, or nothing: most cups are empty."""
+    """Return the surface of a drink, or nothing: most cups are empty where nothing is said."""
     full, color = look.chance(0.3), look.pick(DRINKS)
+    said = contents(look, radius, height)
+    if said is not None:
+        return said
     if not full:
         return []
     foam = textures.spots(look.rng, color, tint_color(color, 1.3), look.between(0.01, 0.2), 48)

@@ -10,6 +10,7 @@ from ...build.shape import Shape, shape
 from ...build.solids import box, lathe, open_box, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
+from ...surfaces.contents import contents, drink_color
 from ...surfaces.glazes import SIDE, glaze_tile
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
@@ -39,7 +40,9 @@ def bowl(look: Look) -> Shape:
     rim = textures.plain(tint_color(color, 0.5)) if look.chance(0.3) else inside
     tile = textures.stack((glaze_tile(look, color), 48), (rim, 4), (within, 48), side=192)
     wedges = bowl_parts(outer, inner[::-1])
-    return shape([(body, tile)], [*wedges, cylinder_part(foot, 0.007)])
+    level = float(np.interp(0.7 * h, inner[::-1, 1], inner[::-1, 0])) + 0.0005
+    held = contents(look, level, 0.7 * h) or []
+    return shape([(body, tile), *held], [*wedges, cylinder_part(foot, 0.007)])
 
 
 def plate(look: Look) -> Shape:
@@ -122,6 +125,11 @@ def glass(look: Look) -> Shape:
         level = look.between(0.45, 0.85)
         wet = textures.plain(look.pick([hue, hue, (204, 220, 226)]))
         tile = textures.stack((wet, 0.94 * level), (tile, 1.02 - 0.94 * level), (wet, 0.04))
+    if drink := drink_color(look):
+        wet = textures.plain(drink)
+        tile = textures.stack((wet, 0.62), (textures.plain(clear), 0.34), (wet, 0.04))
+    elif look.attributes.get("state") == "empty":
+        tile = textures.plain(clear)
     top = float(outer[-1, 0]) * (np.cos(np.pi / 9) if kind == "faceted" else 1.0)
     foot = low * (np.cos(np.pi / 9) if kind == "faceted" else 1.0)
     middle = (float(outer[3, 0]) * top / float(outer[-1, 0]), float(outer[3, 1]))
@@ -272,7 +280,7 @@ CATEGORIES = (
         napkins,
         (0.163, 0.163, 0.021),
         0.08,
-        ("napkin", "napkin stack", "stack of napkins", "folded napkin", "tissue", "cloth", "towel"),
+        ("napkin", "napkin stack", "stack of napkins", "folded napkin", "tissue", "cloth"),
         ("dining", "kitchen"),
         ("support", "flat"),
         ("white", "red"),

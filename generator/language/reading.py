@@ -1,0 +1,118 @@
+"""A text read in stages: words, spelling, tokens, clauses, and what they mean."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InputError
+from .drafts import Reading
+from .parsing import lexicon
+from .parsing.vocabulary import (
+    COLORS,
+    DEFINITE,
+    DRAWN,
+    FILLERS,
+    FOREIGN,
+    LEGS,
+    MATERIALS,
+    NUMBERS,
+    OUTLINES,
+    PLACES,
+    STATES,
+    VAGUE,
+    VERBS,
+)
+from .semantics.interpreter import Interpreter
+from .syntax.clauses import Parser
+from .syntax.tokens import list_skipped, small_words, tokens_of
+from .syntax.tree import Sentence
+from .syntax.words import words_of
+from .words.spelling import correct
+
+MAX_CHARACTERS = 2000
+"""Longest text the planner reads."""
+
+EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
+_ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
+    "and", "on", "in", "with", "of", "left", "right", "behind", "front", "next", "between",
+    *NUMBERS, *VAGUE,
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class ReadText:
+    """What was read of a text.
+
+    Attributes:
+        sentences: its clauses and noun phrases, each with its place in the text.
+        reading: the things they ask for, and what was not understood.
+        fixes: misspelt words and what they were read as.
+    """
+
+    sentences: tuple[Sentence, ...]
+    reading: Reading
+    fixes: Mapping[str, str]
+
+
+def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
+    """Read an English text; vague numbers are drawn by ``rng``.
+
+    Raises:
+        InputError: empty, too long or not English; impossible counts, a second table.
+    """
+    check_text(prompt)
+    spelt, fixes = correct(
+        words_of(_undrawn(prompt)),
+        _ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary(),
+    )
+    parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
+    sentences = parser.sentences()
+    reading = Interpreter(rng).read(sentences)
+    reading.lost += list_skipped(parser.skipped)
+    reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
+    reading.warnings += [f"Not understood: {phrase!r}." for phrase in dict.fromkeys(reading.lost)]
+    return ReadText(tuple(sentences), reading, fixes)
+
+
+def check_text(prompt: str) -> None:
+    """Refuse what is no English text of some sentences.
+
+    Raises:
+        InputError: empty, too long, without words or not English.
+    """
+    if not isinstance(prompt, str):
+        raise InputError(f"A text or a ScenePlan is needed, got {type(prompt).__name__}.")
+    if not prompt.strip():
+        raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
+    if len(prompt) > MAX_CHARACTERS:
+        raise InputError(
+            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are read. "
+            "Describe one table in a few sentences."
+        )
+    letters = [c for c in prompt if c.isalpha()]
+    if not letters:
+        raise InputError(f"The text holds no words. Describe a tabletop, for example {EXAMPLE}.")
+    latin = sum(bool(re.fullmatch("[a-z]+", "".join(lexicon.tokens(c)) or "-")) for c in letters)
+    words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
+    known = _ENGLISH | lexicon.vocabulary()
+    english = sum(w in known or lexicon.singular(w) in known for w in words)
+    foreign = sum(w in FOREIGN for w in words)
+    if latin < 0.7 * len(letters) or not english or foreign > english - foreign:
+        raise InputError(
+            "The embedded planner reads English and recognised none here. Write in English, for "
+            f"example {EXAMPLE}, or choose another reasoner backend that reads your language."
+        )
+
+
+def _undrawn(prompt: str) -> str:
+    """Return a prompt with blanks for "cartoon style" and the like."""
+    for phrase in DRAWN:
+        pattern = rf"(?i)\b{phrase.replace(' ', '[ -]')}\b(?:[ -]styled?\b)?"
+        found = re.search(pattern, prompt)
+        if found:
+            return prompt[: found.start()] + " " * len(found.group()) + prompt[found.end() :]
+    return prompt

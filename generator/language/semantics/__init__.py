@@ -1,0 +1,1 @@
+"""What clauses mean: which things there are, and what is where."""

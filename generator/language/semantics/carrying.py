@@ -1,0 +1,124 @@
+"""What a thing brings along: "with", "holding", "of"."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ...catalogue import CATEGORIES
+from ..drafts import Draft, Group, assumed_relation
+from ..syntax.tree import (
+    Carry,
+    Location,
+    Noun,
+    Post,
+)
+from . import contents
+from .references import Target
+from .things import ThingReader
+
+_DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
+
+
+@dataclass(eq=False)
+class CarryReader(ThingReader, ABC):
+    """Reads what things bring along, and puts it where it fits until the text says more."""
+
+    def _carry(self, post: Carry, owner: Target, noun: Noun | None) -> None:
+        """Read what a thing brings along, and put it where it fits until the text says more."""
+        context = self._context
+        outer, context.owner = context.owner, owner
+        subject, context.subject = context.subject, []
+        try:
+            if post.how == "of" and noun is not None and isinstance(owner, list):
+                self._contents(post, owner, noun)
+                return
+            items = post.items
+            if isinstance(owner, list):
+                items = tuple(item for item in items if not contents.decorates(item, owner))
+            if isinstance(owner, list) and noun is not None and contents.fills(noun, items):
+                contents.label(noun, items[0], owner)
+                context.owner = outer
+                self._posts(items[0], owner)
+                return
+            moved = _owners_places(owner, items, post.how)
+            if moved and isinstance(owner, list):
+                items = (*items[:-1], replace(items[-1], post=[
+                    p for p in items[-1].post if p not in moved]))  # fmt: skip
+            if isinstance(owner, list) and len(owner) > 1 and (post.each or post.how == "hold"):
+                items = tuple(_times(item, len(owner)) for item in items)
+            groups = self._list(items, owner)
+            if isinstance(owner, list):
+                for group in groups:
+                    if isinstance(group, list):
+                        self._assume(group, owner, post)
+                context.owner = outer
+                for place in moved:
+                    self._post(place, owner, noun)
+        finally:
+            context.owner, context.subject = outer, subject
+
+    def _contents(self, post: Carry, owner: Group, noun: Noun) -> None:
+        for inner in post.items:
+            if contents.labels(noun, inner):
+                contents.label(noun, inner, owner)
+                continue
+            group = self._noun(_times(inner, len(owner)) if len(owner) > 1 else inner, owner)
+            if isinstance(group, list):
+                self._assume(group, owner, post)
+
+    def _assume(self, group: Group, owners: Group, post: Carry) -> None:
+        share = -(-len(group) // len(owners))
+        for k, draft in enumerate(group):
+            if draft.relations or any(draft is o for o in owners):
+                continue
+            owner = owners[min(k // share, len(owners) - 1)]
+            kind = post.back or assumed_relation(draft, owner, held=post.how != "with")
+            if (
+                post.back in ("on", "in")
+                and owner.category
+                and CATEGORIES[owner.category].container
+            ):
+                kind = "in" if post.back == "in" else kind
+            draft.relations.append((kind, owner))
+            draft.provisional = True
+
+    @abstractmethod
+    def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
+        """Read a list of noun phrases."""
+
+    @abstractmethod
+    def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
+        """Read a noun phrase with what follows it; return what it means."""
+
+
+def _owners_places(owner: Target, items: Sequence[Noun], how: str) -> list[Post]:
+    """Return the places said of a thing in a vessel that are the vessel's.
+
+    "A bowl with two eggs behind the pot": the bowl is behind the pot.
+    """
+    if not isinstance(owner, list) or not items:
+        return []
+    item = items[-1]
+    if item.category is None or owner[0].category is None:
+        return []
+    inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
+    if inside not in ("on", "in"):
+        return []
+    return [
+        place
+        for place in item.post
+        if isinstance(place, Location)
+        and place.kind in _DIRECTIONS
+        and not (isinstance(place.target, Noun) and place.target.kind == "pronoun")
+    ]
+
+
+def _times(noun: Noun, owners: int) -> Noun:
+    """Return a noun phrase for each of several owners: "three bowls of two apples"."""
+    if noun.definite or noun.kind != "thing":
+        return noun
+    if noun.count is not None or not (noun.plural or noun.amount):
+        return replace(noun, count=(noun.count or 1.0) * owners)
+    return replace(noun, count=2.0 * owners, amount=None)

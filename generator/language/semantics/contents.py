@@ -1,0 +1,94 @@
+"""What follows "of": a bowl of apples, a glass of orange juice, a photo of a vase."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...catalogue import CATEGORIES
+from ..drafts import Draft, Group
+from ..parsing.lexicon import category_of
+from ..parsing.vocabulary import PACKAGES, SUBSTANCES
+from ..relations import fits
+from ..syntax.tree import Noun
+
+DEPICTIONS = frozenset({
+    "photo", "photograph", "picture", "painting", "drawing", "poster", "portrait", "sketch",
+    "print", "postcard", "image", "map", "statue", "bust", "figurine", "sculpture", "model",
+})  # fmt: skip
+"""Things "of" which only show what follows."""
+
+
+DECORATIONS = frozenset({
+    "picture", "photo", "print", "drawing", "image", "design", "motif", "logo", "sticker",
+    "inscription", "engraving", "writing", "text", "slogan",
+})  # fmt: skip
+"""What "with" adds to a thing's looks."""
+
+
+def labels(owner: Noun, inner: Noun) -> bool:
+    """Tell whether "of" only says what a thing holds or shows, so that nothing else is there."""
+    head = owner.head.split()[-1] if owner.head else ""
+    if head in DEPICTIONS or (owner.category or "") in ("picture_frame", "photo_print"):
+        return True
+    said = " ".join(inner.words)
+    if inner.head in SUBSTANCES or said in SUBSTANCES or set(inner.words) & SUBSTANCES:
+        return True
+    if inner.kind == "setting":
+        return True
+    if inner.kind == "abstract":
+        return False
+    if inner.kind == "collective" or inner.determined:
+        return False
+    package = head in PACKAGES
+    if inner.category == owner.category is not None:
+        return True  # a vase of tulips
+    if inner.category is None:
+        return package or not inner.plural or owner.category is not None
+    vessel = CATEGORIES[owner.category] if owner.category else None
+    size = CATEGORIES[inner.category].size
+    if vessel is not None and fits("in", size, vessel.size, vessel.container):
+        return False
+    return package
+
+
+_VESSELS = frozenset({"mug", "teacup", "glass", "wine_glass", "paper_cup", "beer_mug", "carafe"})
+"""What holds a drink, and nothing else."""
+
+
+def fills(owner: Noun, items: Sequence[Noun]) -> bool:
+    """Tell whether "with tea" only says what a vessel holds."""
+    if len(items) != 1 or owner.category is None:
+        return False
+    (item,) = items
+    vessel = item.category is None or owner.category in _VESSELS
+    plain = not item.determined and not item.plural and vessel
+    return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)
+
+
+def decorates(item: Noun, owners: Group) -> bool:
+    """Tell whether "with a picture of a cat" only says how things look; then they are so."""
+    if item.head not in DECORATIONS or owners[0].category in ("picture_frame", "photo_print"):
+        return False
+    for draft in owners:
+        draft.attributes.setdefault("state", f"with {' '.join(item.words)}")
+    return True
+
+
+def label(owner: Noun, inner: Noun, drafts: Group) -> None:
+    """Name things after what they hold; a package of something known becomes that."""
+    said = " ".join(inner.words)
+    known = inner.category is not None and owner.head.split()[-1:][0] in PACKAGES
+    itself = known and (not inner.plural or bool(PACKAGES & set(str(inner.category).split("_"))))
+    whole = category_of((*owner.head.split(), "of", inner.head.split()[-1]))
+    for draft in drafts:
+        draft.category = whole or draft.category
+        if itself and inner.head not in SUBSTANCES:
+            draft.category, draft.noun = inner.category, inner.head
+        else:
+            draft.attributes.setdefault("state", f"with {said}")
+            draft.contents = said
+
+
+def full_name(draft: Draft) -> str:
+    """Return what a thing is called with what it holds: "glass of orange juice"."""
+    return f"{draft.noun} of {draft.contents}" if draft.contents else draft.noun

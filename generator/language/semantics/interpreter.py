@@ -1,0 +1,296 @@
+"""Clauses to a draft of the scene: which things, which table, what relates to what."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from ...errors import InputError
+from ...scene import TABLE
+from ..drafts import Draft, Group, Grouping, Reading, phrase_text, shares
+from ..syntax.tree import (
+    Arranged,
+    Carry,
+    Clause,
+    Description,
+    Lack,
+    Location,
+    Noun,
+    Post,
+    Sentence,
+    Zone,
+)
+from .carrying import CarryReader
+from .linking import link
+from .references import Context, Target, antecedent
+
+
+@dataclass(eq=False)
+class Interpreter(CarryReader):
+    """Turns clauses into drafts."""
+
+    def read(self, sentences: Sequence[Sentence]) -> Reading:
+        """Read all sentences.
+
+        Raises:
+            InputError: impossible counts, a second table, the table on an object.
+        """
+        for sentence in sentences:
+            context = self._context
+            context.earlier = context.topic or context.earlier
+            context.topic, context.parallel, self._side = None, None, None
+            for clause in sentence.clauses:
+                self._clause(clause)
+        return self.reading
+
+    def _clause(self, clause: Clause) -> None:
+        if clause.people:
+            self._people(clause)
+            return
+        lead = self._resolve(clause.lead, []) if clause.lead else None
+        if clause.lead is not None and lead is None:
+            return
+        groups = self._list(clause.subjects, None)
+        things = [group for group in groups if isinstance(group, list)]
+        if lead is not None and clause.lead is not None:
+            self._attach_lead(clause.lead, lead, groups)
+        if not clause.subjects and clause.predicate:
+            things = [self._context.topic] if isinstance(self._context.topic, list) else things
+        for post in clause.predicate:
+            self._predicate(post, things, groups)
+        if things and self._context.topic is None:
+            self._context.topic = things[0]
+
+    def _attach_lead(self, place: Location, targets: Target, groups: Sequence[Target]) -> None:
+        for group in groups:
+            if group == TABLE and place.kind in ("on", "in"):
+                raise _TURNED
+            if isinstance(group, list):
+                self._attach(place, targets, group)
+
+    def _predicate(self, post: Post, things: Sequence[Group], groups: Sequence[Target]) -> None:
+        if isinstance(post, Arranged):
+            self._arrange(post, [draft for group in things for draft in group])
+            return
+        if isinstance(post, Location) and TABLE in groups and not things:
+            if isinstance(post.target, Noun) and post.kind in ("on", "in"):
+                raise _TURNED
+            return
+        for group in things:
+            self._post(post, group, None)
+        if isinstance(post, Location) and not groups and not things:
+            self._resolve(post, [])  # "dinner for two by candlelight"
+        if isinstance(post, Carry) and TABLE in groups:
+            self._carry(post, TABLE, None)
+        if isinstance(post, Description) and TABLE in groups:
+            self.reading.table.append(_describing(post))
+
+    def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
+        """Read a list; what is said of its last item only may be said of the others, too."""
+        found: list[Target] = []
+        context = self._context
+        parallel, context.parallel = context.parallel, None
+        for k, noun in enumerate(nouns):
+            target = self._noun(noun, owner)
+            if target is None:
+                brings = any(isinstance(post, Carry) for post in noun.post)
+                if noun.family == "place" and not brings and noun.kind == "setting":
+                    self.reading.lost.append(" ".join(noun.words))  # "a house on a table"
+                continue
+            found.append(target)
+            if isinstance(target, list):
+                if context.topic is None and owner is None:
+                    context.topic = target
+                self._share(nouns[: k + 1], noun, found)
+        context.parallel = parallel
+        self._arrange_all(nouns, found)
+        return found
+
+    def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
+        """Arrange "an apple, a pear and a peach in a row": what is said of the last is of all."""
+        posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
+        groups = [group for group in found if isinstance(group, list)]
+        if posts and len(groups) > 1 and all(len(g) == 1 and not g[0].relations for g in groups):
+            self._arrange(posts[0], [draft for group in groups for draft in group])
+
+    def _share(self, nouns: Sequence[Noun], last: Noun, found: Sequence[Target]) -> None:
+        """Give "an apple and a pear on a plate" one place."""
+        places = [post for post in last.post if isinstance(post, Location)]
+        if last.joint != "and" or len(nouns) < 2 or not places or len(found) < 2:
+            return
+        other = found[-2]
+        previous = nouns[-2]
+        if not isinstance(other, list) or previous.post:
+            return
+        if places[0].each or (isinstance(places[0].target, Noun) and places[0].target.each):
+            self._attach(places[0], self._context.parallel or [], other)
+            return
+        listed = len(nouns) > 2
+        drafts = found[-1]
+        assert isinstance(drafts, list)
+        for kind, target in list(drafts[0].relations):
+            if target is not TABLE and all(target is not d for d in other):
+                targets = [to for d in drafts for k, to in d.relations if k == kind]
+                if listed and kind in ("on", "in"):
+                    continue
+                if shares(kind, other, targets):
+                    link(kind, other, targets[:1], self.reading.warnings)
+
+    def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
+        """Read a noun phrase with what follows it; return what it means."""
+        if noun.kind == "table":
+            return self._table(noun)
+        if noun.kind == "pronoun":
+            group = antecedent(noun, "", self._context)
+            if isinstance(group, list):
+                self._posts(noun, group)
+            return group
+        if noun.kind == "abstract":
+            self.reading.lost.append(" ".join(noun.words))
+        if noun.kind in ("setting", "vague", "abstract"):
+            return self._loose(noun)
+        if noun.kind == "part":
+            if owner == TABLE:
+                self.reading.table_parts.append(noun)
+            return None
+        if noun.kind in ("member", "adjective"):
+            return self._member(noun)
+        group = self._thing(noun)
+        if group:
+            self._context.mentioned.append(group)
+            self._posts(noun, group)
+        return group or None
+
+    def _loose(self, noun: Noun) -> Target | None:
+        """Read what follows "a scene with" or "some things": it stands on the table."""
+        self.reading.vague = self.reading.vague or noun.kind == "vague"
+        for post in noun.post:
+            if isinstance(post, Carry):
+                self._carry(post, TABLE, None)
+            elif isinstance(post, Location) and isinstance(post.target, Noun):
+                self._resolve(post, [])
+            elif isinstance(post, Lack):
+                self._lack(post, [])
+        return None
+
+    def _table(self, noun: Noun) -> str:
+        if (noun.count or 1) > 1 or noun.amount or noun.plural:
+            raise InputError(
+                "A scene has exactly one table, the text asks for several "
+                f"({phrase_text(noun)!r}). Describe one table."
+            )
+        self.reading.table.append(noun)
+        for post in noun.post:
+            if isinstance(post, Carry):
+                self._carry(post, TABLE, None)
+            elif isinstance(post, Lack):
+                self._lack(post, [])
+            elif isinstance(post, Description):
+                self.reading.table.append(_describing(post))
+            elif isinstance(post, Location) and isinstance(post.target, Noun):
+                if post.kind in ("on", "in") and post.target.kind == "thing":
+                    raise _TURNED
+                self._resolve(post, [])
+        return TABLE
+
+    def _posts(self, noun: Noun, group: Group) -> None:
+        for post in noun.post:
+            self._post(post, group, noun)
+
+    def _post(self, post: Post, group: Group, noun: Noun | None) -> None:
+        if isinstance(post, Location):
+            target = self._resolve(post, group)
+            if target is not None:
+                self._attach(post, target, group)
+        elif isinstance(post, Carry):
+            if post.back != "between":
+                self._carry(post, group, noun)
+        elif isinstance(post, Lack):
+            self._lack(post, group)
+        elif isinstance(post, Arranged):
+            self._arrange(post, group)
+        else:
+            if len(post.each) > len(group) == 1:
+                return  # "a mug in different colours"
+            for k, draft in enumerate(group):
+                draft.attributes.update(post.each[k % len(post.each)])
+                draft.lengths = post.lengths or draft.lengths
+
+    def _resolve(self, place: Location, subject: Group) -> Target | None:
+        """Return what a place refers to, reading its noun phrase; None if it cannot be told."""
+        context = self._context
+        if isinstance(place.target, Zone):
+            if place.table is not None and place.table.kind == "table":
+                self._table(place.table)
+            return TABLE
+        noun = place.target
+        outer, context.subject = context.subject, subject
+        try:
+            if noun.kind == "pronoun":
+                return antecedent(noun, place.kind, context)
+            if place.each and len(subject) > 1 and _is_one(noun):
+                return self._noun(replace(noun, count=float(len(subject))), None)
+            if noun.each or (place.each and not noun.determined):
+                found = [d for d in self.reading.objects if d.category == noun.category
+                         and (noun.category or d.noun == noun.head)]  # fmt: skip
+                if found:
+                    return found
+            target = self._noun(noun, None)
+        finally:
+            context.subject = outer
+        second = [post for post in noun.post if isinstance(post, Carry) and post.back == "between"]
+        if second and isinstance(target, list):
+            others = [self._noun(item, None) for item in second[0].items]
+            target = target + [d for group in others if isinstance(group, list) for d in group]
+        return target
+
+    def _people(self, clause: Clause) -> None:
+        """Read "set the table for four: a plate, a fork on the left"."""
+        loose = ("setting", "vague", "table", "collective")
+        if all(noun.kind in loose for noun in clause.subjects):
+            self.reading.people = self.reading.people or clause.people
+            return
+        for noun in clause.subjects:  # "cups and saucers": one for each
+            if noun.plural and noun.count is None and noun.amount is None:
+                noun.count, noun.plural = 1.0, False
+        self._lay(clause.people, lambda: self._list(clause.subjects, None))
+
+    def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
+        """Lay for each person what ``read`` reads; "on the left" is left of the first thing."""
+        for seat in range(people):
+            start = len(self.reading.objects)
+            context, self._context = self._context, Context()
+            self._seated, self._side = start, None
+            read()
+            self._seated, self._context = None, context
+            members = self.reading.objects[start:]
+            saucer = next((d for d in members if d.category == "saucer"), None)
+            for draft in members:
+                if saucer is not None and draft.category in ("mug", "teacup"):
+                    draft.relate("on", saucer)
+            for draft in members[1:]:
+                if not draft.relations:
+                    draft.relations.append(("right_of", members[0]))
+            standing = tuple(d for d in members if not _is_supported(d))
+            self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
+
+
+def _is_supported(draft: Draft) -> bool:
+    return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
+
+
+def _is_one(noun: Noun) -> bool:
+    """Tell whether a noun phrase brings in one new thing of a known kind."""
+    several = (noun.count or 1) != 1 or noun.plural or noun.each
+    return bool(noun.category) and not noun.definite and not several
+
+
+def _describing(post: Description) -> Noun:
+    words = tuple(word for each in post.each for value in each.values() for word in value.split())
+    return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]))
+
+
+_TURNED = InputError(
+    "The text puts the table on an object; objects stand on the table. Turn it round, for example "
+    "'a mug on the table'."
+)

@@ -1,0 +1,92 @@
+"""Drafts related to drafts: one each, stacks, both sides."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from ...errors import InputError
+from ...scene import TABLE
+from ..drafts import Draft, Group, Reading
+
+_OF_BOTH = ("between",)
+_BESIDE: dict[str, str] = dict.fromkeys(("against", "opposite", "beside", "at", "laid"), "next_to")
+
+
+def topmost(target: Draft | str) -> Draft | str:
+    """Return the top of a stack that ``target`` is in, else itself."""
+    while isinstance(target, Draft) and target.stacked_under is not None:
+        target = target.stacked_under
+    return target
+
+
+def stack(group: Group) -> None:
+    """Put the drafts on one another, the first at the bottom."""
+    for below, above in pairwise(group):
+        above.relate("on", below)
+        below.stacked_under = above
+
+
+_PILED = frozenset({"book", "notebook", "magazine", "box", "pizza", "newspaper", "open_book"})
+"""What one thing that is on several of them makes a stack: "a monitor on two books"."""
+
+
+def _pile(targets: Sequence[Draft | str]) -> bool:
+    kinds = {t.category if isinstance(t, Draft) else None for t in targets}
+    free = all(isinstance(t, Draft) and t.stacked_under is None for t in targets)
+    return len(targets) > 1 and len(kinds) == 1 and kinds <= _PILED and free
+
+
+def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list[str]) -> None:
+    """Relate the drafts of ``group`` to ``targets``: one each, or all to the first.
+
+    Raises:
+        InputError: a draft related to itself.
+    """
+    kind = _BESIDE.get(kind, kind)
+    if kind == "on" and len(group) == 1 and _pile(targets):
+        stack([target for target in targets if isinstance(target, Draft)])
+    everyone = kind == "next_to" or kind in _OF_BOTH
+    paired = len(targets) > 1 and not everyone and len(group) % len(targets) == 0
+    share = len(group) // len(targets) if paired else len(group)
+    for i, draft in enumerate(group):
+        if kind == "on":
+            targets = [topmost(target) for target in targets]
+        chosen = [targets[i // share]] if paired else list(targets if everyone else targets[:1])
+        if any(to is other for _, to in draft.relations for other in group):
+            continue  # in a stack with the others
+        if kind == "between" and len(group) == 1 and len(chosen) == 2:
+            _put_beside(draft, chosen)
+        for target in chosen:
+            if target is draft:
+                raise InputError(
+                    f"The text relates the {draft.noun} to itself; name two different objects."
+                )
+            _link(kind, draft, target, warnings)
+
+
+def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> None:
+    if kind == "under" and isinstance(target, Draft):
+        target.relate("on", draft)
+    elif kind == "under":
+        warnings.append(f"The {draft.noun} cannot go under the table; it stands on it.")
+    elif kind == "between":
+        draft.relate("next_to", target)
+    elif (kind, target) not in (("on", TABLE), ("in", TABLE), ("next_to", TABLE)):
+        draft.relate(kind, target)
+
+
+def _put_beside(draft: Draft, targets: Sequence[Draft | str]) -> None:
+    """Put two new things on either side of what is between them."""
+    for kind, target in zip(("left_of", "right_of"), targets, strict=True):
+        if isinstance(target, Draft) and target is not draft and not target.relations:
+            target.relate(kind, draft)
+
+
+def flank(group: Group, targets: Group, reading: Reading) -> None:
+    """Put half of a group on either side of the targets; a single thing is doubled."""
+    if len(group) == 1:
+        one = group[0]
+        group.append(reading.add(one.noun, one.category, one.attributes))
+    for kind, half in (("left_of", group[::2]), ("right_of", group[1::2])):
+        link(kind, half, targets[:1], reading.warnings)

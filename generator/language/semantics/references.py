@@ -1,0 +1,110 @@
+"""What "it", "them", "the red mug" and "the other" mean."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from ...scene import TABLE
+from ..drafts import Draft, Group
+from ..parsing.lexicon import singular
+from ..syntax.tree import Noun
+
+Target = Group | str
+
+
+@dataclass(eq=False)
+class Context:
+    """What may be referred to at a place in the text.
+
+    Attributes:
+        owner: what the list that is being read was brought along by.
+        subject: what a relation is said of right now.
+        parallel: what the item before in the same list was related to.
+        topic: the first subject of this sentence.
+        earlier: the first subject of the sentence before.
+        mentioned: every group in the order it was named.
+    """
+
+    owner: Target | None = None
+    subject: Group = field(default_factory=list)
+    parallel: Target | None = None
+    topic: Target | None = None
+    earlier: Target | None = None
+    mentioned: list[Group] = field(default_factory=list)
+
+
+def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
+    """Return what a pronoun means as the target of a relation; None if there is nothing."""
+    several = pronoun.plural
+    if context.owner == TABLE and kind in ("on", "in", "at", "center", "edge") and not several:
+        return TABLE
+    candidates: list[Target | None] = [
+        context.owner, context.parallel, context.topic, context.earlier,
+        *reversed(context.mentioned),
+    ]  # fmt: skip
+    fit = [c for c in candidates if isinstance(c, list) and c and not _overlaps(c, context.subject)]
+    for group in fit:
+        if (len(group) > 1) == several:
+            return group
+    if several:
+        latest = [g for g in context.mentioned if not _overlaps(g, context.subject)][-2:]
+        if latest:
+            return [draft for group in latest for draft in group]
+    if fit:
+        return fit[0]
+    return TABLE if TABLE in candidates else None
+
+
+def _overlaps(one: Group, other: Sequence[Draft]) -> bool:
+    return any(draft is another for draft in one for another in other)
+
+
+def same(draft: Draft, noun: Noun) -> bool:
+    """Tell whether a noun phrase may mean this object: same kind, no clashing attribute."""
+    alike = draft.category == noun.category and (noun.category or draft.noun == noun.head)
+    return bool(alike) and _agrees(draft, noun)
+
+
+def _agrees(draft: Draft, noun: Noun) -> bool:
+    return all(
+        draft.attributes.get(key, value) == value
+        for key, value in noun.attributes.items()
+        if key != "state"
+    )
+
+
+def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft] = ()) -> Group:
+    """Return the objects that "the red mug" means among those there are; none if it is a new one.
+
+    What is being related is not meant: "a mug on the mug" of one mug is the mug itself.
+    """
+    alike = [d for d in objects if same(d, noun)] or _find_by_head(objects, noun)
+    if noun.position is not None:
+        placed = [d for d in alike if d.position == noun.position]
+        if placed or any(d.position for d in alike) or len(alike) < 2:
+            return placed
+        stacked = [d for d in alike if d.stacked_under is not None or any(
+            kind == "on" and to in alike for kind, to in d.relations)]  # fmt: skip
+        if noun.position in ("top", "upper") and stacked:
+            return [d for d in stacked if d.stacked_under is None][-1:] or stacked[-1:]
+        return [alike[0] if noun.position in ("left", "front", "bottom", "lower") else alike[-1]]
+    if noun.other and len(alike) > 1:
+        return [alike[1]]
+    if noun.plural and (noun.count or 2) > 1:
+        return alike[: int(noun.count)] if noun.count and noun.count <= len(alike) else alike
+    free = [d for d in alike if all(d is not s for s in subject)]
+    return (free or alike)[:1]
+
+
+def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
+    """Return the objects that "the tin" may mean by their last word: the tea tin."""
+    head = noun.head.split()[-1:]
+    if len(noun.head.split()) > 1 or not head:
+        return []
+    found = []
+    for draft in objects:
+        words = [singular(word) for word in draft.noun.split(" of ")[0].split()]
+        if head in (words[-1:], draft.noun.split()[-1:]) and _agrees(draft, noun):
+            found.append(draft)
+    return found

@@ -1,0 +1,107 @@
+"""Vessels and carriers grown to hold what the text puts in or on them.
+
+A fruit bowl is larger than a cereal bowl, a tray for a tea service larger than one for two cups:
+what carries something is as large as it has to be, within what such things can be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..catalogue import CATEGORIES
+from ..scene import PlannedObject
+from . import relations
+
+Extent = tuple[float, float, float]
+
+_GROWTH: Mapping[str, float] = {
+    "bowl": 1.75, "basket": 1.6, "box": 1.8, "tray": 1.9, "plate": 1.35, "pot": 1.5, "pan": 1.3,
+    "cutting_board": 1.6, "book": 1.35, "toolbox": 1.4, "cake_stand": 1.4, "generic": 1.6,
+}  # fmt: skip
+"""How much larger than usual a carrier may be."""
+
+_OTHERS = 1.25
+_PLACES = ("egg_carton",)
+"""What has a place for each thing in it, and is empty where the text fills it."""
+
+_FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
+_LAYERS = 1.6  # layers in which more than three things lie
+_COVERED = 0.7  # share of a tray that things may cover
+
+
+def largest_size(category: str) -> Extent:
+    """Return the extent of a category's largest things, metres."""
+    factor = _GROWTH.get(category, _OTHERS)
+    x, y, z = CATEGORIES[category].size
+    return factor * x, factor * y, factor * z
+
+
+def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, those that carry too much for their usual size grown."""
+    names = {o.name: o for o in objects}
+    held: dict[str, list[str]] = {}
+    kinds: dict[str, set[str]] = {}
+    for planned in objects:
+        for relation in planned.relations:
+            if relation.kind in ("on", "in") and relation.target in names:
+                held.setdefault(relation.target, []).append(planned.name)
+                kinds.setdefault(relation.target, set()).add(relation.kind)
+    done: dict[str, PlannedObject] = {}
+    while len(done) < len(objects):
+        ready = [n for n in names if n not in done and done.keys() >= {*held.get(n, ())}]
+        for name in ready or [n for n in names if n not in done]:  # all of a circle at once
+            carried = [done.get(other, names[other]) for other in held.get(name, ())]
+            alike = [o for o in carried if o.category == names[name].category]
+            others = [o for o in carried if o not in alike]
+            done[name] = _grow(names[name], others, kinds.get(name, set()))
+            if done[name] == names[name] and alike and alike[0].size is not None:
+                done[name] = replace(names[name], size=names[name].size or alike[0].size)
+    return [done[o.name] for o in objects]
+
+
+def _grow(
+    planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]
+) -> PlannedObject:
+    if planned.category in _PLACES and held:
+        places = {"state": "empty", "places": str(len(held))}
+        return replace(planned, attributes={**planned.attributes, **places})
+    factor = _factor(planned, held, kinds)
+    if factor <= 1.0 or planned.size is not None:
+        return planned
+    x, y, z = relations.size_of(planned)
+    return replace(planned, size=(factor * x, factor * y, factor * z))
+
+
+def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]) -> float:
+    """Return how much larger than usual a thing has to be, at most what it can be."""
+    if not held:
+        return 1.0
+    usual = relations.size_of(planned)
+    container = relations.is_container(planned)
+    most = _GROWTH.get(planned.category, _OTHERS)
+    sizes = [relations.standing_size(thing) for thing in held]
+    area = sum(float(size[0] * size[1]) for size in sizes)
+    inside = container and not relations.is_shallow(usual) and "in" in kinds
+    filled = _FILLED * (_LAYERS if len(held) > 3 else 1.0)
+    room = usual[0] * usual[1] * (filled if inside else _COVERED)
+    needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
+    for factor in np.linspace(1.0, most, 16):
+        extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)
+        fit = all(
+            relations.fits("in" if inside else "on", size, extent, container) for size in sizes
+        )
+        if factor >= needed and fit:
+            return float(factor)
+    fitting = [
+        factor
+        for factor in np.linspace(1.0, most, 16)
+        if any(
+            relations.fits("in" if inside else "on", size, tuple(factor * s for s in usual),
+                           container)
+            for size in sizes
+        )
+    ]  # fmt: skip
+    return float(most if fitting else 1.0)

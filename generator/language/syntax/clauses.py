@@ -1,0 +1,146 @@
+"""Tokens to clauses: lists of things, what follows each, what is said of all."""
+
+from __future__ import annotations
+
+from . import function_words as fw
+from .cursor import ENDS
+from .lists import ListReader
+from .nouns import read_noun
+from .tree import (
+    Arranged,
+    Carry,
+    Clause,
+    Description,
+    Noun,
+    Post,
+    Sentence,
+)
+
+
+class Parser(ListReader):
+    """Reads sentences by recursive descent; what it skips is kept in ``skipped``."""
+
+    def sentences(self) -> list[Sentence]:
+        """Return all sentences."""
+        found = []
+        while self.i < len(self.tokens):
+            if self._tag() in ENDS:
+                self.i += 1
+                continue
+            found.append(self._sentence())
+        return [sentence for sentence in found if sentence.clauses]
+
+    def _sentence(self) -> Sentence:
+        clauses: list[Clause] = []
+        while not self._ended():
+            before = self.i
+            clause = self._clause()
+            if clause is not None:
+                clauses.append(clause)
+            while self._tag() in ("comma", "and", "dash", "close", "open", "colon"):
+                self.i += 1
+            if self.i == before:
+                self.skipped.append(self.tokens[self.i])
+                self.i += 1
+        return Sentence(clauses)
+
+    def _clause(self) -> Clause | None:
+        arrangement = self._opening()
+        people = self._people()
+        lead = self._lead()
+        if lead is None and people == 0:
+            people = self._people()
+        self._skip(fw.BE | fw.STARTERS)
+        subjects = self._items(None, "with")
+        if arrangement is not None and subjects:
+            subjects[0].post.append(arrangement)
+        predicate: list[Post] = []
+        people = people or self._people()
+        loose = all(noun.kind == "setting" for noun in subjects)
+        if people and loose and self._tag() in ("colon", "dash"):
+            self.i += 1
+            subjects = self._items(None, "with")
+        if self._text() in fw.BE or self._tag() == "relative":
+            self._skip(fw.BE | fw.PARTICIPLES | {"being"})
+            self._posts(None, predicate)
+            if not predicate and not self._ended() and self._tag() not in ("comma", "and"):
+                predicate += self._complement()
+        elif not subjects:
+            self._posts(None, predicate)
+        if self._tag() in ("colon", "dash") and lead is None:
+            self._read_headed(subjects, predicate)
+        if lead is None and self._heading is not None and subjects:
+            lead = self._heading
+        if not subjects and not predicate and lead is None and not people:
+            return None
+        return Clause(subjects, predicate, lead, people)
+
+    def _read_headed(self, subjects: list[Noun], predicate: list[Post]) -> None:
+        """Read "an office desk: a laptop, a mug": what follows belongs to the first."""
+        if len(subjects) == 1 and not predicate and subjects[0].kind in ("table", "setting"):
+            self.i += 1
+            items = self._items(subjects[0], "with")
+            if items:
+                subjects[0].post.append(Carry("with", tuple(items)))
+
+    def _complement(self) -> list[Post]:
+        """Read "is a red one", "is red": describing words after a verb."""
+        noun, end = read_noun(self.tokens, self.i)
+        if noun is None or noun.kind != "adjective":
+            return []
+        self.i = end
+        return [Description((noun.attributes,))]
+
+    def _opening(self) -> Arranged | None:
+        """Skip politeness and verbs at the start; return how a verb arranges what follows."""
+        while not self._ended():
+            word = self._text()
+            two = f"{word} {self._text(1)}"
+            if two in fw.ARRANGING_VERBS and self._starts_noun(2):
+                self.i += 2
+                return Arranged(fw.ARRANGING_VERBS[two])  # type: ignore[arg-type]
+            if word in fw.ARRANGING_VERBS and self._starts_noun(1, determined=True):
+                self.i += 1
+                return Arranged(fw.ARRANGING_VERBS[word])  # type: ignore[arg-type]
+            asks = word in fw.BE and self._text(1) in ("you", "we", "i", "someone", "anyone")
+            opens = self._tag() == "word" and word in fw.STARTERS | fw.BE
+            if (
+                asks
+                or (opens and self._is_opening())
+                or (self._tag() in ("carry", "relative") and word != "with")
+            ):
+                self.i += 1
+            else:
+                return None
+        return None
+
+    def _is_opening(self) -> bool:
+        """Tell whether a word opens the sentence and is no noun ("can", "set", "place")."""
+        noun, end = read_noun(self.tokens, self.i)
+        if noun is None or (noun.category is None and noun.kind == "thing"):
+            return True
+        if noun.kind == "collective" or noun.category is not None:
+            return len(noun.words) > 0 and self._text() not in noun.head.split()[:1]
+        return self._text(1) != "of" and end > self.i
+
+    def _people(self) -> int:
+        """Read "for four people", "for two"; return how many, 0 for none."""
+        k = self.i
+        while self._text(k - self.i) in ("set", "laid", "the", "table", "ready"):
+            k += 1
+        if self._text(k - self.i) != "for":
+            return 0
+        number = fw.NUMBERS.get(self._text(k + 1 - self.i))
+        if number is None and self._tag(k + 1 - self.i) == "number":
+            number = float(self.tokens[k + 1].value)
+        if self._text(k + 1 - self.i) == "a" and self._text(k + 2 - self.i) in ("couple", "family"):
+            number, k = (2.0 if self._text(k + 2 - self.i) == "couple" else 4.0), k + 1
+        if number is None or not 1 <= number <= 24:
+            return 0
+        end = k + 2
+        if self._text(end - self.i) in fw.PEOPLE_WORDS:
+            end += 1
+        elif self._starts_noun(end - self.i):
+            return 0
+        self.i = end
+        return int(number)

@@ -1,0 +1,106 @@
+"""A place in a list of tokens, and what comes next there."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+
+from .nouns import read_noun
+from .tokens import Token
+from .tree import (
+    How,
+    Location,
+    Noun,
+    Post,
+)
+
+ENDS = ("stop", "line")
+"""Tags of the end of a sentence."""
+
+SUPPORTING = ("on", "in")
+"""Relations to what carries something."""
+
+
+class Cursor(ABC):
+    """A place in tokens; the classes above it read places, posts, lists and clauses.
+
+    They call one another: a list has posts, and a post has lists.
+    """
+
+    def __init__(self, tokens: Sequence[Token]) -> None:
+        self.tokens = list(tokens)
+        self.i = 0
+        self.skipped: list[Token] = []
+        self._heading: Location | None = None
+
+    def _starts_noun(self, ahead: int, *, determined: bool = False) -> bool:
+        if self._tag(ahead) not in ("word", "name", "number", "each"):
+            return False
+        noun, _ = read_noun(self.tokens, self.i + ahead)
+        if noun is None:
+            return False
+        return noun.determined or noun.plural if determined else noun.kind != "member"
+
+    def _ended(self) -> bool:
+        return self.i >= len(self.tokens) or self._tag() in ENDS
+
+    def _take(self) -> Token:
+        self.i += 1
+        return self.tokens[self.i - 1]
+
+    def _tag(self, ahead: int = 0) -> str:
+        k = self.i + ahead
+        return self.tokens[k].tag if k < len(self.tokens) else ""
+
+    def _text(self, ahead: int = 0) -> str:
+        k = self.i + ahead
+        return self.tokens[k].text if k < len(self.tokens) else ""
+
+    def _value(self) -> object:
+        return self.tokens[self.i].value if self.i < len(self.tokens) else None
+
+    def _skip(self, words: frozenset[str] | set[str]) -> bool:
+        """Skip words of a set that are no noun's; return whether there were any."""
+        before = self.i
+        while self._tag() == "word" and self._text() in words:
+            noun, _ = read_noun(self.tokens, self.i)
+            if noun is not None and noun.category is not None and self._text() in noun.head:
+                break
+            self.i += 1
+        return self.i > before
+
+    def _connector(self) -> str:
+        """Read a comma, "and" or both; return "and", "comma" or "comma and"."""
+        said = []
+        while self._tag() in ("comma", "and", "close", "open"):
+            said.append("and" if self._tag() == "and" else "comma")
+            self.i += 1
+        return "comma and" if len(set(said)) == 2 else said[0] if said else ""
+
+    @abstractmethod
+    def _items(self, owner: Noun | None, how: How) -> list[Noun]:
+        """Read a list of noun phrases, each with what belongs to it."""
+
+    @abstractmethod
+    def _leads(self) -> bool:
+        """Tell whether a place before its things comes next."""
+
+    @abstractmethod
+    def _people(self) -> int:
+        """Read "for four people"; return how many, 0 for none."""
+
+    @abstractmethod
+    def _returns(self) -> str | None:
+        """Return "on" or "in" where the rest of a list puts all of it "on it" or "in it"."""
+
+    @abstractmethod
+    def _posts(self, noun: Noun | None, out: list[Post], *, nested: bool = False) -> None:
+        """Read all that follows a noun phrase and belongs to it."""
+
+    @abstractmethod
+    def _carried(self, noun: Noun | None, out: list[Post], each: bool) -> bool:
+        """Read what a thing brings along."""
+
+    @abstractmethod
+    def _contents(self, noun: Noun, out: list[Post]) -> bool:
+        """Read what follows "of"."""

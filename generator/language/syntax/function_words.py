@@ -1,0 +1,256 @@
+"""The small words of English that the grammar goes by. Data only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+
+def _table(text: str) -> Mapping[str, str]:
+    """Read lines of ``key: phrase, phrase`` into a mapping from each phrase to its key."""
+    entries: dict[str, str] = {}
+    for line in text.strip().splitlines():
+        key, phrases = line.split(":")
+        entries |= {phrase.strip(): key.strip() for phrase in phrases.split(",")}
+    return MappingProxyType(entries)
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+NUMBERS: Mapping[str, float] = MappingProxyType(
+    {
+        "zero": 0, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7,
+        "eight": 8, "nine": 9, "ten": 10, "eleven": 11, "twelve": 12, "thirteen": 13,
+        "fourteen": 14, "fifteen": 15, "sixteen": 16, "seventeen": 17, "eighteen": 18,
+        "nineteen": 19, "twenty": 20, "thirty": 30, "forty": 40, "fifty": 50, "sixty": 60,
+        "seventy": 70, "eighty": 80, "ninety": 90, "hundred": 100, "hundreds": 200,
+        "thousand": 1000, "thousands": 2000, "million": 1_000_000, "millions": 2_000_000,
+        "dozen": 12, "dozens": 36, "pair": 2, "pairs": 2, "couple": 2, "trio": 3, "both": 2,
+        "single": 1, "another": 1, "twin": 2, "twins": 2, "quartet": 4, "lone": 1,
+    }
+)  # fmt: skip
+"""Number words; "half a dozen", "two hundred" and "three pairs" are multiplied."""
+
+ORDINALS = _words("first second third fourth fifth sixth last")
+
+AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
+    {
+        "some": (2, 3), "few": (3, 3), "several": (3, 4), "many": (5, 6), "various": (3, 4),
+        "multiple": (3, 4), "lots": (5, 6), "lot": (5, 6), "assorted": (3, 4), "numerous": (5, 6),
+        "plenty": (4, 5), "handful": (4, 5), "bunch": (3, 4), "mixed": (3, 4),
+    }
+)  # fmt: skip
+"""Vague amounts: the lowest and highest number they stand for."""
+
+DEFINITE = _words("the this that these those its his her my your their our")
+INDEFINITE = _words("a an any")
+PRONOUNS = _words("it them itself themselves they these those one")
+PLURAL_PRONOUNS = _words("them themselves they these those")
+EACH = _words("each every")
+
+RELATIONS = _table(
+    """
+    left_of: to the left of, on the left of, at the left of, left of, to left of, on left of
+    left_of: leftwards of, left from
+    right_of: to the right of, on the right of, at the right of, right of, to right of, on right of
+    in_front_of: in front of, at the front of, ahead of, just in front of
+    behind: behind, in back of, at the back of, beyond, at the rear of, to the rear of
+    next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby
+    next_to: not far from, touching, by the side of, at the side of, to the side of
+    next_to: together with, close by, right by, near to, accompanying, outside, outside of
+    laid: at
+    next_to: along, within reach of, off to the side of
+    against: against, leaning against, propped against, propped up against, leaning on
+    against: leaning up against, resting against, leant against, up against
+    opposite: opposite, across from, opposite of, opposite to, facing, face to face with
+    around: around, surrounding, all around, circling, encircling, arranged around
+    around: gathered around, set around, placed around
+    surrounded: surrounded by, flanked by, encircled by, ringed by
+    flank: on either side of, on both sides of, to either side of, on each side of, at both ends of
+    flank: either side of, both sides of, at each end of, at either end of
+    between: between, in between, amid, among, amongst
+    on: on, on top of, atop, upon, onto, above, over, over the top of, resting on top of
+    on: balanced on, perched on, laid on, spread on, served on, stacked on top of, up on, on to
+    on: mounted on, hung on, displayed on, resting on
+    in: in, inside, inside of, within, into, in to
+    under: under, beneath, underneath, below
+    """
+)
+"""Prepositions to relations of two things. ``surrounded`` and ``under`` turn the other way."""
+
+HERE = _table(
+    """
+    left_of: to its left, on its left, at its left, to their left, on their left
+    left_of: on its left side, to its left side, on its left hand side
+    right_of: to its right, on its right, at its right, to their right, on their right
+    right_of: on its right side, to its right side, on its right hand side
+    in_front_of: in its front, at its front
+    behind: at its back, at its rear
+    next_to: at its side, by its side, at their side, to its side, next door, close by, nearby
+    next_to: on the side, to the side, off to the side, alongside, beside
+    flank: on either side, on both sides, to either side, on each side, at both ends, at each end
+    on: on top, atop
+    in: inside, within
+    under: underneath, below, beneath
+    """
+)
+"""Phrases that relate to what was named last."""
+
+CARRIES = _table(
+    """
+    with: with, has, have, having, featuring, including, includes, include, bearing, plus
+    with: along with, complete with, as well as, accompanied by, paired with, decorated with
+    with: set with, equipped with, laid with, furnished with, arranged with, stocked with
+    with: decked with, laden with, adorned with, strewn with, littered with, scattered with
+    with: covered with, covered in, showing, lined with, cluttered with, dressed with, loaded with
+    hold: containing, contains, contain, holding, holds, hold, that holds, filled with, full of
+    hold: stuffed with, packed with, carrying, carries, carry, supporting, supports, piled with
+    hold: piled high with, stacked with, heaped with, housing, brimming with, consisting of
+    top: topped with, topped by, garnished with, sprinkled with, crowned with, crowned by
+    """
+)
+"""Phrases by which a thing brings others along ("a bowl containing two apples")."""
+
+FULL = _words("full filled stuffed packed brimming heaped piled")
+"""First words of phrases for vessels that hold several things."""
+
+NEGATIONS = _words("no without not never except excluding minus lacking neither nor none hardly")
+NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any", "with no",
+           "with out", "other than", "instead of", "devoid of", "empty of", "not a",
+           "apart from", "has no", "have no", "do not", "does not")  # fmt: skip
+
+ARRANGED = _table(
+    """
+    stack: stacked, in a stack, on top of each other, on each other, on top of one another
+    stack: one on top of the other, stacked up, stacked on top of each other, in a tower
+    stack: stacked on each other, stacked on one another, piled on top of each other
+    stack: one atop the other, one on the other, in a neat stack, one on top of another
+    stack: stacked on top of one another, nested, nested in each other, nested inside each other
+    heap: piled, in a pile, in a heap, heaped, piled up, jumbled, in a jumble, piled high
+    row: in a row, in a line, lined up, in line, side by side, next to each other, in a neat row
+    row: in a straight line, next to one another, beside each other, in one row, aligned
+    row: in a neat line, beside one another, lined up in a row, lined up side by side
+    row: arranged in a row, ordered, sorted, arranged in a line, from left to right, in rows
+    row: left to right, all in a row, in order, in sequence
+    column: in a column, one behind the other, one behind another, behind each other
+    column: from front to back, from back to front, in single file
+    circle: in a circle, in a ring, arranged in a circle, in a semicircle, in a half circle
+    circle: in an arc, in a triangle, arranged in a ring
+    fan: fanned out, fanned, in a fan, spread out like a fan
+    scatter: scattered, scattered around, scattered about, spread out, strewn, strewn about
+    scatter: spread around, spread across, randomly placed, at random, here and there, dotted
+    scatter: scattered across, scattered all over, haphazardly, everywhere, all over
+    grid: in a grid, in two rows, arranged in a grid, in three rows, in a square
+    group: together, grouped, grouped together, in a group, clustered, in a cluster, huddled
+    group: close together, bundled, bundled together
+    """
+)
+"""Phrases for how several things are arranged."""
+
+GROUPS = _table(
+    """
+    stack: stack, stacks, tower, towers
+    heap: pile, piles, heap, heaps, mound, mounds, jumble, mountain, pyramid
+    row: row, rows, line, lines, series, lineup, sequence
+    column: column, columns
+    circle: circle, ring, arc, semicircle
+    fan: fan
+    scatter: scattering, sprinkling
+    grid: grid, matrix
+    group: set, sets, group, groups, bunch, bunches, collection, cluster, clusters, assortment
+    group: bundle, bundles, handful, arrangement, array, selection, variety, number, mix, mixture
+    group: batch, medley, range, display, ensemble, piece, pieces, slice
+    group: slices, type, types, kind, kinds, sort, sorts, lot, sheet, sheets, serving, portion
+    group: helping, unit, units, item, items, plenty, spread, sprig, clump
+    """
+)
+"""Nouns before "of" that only say how many, or how they are arranged."""
+
+ORDERS = _table(
+    """
+    size: by size, from small to large, from smallest to largest, from large to small
+    size: from largest to smallest, by height, from tallest to shortest, from shortest to tallest
+    size: in order of size, in descending order, in ascending order, from small to big
+    size: from big to small, from biggest to smallest, from smallest to biggest
+    color: by color, by colour, in rainbow order
+    """
+)
+
+ARRANGING_VERBS = _table(
+    """
+    stack: stack
+    heap: pile, heap
+    row: line up, align, line
+    scatter: scatter, spread out, sprinkle
+    fan: fan out, fan
+    group: group, cluster, gather, bundle
+    """
+)
+"""Verbs at the start of a sentence that arrange what follows."""
+
+BE = _words("is are was were be been being sits sit stands stand lies lie lays rests rest lay sat "
+            "stood remain remains stays stay goes go belongs belong appears appear hangs hang "
+            "leans lean faces face should must can could shall will would may might")  # fmt: skip
+"""Verbs between subjects and what is said of them."""
+
+PARTICIPLES = _words(
+    "sitting standing lying resting placed put located positioned laying leaning hanging seen "
+    "visible kept left set situated arranged neatly carefully slightly directly just right "
+    "closely partially partly still also then now lain laid stood found displayed propped nicely "
+    "currently immediately exactly precisely roughly approximately nearly almost casually loosely "
+    "conveniently politely upright flat somewhere far further slightly close very quite rather "
+    "so too only even both all"
+)
+"""Words between a noun and its place that add nothing of their own."""
+
+STARTERS = _words(
+    "make create generate show draw give build design render want need like please imagine shows "
+    "depicts depict there here place put set add arrange prepare get bring display lay position "
+    "compose produce simulate i we you me us he she let lets could would can should will have "
+    "just also then and so well ok okay hi hello hey thanks thank to be is are it this that think "
+    "picture consider suppose visualize visualise assume what how about provide do try load plan "
+    "setup up out help ll d with scene showing includes including ideally maybe perhaps finally "
+    "lastly next now additionally furthermore moreover besides first second third"
+)
+"""Words that only open a sentence; skipped up to its first thing."""
+
+FILLERS = _words(
+    "of from for at to as or than about onto through per via during after until while when where "
+    "there here again too also just only very really quite then so if because since ready using "
+    "used made seen look looks looking please well etc eg ie such like respectively namely "
+    "approximately roughly exactly own same whole next ll d"
+)
+
+RELATIVE = _words("that which who whose where")
+JOINING = _words("and plus or")
+PEOPLE_WORDS = _words("people persons guests diners children kids adults players friends person "
+                      "guest us everyone couples")  # fmt: skip
+
+MEASURES: Mapping[str, float] = MappingProxyType(
+    {
+        "mm": 0.001, "millimeter": 0.001, "millimetre": 0.001, "cm": 0.01, "centimeter": 0.01,
+        "centimetre": 0.01, "dm": 0.1, "m": 1.0, "meter": 1.0, "metre": 1.0, "inch": 0.0254,
+        "inches": 0.0254, "ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "millimeters": 0.001,
+        "millimetres": 0.001, "centimeters": 0.01, "centimetres": 0.01, "meters": 1.0,
+        "metres": 1.0,
+    }
+)  # fmt: skip
+
+SIDES: Mapping[str, tuple[int | None, int | None]] = MappingProxyType(
+    {
+        "left": (-1, None), "lefthand": (-1, None), "right": (1, None), "righthand": (1, None),
+        "front": (None, -1), "near": (None, -1), "nearest": (None, -1), "closest": (None, -1),
+        "bottom": (None, -1), "lower": (None, -1), "foreground": (None, -1), "back": (None, 1),
+        "rear": (None, 1), "far": (None, 1), "top": (None, 1), "upper": (None, 1),
+        "background": (None, 1), "farthest": (None, 1), "furthest": (None, 1),
+        "middle": (0, 0), "center": (0, 0), "centre": (0, 0), "central": (0, 0), "centered": (0, 0),
+        "centrally": (0, 0),
+    }
+)  # fmt: skip
+"""Words for parts of the table; "far" and "near" only before another one."""
+
+ZONE_NOUNS = _words("side sides corner corners edge edges half part end area portion section third "
+                    "zone region hand quarter spot position border margin ends")  # fmt: skip
+EDGES = _words("corner corners edge edges end border margin ends")

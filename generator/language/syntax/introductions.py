@@ -1,0 +1,172 @@
+"""How a noun phrase begins: articles, numbers, lengths and "a stack of"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from ..parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
+from . import function_words as fw
+from .tokens import Token
+from .tree import Arrangement
+
+MORE = frozenset({
+    "medium", "sized", "middle", "smallest", "largest", "biggest", "tallest", "shortest", "opened",
+    "shut", "upright", "sideways", "tipped", "overturned", "empty",
+})  # fmt: skip
+
+
+@dataclass
+class PhraseStart:
+    """What is read of a noun phrase so far."""
+
+    numbers: list[float] = field(default_factory=list)
+    amount: tuple[int, int] | None = None
+    article: bool = False
+    definite: bool = False
+    other: bool = False
+    each: bool = False
+    groups: float = 0.0
+    arrangement: Arrangement | None = None
+    portion: bool = False  # "a slice of": one, whatever the noun's form
+    words: list[str] = field(default_factory=list)
+    variants: list[list[str]] = field(default_factory=list)
+    lengths: list[float] = field(default_factory=list)
+    name: tuple[str, ...] = ()
+    first: int = 0
+
+
+def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
+    """Read articles, numbers, lengths and "a stack of"; return where they end."""
+    while i < len(tokens):
+        token = tokens[i]
+        step = _measure(tokens, i, run) or _group(tokens, i, run) or _number(tokens, i, run)
+        if step:
+            i += step
+        elif token.tag == "each":
+            run.each = True
+            i += 1 + _is_of(tokens, i + 1)
+        elif token.tag != "word":
+            break
+        elif token.text in fw.DEFINITE:
+            run.definite = True
+            run.numbers = []  # "two of the three mugs"
+            i += 1
+        elif token.text in fw.INDEFINITE:
+            run.article = True
+            i += 1
+        elif token.text in ("other", "second", "third") and (run.article or run.definite):
+            run.other = True
+            i += 1
+        elif token.text in fw.AMOUNTS and may_continue(tokens, i + 1):
+            run.amount = fw.AMOUNTS[token.text]
+            i += 1 + _is_of(tokens, i + 1)
+        elif token.text in ("whole", "about", "around", "exactly", "approximately", "roughly",
+                            "only", "just", "nearly", "at", "least", "most"):  # fmt: skip
+            i += 1
+        else:
+            break
+    return i
+
+
+def _is_of(tokens: Sequence[Token], i: int) -> int:
+    return int(i < len(tokens) and tokens[i].tag == "of")
+
+
+def may_continue(tokens: Sequence[Token], i: int) -> bool:
+    """Tell whether a noun may follow here, perhaps after "of"."""
+    i += _is_of(tokens, i)
+    return i < len(tokens) and tokens[i].tag in ("word", "name", "number")
+
+
+def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
+    """Read "three", "2-3", "half a dozen of", "2 x"; return how many tokens they take."""
+    value = _value(tokens[i])
+    if value is None:
+        if tokens[i].text == "half" and [t.text for t in tokens[i + 1 : i + 3]] == ["a", "dozen"]:
+            run.numbers = [6.0]
+            return 3 + _is_of(tokens, i + 3)
+        return 0
+    if tokens[i].text == "one" and not may_continue(tokens, i + 1) and run.definite:
+        return 0
+    step = 1
+    following = [t.text for t in tokens[i + 1 : i + 3]]
+    upper = _value(tokens[i + 2]) if len(following) == 2 else None
+    if following[:1] in (["-"], ["or"], ["to"]) and upper is not None and upper > value:
+        run.amount = (int(value), int(min(upper, 1e6)))
+        run.numbers = []
+        step = 3
+    else:
+        run.numbers.append(value)
+    if i + step < len(tokens) and tokens[i + step].text in ("x", "times"):
+        step += 1
+    return step + _is_of(tokens, i + step)
+
+
+def _value(token: Token) -> float | None:
+    if token.tag == "number":
+        return float(token.value)
+    return fw.NUMBERS.get(token.text) if token.tag == "word" else None
+
+
+def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
+    """Read "20 cm", "120 x 60 cm" and "30 cm tall"; return how many tokens they take."""
+    values: list[float] = []
+    k = i
+    while k < len(tokens) and tokens[k].tag == "number":
+        values.append(float(tokens[k].value))
+        k += 1
+        if k < len(tokens) and tokens[k].text in ("x", "by"):
+            k += 1
+    if not values or k >= len(tokens) or tokens[k].text not in fw.MEASURES:
+        return 0
+    run.lengths += [value * fw.MEASURES[tokens[k].text] for value in values]
+    k += 1
+    while k < len(tokens) and tokens[k].text in ("tall", "high", "long", "wide", "deep", "across",
+                                                 "diameter", "-", "in", "thick"):  # fmt: skip
+        if tokens[k].text == "in" and (k + 1 >= len(tokens) or tokens[k + 1].text != "diameter"):
+            break
+        k += 1
+    return k + _is_of(tokens, k) - i
+
+
+def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
+    """Read "stack of" and "neat little pile of"; return how many tokens they take."""
+    k = i
+    while k < len(tokens) and tokens[k].tag == "word" and is_describing(tokens[k].text):
+        k += 1
+    if k + 1 >= len(tokens) or tokens[k].tag != "word" or tokens[k + 1].tag != "of":
+        return 0
+    word = tokens[k].text
+    if word not in fw.GROUPS:
+        return 0
+    kind = fw.GROUPS[word]
+    run.portion = run.portion or word in ("slice", "piece", "portion", "serving", "sheet", "loaf",
+                                          "slices", "pieces", "sheets", "servings")  # fmt: skip
+    if kind != "group":
+        run.arrangement = kind  # type: ignore[assignment]
+    run.groups = multiply(run.numbers) or 1.0
+    run.amount = fw.AMOUNTS.get(word, run.amount)
+    many = run.portion or (run.amount is None and kind == "group" and run.groups > 1)
+    run.numbers = run.numbers if many else []
+    return k + 2 - i
+
+
+def is_describing(word: str) -> bool:
+    """Tell whether a word only describes: a colour, a material, a size, a state."""
+    return any(word in words for words in (COLORS, SHADES, MATERIALS, SIZES, STATES, MORE)) or (
+        word.endswith("ly") and len(word) > 4
+    )
+
+
+def multiply(numbers: Sequence[float]) -> float | None:
+    """Return "twenty five", "two hundred", "three pairs" as one number."""
+    total: float | None = None
+    for value in numbers:
+        if total is None:
+            total = value
+        elif 20 <= total < 100 and value < 10:
+            total += value
+        else:
+            total = min(total * value, 1e12)
+    return total

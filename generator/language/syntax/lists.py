@@ -1,0 +1,187 @@
+"""Lists of things, and where the list of what a thing brings along ends."""
+
+from __future__ import annotations
+
+from ...catalogue import CATEGORIES
+from ..relations import fits
+from . import function_words as fw
+from .cursor import ENDS, SUPPORTING
+from .nouns import read_noun
+from .posts import PostReader
+from .tree import (
+    How,
+    Location,
+    Noun,
+)
+from .zones import read_zone
+
+
+class ListReader(PostReader):
+    """Reads lists of noun phrases."""
+
+    def _lead(self) -> Location | None:
+        """Read a place before its things: "On the tray are ...", "to its left a book"."""
+        before = self.i
+        place = self._place(leading=True)
+        if place is None:
+            self.i = before
+            return None
+        heading = self._tag() in ("colon", "dash")
+        if heading and self._tag(1) in ENDS:
+            self.i += 1
+            self._heading = place
+            return place
+        spoken = self._text() in fw.BE | fw.STARTERS | fw.PARTICIPLES or self._tag() == "carry"
+        comma = self._tag() == "comma"
+        self.i += comma or heading
+        skipped = self._skip(fw.BE | fw.STARTERS | fw.PARTICIPLES)
+        if self._tag() == "carry":
+            self.i += 1
+        determined = not (spoken or skipped or heading)
+        if self._starts_noun(0, determined=determined and not comma):
+            return place
+        self.i = before
+        return None
+
+    def _items(self, owner: Noun | None, how: How) -> list[Noun]:
+        """Read a list of noun phrases, each with what belongs to it."""
+        out = self._entry()
+        bare: list[Noun] = []
+        while out:
+            before = self.i
+            joint = self._connector()
+            headed = owner is not None and owner.kind == "setting" and self._is_zone_heading()
+            if not joint or headed or self._closes(owner, how, out, joint) or self._leads():
+                self.i = before
+                break
+            more = self._entry()
+            if not more:
+                self.i = before
+                break
+            more[0].joint = joint
+            out += more
+        for noun in out:  # "a red and a blue mug": the first borrows the noun
+            if noun.kind == "adjective" and (noun.determined or noun.attributes):
+                bare.append(noun)
+            elif bare and noun.kind == "thing":
+                for other in bare:
+                    other.kind, other.head, other.category = "thing", noun.head, noun.category
+                    other.count = other.count or 1.0
+                bare = []
+        return [noun for noun in out if noun not in bare or noun.post]
+
+    def _entry(self) -> list[Noun]:
+        """Read one noun phrase with its posts, or a part of the table with what is there."""
+        headed = self._zone_heading()
+        if headed:
+            return headed
+        noun, end = read_noun(self.tokens, self.i)
+        if noun is None:
+            return []
+        self.i = end
+        self._posts(noun, noun.post)
+        return [noun]
+
+    def _zone_heading(self) -> list[Noun]:
+        """Read "left side decorated with plants and bottles"."""
+        found = read_zone(self.tokens, self.i, heading=True)
+        if found is None or found.of:
+            return []
+        before = self.i
+        self.i = found.end
+        self._skip(fw.BE | fw.PARTICIPLES)
+        if self._tag() not in ("carry", "colon", "dash"):
+            self.i = before
+            return []
+        self.i += 1
+        items = self._items(Noun("setting", (), (0, 0)), "with")
+        for item in items:
+            item.post.append(Location("at", found.zone))
+        return items
+
+    def _is_zone_heading(self) -> bool:
+        before = self.i
+        found = bool(self._zone_heading())
+        self.i = before
+        return found
+
+    def _leads(self) -> bool:
+        """Tell whether a place before its things comes next."""
+        before, heading = self.i, self._heading
+        found = self._lead() is not None
+        self.i, self._heading = before, heading
+        return found
+
+    def _closes(self, owner: Noun | None, how: How, items: list[Noun], joint: str) -> bool:
+        """Tell whether the list of what ``owner`` brings along ends here."""
+        if owner is None or owner.kind in ("table", "setting", "vague"):
+            return False
+        noun, end = read_noun(self.tokens, self.i)
+        if noun is None:
+            return True
+        if end < len(self.tokens) and self.tokens[end].text in fw.BE:
+            return True
+        ended = any("and" in item.joint for item in items)
+        if how == "of":
+            return noun.determined or joint == "comma" or ended
+        if self._returns() is not None:
+            return False
+        if ended:
+            return True
+        if how == "hold":
+            return not _may_hold(owner, noun)
+        served = owner.category in ("plate", "bowl") and _is_food(noun)
+        if joint == "and" or served:
+            return False
+        return not (_carries(owner) and _may_hold(owner, noun))
+
+    def _returns(self) -> str | None:
+        """Return "on" or "in" where the rest of a list puts all of it "on it" or "in it"."""
+        k = 0
+        while self._tag(k) not in (*ENDS, "", "carry", "colon", "dash", "relative"):
+            if self._text(k) in fw.BE:
+                return None
+            kind = self.tokens[self.i + k].value
+            if self._tag(k) == "relation" and kind in SUPPORTING:
+                pronoun = self._text(k + 1) in fw.PRONOUNS and self._text(k + 1) != "one"
+                ended = self._tag(k + 1) in (*ENDS, "", "comma")  # "with a spoon inside"
+                return str(kind) if pronoun or ended else None
+            if self._tag(k) == "here" and kind in SUPPORTING:
+                return str(kind)
+            if self._tag(k) in ("relation", "here"):
+                return None
+            k += 1
+        return None
+
+
+def _may_hold(owner: Noun, item: Noun) -> bool:
+    """Tell whether an item may be in or on its owner by the sizes of their kinds."""
+    if owner.category is None:
+        return True
+    outer = CATEGORIES[owner.category]
+    if item.category is None:
+        return outer.container or "support" in outer.roles
+    inner = CATEGORIES[item.category].size
+    return fits("in", inner, outer.size, outer.container) or (
+        ("support" in outer.roles or "flat" in outer.roles)
+        and fits("on", inner, outer.size, outer.container)
+        and min(inner[:2]) < 0.8 * min(outer.size[:2])
+    )
+
+
+_FOOD = frozenset({"bread", "fruit", "slab", "sweet", "meal"})
+"""Families of food."""
+
+
+def _is_food(item: Noun) -> bool:
+    if item.category is None:
+        return item.family in _FOOD
+    return "edible" in CATEGORIES[item.category].roles
+
+
+def _carries(owner: Noun) -> bool:
+    """Tell whether a thing is there to carry others: a tray, a basket, a board."""
+    if owner.category is None or owner.head.split()[-1:] == ["plate"]:
+        return False
+    outer = CATEGORIES[owner.category]
+    return "support" in outer.roles or (outer.container and min(outer.size[:2]) > 0.18)

@@ -1,0 +1,317 @@
+"""Noun phrases: numbers, describing words, and the noun last."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..parsing import lexicon
+from ..parsing.vocabulary import (
+    COLLECTIVES,
+    COLORS,
+    LOOSE_NOUNS,
+    MATERIALS,
+    OCCASIONS,
+    PARTS,
+    SHADES,
+    SIZES,
+    STATES,
+    TABLE_NOUNS,
+    VAGUE_THINGS,
+)
+from ..words.dictionary import entry_of
+from . import function_words as fw
+from .introductions import (
+    MORE,
+    PhraseStart,
+    is_describing,
+    may_continue,
+    multiply,
+    read_introduction,
+)
+from .tokens import Token
+from .tree import Noun, NounKind
+
+_STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
+
+
+_COMPOUNDED = frozenset(["rest", "stand", "set", "kit", "press", "mount", "guard", "control"])
+"""Nouns that name a thing only after another one: "foot rest"."""
+
+_POSITIONS = frozenset(
+    ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",
+     "lower"]
+)  # fmt: skip
+"""What tells one of several alike from the others: "the left plate"."""
+
+
+def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
+    """Return the noun phrase that starts at a token and where it ends; None where there is none."""
+    run = PhraseStart(first=start)
+    i = read_introduction(tokens, start, run)
+    i = _content(tokens, i, run)
+    if i == start:
+        return None, start
+    noun = _noun(run)
+    noun.span = tokens[start].span[0], tokens[i - 1].span[1]
+    return noun, i
+
+
+# ------------------------------------------------------------------------------------ content
+
+
+def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
+    """Read describing words and the noun; return where they end."""
+    while i < len(tokens):
+        token = tokens[i]
+        if token.tag == "name":
+            run.name = tuple(w.text for w in token.words)
+            run.words += run.name
+            return i + 1
+        if token.tag == "arranged" and len(token.words) == 1 and may_continue(tokens, i + 1):
+            if any(token.words[0].text == w for w in ("ordered", "sorted", "aligned", "inside")):
+                break
+            run.arrangement = run.arrangement or token.value
+            run.words.append(token.text)
+            i += 1
+        elif token.tag == "number" and not run.words and not run.numbers:
+            run.numbers.append(float(token.value))
+            i += 1
+        elif token.tag == "possessive":
+            i += 1
+        elif token.tag == "word" and not _ends(tokens, i, run):
+            run.words.append(token.text)
+            i += 1
+        elif step := _joined_adjectives(tokens, i, run):
+            i += step
+        else:
+            break
+    return i
+
+
+def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
+    """Tell whether a word is none of this noun phrase's any more."""
+    word = tokens[i].text
+    if word in ("one", "ones") and run.words and all(map(is_describing, run.words)):
+        return False
+    if word in fw.DEFINITE or word in fw.INDEFINITE or word in fw.PRONOUNS:
+        return True
+    nouns = [w for w in run.words if not is_describing(w)]
+    if word in fw.NUMBERS and nouns:
+        return True
+    if word in _STOPS or word in fw.STARTERS:
+        following = tokens[i + 1] if i + 1 < len(tokens) else None
+        ahead = following.text if following is not None and following.tag == "word" else ""
+        extended, longer = (*run.words, word), (*run.words, word, ahead)
+        third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
+        named = any(
+            lexicon.category_of(some[k:]) or lexicon.collective_of(some[k:])
+            for some in (extended, longer, (*longer, third))
+            for k in range(len(extended))
+        )
+        closed = following is None or following.tag in ("comma", "stop", "line", "and", "close")
+        if closed and nouns and word in fw.BE and not _is_known(run.words):
+            return False  # "a wrist rest"
+        if named and (nouns or following is None or following.text not in fw.DEFINITE):
+            return False
+        before_noun = not nouns and following is not None and following.tag in ("word", "name")
+        describes = is_describing(word) or word in (
+            "standing", "hanging", "left", "right", "upright"
+        )  # fmt: skip
+        return not (before_noun and describes)
+    if nouns and (word.endswith(("ing", "ed")) or is_describing(word)) and _is_known(run.words):
+        extended = (*run.words, word)
+        ahead = [*extended, *(t.text for t in tokens[i + 1 : i + 3] if t.tag == "word")]
+        return not any(
+            lexicon.category_of(tuple(ahead[k:end]))
+            for end in range(len(extended), len(ahead) + 1)
+            for k in range(len(run.words) + 1)
+        )
+    return False
+
+
+def _is_known(words: Sequence[str]) -> bool:
+    return any(
+        lexicon.category_of(tuple(words[k:])) or " ".join(words[k:]) in TABLE_NOUNS
+        for k in range(len(words))
+    )
+
+
+def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
+    """Read the comma or "and" between describing words: "red, green and blue cubes"."""
+    if tokens[i].tag not in ("comma", "and") or not run.words:
+        return 0
+    if not all(is_describing(w) or w in fw.SIDES for w in run.words):
+        return 0
+    k = i + 1
+    if k < len(tokens) and tokens[i].tag == "comma" and tokens[k].tag == "and":
+        k += 1
+    described = 0
+    while k < len(tokens) and tokens[k].tag == "word" and is_describing(tokens[k].text):
+        described += 1
+        k += 1
+    if not described or k >= len(tokens):
+        return 0
+    more = tokens[k].tag in ("comma", "and") or tokens[k].tag in ("word", "name")
+    if not more or (tokens[k].tag == "word" and _ends(tokens, k, run)):
+        return 0
+    start = i + 1 + (tokens[i].tag == "comma" and tokens[i + 1].tag == "and")
+    run.variants.append(list(run.words))
+    run.words = []
+    return start - i
+
+
+# ---------------------------------------------------------------------------------- the noun
+
+
+def _noun(run: PhraseStart) -> Noun:
+    """Return the noun phrase of what was read."""
+    words = tuple(run.words)
+    kind, head, category, family = _head(words, run.name)
+    modifiers = words[: len(words) - len(head)] if head else words
+    count, amount = _count(run)
+    glasses = False
+    if head == ("glasses",) and not run.definite and (count or amount or not modifiers):
+        head, category = ("glass",), lexicon.category_of(("glass",))
+        glasses = True
+    attributes = attributes_of(modifiers)
+    noun = " ".join((*head[:-1], lexicon.singular(head[-1]))) if head else ""
+    if head and "of" in head:
+        noun = " ".join((lexicon.singular(head[0]), *head[1:]))
+    elif head and category and " ".join(head) != noun and not lexicon.is_plural(head):
+        noun = " ".join(head)
+    plural = glasses or (bool(head) and lexicon.is_plural(tuple(run.words[-len(head) :])))
+    variants = _variants(run, attributes, plural, count)
+    if run.variants and not variants:
+        attributes = _two_colored(run, attributes)
+    if run.arrangement is None and "stacked" in modifiers and plural:
+        run.arrangement = "stack"
+    if run.groups and count is None and amount is None and not run.portion:
+        count, amount = (None, (3, 3)) if plural else (run.groups, None)
+        run.arrangement = run.arrangement if plural else None
+    return Noun(
+        kind, words, (0, 0), noun, category, count, amount,
+        definite=run.definite, other=run.other, each=run.each, plural=plural,
+        attributes=attributes, variants=variants,
+        members=lexicon.collective_of(head) if kind == "collective" else (),
+        lengths=tuple(run.lengths), arrangement=run.arrangement,
+        position=next((word for word in modifiers if word in _POSITIONS), None),
+        family=family,
+    )  # fmt: skip
+
+
+def _head(
+    words: tuple[str, ...], name: tuple[str, ...]
+) -> tuple[NounKind, tuple[str, ...], str | None, str]:
+    """Return the kind of noun, its head (the longest known ending), its category and family."""
+    if name:
+        if lexicon.collective_of(name):
+            return "collective", name, None, ""
+        return "thing", name, lexicon.category_of(name), ""
+    if not words:
+        return "member", (), None, ""
+    last = words[-1]
+    if last in ("one", "ones") and len(words) > 1:
+        return "member", (last,), None, ""
+    for start in range(len(words)):
+        tail = words[start:]
+        if lexicon.collective_of(tail):
+            return "collective", tail, None, ""
+        if _only_describes(tail):
+            continue
+        if " ".join(tail) not in TABLE_NOUNS and (key := lexicon.category_of(tail)):
+            strange = any(_is_strange(word) for word in words[:start])
+            if not (strange and len(tail) == 1 and last in LOOSE_NOUNS):
+                return "thing", tail, key, ""
+    kinds: tuple[tuple[NounKind, bool], ...] = (
+        ("table", last in TABLE_NOUNS), ("vague", last in VAGUE_THINGS),
+        ("part", last in PARTS or lexicon.singular(last) in PARTS),
+        ("setting", lexicon.is_setting(last) or " ".join(words[-2:]) in OCCASIONS),
+    )  # fmt: skip
+    for kind, holds in kinds:
+        if holds:
+            return kind, (last,), None, ""
+    if all(is_describing(word) or word in fw.SIDES for word in words):
+        return "adjective", (), None, ""
+    return _look_up(words)
+
+
+def _only_describes(tail: tuple[str, ...]) -> bool:
+    """Tell whether the first word of a name only describes: the colour of "green apple"."""
+    key = lexicon.category_of(tail[1:]) if len(tail) > 1 and tail[0] in COLORS else None
+    return key is not None and key == lexicon.category_of(tail)
+
+
+def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
+    """Return what the dictionary knows of a noun phrase that the catalogue does not have."""
+    entry = entry_of(words)
+    strange = len(words) > 1 and not is_describing(words[-2])
+    if entry is None:
+        return "thing", words[-2:] if strange else words[-1:], None, ""
+    head = words[-max(len(entry.noun.split()), 1 + strange) :]
+    if not entry.family and strange and entry.noun in _COMPOUNDED:
+        return "thing", head, None, "block"
+    if entry.is_thing:
+        return "thing", head, entry.category, entry.family
+    return "setting" if entry.family == "place" else "abstract", head, None, entry.family
+
+
+def _is_strange(word: str) -> bool:
+    """Tell whether a word before a noun may change what it means ("arduino board")."""
+    return not is_describing(word) and word not in lexicon.vocabulary()
+
+
+def _count(run: PhraseStart) -> tuple[float | None, tuple[int, int] | None]:
+    if run.amount is not None:
+        return None, run.amount
+    total = multiply(run.numbers)
+    if total is None and run.article and not run.groups:
+        total = 1.0
+    return total, None
+
+
+def attributes_of(modifiers: Sequence[str]) -> dict[str, str]:
+    """Return the "color", "material", "size" and "state" that describing words name."""
+    found: dict[str, str] = {}
+    for before, word in zip((None, *modifiers), modifiers, strict=False):
+        if word in COLORS and not (word in MATERIALS and "color" in found):
+            shade = f"{before} " if before in SHADES else ""
+            found.setdefault("color", shade + word)
+        elif word in MATERIALS:
+            found.setdefault("material", word)
+        elif word in SIZES:
+            found.setdefault("size", SIZES[word])
+        elif word == "medium":
+            found.setdefault("size", "medium")
+        elif word in STATES or word in MORE:
+            found.setdefault("state", word)
+    return found
+
+
+def _variants(
+    run: PhraseStart, last: Mapping[str, str], plural: bool, count: float | None
+) -> tuple[Mapping[str, str], ...]:
+    """Return the attributes of single ones: "red, green and blue cubes" are three."""
+    if not run.variants or not (plural or not any(not is_describing(w) for w in run.words)):
+        return ()
+    each = (*(attributes_of(words) for words in run.variants), dict(last))
+    distinct = all(attributes.keys() == each[0].keys() for attributes in each) and len(
+        {tuple(sorted(a.items())) for a in each}
+    ) == len(each)
+    return each if distinct and (count is None or count == len(each)) else ()
+
+
+def _two_colored(run: PhraseStart, last: Mapping[str, str]) -> dict[str, str]:
+    """Return the attributes of "a yellow and white mug": a second colour beside the first."""
+    merged: dict[str, str] = {}
+    for attributes in (*(attributes_of(words) for words in run.variants), last):
+        for key, value in attributes.items():
+            if key == "color" and merged.get("color", value) != value:
+                merged.setdefault("accent", value)
+            else:
+                merged.setdefault(key, value)
+    return merged
+
+
+def is_collective(words: Sequence[str]) -> bool:
+    """Tell whether words name a mixed group."""
+    return " ".join(words) in COLLECTIVES

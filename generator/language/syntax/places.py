@@ -1,0 +1,90 @@
+"""Where something is: relations to noun phrases and parts of the table."""
+
+from __future__ import annotations
+
+from . import function_words as fw
+from .cursor import SUPPORTING, Cursor
+from .nouns import read_noun
+from .tree import (
+    Carry,
+    Location,
+    Noun,
+)
+from .zones import read_zone
+
+_SIDES = {(-1, None): "left_of", (1, None): "right_of", (None, -1): "in_front_of",
+          (None, 1): "behind"}  # fmt: skip
+
+
+class PlaceReader(Cursor):
+    """Reads places."""
+
+    def _place(self, *, leading: bool = False) -> Location | None:
+        """Read where something is; None where no place starts here."""
+        before = self.i
+        found = read_zone(self.tokens, self.i)
+        if found is not None:
+            self.i = found.end
+            if not found.of:
+                table = None if found.table is None else read_noun(self.tokens, found.table[0])[0]
+                return Location("beside" if found.loose else "at", found.zone, table=table)
+            self.i += 1
+            target = self._target(nested=False)
+            if target is not None:
+                zone = found.zone
+                kind = _SIDES.get((zone.x, zone.y))
+                if kind is None or zone.edge:
+                    kind = "center" if (zone.x, zone.y) == (0, 0) and not zone.edge else "edge"
+                return Location(kind, target)
+            self.i = before
+        if self._tag() == "here":
+            kind = str(self._take().value)
+            return Location(kind, Noun("pronoun", ("it",), self.tokens[self.i - 1].span, "it"))
+        if self._tag() == "relation":
+            kind = str(self._take().value)
+            target = self._target(nested=kind in SUPPORTING and not leading)
+            if target is not None:
+                if kind == "between":
+                    self._between(target)
+                return Location(kind, target, target.each)
+        self.i = before
+        return None
+
+    def _target(self, *, nested: bool) -> Noun | None:
+        """Read what a relation goes to; ``nested``: what follows is said of that."""
+        self._skip(fw.PARTICIPLES & {"both", "all"})
+        if self._text() in fw.PRONOUNS and not self._starts_longer():
+            token = self._take()
+            return Noun("pronoun", (token.text,), token.span, token.text,
+                        plural=token.text in fw.PLURAL_PRONOUNS, definite=True)  # fmt: skip
+        noun, end = read_noun(self.tokens, self.i)
+        if noun is None:
+            return None
+        self.i = end
+        if self._tag() == "of" and noun.kind != "part":
+            self._contents(noun, noun.post)
+        if noun.kind == "table":
+            return noun
+        if nested:
+            self._posts(noun, noun.post, nested=True)
+        elif self._tag() == "carry" and self._text() not in ("plus", "as well as", "along with"):
+            self._carried(noun, noun.post, False)
+        return noun
+
+    def _starts_longer(self) -> bool:
+        """Tell whether a pronoun's word opens a noun phrase: "these two cups", "one plate"."""
+        return self._text() in ("these", "those", "one") and self._starts_noun(1)
+
+    def _between(self, target: Noun) -> None:
+        """Read the second of "between the plate and the cup"."""
+        if target.plural or (target.count or 1) > 1 or self._tag() != "and":
+            return
+        before = self.i
+        self.i += 1
+        other, end = read_noun(self.tokens, self.i)
+        if other is None:
+            self.i = before
+            return
+        self.i = end
+        other.joint = "and"
+        target.post.append(Carry("with", (other,), back="between"))

@@ -1,0 +1,242 @@
+"""What follows a noun phrase and belongs to it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from . import function_words as fw
+from .cursor import SUPPORTING
+from .nouns import read_noun
+from .places import PlaceReader
+from .tree import (
+    VARIED,
+    Arranged,
+    Carry,
+    Description,
+    How,
+    Lack,
+    Location,
+    Noun,
+    Post,
+)
+
+
+class PostReader(PlaceReader):
+    """Reads what is said of a noun phrase after it."""
+
+    def _posts(self, noun: Noun | None, out: list[Post], *, nested: bool = False) -> None:
+        """Read all that follows a noun phrase, or a verb, and belongs to it.
+
+        ``nested``: of the target of a relation, to which nothing after a comma belongs.
+        """
+        while not self._ended() and not (nested and self._tag() in ("comma", "open", "and")):
+            before = self.i
+            if not self._post(noun, out):
+                self.i = before
+                return
+
+    def _post(self, noun: Noun | None, out: list[Post]) -> bool:
+        comma = self._tag() in ("comma", "open")
+        joined = self._tag() == "and"
+        if comma or joined:
+            if (not out and joined) or not self._goes_on():
+                return self._listed_attributes(noun, out) if comma else False
+            self.i += 1
+        if self._tag() in ("colon", "dash"):
+            return self._listed_attributes(noun, out)
+        each = self._tag() == "each" or self._text() in ("all", "both")
+        if self._tag() == "each" or (each and self._tag(1) in ("relation", "carry", "arranged")):
+            self.i += 1
+            self._skip(fw.BE)
+        self._skip(fw.PARTICIPLES - {"left", "right", "far"})
+        if self._tag() == "relative" or (self._text() == "that" and noun is not None):
+            self.i += 1
+            self._skip(fw.BE | fw.PARTICIPLES)
+            return True
+        if self._tag() == "order":
+            out.append(Arranged("row", str(self._take().value)))
+            return True
+        if self._tag() == "arranged":
+            return self._arranged(out)
+        if self._tag() == "no":
+            return self._lacks(out)
+        if self._tag() == "carry":
+            return self._carried(noun, out, each)
+        if self._text() == "for" and noun is not None:
+            return self._purpose()
+        if self._aspect(out):
+            return True
+        if self._tag() == "of" and noun is not None:
+            return self._contents(noun, out)
+        place = self._place()
+        if place is not None:
+            out.append(replace(place, each=place.each or (each and not comma) or each))
+            return True
+        if noun is not None and self._tag() in ("word", "number") and not comma:
+            return self._described(out)
+        return False
+
+    def _goes_on(self) -> bool:
+        """Tell whether more about the same thing follows a comma or "and"."""
+        if self._tag(1) in ("each", "arranged", "order", "relative", "no"):
+            return True
+        if self._text(1) in ("all", "both") and self._tag(2) in ("relation", "arranged", "carry"):
+            return True
+        k = 1
+        while self._text(k) in fw.PARTICIPLES and self._tag(k) == "word":
+            k += 1
+        if self._tag(k) == "carry" and (self._tag() == "comma" or k > 1):
+            return self.tokens[self.i + k].text not in ("plus", "as well as", "along with")
+        before = self.i
+        self.i += k
+        place = self._place()
+        follows = place is not None and not self._starts_noun(0) and self._text() not in fw.BE
+        self.i = before
+        return follows and not self._leads_after()
+
+    def _leads_after(self) -> bool:
+        before = self.i
+        self.i += 1
+        found = self._leads()
+        self.i = before
+        return found
+
+    def _arranged(self, out: list[Post]) -> bool:
+        kind = self._take().value
+        order = None
+        if self.tokens[self.i - 1].words[-1].text == "around" and self._starts_noun(0):
+            target = self._target(nested=False)  # "scattered around the book"
+            if target is not None:
+                out.append(Location("next_to", target))
+                return True
+        if self._tag() == "order":
+            order = str(self._take().value)
+        out.append(Arranged(kind, order))
+        return True
+
+    def _lacks(self, out: list[Post]) -> bool:
+        self.i += 1
+        if self._place() is not None:
+            return True  # "that is not on the book"
+        self._skip(fw.STARTERS)  # "do not want any plates"
+        items: list[Noun] = []
+        while True:
+            noun, end = read_noun(self.tokens, self.i)
+            if noun is None:
+                break
+            self.i = end
+            items.append(noun)
+            if self._tag() in ("relation", "here") and self._value() in SUPPORTING:
+                step = 1 if self._tag() == "here" else 2
+                if step == 1 or self._text(1) in fw.PRONOUNS:
+                    self.i += step
+            more = self._tag() in ("and", "comma") and self._tag(1) != "relation"
+            following, _ = read_noun(self.tokens, self.i + 1) if more else (None, 0)
+            if following is None or following.determined:
+                break
+            self.i += 1
+        out.append(Lack(tuple(items)))
+        return bool(items)
+
+    def _carried(self, noun: Noun | None, out: list[Post], each: bool) -> bool:
+        how: How = "hold" if self._value() in ("hold", "top") else "with"
+        self.i += 1
+        if self._tag() == "no" or self._text() == "not":
+            return self._lacks(out)
+        back = self._returns()
+        full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
+        items = self._items(noun, how)
+        if not items:
+            return False
+        for item in items if full else ():
+            if item.plural and not item.determined:
+                item.amount = (4, 5)
+        out.append(Carry(how, tuple(items), each, back))
+        return True
+
+    def _contents(self, noun: Noun, out: list[Post]) -> bool:
+        self.i += 1
+        inner, end = read_noun(self.tokens, self.i)
+        if inner is None:
+            return False
+        self.i = end
+        if inner.lengths and not inner.words:
+            out.append(Description(({},), inner.lengths))
+            return True
+        items = [inner]
+        while self._tag() in ("and", "comma"):
+            before = self.i
+            joint = self._connector()
+            more, end = read_noun(self.tokens, self.i)
+            if more is None or more.determined or joint != "and" or self._is_clause(end):
+                self.i = before
+                break
+            self.i = end
+            items.append(more)
+        out.append(Carry("of", tuple(items)))
+        return True
+
+    def _purpose(self) -> bool:
+        """Skip what something is for ("for meal prep"), unless it is for so many people."""
+        before = self.i
+        if self._people():
+            self.i = before
+            return False
+        noun, end = read_noun(self.tokens, self.i + 1)
+        if noun is None:
+            return False
+        self.i = end
+        return True
+
+    def _aspect(self, out: list[Post]) -> bool:
+        """Read "in different colours", "of various sizes", "in red"."""
+        if self._text() not in ("in", "of"):
+            return False
+        noun, end = read_noun(self.tokens, self.i + 1)
+        if noun is None or noun.definite:
+            return False
+        last = noun.head.split()[-1:]
+        aspect = "color" if last == ["colour"] else "".join(last)
+        if noun.kind == "adjective" and set(noun.attributes) == {"color"}:
+            out.append(Description(noun.variants or (noun.attributes,)))
+        elif noun.kind in ("part", "abstract", "thing") and aspect in VARIED and noun.plural:
+            out.append(Description(VARIED[aspect]))
+        else:
+            return False
+        self.i = end
+        return True
+
+    def _is_clause(self, end: int) -> bool:
+        return end < len(self.tokens) and self.tokens[end].text in fw.BE
+
+    def _described(self, out: list[Post]) -> bool:
+        """Read describing words after the noun: "a book open", "three mugs upside down"."""
+        noun, end = read_noun(self.tokens, self.i)
+        if noun is None:
+            return False
+        measured = noun.kind == "member" and bool(noun.lengths) and not noun.words
+        if not measured and (noun.kind != "adjective" or noun.determined):
+            return False
+        self.i = end
+        out.append(Description((noun.attributes,), noun.lengths))
+        return True
+
+    def _listed_attributes(self, noun: Noun | None, out: list[Post]) -> bool:
+        """Read ", small, medium and large" and ", one red and one blue" after several things."""
+        if noun is None or not (noun.plural or (noun.count or 1) > 1):
+            return False
+        before, each = self.i, []
+        while self._tag() in ("comma", "and", "open", "close", "colon", "dash"):
+            self.i += 1
+            if self._tag() in ("comma", "and"):
+                continue
+            one, end = read_noun(self.tokens, self.i)
+            if one is None or one.kind != "adjective" or not one.words:
+                break
+            each += list(one.variants) or [one.attributes] * int(one.count or 1)
+            self.i = end
+        if len(each) < 2 or (noun.count is not None and len(each) != int(noun.count)):
+            self.i = before
+            return False
+        out.append(Description(tuple(each)))
+        return True

@@ -1,0 +1,181 @@
+"""What the grammar reads out of a text: noun phrases, what is said of them, clauses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+NounKind = Literal[
+    "thing",  # a category of the catalogue, or a word that may be a thing
+    "collective",  # "cutlery": several categories
+    "table",
+    "pronoun",
+    "part",  # of a thing: legs, lid, surface
+    "setting",  # a room, an hour, an occasion: no thing
+    "vague",  # "things", "stuff"
+    "abstract",  # what is no thing: "happiness"
+    "member",  # "one", "the other", "two of them"
+    "adjective",  # describing words alone
+]
+Arrangement = Literal["stack", "heap", "row", "column", "circle", "fan", "scatter", "grid", "group"]
+How = Literal["with", "hold", "of"]
+Span = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Zone:
+    """A place on the table, seen from in front of it.
+
+    Attributes:
+        x: -1 left, 0 middle, 1 right; None where it is not said.
+        y: -1 front, 0 middle, 1 back; None where it is not said.
+        edge: at the edge there; alone, at any edge.
+    """
+
+    x: int | None = None
+    y: int | None = None
+    edge: bool = False
+
+
+@dataclass(frozen=True)
+class Location:
+    """Where a thing is: a relation to a noun phrase, or a zone of the table.
+
+    ``each``: every single one of the subjects has its own ("each on a saucer") or every target
+    its own subject ("on every plate"). ``table``: what is said of the table in a zone ("in the
+    middle of a round table").
+    """
+
+    kind: str
+    target: Noun | Zone
+    each: bool = False
+    table: Noun | None = None
+
+
+@dataclass(frozen=True)
+class Carry:
+    """What a thing brings along: "with", "holding" or "of" (a bowl of apples).
+
+    ``back`` is "on" or "in" where the list ends so ("with an apple and a pear on it").
+    """
+
+    how: How
+    items: tuple[Noun, ...]
+    each: bool = False
+    back: str | None = None
+
+
+@dataclass(frozen=True)
+class Lack:
+    """What a thing is said to be without."""
+
+    items: tuple[Noun, ...]
+
+
+@dataclass(frozen=True)
+class Arranged:
+    """How several things are arranged; ``order`` is "size" or "color" where it is said."""
+
+    kind: Arrangement
+    order: str | None = None
+
+
+@dataclass(frozen=True)
+class Description:
+    """Attributes said after the noun: all the same, or one after the other for each.
+
+    ``lengths``: "20 cm tall", metres.
+    """
+
+    each: tuple[Mapping[str, str], ...]
+    lengths: tuple[float, ...] = ()
+
+
+VARIED: Mapping[str, tuple[Mapping[str, str], ...]] = {
+    "color": tuple({"color": word} for word in (
+        "red", "blue", "yellow", "green", "white", "orange", "purple", "black")),
+    "size": tuple({"size": word} for word in ("small", "medium", "large")),
+}  # fmt: skip
+"""What "in different colours" and "of various sizes" mean, one after the other."""
+
+
+Post = Location | Carry | Lack | Arranged | Description
+
+
+@dataclass
+class Noun:
+    """A noun phrase with all that is said of it.
+
+    Attributes:
+        kind: what sort of noun it is.
+        words: its describing words and head, as they were said.
+        span: where it stands in the text.
+        head: the noun in the singular ("teapot").
+        category: key of the catalogue; None where it has none.
+        count: the number that is said; None where none is.
+        amount: range of a vague number ("a few").
+        definite: "the", "this".
+        other: "the other", "a second".
+        each: "each", "every".
+        plural: several things by its form.
+        attributes: "color", "material", "size", "state", ... to words.
+        variants: attributes of single ones ("red, green and blue cubes").
+        members: categories of a collective.
+        lengths: lengths in metres ("20 cm tall").
+        arrangement: "a stack of", "stacked".
+        position: "left", "right", ... ("the left plate").
+        post: what follows the noun and belongs to it.
+        joint: how it is joined to the item before it in its list: "", "and", "comma".
+        family: kind of thing that stands for one without a category ("appliance").
+    """
+
+    kind: NounKind
+    words: tuple[str, ...]
+    span: Span
+    head: str = ""
+    category: str | None = None
+    count: float | None = None
+    amount: tuple[int, int] | None = None
+    definite: bool = False
+    other: bool = False
+    each: bool = False
+    plural: bool = False
+    attributes: dict[str, str] = field(default_factory=dict)
+    variants: tuple[Mapping[str, str], ...] = ()
+    members: tuple[str, ...] = ()
+    lengths: tuple[float, ...] = ()
+    arrangement: Arrangement | None = None
+    position: str | None = None
+    post: list[Post] = field(default_factory=list)
+    joint: str = ""
+    family: str = ""
+
+    @property
+    def determined(self) -> bool:
+        """Whether an article, a number or a vague amount introduces it."""
+        return self.definite or self.count is not None or self.amount is not None or self.each
+
+
+@dataclass
+class Clause:
+    """A list of things and what is said of all of them.
+
+    Attributes:
+        subjects: the list.
+        predicate: what a verb says of all of them ("... are on the tray").
+        lead: the place said before them ("On the tray are ...").
+        people: for how many the things are laid; 0 where it is not said.
+    """
+
+    subjects: list[Noun]
+    predicate: list[Post] = field(default_factory=list)
+    lead: Location | None = None
+    people: int = 0
+
+
+@dataclass
+class Sentence:
+    """The clauses of one sentence."""
+
+    clauses: list[Clause]

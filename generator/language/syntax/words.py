@@ -1,0 +1,84 @@
+"""A text cut into words, numbers and marks, each with its place in the text."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from typing import Literal
+
+WordKind = Literal["word", "number", "mark"]
+
+_ABBREVIATIONS = {
+    "w/o": "without", "w/": "with", "&": "and", "+": "and", "pls": "please", "plz": "please",
+    "approx": "about", "ca": "about", "½": "half",
+}  # fmt: skip
+_PIECE = re.compile(
+    r"""
+    (?P<abbreviation>w/o\b|w/|[&+½])
+    |(?P<negated>[a-z]+n't)
+    |(?P<possessive>(?<=[a-z])'s?(?![a-z]))
+    |(?P<number>(?<![\w.])-?\d+(?:,\d{3})*(?:\.\d+)?(?:e\d+)?)
+    |(?P<word>[a-z]+)
+    |(?P<dash>\s[-–—]+\s|[–—])
+    |(?P<mark>[,.;:!?()\n"/])
+    """,
+    re.VERBOSE,
+)
+_TAG = re.compile(r"</?[A-Za-z][^<>\n]{0,80}>")
+_BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
+
+
+@dataclass(frozen=True)
+class Word:
+    r"""A word in lower case without accents, a number, or a mark.
+
+    ``start`` and ``end`` are where it stands in the text. Marks are punctuation, "\n" for the end
+    of a line, "'s" for a possessive, and "-" for a dash between parts of a sentence.
+    """
+
+    text: str
+    start: int
+    end: int
+    kind: WordKind = "word"
+
+
+def words_of(text: str) -> tuple[Word, ...]:
+    """Return the words of a text; bullets and numbers of list items are line ends."""
+    text = _TAG.sub(lambda found: " " * len(found.group()), text)
+    text = _BULLET.sub(lambda found: "\n".ljust(len(found.group())), text)
+    plain, places = _plain(text)
+    found = []
+    for piece in _PIECE.finditer(plain):
+        start, end = places[piece.start()], places[piece.end() - 1] + 1
+        found += [Word(t, start, end, kind) for t, kind in _readings(piece)]
+    return tuple(found)
+
+
+def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
+    """Return what a piece of text is read as."""
+    said, name = piece.group(), piece.lastgroup
+    if name == "number":
+        return [(said.replace(",", ""), "number")]
+    if name == "dash":
+        return [("-", "mark")]
+    if name == "possessive":
+        return [("'s", "mark")]
+    if name == "negated":
+        return [("not", "word")]
+    if name == "mark":
+        return [({"/": ",", '"': ""}.get(said, said), "mark")] if said != '"' else []
+    return [(_ABBREVIATIONS.get(said, said), "word")]
+
+
+def _plain(text: str) -> tuple[str, list[int]]:
+    """Return the text in lower case without accents, and where each letter of it stood."""
+    letters: list[str] = []
+    places: list[int] = []
+    for place, letter in enumerate(text):
+        letter = {"’": "'", "‘": "'", "×": "x", "\r": "\n", "\t": " "}.get(letter, letter)
+        for part in unicodedata.normalize("NFKD", letter.lower()):
+            if not unicodedata.combining(part):
+                letters.append(part)
+                places.append(place)
+    return "".join(letters), places

@@ -1,0 +1,174 @@
+"""Places on the table: "in the far left corner", "on the right side of the desk", "centrally"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ..parsing.vocabulary import TABLE_NOUNS
+from . import function_words as fw
+from .tokens import Token
+from .tree import Zone
+
+_BEFORE = frozenset(
+    [
+        "in",
+        "on",
+        "at",
+        "to",
+        "near",
+        "along",
+        "towards",
+        "toward",
+        "by",
+        "from",
+        "into",
+        "onto",
+        "close",
+        "against",
+    ]
+)
+_ARTICLES = frozenset(["the", "a", "an", "one", "its", "each", "this", "that"])
+_DEGREES = frozenset(
+    [
+        "very",
+        "far",
+        "extreme",
+        "just",
+        "right",
+        "slightly",
+        "dead",
+        "exact",
+        "more",
+        "upper",
+        "lower",
+        "hand",
+    ]
+)
+_ALONE = frozenset(["centrally", "centered", "central"])
+_TOPS = frozenset(["surface", "tabletop", "top", "area", "workspace", "scene", "image", "picture"])
+
+
+@dataclass(frozen=True)
+class FoundZone:
+    """A zone in tokens.
+
+    Attributes:
+        zone: which part.
+        end: the token after it.
+        of: whether "of" follows, so that it may be a part of something else than the table.
+        table: the tokens that name the table, first and end, where they do.
+        loose: "on the left", without "side", "corner" or "of the table": perhaps of a thing.
+    """
+
+    zone: Zone
+    end: int
+    of: bool = False
+    loose: bool = False
+    table: tuple[int, int] | None = None
+
+
+def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> FoundZone | None:
+    """Return the zone that starts at a token, or None.
+
+    ``heading`` allows one without a preposition: "left side with a lamp", "back: a plant".
+    """
+    i = start
+    while _text(tokens, i) in ("just", "right", "slightly", "further") and _text(
+        tokens, i + 1
+    ).split()[:1] in ([word] for word in _BEFORE):
+        i += 1
+    if _text(tokens, i) in _ALONE and not _is_noun(tokens, i + 1):
+        return FoundZone(Zone(0, 0), i + 1)
+    if _text(tokens, i) == "as" and _text(tokens, i + 2) in ("centerpiece", "centrepiece"):
+        return FoundZone(Zone(0, 0), i + 3)
+    introduced = _text(tokens, i).split()[-1:] != [] and _text(tokens, i).split()[0] in _BEFORE
+    if introduced:
+        if len(tokens[i].words) > 1 and _text(tokens, i) != "close to":
+            return None
+        i += 1
+        i += _text(tokens, i) == "to"
+    elif not heading:
+        return None
+    article = _text(tokens, i) in _ARTICLES
+    i += article
+    owned = _text(tokens, i) in TABLE_NOUNS and _tag(tokens, i + 1) == "possessive"
+    i += 2 * owned
+    return _sides(tokens, i, heading=heading, owned=owned)
+
+
+def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> FoundZone | None:
+    words: list[str] = []
+    while (word := _text(tokens, i)) in fw.SIDES or word in _DEGREES:
+        words.append(word)
+        i += 1
+        if word in fw.SIDES and _tag(tokens, i) == "and" and _text(tokens, i + 1) in fw.SIDES:
+            return None
+        i += _tag(tokens, i) == "dash"
+    noun = _text(tokens, i)
+    i_noun = noun in fw.ZONE_NOUNS and not (words and _is_thing(tokens, i))
+    i += i_noun
+    sides = [word for word in words if word in fw.SIDES]
+    if not i_noun and (not sides or sides == ["far"] or sides == ["near"]):
+        return None
+    if not sides and noun not in fw.EDGES:
+        return None
+    of = _tag(tokens, i) == "of"
+    if of:
+        end = _after_table(tokens, i + 1)
+        if end is None:
+            return FoundZone(_zone(sides, noun), i, of=True)
+        return FoundZone(_zone(sides, noun), end, table=(i + 1, end))
+    if not i_noun and not heading and _is_noun(tokens, i):
+        return None
+    if heading and not i_noun and _tag(tokens, i) not in ("colon", "dash"):
+        return None
+    return FoundZone(_zone(sides, noun), i, loose=not i_noun and not owned and len(sides) == 1)
+
+
+def _zone(sides: Sequence[str], noun: str) -> Zone:
+    found = [fw.SIDES[side] for side in sides]
+    if len(found) > 1:  # "back middle": the middle of the back; "far left": both
+        found = [f for f in found if f != (0, 0)] if len(set(found)) > 1 else found
+        middle = len(found) < len(sides)
+    else:
+        middle = False
+    x = next((x for x, _ in found if x is not None), None)
+    y = next((y for _, y in found if y is not None), None)
+    if middle:
+        x, y = (0 if x is None else x), (0 if y is None else y)
+    return Zone(x, y, noun in fw.EDGES)
+
+
+def _after_table(tokens: Sequence[Token], i: int) -> int | None:
+    """Return where "the wooden table" ends, or None if something else stands there."""
+    i += _text(tokens, i) in _ARTICLES
+    for k in range(i, min(i + 4, len(tokens))):
+        word = _text(tokens, k)
+        if word in TABLE_NOUNS or word in _TOPS:
+            return k + 1
+        if _tag(tokens, k) != "word":
+            return None
+    return None
+
+
+def _text(tokens: Sequence[Token], i: int) -> str:
+    return tokens[i].text if 0 <= i < len(tokens) else ""
+
+
+def _tag(tokens: Sequence[Token], i: int) -> str:
+    return tokens[i].tag if 0 <= i < len(tokens) else ""
+
+
+def _is_noun(tokens: Sequence[Token], i: int) -> bool:
+    """Tell whether a word that may belong to a noun phrase goes on here."""
+    if _tag(tokens, i) == "name":
+        return True
+    word = _text(tokens, i)
+    stops = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.DEFINITE | fw.INDEFINITE | fw.STARTERS
+    return _tag(tokens, i) == "word" and word not in stops and word not in fw.NUMBERS
+
+
+def _is_thing(tokens: Sequence[Token], i: int) -> bool:
+    """Tell whether a zone's noun is rather the first word of a thing ("side plate")."""
+    return _tag(tokens, i + 1) == "word" and _text(tokens, i + 1) in ("plate", "table", "lamp")

@@ -1,0 +1,1 @@
+"""The words of English: a dictionary of nouns and their kinds, and spelling."""

@@ -1,0 +1,88 @@
+"""Words beyond the catalogue: what kind of thing a noun names, and which words are English.
+
+The tables of nouns and words are made of WordNet by ``research.language.families``; its licence is
+in NOTICE. ``substituted.txt`` lists aliases and synonyms that are not the same thing.
+"""
+
+from __future__ import annotations
+
+import gzip
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from types import MappingProxyType
+
+from ..parsing.lexicon import category_of, singular
+
+_TABLES = files("generator.language") / "words"
+
+
+@dataclass(frozen=True)
+class NounEntry:
+    """What a noun names.
+
+    Attributes:
+        noun: the noun in the singular.
+        family: kind of thing ("appliance"); "" for what is no thing, "place" for a room or a
+            building.
+        category: the catalogue's category that it is a kind of ("stein" is a mug), or None.
+    """
+
+    noun: str
+    family: str
+    category: str | None = None
+
+    @property
+    def is_thing(self) -> bool:
+        """Whether it can stand on a table."""
+        return self.family not in ("", "place")
+
+
+@cache
+def _nouns() -> Mapping[str, NounEntry]:
+    table = {}
+    for line in (_TABLES / "nouns.tsv").read_text().splitlines():
+        noun, family, category = line.split("\t")
+        table[noun] = NounEntry(noun, family, category or None)
+    return MappingProxyType(table)
+
+
+@cache
+def _english() -> frozenset[str]:
+    return frozenset(gzip.decompress((_TABLES / "english.txt.gz").read_bytes()).decode().split())
+
+
+def entry_of(words: tuple[str, ...]) -> NounEntry | None:
+    """Return the entry of the longest ending of a noun phrase that the table has, or None."""
+    for start in range(max(0, len(words) - 3), len(words)):
+        tail = words[start:]
+        for form in (tail, (*tail[:-1], singular(tail[-1]))):
+            found = _nouns().get(" ".join(form))
+            if found is not None:
+                return found
+    return None
+
+
+@cache
+def _substitutes() -> frozenset[str]:
+    return frozenset((_TABLES / "substituted.txt").read_text().splitlines())
+
+
+def is_substituted(noun: str, category: str) -> bool:
+    """Tell whether a noun is shown as a category that is not the same thing."""
+    if noun.replace(" ", "") == category.replace("_", ""):
+        return False  # a chessboard
+    whole, words = tuple(noun.split()), tuple(noun.split(" of ")[0].split())
+    tails = (whole, *(words[k:] for k in range(len(words))))
+    known = next((tail for tail in tails if category_of(tail) is not None), None)
+    return known is None or " ".join(known) in _substitutes()
+
+
+def is_english(word: str) -> bool:
+    """Return whether a word is one of the English language, in the singular or plural."""
+    known = _english()
+    if word in known or singular(word) in known or len(word) < 3:
+        return True
+    stems = [word.removesuffix(end) for end in ("ed", "ing", "er", "est", "ly", "d", "r", "st")]
+    return any(stem != word and (stem in known or f"{stem}e" in known) for stem in stems)

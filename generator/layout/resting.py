@@ -1,0 +1,235 @@
+"""Things on the table, and on and in other things: where they come to lie."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from jaxtyping import Float
+
+from ..catalogue import CATEGORIES
+from ..scene import TABLE, Model, Placement, PlannedObject, ScenePlan
+from . import stacking
+from .fields import HeightField, field_of
+from .footprint import Footprint, footprint, gaps, margins
+from .scoring import Neighbour, Request, proposals, score
+from .seats import seat_center
+from .units import Unit
+
+MARGIN = 0.02
+"""Least distance from a footprint to the table's edge, metres."""
+GAP = 0.014
+"""Least gap between two footprints, metres."""
+
+
+@dataclass(eq=False)
+class State:
+    """One try: what has been put where."""
+
+    places: dict[str, Placement] = field(default_factory=dict)
+    neighbours: dict[str, Neighbour] = field(default_factory=dict)
+    fields: dict[str, HeightField] = field(default_factory=dict)
+    warnings: list[str] = field(default_factory=list)
+    cost: float = 0.0
+
+
+def support_of(planned: PlannedObject) -> str | None:
+    """Return the object it stands on or in, or None for the table."""
+    return next(
+        (r.target for r in planned.relations if r.kind in ("on", "in") and r.target != TABLE), None
+    )
+
+
+def put_on(
+    planned: PlannedObject,
+    support: str,
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    rng: np.random.Generator,
+    state: State,
+    shapes: dict[str, Footprint],
+) -> bool:
+    """Lower an object onto or into its support, at the place where it comes to lie deepest."""
+    base = state.places[support]
+    inside = any(r.kind == "in" and r.target == support for r in planned.relations)
+    sharing = [o.name for o in plan.objects if support_of(o) == support]
+    alone = len(sharing) == 1
+    siblings = [p for p in state.places.values() if p.on == support]
+    below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
+    top = float(below[0][..., 2].max())
+    model = models[planned.name]
+    if not inside:  # what lies on another thing lies nearly in line with it
+        shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
+    shape = shapes[planned.name]
+    ground = state.fields.get(support) or field_of(models[support], base)
+    for turn in _TURNS if inside and _is_long(model) else (0.0,):
+        yaw = shape.yaw + turn
+        height, empty = ground.resting(model, yaw)
+        cost = _resting_cost(planned, support, ground, height, empty, alone, base, shapes, state)
+        for cell in _best_cells(cost):
+            start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
+            placement = stacking.lower(
+                model, Placement(planned.name, yaw, start, model.size, support, inside), below
+            )
+            if not inside or sunk(placement, top, heaped=bool(siblings)):
+                shapes[planned.name] = footprint(model, yaw)
+                state.places[planned.name] = placement
+                state.neighbours[planned.name] = Neighbour(
+                    shapes[planned.name], placement.translation[:2]
+                )
+                state.fields[support] = ground.with_thing(model, placement)
+                return True
+    return False
+
+
+_TURNS = (0.0, np.pi / 3, -np.pi / 3, np.pi / 2)
+"""How else a thing may lie in a vessel, radians."""
+
+
+def _is_long(model: Model) -> bool:
+    return float(model.size[:2].max()) > 1.8 * float(model.size[:2].min())
+
+
+_OVERHANG = 0.35
+"""Share of a thing's underside that may be beyond what it stands on."""
+
+
+def _resting_cost(
+    planned: PlannedObject,
+    support: str,
+    ground: HeightField,
+    height: Float[np.ndarray, "nx ny"],
+    empty: Float[np.ndarray, "nx ny"],
+    alone: bool,
+    base: Placement,
+    shapes: Mapping[str, Footprint],
+    state: State,
+) -> Float[np.ndarray, "nx ny"]:
+    """Return how bad each place on or in a support is; inf where nothing can stand.
+
+    Low is good, and so are room to the others and, alone, the middle.
+    """
+    nx, ny = height.shape
+    grid = np.stack(np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"), -1)
+    centers = (ground.origin + ground.step * grid).reshape(-1, 2)
+    cost = np.where(np.isneginf(height) | np.isneginf(ground.top), np.inf, height).ravel()
+    rolls = planned.category in CATEGORIES and "round" in CATEGORIES[planned.category].roles
+    cost = cost + 0.2 * np.clip(empty.ravel() - (0.08 if rolls else _OVERHANG), 0, None)
+    away = np.hypot(*(centers - base.translation[:2]).T)
+    cost += (0.2 if alone else 0.01) * away
+    shape = shapes[planned.name]
+    for place in state.places.values():
+        if place.on == support:
+            room = gaps(shape, centers, shapes[place.name], place.translation[:2])
+            cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
+    return cost.reshape(nx, ny)
+
+
+def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:
+    """Return a few of the cheapest cells, the best first."""
+    order = np.argsort(cost, axis=None, kind="stable")[:400:100]
+    cells = [divmod(int(k), cost.shape[1]) for k in order]
+    return [cell for cell in cells if np.isfinite(cost[cell])]
+
+
+def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
+    """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
+    bottom = placement.translation[2] - placement.scale[2] / 2
+    return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
+
+
+# ----------------------------------------------------------------------------- on the table
+
+
+def cover_with(
+    name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
+) -> Footprint:
+    """Return the footprint of an object with what stands on it."""
+    own = shapes[name]
+    for other in above:
+        if support_of(other) == name:
+            own = own.covering(shapes[other.name])
+    return own
+
+
+def stand_unit(
+    unit: Unit,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+    shapes: dict[str, Footprint],
+    carrying: Mapping[str, Footprint],
+) -> bool:
+    """Find a place for things arranged as one; tell whether there was one."""
+    if unit.seat is not None:
+        center = seat_center(unit.seat, unit.shape, outline)
+        for other in state.neighbours.values():
+            if float(gaps(unit.shape, center[None], other.shape, other.center)[0]) < GAP / 2:
+                return False
+    else:
+        found = _best_place(unit.planned, unit.shape, outline, rng, state)
+        if found is None:
+            return False
+        center = found
+    for name, offset in unit.offsets.items():
+        model, yaw = models[name], shapes[name].yaw + unit.turns[name]
+        shapes[name] = footprint(model, yaw)
+        place = center + offset
+        turned = shapes[name] if carrying[name] is shapes[name] else carrying[name]
+        state.neighbours[name] = Neighbour(turned, place)
+        height = float(table.size[2] + model.size[2] / 2)
+        state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
+    return True
+
+
+def stand_on_table(
+    planned: PlannedObject,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+    shapes: Mapping[str, Footprint],
+    above: list[PlannedObject],
+) -> bool:
+    """Find the best free place on the tabletop; tell whether there was one."""
+    model, shape = models[planned.name], shapes[planned.name]
+    own = cover_with(planned.name, shapes, above)
+    center = _best_place(planned, own, outline, rng, state)
+    if center is None:
+        return False
+    state.neighbours[planned.name] = Neighbour(own, center)
+    height = float(table.size[2] + model.size[2] / 2)
+    state.places[planned.name] = Placement(
+        planned.name, shape.yaw, np.array([*center, height]), model.size
+    )
+    return True
+
+
+def _best_place(
+    planned: PlannedObject,
+    own: Footprint,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+) -> Float[np.ndarray, "2"] | None:
+    """Return the best free place on the tabletop, None where there is none; its cost is added."""
+    near = {r.target: state.neighbours[r.target] for r in planned.relations
+            if r.target in state.neighbours}  # fmt: skip
+    request = Request(planned.relations, own, near, outline)
+    centers = proposals(request, rng)
+    free = margins(own, centers, outline) >= MARGIN
+    room = np.full(len(centers), 0.2)
+    for other in state.neighbours.values():
+        room = np.minimum(room, gaps(own, centers, other.shape, other.center))
+    free &= room >= GAP
+    if not free.any():
+        return None
+    costs = score(request, centers[free], room[free], list(state.neighbours.values()))
+    pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
+    center = centers[free][pick]
+    state.cost += float(costs[pick])
+    return center

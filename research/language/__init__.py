@@ -1,0 +1,1 @@
+"""What the planner knows of English, made of WordNet; not part of the distribution."""

@@ -1,0 +1,38 @@
+"""How a text is read is told phrase by phrase."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from generator.cli import run
+from generator.language.explaining import Explained, explain
+
+
+def test_every_role_is_told() -> None:
+    rows = explain(
+        "A round table with three red mugs in a row, happiness and a zither on the left, "
+        "but no plates."
+    )
+    assert {row.role for row in rows} >= {
+        "table", "thing", "count", "attribute", "arrangement", "place", "absent", "not understood",
+    }  # fmt: skip
+    assert Explained("attribute", "red", "color of mug") in rows
+    assert Explained("thing", "a zither", "a stand-in (stringed)") in rows
+    assert rows[-1] == Explained("not understood", "happiness")
+
+
+def test_the_command_prints_lines_or_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["explain", "a mug on a book", "--json"]) == 0
+    assert {"role": "relation", "phrase": "on book", "meaning": "of mug"} in json.loads(
+        capsys.readouterr().out
+    )
+    assert run(["explain", "a mug on a book"]) == 0
+    assert "relation        on book" in capsys.readouterr().out
+
+
+def test_ignored_words_are_told() -> None:
+    rows = explain("a telescopic red mug and two books")
+    assert Explained("not understood", "telescopic", "of mug") in rows
+    assert not any(row.role == "not understood" and row.phrase == "red" for row in rows)
