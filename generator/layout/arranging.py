@@ -14,9 +14,9 @@ from ..scene import TABLE, Model, Placement, PlannedGroup, PlannedObject, Relati
 from .facing import natural_yaw
 from .footprint import footprint, margins
 from .furnishing import outline_of
+from .groups.units import Unit, units_of
 from .resting import MARGIN, State, cover_with, put_on, stand_on_table, stand_unit, support_of
 from .scoring import Neighbour, Request, violation
-from .units import Unit, units_of
 
 _TRIES = 12
 

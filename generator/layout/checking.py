@@ -14,8 +14,8 @@ from jaxtyping import Float
 from ..geometry import convex_outline, inside_margin, quaternion_matrix, rotation_z
 from ..physics.simulation import ON_TABLE, Simulation
 from ..scene import TABLE, Object, PlannedObject, Relation, RelationOutcome, Scene, ScenePlan
+from .groups.seats import seats
 from .scoring import SIDES
-from .seats import seats
 
 NEAR = 0.15
 """Largest gap between things that are next to each other, metres."""

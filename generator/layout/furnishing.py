@@ -14,8 +14,9 @@ from ..catalogue.build.styles import STYLES
 from ..catalogue.stand_ins import build_stand_in
 from ..errors import SceneError
 from ..geometry import convex_outline
-from ..scene import ConvexPart, Mesh, Model, PlannedObject, PlannedTable, ScenePlan
+from ..scene import ConvexPart, Model, PlannedObject, PlannedTable, ScenePlan
 from .footprint import footprint
+from .postures import pose, stand_up
 
 _FILLING = 0.42  # share of a tabletop that objects and the room around them may take
 _LARGEST = 1.5  # how much longer than planned a table may become
@@ -36,7 +37,8 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     for planned in plan.objects:
         kind = (planned.category, planned.noun, str(sorted(planned.attributes.items())))
         number = seeds.setdefault(kind, len(seeds))
-        models[planned.name] = _build(planned, plan.style, seed * 1009 + number)
+        built = _build(planned, plan.style, seed * 1009 + number)
+        models[planned.name] = pose(built, planned.attributes.get("posture", ""))
     by_name = {o.name: o for o in plan.objects}
     for planned in plan.objects:
         for relation in planned.relations:
@@ -46,7 +48,7 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
                 mouth = float(models[relation.target].size[:2].min())
                 if not fitted and own.size[0] < mouth / _LIES:
                     continue
-                model = _upright(own, 1.0 if fitted else 3.0)
+                model = stand_up(own, 1.0 if fitted else 3.0)
                 models[planned.name] = replace(model, parts=_FITTED) if fitted else model
     return models
 
@@ -66,26 +68,6 @@ def _build(planned: PlannedObject, style: str, seed: int) -> Model:
         factor = max(planned.size) / float(model.size.max())
         model = replace(model, size=model.size * factor)
     return replace(model, label=planned.noun)
-
-
-def _upright(model: Model, slenderness: float) -> Model:
-    """Turn a model that is so much longer than wide that its +x end points up, and no other."""
-    length, *others = model.size
-    if length < slenderness * max(others):
-        return model
-    turn = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-    mesh = model.mesh
-    return replace(
-        model,
-        mesh=Mesh(mesh.vertices @ turn.T, mesh.faces, mesh.uv, mesh.texture, mesh.opacity),
-        size=model.size[[2, 1, 0]],
-        parts=tuple(_turn(part, turn) for part in model.parts),
-    )
-
-
-def _turn(part: ConvexPart, turn: Float[np.ndarray, "3 3"]) -> ConvexPart:
-    axis = (2, 1, 0)[part.axis]
-    return ConvexPart(part.vertices @ turn.T, part.kind, axis)  # type: ignore[arg-type]
 
 
 def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0) -> PlannedTable:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from jaxtyping import Float
@@ -13,9 +13,9 @@ from ..scene import TABLE, Model, Placement, PlannedObject, ScenePlan
 from . import stacking
 from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
+from .groups.seats import seat_center
+from .groups.units import Unit
 from .scoring import Neighbour, Request, proposals, score
-from .seats import seat_center
-from .units import Unit
 
 MARGIN = 0.02
 """Least distance from a footprint to the table's edge, metres."""
@@ -182,6 +182,11 @@ def stand_unit(
         state.neighbours[name] = Neighbour(turned, place)
         height = float(table.size[2] + model.size[2] / 2)
         state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
+        under = unit.below.get(name, ())
+        if under:
+            surfaces = [stacking.triangles(models[n], state.places[n]) for n in under]
+            lying = stacking.lower(models[name], state.places[name], surfaces)
+            state.places[name] = replace(lying, on=under[0])
     return True
 
 

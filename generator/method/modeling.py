@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from ..backends.protocols import Each, Modeler, Reasoner, in_turn
-from ..errors import BackendError, InputError, choices
+from ..errors import BackendError
 from ..geometry import ray_view
-from ..scene import ConvexPart, Instance, Mesh, Model, Reference, SizePrior, View
-
-Steps = Sequence[tuple[str, int]]
-"""Turns about the fixed axes "x", "y" or "z", in degrees, applied in order."""
+from ..scene import Instance, Model, Reference, SizePrior, View
+from ..scene.turning import turn
 
 SQUARISH = 1.15
 """Below this ratio of length to width, the two are not told apart."""
@@ -104,52 +102,3 @@ def size_axes_turn(
     own, asked = np.log(have[0] / have[1]), np.log(want[0] / want[1])
     clear = min(abs(own), abs(asked)) > np.log(SQUARISH)
     return (("z", 90),) if clear and own * asked < 0 else ()
-
-
-def turn(model: Model, steps: Steps) -> Model:
-    """Return a model turned by multiples of 90 degrees, size and orientation carried along."""
-    turn = quarter_turn(steps)
-    if (turn == np.eye(3, dtype=int)).all():
-        return model
-    mesh, parts = apply_quarter_turns(model.mesh, model.parts, steps)
-    seen = None if model.orientation is None else model.orientation @ turn.T
-    size = np.abs(turn) @ model.size
-    return dataclasses.replace(model, mesh=mesh, parts=parts, size=size, orientation=seen)
-
-
-def quarter_turn(steps: Steps) -> Int[np.ndarray, "3 3"]:
-    """Return the exact integer rotation matrix of a sequence of quarter turns.
-
-    Raises:
-        InputError: an unknown axis, or an angle that is no multiple of 90 degrees.
-    """
-    total = np.eye(3, dtype=int)
-    for axis, degrees in steps:
-        if axis not in ("x", "y", "z") or degrees % 90:
-            raise InputError(
-                f"An orientation step is (axis, multiple of 90), got {(axis, degrees)!r}."
-                + choices(str(axis), "xyz")
-            )
-        k = "xyz".index(axis)
-        i, j = (k + 1) % 3, (k + 2) % 3
-        quarter = np.zeros((3, 3), dtype=int)
-        quarter[k, k], quarter[j, i], quarter[i, j] = 1, 1, -1
-        total = np.linalg.matrix_power(quarter, int(degrees // 90) % 4) @ total
-    return total
-
-
-def apply_quarter_turns(
-    mesh: Mesh, parts: tuple[ConvexPart, ...], steps: Steps
-) -> tuple[Mesh, tuple[ConvexPart, ...]]:
-    """Turn a canonical mesh and its convex parts about the fixed axes, exactly.
-
-    The unit box maps onto itself; primitives stay primitives, a cylinder's axis goes along.
-    """
-    turn = quarter_turn(steps)
-    vertices = mesh.vertices @ turn.T.astype(np.float32)
-    axes = np.abs(turn).argmax(0)
-    carried = tuple(
-        dataclasses.replace(part, vertices=part.vertices @ turn.T, axis=int(axes[part.axis]))
-        for part in parts
-    )
-    return dataclasses.replace(mesh, vertices=vertices), carried

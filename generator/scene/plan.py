@@ -15,7 +15,9 @@ TABLE = "table"
 RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "on", "in", "next_to", "center", "edge"
 ]
-GroupKind = Literal["row", "column", "circle", "fan", "heap", "scatter", "grid", "group", "setting"]
+GroupKind = Literal[
+    "row", "column", "circle", "fan", "heap", "pyramid", "scatter", "grid", "group", "setting"
+]
 OutlineKind = Literal["rectangle", "square", "round", "oval", "triangle", "slatted"]
 
 

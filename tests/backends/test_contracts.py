@@ -30,10 +30,10 @@ from generator.catalogue import build, build_table
 from generator.errors import InputError
 from generator.geometry import mask_box
 from generator.method.extraction import extract
-from generator.method.modeling import quarter_turn
 from generator.method.rotation import RotationConfig, estimate_rotations
 from generator.render.crop import in_reference, tight_box
 from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePrior, View
+from generator.scene.turning import quarter_turn
 
 REASONERS = ("embedded", "cloud")
 """They are imagers, too."""

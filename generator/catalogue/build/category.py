@@ -61,6 +61,12 @@ class Category:
         return "container" in self.roles
 
     @property
+    def ball(self) -> bool:
+        """Whether it is about as wide as high and round, so that it rolls."""
+        full = "round" in self.roles and not self.container
+        return full and max(self.size) < 1.3 * min(self.size)
+
+    @property
     def density(self) -> float:
         """Effective density of a likeness that fills two fifths of its box, kg/m^3."""
         return float(np.clip(self.mass / (0.4 * np.prod(self.size)), 20.0, 8000.0))

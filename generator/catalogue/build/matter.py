@@ -86,7 +86,7 @@ _MADE_OF: Mapping[str, str] = {
     "cash_register card_reader phone_stand joystick headset blood_pressure_monitor sewing_machine",
     "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
     "blanket scarf tennis_ball",
-    "rubber": "mousepad ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
+    "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
     "stethoscope",
 }
 

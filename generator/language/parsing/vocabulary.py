@@ -48,7 +48,10 @@ VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
 """Vague amounts: the lowest and highest number they stand for."""
 
 DEFINITE = _words("the this that these those its his her my your their our")
-LOOSE_NOUNS = _words("board brush tin ring case dish compact tube powder figure deck note paint")
+LOOSE_NOUNS = _words(
+    "board brush tin ring case dish compact tube powder figure deck note paint "
+    "cube cutter card plug plane seal file lens clip roller driver"
+)
 """Heads that mean a known thing alone, but hardly after a strange word ("arduino board")."""
 
 

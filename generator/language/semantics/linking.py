@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
+from ...catalogue import CATEGORIES
 from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
@@ -25,6 +26,14 @@ def stack(group: Group) -> None:
     for below, above in pairwise(group):
         above.relate("on", below)
         below.stacked_under = above
+
+
+def lies_flat(draft: Draft) -> bool:
+    """Tell whether things of this kind are piled one on the other, as books are."""
+    if draft.category is None:
+        return False
+    x, y, z = CATEGORIES[draft.category].size
+    return z < 0.4 * min(x, y) and min(x, y) > 0.09
 
 
 _PILED = frozenset({"book", "notebook", "magazine", "box", "pizza", "newspaper", "open_book"})

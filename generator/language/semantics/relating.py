@@ -16,7 +16,7 @@ from ..syntax.tree import (
     Noun,
     Zone,
 )
-from .linking import flank, link, stack
+from .linking import flank, lies_flat, link, stack
 from .references import Context, Target
 
 _ZONES = {-1: ("left_of", "in_front_of"), 1: ("right_of", "behind")}
@@ -83,6 +83,10 @@ class Relater:
             link("next_to", ring, inner[:1], self.reading.warnings)
         else:
             link(kind, group, target, self.reading.warnings)
+            ends = [draft for draft in target if not draft.relations]
+            if kind == "between" and len(ends) == 2 and len(group) > 1:
+                row = (ends[0], *group, ends[1])
+                self.reading.groupings.append(Grouping("row", row))
         context.parallel = target
 
     def _drop_assumed(self, group: Group, target: Group) -> None:
@@ -125,7 +129,8 @@ class Relater:
     def _arrange(self, post: Arranged, group: Group) -> None:
         if len(group) < 2:
             return
-        if post.kind == "stack":
+        flat = post.kind == "heap" and all(lies_flat(draft) for draft in group)
+        if post.kind == "stack" or flat:  # a pile of books
             stack(group)
         else:
             self.reading.groupings.append(Grouping(post.kind, tuple(group), order=post.order))

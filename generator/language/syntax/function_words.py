@@ -129,6 +129,7 @@ ARRANGED = _table(
     stack: one atop the other, one on the other, in a neat stack, one on top of another
     stack: stacked on top of one another, nested, nested in each other, nested inside each other
     heap: piled, in a pile, in a heap, heaped, piled up, jumbled, in a jumble, piled high
+    pyramid: in a pyramid, stacked in a pyramid, arranged in a pyramid, piled in a pyramid
     row: in a row, in a line, lined up, in line, side by side, next to each other, in a neat row
     row: in a straight line, next to one another, beside each other, in one row, aligned
     row: in a neat line, beside one another, lined up in a row, lined up side by side
@@ -152,7 +153,8 @@ ARRANGED = _table(
 GROUPS = _table(
     """
     stack: stack, stacks, tower, towers
-    heap: pile, piles, heap, heaps, mound, mounds, jumble, mountain, pyramid
+    heap: pile, piles, heap, heaps, mound, mounds, jumble, mountain
+    pyramid: pyramid, pyramids
     row: row, rows, line, lines, series, lineup, sequence
     column: column, columns
     circle: circle, ring, arc, semicircle
@@ -178,6 +180,18 @@ ORDERS = _table(
     """
 )
 
+POSTURES = _table(
+    """
+    lying: on its side, on their sides, on their side, lying on its side, lying on their sides
+    lying: lying down, knocked over, tipped over, toppled over, toppled, laid on its side, fallen
+    lying: laid on their sides, tipped on its side, fallen over, fallen on its side, tipped
+    upside down: upside down, upturned, inverted, turned over, overturned, flipped over, face down
+    upside down: bottom up, facing down, face downwards, lying face down, upended
+    upright: upright, standing upright, standing up, on end, standing on end, stood on end
+    """
+)
+"""Phrases for how a thing is turned, unlike it stands otherwise."""
+
 ARRANGING_VERBS = _table(
     """
     stack: stack
@@ -200,8 +214,8 @@ PARTICIPLES = _words(
     "visible kept left set situated arranged neatly carefully slightly directly just right "
     "closely partially partly still also then now lain laid stood found displayed propped nicely "
     "currently immediately exactly precisely roughly approximately nearly almost casually loosely "
-    "conveniently politely upright flat somewhere far further slightly close very quite rather "
-    "so too only even both all"
+    "conveniently politely flat turned flipped somewhere far further slightly close very quite "
+    "rather so too only even both all"
 )
 """Words between a noun and its place that add nothing of their own."""
 

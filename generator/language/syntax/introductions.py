@@ -12,7 +12,7 @@ from .tree import Arrangement
 
 MORE = frozenset({
     "medium", "sized", "middle", "smallest", "largest", "biggest", "tallest", "shortest", "opened",
-    "shut", "upright", "sideways", "tipped", "overturned", "empty",
+    "shut", "empty",
 })  # fmt: skip
 
 
@@ -28,6 +28,7 @@ class PhraseStart:
     each: bool = False
     groups: float = 0.0
     arrangement: Arrangement | None = None
+    posture: str = ""
     portion: bool = False  # "a slice of": one, whatever the noun's form
     words: list[str] = field(default_factory=list)
     variants: list[list[str]] = field(default_factory=list)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from ...catalogue import CATEGORIES
 from ..parsing import lexicon
 from ..parsing.vocabulary import (
     COLLECTIVES,
@@ -36,6 +37,9 @@ _STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
 
 _COMPOUNDED = frozenset(["rest", "stand", "set", "kit", "press", "mount", "guard", "control"])
 """Nouns that name a thing only after another one: "foot rest"."""
+
+_AMOUNTS = {"heap": (5, 5), "pyramid": (6, 6)}
+"""How many things an arrangement has where the text does not say; three in any other."""
 
 _POSITIONS = frozenset(
     ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",
@@ -72,6 +76,11 @@ def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
                 break
             run.arrangement = run.arrangement or token.value
             run.words.append(token.text)
+            i += 1
+        elif token.tag == "posture" and may_continue(tokens, i + 1) and not run.name:
+            if any(not is_describing(word) for word in run.words):
+                break
+            run.posture = str(token.value)
             i += 1
         elif token.tag == "number" and not run.words and not run.numbers:
             run.numbers.append(float(token.value))
@@ -115,7 +124,7 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             return False
         before_noun = not nouns and following is not None and following.tag in ("word", "name")
         describes = is_describing(word) or word in (
-            "standing", "hanging", "left", "right", "upright"
+            "standing", "hanging", "left", "right"
         )  # fmt: skip
         return not (before_noun and describes)
     if nouns and (word.endswith(("ing", "ed")) or is_describing(word)) and _is_known(run.words):
@@ -180,13 +189,18 @@ def _noun(run: PhraseStart) -> Noun:
     elif head and category and " ".join(head) != noun and not lexicon.is_plural(head):
         noun = " ".join(head)
     plural = glasses or (bool(head) and lexicon.is_plural(tuple(run.words[-len(head) :])))
+    if run.posture:
+        attributes["posture"] = run.posture
     variants = _variants(run, attributes, plural, count)
     if run.variants and not variants:
         attributes = _two_colored(run, attributes)
     if run.arrangement is None and "stacked" in modifiers and plural:
         run.arrangement = "stack"
     if run.groups and count is None and amount is None and not run.portion:
-        count, amount = (None, (3, 3)) if plural else (run.groups, None)
+        many = _AMOUNTS.get(run.arrangement or "", (3, 3))
+        if run.arrangement == "pyramid" and category and CATEGORIES[category].ball:
+            many = (4, 4)
+        count, amount = (None, many) if plural else (run.groups, None)
         run.arrangement = run.arrangement if plural else None
     return Noun(
         kind, words, (0, 0), noun, category, count, amount,
@@ -219,8 +233,8 @@ def _head(
         if _only_describes(tail):
             continue
         if " ".join(tail) not in TABLE_NOUNS and (key := lexicon.category_of(tail)):
-            strange = any(_is_strange(word) for word in words[:start])
-            if not (strange and len(tail) == 1 and last in LOOSE_NOUNS):
+            strange = not all(is_describing(word) or word in fw.SIDES for word in words[:start])
+            if not (strange and len(tail) == 1 and lexicon.singular(last) in LOOSE_NOUNS):
                 return "thing", tail, key, ""
     kinds: tuple[tuple[NounKind, bool], ...] = (
         ("table", last in TABLE_NOUNS), ("vague", last in VAGUE_THINGS),
@@ -255,11 +269,6 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
     return "setting" if entry.family == "place" else "abstract", head, None, entry.family
 
 
-def _is_strange(word: str) -> bool:
-    """Tell whether a word before a noun may change what it means ("arduino board")."""
-    return not is_describing(word) and word not in lexicon.vocabulary()
-
-
 def _count(run: PhraseStart) -> tuple[float | None, tuple[int, int] | None]:
     if run.amount is not None:
         return None, run.amount
@@ -283,6 +292,8 @@ def attributes_of(modifiers: Sequence[str]) -> dict[str, str]:
         elif word == "medium":
             found.setdefault("size", "medium")
         elif word in STATES or word in MORE:
+            if found.get("state") == "half":  # "half open"
+                del found["state"]
             found.setdefault("state", word)
     return found
 

@@ -56,6 +56,9 @@ class PostReader(PlaceReader):
         if self._tag() == "order":
             out.append(Arranged("row", str(self._take().value)))
             return True
+        if self._tag() == "posture":
+            out.append(Description(({"posture": str(self._take().value)},)))
+            return True
         if self._tag() == "arranged":
             return self._arranged(out)
         if self._tag() == "no":
@@ -78,7 +81,7 @@ class PostReader(PlaceReader):
 
     def _goes_on(self) -> bool:
         """Tell whether more about the same thing follows a comma or "and"."""
-        if self._tag(1) in ("each", "arranged", "order", "relative", "no"):
+        if self._tag(1) in ("each", "arranged", "order", "posture", "relative", "no"):
             return True
         if self._text(1) in ("all", "both") and self._tag(2) in ("relation", "arranged", "carry"):
             return True

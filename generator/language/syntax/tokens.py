@@ -16,9 +16,9 @@ from .words import Word
 class Token:
     """One or more words read as one.
 
-    ``tag``: "relation", "here", "carry", "no", "arranged", "order", "be", "and", "comma", "stop",
-    "colon", "open", "close", "of", "relative", "each", "word", "number". ``value`` is what the
-    phrase means.
+    ``tag``: "relation", "here", "carry", "no", "arranged", "order", "posture", "be", "and",
+    "comma", "stop", "colon", "open", "close", "of", "relative", "each", "word", "number".
+    ``value`` is what the phrase means.
     """
 
     tag: str
@@ -48,7 +48,7 @@ def _phrases() -> Mapping[tuple[str, ...], tuple[str, str]]:
     table: dict[tuple[str, ...], tuple[str, str]] = {}
     for tag, phrases in (
         ("relation", fw.RELATIONS), ("here", fw.HERE), ("carry", fw.CARRIES),
-        ("arranged", fw.ARRANGED), ("order", fw.ORDERS),
+        ("arranged", fw.ARRANGED), ("order", fw.ORDERS), ("posture", fw.POSTURES),
     ):  # fmt: skip
         for phrase, meaning in phrases.items():
             table.setdefault(tuple(phrase.split()), (tag, meaning))

@@ -18,7 +18,9 @@ NounKind = Literal[
     "member",  # "one", "the other", "two of them"
     "adjective",  # describing words alone
 ]
-Arrangement = Literal["stack", "heap", "row", "column", "circle", "fan", "scatter", "grid", "group"]
+Arrangement = Literal[
+    "stack", "heap", "pyramid", "row", "column", "circle", "fan", "scatter", "grid", "group"
+]
 How = Literal["with", "hold", "of"]
 Span = tuple[int, int]
 

@@ -12,9 +12,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from ..geometry import convex_outline, rotation_z
-from ..scene import PlannedGroup, PlannedObject, PlannedTable, Relation
-from .footprint import BACK, DIRECTIONS, FRONT, LEFT, RIGHT, Footprint
+from ...catalogue import CATEGORIES
+from ...geometry import convex_outline, rotation_z
+from ...scene import PlannedGroup, PlannedObject, PlannedTable, Relation
+from ..footprint import BACK, DIRECTIONS, FRONT, LEFT, RIGHT, Footprint
+from .heaps import Pile, pile_heap, pile_pyramid
 from .seats import Seat, seats
 
 SPACING = 0.02
@@ -32,6 +34,7 @@ class Unit:
         offsets: of the members from the unit's centre, metres.
         turns: what is added to each member's yaw, radians.
         shape: the hull of all.
+        below: what each member lies on that does not stand on the table, by name.
         seat: the seat that it is laid for; None for none.
     """
 
@@ -39,6 +42,7 @@ class Unit:
     offsets: Mapping[str, Float[np.ndarray, "2"]]
     turns: Mapping[str, float]
     shape: Footprint
+    below: Mapping[str, tuple[str, ...]]
     seat: Seat | None = None
 
 
@@ -81,9 +85,12 @@ def _unit(
 ) -> Unit:
     own = [shapes[name] for name in members]
     inner = shapes[around] if around else None
+    pile = _pile(group, members, own, objects)
     if group.kind == "setting":
         offsets = _setting(members, objects, shapes)
         turns = [0.0] * len(members)
+    elif pile is not None:
+        offsets, turns = list(pile.offsets), [float(t) for t in rng.normal(0, 0.2, len(members))]
     else:
         offsets, turns = _ARRANGERS[group.kind](own, inner, rng)
     places = dict(zip(members, offsets, strict=True))
@@ -91,7 +98,27 @@ def _unit(
     if around:
         places[around], angles[around] = np.zeros(2), 0.0
     places, angles, shape = _center(places, angles, shapes, 0.0 if seat is None else seat.turn)
-    return Unit(_merge(places, objects), places, angles, shape, seat)
+    below = {
+        members[k]: tuple(members[i] for i in under)
+        for k, under in enumerate(pile.below if pile else ())
+        if under
+    }
+    return Unit(_merge(places, objects), places, angles, shape, below, seat)
+
+
+def _pile(
+    group: PlannedGroup,
+    members: Sequence[str],
+    shapes: Sequence[Footprint],
+    objects: Mapping[str, PlannedObject],
+) -> Pile | None:
+    """Return how things lie on one another, None where all of a group are on the table."""
+    if group.kind == "heap":
+        return pile_heap(shapes)
+    if group.kind == "pyramid":
+        first = objects[members[0]].category
+        return pile_pyramid(shapes, balls=first in CATEGORIES and CATEGORIES[first].ball)
+    return None
 
 
 def _center(
@@ -247,5 +274,5 @@ def _setting(
 
 _ARRANGERS: Mapping[str, Arranger] = {
     "row": _row, "column": _column, "grid": _grid, "circle": _circle, "group": _group,
-    "heap": _group, "fan": _row, "setting": _row,
+    "heap": _group, "pyramid": _group, "fan": _row, "setting": _row,
 }  # fmt: skip

@@ -1,0 +1,1 @@
+"""Things arranged as one: rows, circles, heaps, pyramids, and settings at seats."""

@@ -1,0 +1,127 @@
+"""Heaps and pyramids: things close together, and some on those below them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from jaxtyping import Float
+
+from ..footprint import Footprint
+
+_GAP = 0.002  # between neighbours of a layer, metres
+_ROUND = 1.4  # length to width up to which things lie in a lattice
+_SHARE = 4  # of so many things one lies on others
+
+
+@dataclass(frozen=True, eq=False)
+class Pile:
+    """Where the members of a heap lie.
+
+    Attributes:
+        offsets: of each from the middle of the lowest layer, metres.
+        below: for each the numbers of those that it lies on; none of the lowest layer.
+    """
+
+    offsets: tuple[Float[np.ndarray, "2"], ...]
+    below: tuple[tuple[int, ...], ...]
+
+
+def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
+    """Return the places of a heap: a close layer, and one of four things on three others.
+
+    None for things that are too long to lie in a lattice.
+    """
+    pitch = _pitch(shapes)
+    if pitch is None:
+        return None
+    above = len(shapes) // _SHARE
+    base = _lattice(pitch, len(shapes) - above)
+    hollows = [
+        three for three in combinations(range(len(base)), 3)
+        if max(float(np.hypot(*(base[i] - base[k]))) for i, k in combinations(three, 2))
+        < 1.01 * pitch
+    ]  # fmt: skip
+    hollows.sort(key=lambda three: float(np.hypot(*np.mean(base[list(three)], axis=0))))
+    tops: list[tuple[int, int, int]] = []
+    for three in hollows:
+        middle = np.mean(base[list(three)], axis=0)
+        free = all(
+            np.hypot(*(middle - np.mean(base[list(other)], axis=0))) > 0.99 * pitch
+            for other in tops
+        )
+        if free and len(tops) < above:
+            tops.append(three)
+    lying = len(shapes) - len(tops)
+    base = _lattice(pitch, lying)
+    offsets = (*base, *(np.mean(base[list(three)], axis=0) for three in tops))
+    return Pile(offsets, ((),) * lying + tuple(tops))
+
+
+def pile_pyramid(shapes: Sequence[Footprint], *, balls: bool) -> Pile | None:
+    """Return the places of a pyramid: rows (3, 2, 1), or triangles of balls (6, 3, 1).
+
+    Members beyond whole rows widen the lowest; balls that are no whole pyramid are a heap. None for
+    things that are too long.
+    """
+    flat = not balls
+    if balls and len(shapes) not in (4, 10, 20):
+        return pile_heap(shapes)
+    pitch = _pitch(shapes)
+    if pitch is None:
+        return None
+    layers: list[int] = []
+    size = 1
+    while sum(layers) + _layer(size, flat) <= len(shapes):
+        layers.append(_layer(size, flat))
+        size += 1
+    rest = len(shapes) - sum(layers)
+    side = len(layers)
+    offsets: list[Float[np.ndarray, "2"]] = []
+    below: list[tuple[int, ...]] = []
+    start = 0
+    previous: dict[tuple[int, int], int] = {}
+    for level in range(side):
+        width = side - level
+        cells = [(i, j) for j in range(1 if flat else width) for i in range(width - j)]
+        here: dict[tuple[int, int], int] = {}
+        for i, j in cells:
+            x = pitch * (i + 0.5 * j + 0.5 * level - (side - 1) / 2)
+            y = 0.0 if flat else pitch * np.sqrt(3) * (j / 2 + level / 6 - (side - 1) / 6)
+            here[i, j] = start + len(here)
+            offsets.append(np.array([x, y]))
+            under = [(i, j), (i + 1, j)] if flat else [(i, j), (i + 1, j), (i, j + 1)]
+            below.append(tuple(previous[cell] for cell in under) if level else ())
+        previous = here
+        start += len(here)
+        if level == 0:
+            for k in range(rest):
+                x = pitch * (side + k - (side - 1) / 2)
+                offsets.append(np.array([x, offsets[0][1]]))
+                below.append(())
+            start += rest
+    return Pile(tuple(offsets), tuple(below))
+
+
+def _layer(size: int, flat: bool) -> int:
+    return size if flat else size * (size + 1) // 2
+
+
+def _pitch(shapes: Sequence[Footprint]) -> float | None:
+    """Return the distance of neighbours; None for long things."""
+    halves = np.array([shape.half for shape in shapes])
+    if (halves.max(1) > _ROUND * halves.min(1)).any():
+        return None
+    return float(2 * halves.max() + _GAP)
+
+
+def _lattice(pitch: float, count: int) -> Float[np.ndarray, "n 2"]:
+    """Return the first places of a triangular lattice about the middle of one triangle."""
+    reach = int(np.ceil(np.sqrt(count))) + 2
+    a, b = np.meshgrid(np.arange(-reach, reach + 1), np.arange(-reach, reach + 1))
+    points = np.column_stack([(a + b / 2).ravel(), (b * np.sqrt(3) / 2).ravel()]) * pitch
+    points -= pitch * np.array([0.5, np.sqrt(3) / 6])
+    order = np.lexsort((points[:, 1], points[:, 0], np.hypot(*points.T).round(6)))
+    return points[order[:count]]
