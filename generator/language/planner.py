@@ -151,7 +151,7 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
 
 def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGroup]]:
     """Name the drafted objects and turn references into names; return them and their groups."""
-    drafts = [d for d in reading.objects if not d.category or d.category not in reading.banned]
+    drafts = [d for d in reading.objects if (d.category or d.noun) not in reading.banned]
     taken: Counter[str] = Counter()
     names: dict[int, str] = {}
     for draft in drafts:

@@ -19,8 +19,27 @@ IRREGULAR: Mapping[str, str] = MappingProxyType(
         "movies": "movie", "pies": "pie", "brownies": "brownie", "axes": "axe",
         "smoothies": "smoothie", "dies": "die", "glasses": "glass", "halves": "half",
         "vases": "vase", "cases": "case", "bases": "base", "roses": "rose", "houses": "house",
+        "kiwis": "kiwi", "skis": "ski", "taxis": "taxi", "zucchinis": "zucchini", "horses": "horse",
+        "nurses": "nurse", "purses": "purse", "geese": "goose", "feet": "foot", "teeth": "tooth",
+        "cheeses": "cheese", "blouses": "blouse",
+        "scarves": "scarf", "wolves": "wolf", "calves": "calf", "hooves": "hoof", "elves": "elf",
+        "menus": "menu", "doses": "dose",
+        "hoses": "hose", "noses": "nose", "corpses": "corpse",
+        "axles": "axle", "quizzes": "quiz", "wishes": "wish", "canvases": "canvas",
     }
 )  # fmt: skip
+
+_SINGULAR = frozenset({"canvas", "atlas", "gas", "christmas", "pancreas", "madras", "thermos"})
+"""Words that end like plurals and are none."""
+
+PLURAL_ONLY = frozenset(
+    {"tweezers", "forceps", "scissors", "pliers", "tongs", "goggles", "spectacles", "sunglasses",
+     "eyeglasses", "binoculars", "headphones", "earphones", "earbuds", "earmuffs", "defenders",
+     "trousers", "jeans", "shorts", "pants", "tights", "leggings", "pyjamas", "pajamas",
+     "clippers", "nippers", "shears", "secateurs", "pincers", "snips", "cutters", "strippers",
+     "calipers", "callipers", "overalls", "dungarees", "braces", "pruners", "loppers", "muffs"}
+)  # fmt: skip
+"""Nouns of one thing that have no singular: "a pair of tweezers" is one."""
 
 
 def tokens(text: str) -> list[str]:
@@ -41,6 +60,8 @@ def singular(word: str) -> str:
     if word in IRREGULAR:
         return IRREGULAR[word]
     if len(word) < 4 or not word.endswith("s") or word.endswith(("ss", "us", "is")):
+        return word
+    if word in _SINGULAR or word in PLURAL_ONLY:
         return word
     if word.endswith("ies") and len(word) > 4:
         return word[:-3] + "y"

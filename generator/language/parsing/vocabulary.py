@@ -169,14 +169,18 @@ PLACES = _words(
     "way things thing stuff items item objects object everything something life still nothing "
     "arrangement place setup light sunlight corner date time ground shelf hand light "
     "arm gripper distance order place reach lighting hours hour world programmer student artist "
-    "writer"
+    "writer setting settings layout flu homework session"
 )
 """Words for where, when and what it is about; no objects."""
 
 OCCASIONS = frozenset({"afternoon tea", "high tea", "coffee break", "game night", "movie night"})
 """Occasions of two words."""
 
-VAGUE_THINGS = _words("things thing stuff items item objects object everything supplies etc")
+VAGUE_THINGS = _words(
+    "things thing stuff items item objects object everything supplies etc "
+    "ingredients rubbish litter trash clutter junk waste bits odds mess contents "
+    "products goods essentials belongings gear equipment kit"
+)
 
 VERBS = _words(
     "is are was were be been being am sits sit sitting stands stand standing lies lie lying lays "

@@ -101,9 +101,11 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str) -> list[Post]
     if not isinstance(owner, list) or not items:
         return []
     item = items[-1]
-    if item.category is None or owner[0].category is None:
+    if owner[0].category is None:
         return []
     inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
+    if item.category is None and CATEGORIES[owner[0].category].container:
+        inside = "in"
     if inside not in ("on", "in"):
         return []
     return [

@@ -9,6 +9,7 @@ from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Grouping, Reading, phrase_text, shares
 from ..syntax.tree import (
+    EVERYONE,
     Arranged,
     Carry,
     Clause,
@@ -23,6 +24,9 @@ from ..syntax.tree import (
 from .carrying import CarryReader
 from .linking import link
 from .references import Context, Target, antecedent
+
+_SOME_PEOPLE = 4
+"""For how many "everyone" is where the text does not say it."""
 
 
 @dataclass(eq=False)
@@ -41,6 +45,10 @@ class Interpreter(CarryReader):
             context.topic, context.parallel, self._side = None, None, None
             for clause in sentence.clauses:
                 self._clause(clause)
+        told = [draft for draft in self._uncounted if draft.told]
+        if told and len(told) < len(self._uncounted):  # the text has said how many after all
+            gone = [draft for draft in self._uncounted if not draft.told and not draft.relations]
+            self.reading.objects[:] = [d for d in self.reading.objects if d not in gone]
         return self.reading
 
     def _clause(self, clause: Clause) -> None:
@@ -109,9 +117,26 @@ class Interpreter(CarryReader):
     def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
         """Arrange "an apple, a pear and a peach in a row": what is said of the last is of all."""
         posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
+        for place in nouns[-1].post if nouns else ():
+            if isinstance(place, Location) and place.whole and len(found) > 1:  # "all on a tray"
+                self._place_all(place, found)
         groups = [group for group in found if isinstance(group, list)]
         if posts and len(groups) > 1 and all(len(g) == 1 and not g[0].relations for g in groups):
             self._arrange(posts[0], [draft for group in groups for draft in group])
+
+    def _place_all(self, place: Location, found: Sequence[Target]) -> None:
+        """Put all things of a list where its last one is."""
+        last = found[-1]
+        if not isinstance(last, list):
+            return
+        if isinstance(place.target, Zone):
+            targets: Target = TABLE
+        else:
+            targets = [to for kind, to in last[0].relations
+                       if kind == place.kind and isinstance(to, Draft)]  # fmt: skip
+        for group in found[:-1]:
+            if targets and isinstance(group, list):
+                self._attach(replace(place, whole=False), targets, group)
 
     def _share(self, nouns: Sequence[Noun], last: Noun, found: Sequence[Target]) -> None:
         """Give "an apple and a pear on a plate" one place."""
@@ -121,6 +146,10 @@ class Interpreter(CarryReader):
         other = found[-2]
         previous = nouns[-2]
         if not isinstance(other, list) or previous.post:
+            return
+        if isinstance(places[0].target, Zone):
+            if all(not draft.relations for draft in other) and places[0].kind == "at":
+                self._attach(places[0], TABLE, other)
             return
         if places[0].each or (isinstance(places[0].target, Noun) and places[0].target.each):
             self._attach(places[0], self._context.parallel or [], other)
@@ -247,13 +276,19 @@ class Interpreter(CarryReader):
     def _people(self, clause: Clause) -> None:
         """Read "set the table for four: a plate, a fork on the left"."""
         loose = ("setting", "vague", "table", "collective")
+        people = clause.people
+        if people == EVERYONE:
+            people = self.reading.people or self._guests or _SOME_PEOPLE
+        self._guests = people
         if all(noun.kind in loose for noun in clause.subjects):
-            self.reading.people = self.reading.people or clause.people
+            self.reading.people = self.reading.people or people
             return
+        if clause.people == EVERYONE:
+            self.reading.people = 0
         for noun in clause.subjects:  # "cups and saucers": one for each
             if noun.plural and noun.count is None and noun.amount is None:
                 noun.count, noun.plural = 1.0, False
-        self._lay(clause.people, lambda: self._list(clause.subjects, None))
+        self._lay(people, lambda: self._list(clause.subjects, None))
 
     def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
         """Lay for each person what ``read`` reads; "on the left" is left of the first thing."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from ...scene import TABLE
 from ..drafts import Draft, Group
 from ..parsing.lexicon import singular
+from ..syntax.function_words import GROUPS
 from ..syntax.tree import Noun
 
 Target = Group | str
@@ -80,6 +81,8 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
     What is being related is not meant: "a mug on the mug" of one mug is the mug itself.
     """
     alike = [d for d in objects if same(d, noun)] or _find_by_head(objects, noun)
+    if not alike and noun.head in GROUPS:  # "behind the stack"
+        return _last_arranged(objects)
     if noun.position is not None:
         placed = [d for d in alike if d.position == noun.position]
         if placed or any(d.position for d in alike) or len(alike) < 2:
@@ -95,6 +98,16 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
         return alike[: int(noun.count)] if noun.count and noun.count <= len(alike) else alike
     free = [d for d in alike if all(d is not s for s in subject)]
     return (free or alike)[:1]
+
+
+def _last_arranged(objects: Sequence[Draft]) -> Group:
+    """Return the last things of one kind that there are several of, the lowest of a stack only."""
+    for draft in reversed(objects):
+        alike = [d for d in objects if d.noun == draft.noun and d.category == draft.category]
+        stacked = [d for d in alike if d.stacked_under is not None]
+        if len(alike) > 1:
+            return stacked[:1] or alike
+    return []
 
 
 def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:

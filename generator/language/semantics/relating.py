@@ -21,6 +21,9 @@ from .references import Context, Target
 
 _ZONES = {-1: ("left_of", "in_front_of"), 1: ("right_of", "behind")}
 
+_CORNERS = (("left_of", "behind"), ("right_of", "in_front_of"), ("right_of", "behind"),
+            ("left_of", "in_front_of"))  # fmt: skip
+
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
 """What lies beside a plate; a glass "above" it stands behind it."""
 
@@ -36,6 +39,7 @@ class Relater:
     reading: Reading = field(default_factory=Reading)
     _context: Context = field(default_factory=Context)
     _side: tuple[str, Target] | None = None  # the last "left of X" of this sentence
+    _guests: int = 0  # for how many a table is laid; 0 where that is not said
     _seated: int | None = None  # the first object of the place setting that is being read
 
     def _attach(self, place: Location, target: Target, group: Group) -> None:
@@ -117,6 +121,11 @@ class Relater:
             if kind in ("left_of", "right_of") and isinstance(target, list):
                 link("left_of" if zone.x < 0 else "right_of", group, target, self.reading.warnings)
                 return
+        if zone.spread and 1 < len(group) <= len(_CORNERS):
+            for draft, kinds in zip(group, _CORNERS, strict=False):
+                for kind in kinds:
+                    draft.relate(kind, TABLE)
+            return
         for draft in group:
             if (zone.x, zone.y) == (0, 0):
                 draft.relate("center", TABLE)
@@ -137,8 +146,8 @@ class Relater:
 
     def _lack(self, post: Lack, group: Group) -> None:
         for item in post.items:
-            names = {item.category, *item.members} - {None}
-            own = any(d.category in names for d in group)
-            self.reading.excluded |= {str(n) for n in names}
+            names = {item.category or item.head, *item.members} - {""}
+            own = any((d.category or d.noun) in names for d in group)
+            self.reading.excluded |= names
             if not group or own:
-                self.reading.banned |= {str(n) for n in names}
+                self.reading.banned |= names

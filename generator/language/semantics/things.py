@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ..drafts import Draft, Group
 from ..parsing.vocabulary import MEANT_WITH
+from ..syntax import function_words as fw
 from ..syntax.tree import (
     VARIED,
     Arranged,
@@ -23,12 +24,19 @@ _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "
 _HEAPED = frozenset(("pancakes", "paper_stack"))
 """Those of which several are one heap without a word for it: "three pancakes"."""
 
+_SIZES = {"tiny": -1, "small": 0, "medium": 1, "large": 2}
+
 _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
 
 @dataclass(eq=False)
 class ThingReader(Relater, ABC):
-    """Reads which things a noun phrase means."""
+    """Reads which things a noun phrase means.
+
+    ``_uncounted`` are the last several things of which the text has not said how many they are.
+    """
+
+    _uncounted: Group = field(default_factory=list)
 
     def _thing(self, noun: Noun) -> Group:
         """Return the objects a noun phrase means: those there are, or new ones."""
@@ -68,6 +76,8 @@ class ThingReader(Relater, ABC):
             noun.arrangement is not None or noun.category in _HEAPED
         )
         count = 1 if single else len(noun.variants) or self.reading.number(noun, self.rng)
+        if noun.seated and self._seated is None:
+            count *= max(self.reading.people, self._guests, 1)
         group = [
             self.reading.add(
                 head, category,
@@ -77,6 +87,8 @@ class ThingReader(Relater, ABC):
             )
             for k in range(count)
         ]  # fmt: skip
+        if noun.count is None and noun.amount is None and len(group) > 1 and not noun.variants:
+            self._uncounted = group
         if noun.arrangement is not None:
             self._arrange(Arranged(noun.arrangement), group)
         if noun.attributes.get("state") in _COLORFUL and "color" not in noun.attributes:
@@ -85,12 +97,28 @@ class ThingReader(Relater, ABC):
 
     def _member(self, noun: Noun) -> Group | None:
         """Read "one on the plate", "the other behind it": single ones of the last group."""
+        if noun.definite and (best := self._superlative(noun)):
+            self._posts(noun, best)
+            return best
         if noun.definite and noun.attributes:  # "the red one"
             wanted = noun.attributes.items()
-            known = [d for d in self.reading.objects if wanted <= d.attributes.items()]
-            self._posts(noun, known[-1:])
-            return known[-1:] or None
+            known = [d for d in self.reading.objects if wanted <= d.attributes.items()][-1:]
+            if known:
+                self._posts(noun, known)
+            return known or None
         groups = [g for g in self._context.mentioned if len(g) > 1]
+        latest = self._context.mentioned[-1:]
+        fresh = latest and latest[0] is not self._uncounted and len(latest[0]) == 1
+        if fresh and "ones" in noun.words and not noun.definite:  # "and two short ones"
+            like = latest[0][0]
+            made = [
+                self.reading.add(like.noun, like.category, noun.attributes, family=like.family,
+                                 lengths=noun.lengths)
+                for _ in range(self.reading.number(noun, self.rng))
+            ]  # fmt: skip
+            self._context.mentioned.append(made)
+            self._posts(noun, made)
+            return made
         if noun.attributes and not groups and self._context.mentioned:  # "a small green one"
             like = self._context.mentioned[-1][0]
             bare = like.noun.split()[-1]
@@ -101,6 +129,12 @@ class ThingReader(Relater, ABC):
             return None
         free = [d for d in groups[-1] if not d.told]
         count = len(free) if noun.other and noun.plural else int(noun.count or 1)
+        if groups[-1] is self._uncounted and not noun.definite and not noun.other:
+            like = groups[-1][0]
+            while len(free) < min(count, 20):  # "pumpkins: a big one and two little ones"
+                more = self.reading.add(like.noun, like.category, {}, family=like.family)
+                groups[-1].append(more)
+                free.append(more)
         chosen = free[:count]
         for draft in chosen:
             draft.told = True
@@ -108,6 +142,21 @@ class ThingReader(Relater, ABC):
         if chosen:
             self._posts(noun, chosen)
         return chosen or None
+
+    def _superlative(self, noun: Noun) -> Group:
+        """Return the one that "the smallest" or "the middle one" means of the last several."""
+        groups = [group for group in self._context.mentioned if len(group) > 1]
+        if not groups:
+            return []
+        group = groups[-1]
+        sizes = [_SIZES.get(draft.attributes.get("size", ""), 1) for draft in group]
+        for word in noun.words:
+            if word in fw.SUPERLATIVES and len(set(sizes)) > 1:
+                best = max(sizes) if fw.SUPERLATIVES[word] == "large" else min(sizes)
+                return [group[sizes.index(best)]]
+            if word == "middle":
+                return [group[len(group) // 2]]
+        return []
 
     @abstractmethod
     def _posts(self, noun: Noun, group: Group) -> None:

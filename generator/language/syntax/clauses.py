@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from ...catalogue import CATEGORIES
 from . import function_words as fw
 from .cursor import ENDS
 from .lists import ListReader
 from .nouns import read_noun
 from .tree import (
+    EVERYONE,
     Arranged,
     Carry,
     Clause,
@@ -46,7 +48,7 @@ class Parser(ListReader):
 
     def _clause(self) -> Clause | None:
         arrangement = self._opening()
-        people = self._people()
+        people = self._everyone() or self._people()
         lead = self._lead()
         if lead is None and people == 0:
             people = self._people()
@@ -77,11 +79,21 @@ class Parser(ListReader):
 
     def _read_headed(self, subjects: list[Noun], predicate: list[Post]) -> None:
         """Read "an office desk: a laptop, a mug": what follows belongs to the first."""
-        if len(subjects) == 1 and not predicate and subjects[0].kind in ("table", "setting"):
+        if len(subjects) != 1 or predicate:
+            return
+        first = subjects[0]
+        if _is_title(first) and self._starts_noun(1):
+            first.kind = "setting"
+        if first.kind == "vague" and self._starts_noun(1):
+            first.kind = "setting"
+        if first.kind in ("table", "setting"):
             self.i += 1
+            arranged = [post for post in first.post if isinstance(post, Arranged)]
             items = self._items(subjects[0], "with")
             if items:
-                subjects[0].post.append(Carry("with", tuple(items)))
+                items[-1].post += arranged
+                first.post = [post for post in first.post if post not in arranged]
+                first.post.append(Carry("with", tuple(items)))
 
     def _complement(self) -> list[Post]:
         """Read "is a red one", "is red": describing words after a verb."""
@@ -123,6 +135,24 @@ class Parser(ListReader):
             return len(noun.words) > 0 and self._text() not in noun.head.split()[:1]
         return self._text(1) != "of" and end > self.i
 
+    def _everyone(self) -> int:
+        """Read "everyone gets", "each guest has", "for each person", "at every place"."""
+        k = int(self._text() in ("for", "at", "in"))
+        if self._text(k) in ("everyone", "everybody"):
+            k += 1
+        elif self._tag(k) == "each" and self._text(k + 1) in fw.SEATED:
+            k += 2
+        else:
+            return 0
+        verbs = 0
+        while self._text(k) in fw.GETS or self._tag(k) == "carry":
+            k, verbs = k + 1, verbs + 1
+        marked = self._tag(k) in ("comma", "colon", "dash")
+        if not (verbs or marked or self._starts_noun(k)):
+            return 0
+        self.i += k + marked
+        return EVERYONE
+
     def _people(self) -> int:
         """Read "for four people", "for two"; return how many, 0 for none."""
         k = self.i
@@ -144,3 +174,11 @@ class Parser(ListReader):
             return 0
         self.i = end
         return int(number)
+
+
+def _is_title(noun: Noun) -> bool:
+    """Tell whether a phrase before a colon only names what it is about: "Shaving kit: ..."."""
+    if noun.determined or noun.kind not in ("thing", "abstract"):
+        return False
+    roles = CATEGORIES[noun.category].roles if noun.category else ()
+    return not ({"container", "support"} & {*roles}) and not noun.post

@@ -33,6 +33,9 @@ NUMBERS: Mapping[str, float] = MappingProxyType(
 )  # fmt: skip
 """Number words; "half a dozen", "two hundred" and "three pairs" are multiplied."""
 
+GETS = _words("gets get has have having receives needs is are should must will there sits")
+"""Verbs after those for whom things are laid."""
+
 ORDINALS = _words("first second third fourth fifth sixth last")
 
 AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
@@ -73,7 +76,7 @@ RELATIONS = _table(
     between: between, in between, amid, among, amongst
     on: on, on top of, atop, upon, onto, above, over, over the top of, resting on top of
     on: balanced on, perched on, laid on, spread on, served on, stacked on top of, up on, on to
-    on: mounted on, hung on, displayed on, resting on
+    on: mounted on, hung on, displayed on, resting on, across, lying across, laid across
     in: in, inside, inside of, within, into, in to
     under: under, beneath, underneath, below
     """
@@ -86,7 +89,7 @@ HERE = _table(
     left_of: on its left side, to its left side, on its left hand side
     right_of: to its right, on its right, at its right, to their right, on their right
     right_of: on its right side, to its right side, on its right hand side
-    in_front_of: in its front, at its front
+    in_front_of: in its front, at its front, in front, just in front, right in front
     behind: at its back, at its rear
     next_to: at its side, by its side, at their side, to its side, next door, close by, nearby
     next_to: on the side, to the side, off to the side, alongside, beside
@@ -119,7 +122,8 @@ FULL = _words("full filled stuffed packed brimming heaped piled")
 NEGATIONS = _words("no without not never except excluding minus lacking neither nor none hardly")
 NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any", "with no",
            "with out", "other than", "instead of", "devoid of", "empty of", "not a",
-           "apart from", "has no", "have no", "do not", "does not")  # fmt: skip
+           "apart from", "has no", "have no", "do not", "does not", "leave out", "leave off",
+           "skip the", "hold the", "omit", "forget the", "rather than", "free from")  # fmt: skip
 
 ARRANGED = _table(
     """
@@ -136,6 +140,8 @@ ARRANGED = _table(
     row: arranged in a row, ordered, sorted, arranged in a line, from left to right, in rows
     row: left to right, all in a row, in order, in sequence
     column: in a column, one behind the other, one behind another, behind each other
+    column: opposite each other, facing each other, across from each other, face to face
+    column: opposite one another, facing one another
     column: from front to back, from back to front, in single file
     circle: in a circle, in a ring, arranged in a circle, in a semicircle, in a half circle
     circle: in an arc, in a triangle, arranged in a ring
@@ -170,12 +176,25 @@ GROUPS = _table(
 )
 """Nouns before "of" that only say how many, or how they are arranged."""
 
+SUPERLATIVES: Mapping[str, str] = MappingProxyType(
+    {
+        "smallest": "small", "shortest": "small", "tiniest": "small", "thinnest": "small",
+        "largest": "large", "biggest": "large", "tallest": "large", "longest": "large",
+        "thickest": "large", "widest": "large",
+    }
+)  # fmt: skip
+"""Words for one of several of different sizes."""
+
 ORDERS = _table(
     """
     size: by size, from small to large, from smallest to largest, from large to small
     size: from largest to smallest, by height, from tallest to shortest, from shortest to tallest
     size: in order of size, in descending order, in ascending order, from small to big
     size: from big to small, from biggest to smallest, from smallest to biggest
+    size: from thin to thick, from thick to thin, from short to tall, from tall to short
+    size: from short to long, from long to short, from the smallest to the largest
+    size: from the largest to the smallest, smallest to largest, largest to smallest
+    size: by rank, in rank order, in ascending size, in descending size
     color: by color, by colour, in rainbow order
     """
 )
@@ -226,7 +245,8 @@ STARTERS = _words(
     "just also then and so well ok okay hi hello hey thanks thank to be is are it this that think "
     "picture consider suppose visualize visualise assume what how about provide do try load plan "
     "setup up out help ll d with scene showing includes including ideally maybe perhaps finally "
-    "lastly next now additionally furthermore moreover besides first second third"
+    "lastly next now additionally furthermore moreover besides first second third drop throw toss "
+    "stick park leave keep hide tuck balance wash clean clear tidy sort build pack"
 )
 """Words that only open a sentence; skipped up to its first thing."""
 
@@ -237,10 +257,36 @@ FILLERS = _words(
     "approximately roughly exactly own same whole next ll d"
 )
 
+NO_NOUNS = _words(
+    "but otherwise toward towards across away apart along although though however instead "
+    "unless whether because yet still even ever never always often sometimes usually maybe "
+    "perhaps else almost enough quite rather too much more most less least many few several "
+    "such both either neither nor not get gets got gotten give gives gave take takes taken took "
+    "make makes made go goes went gone come comes came grow grows grew grown put puts keep "
+    "keeps kept let lets say says said see sees saw seen know knows think thinks thought want "
+    "wants wanted need needs use uses find finds found become becomes became seem seems seemed "
+    "remain remains contain contains include includes hold holds held bring brings brought buy "
+    "bought eat eats ate eaten drink drinks drank sit sits sat stand stands stood lie lies lay "
+    "lain lean leans hang hangs hung fall falls fell fallen drop drops throw throws threw "
+    "thrown break breaks broke broken cut cuts leave leaves open closed shut empty full ready "
+    "able possible impossible available whatever whichever whoever wherever whenever somehow "
+    "anyhow anyway anywhere nowhere elsewhere overall altogether meanwhile hence thus therefore "
+    "indeed actually really simply basically probably definitely please thanks sorry hello hey "
+    "hmm hm oh ah um ok okay yes yeah no ve ll re m s t d my mine your yours her hers our ours "
+    "their theirs who whom whose which what why how when where ago already soon later early "
+    "late once twice again since until till while during before after above below beneath "
+    "beside besides beyond inside outside within without upon onto into off out up down over "
+    "under through throughout via per than as if so then there here"
+)
+"""Words that are never the head of a noun phrase, unless the catalogue has them."""
+
 RELATIVE = _words("that which who whose where")
 JOINING = _words("and plus or")
 PEOPLE_WORDS = _words("people persons guests diners children kids adults players friends person "
-                      "guest us everyone couples")  # fmt: skip
+                      "guest us everyone couples students pupils participants")  # fmt: skip
+SEATED = _words("person guest diner child kid adult player friend place seat setting student pupil "
+                "participant head cover")  # fmt: skip
+"""Words after "each" and "per" for whom, or what seat, the things are laid for."""
 
 MEASURES: Mapping[str, float] = MappingProxyType(
     {

@@ -23,6 +23,7 @@ class PhraseStart:
     numbers: list[float] = field(default_factory=list)
     amount: tuple[int, int] | None = None
     article: bool = False
+    pair: bool = False
     definite: bool = False
     other: bool = False
     each: bool = False
@@ -88,6 +89,7 @@ def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             run.numbers = [6.0]
             return 3 + _is_of(tokens, i + 3)
         return 0
+    run.pair = run.pair or tokens[i].text in ("pair", "pairs")
     if tokens[i].text == "one" and not may_continue(tokens, i + 1) and run.definite:
         return 0
     step = 1

@@ -144,6 +144,8 @@ class ListReader(PostReader):
             kind = self.tokens[self.i + k].value
             if self._tag(k) == "relation" and kind in SUPPORTING:
                 pronoun = self._text(k + 1) in fw.PRONOUNS and self._text(k + 1) != "one"
+                if self._tag(k + 1) == "each":
+                    return None
                 ended = self._tag(k + 1) in (*ENDS, "", "comma")  # "with a spoon inside"
                 return str(kind) if pronoun or ended else None
             if self._tag(k) == "here" and kind in SUPPORTING:

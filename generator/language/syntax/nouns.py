@@ -19,7 +19,7 @@ from ..parsing.vocabulary import (
     TABLE_NOUNS,
     VAGUE_THINGS,
 )
-from ..words.dictionary import entry_of
+from ..words.dictionary import entry_of, is_english
 from . import function_words as fw
 from .introductions import (
     MORE,
@@ -118,8 +118,9 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             for k in range(len(extended))
         )
         closed = following is None or following.tag in ("comma", "stop", "line", "and", "close")
-        if closed and nouns and word in fw.BE and not _is_known(run.words):
-            return False  # "a wrist rest"
+        named_so = run.article or (nouns and not _is_known(run.words))
+        if closed and named_so and word in fw.BE:
+            return False  # "a wrist rest", "on a stand"
         if named and (nouns or following is None or following.text not in fw.DEFINITE):
             return False
         before_noun = not nouns and following is not None and following.tag in ("word", "name")
@@ -175,7 +176,10 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
 def _noun(run: PhraseStart) -> Noun:
     """Return the noun phrase of what was read."""
     words = tuple(run.words)
-    kind, head, category, family = _head(words, run.name)
+    kind, head, category, family = _head(words, run.name, definite=run.definite)
+    if kind == "adjective" and run.groups and words and words[-1] in MATERIALS:
+        kind, head, category, family = _look_up(words[-1:])  # "a piece of fabric"
+        category = category or lexicon.category_of(words[-1:])
     modifiers = words[: len(words) - len(head)] if head else words
     count, amount = _count(run)
     glasses = False
@@ -188,6 +192,8 @@ def _noun(run: PhraseStart) -> Noun:
         noun = " ".join((lexicon.singular(head[0]), *head[1:]))
     elif head and category and " ".join(head) != noun and not lexicon.is_plural(head):
         noun = " ".join(head)
+    if kind == "thing" and category and not run.name:
+        noun = " ".join((*_compound(modifiers), noun))
     plural = glasses or (bool(head) and lexicon.is_plural(tuple(run.words[-len(head) :])))
     if run.posture:
         attributes["posture"] = run.posture
@@ -196,6 +202,10 @@ def _noun(run: PhraseStart) -> Noun:
         attributes = _two_colored(run, attributes)
     if run.arrangement is None and "stacked" in modifiers and plural:
         run.arrangement = "stack"
+    single = bool(head) and head[-1] in lexicon.PLURAL_ONLY and run.words[-1:] == [head[-1]]
+    if single:
+        plural = False
+        count = count / 2 if run.pair and count is not None else count
     if run.groups and count is None and amount is None and not run.portion:
         many = _AMOUNTS.get(run.arrangement or "", (3, 3))
         if run.arrangement == "pyramid" and category and CATEGORIES[category].ball:
@@ -214,7 +224,7 @@ def _noun(run: PhraseStart) -> Noun:
 
 
 def _head(
-    words: tuple[str, ...], name: tuple[str, ...]
+    words: tuple[str, ...], name: tuple[str, ...], *, definite: bool = False
 ) -> tuple[NounKind, tuple[str, ...], str | None, str]:
     """Return the kind of noun, its head (the longest known ending), its category and family."""
     if name:
@@ -223,6 +233,8 @@ def _head(
         return "thing", name, lexicon.category_of(name), ""
     if not words:
         return "member", (), None, ""
+    if words[-1] in fw.GROUPS and definite and not lexicon.category_of(words[-1:]):
+        return "thing", words[-1:], None, ""  # "behind the stack"
     last = words[-1]
     if last in ("one", "ones") and len(words) > 1:
         return "member", (last,), None, ""
@@ -249,16 +261,35 @@ def _head(
     return _look_up(words)
 
 
+def _compound(modifiers: Sequence[str]) -> tuple[str, ...]:
+    """Return the nouns right before a head: "bleach cleanser" of a bleach cleanser bottle."""
+    start = len(modifiers)
+    while start and not is_describing(word := modifiers[start - 1]):
+        if word in fw.SIDES or word in fw.SUPERLATIVES or word in fw.ORDINALS or word in _STOPS:
+            break
+        start -= 1
+    return tuple(modifiers[start:])
+
+
 def _only_describes(tail: tuple[str, ...]) -> bool:
     """Tell whether the first word of a name only describes: the colour of "green apple"."""
     key = lexicon.category_of(tail[1:]) if len(tail) > 1 and tail[0] in COLORS else None
     return key is not None and key == lexicon.category_of(tail)
 
 
+_VERBAL = ("ed", "ing", "ly")
+
+
 def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
     """Return what the dictionary knows of a noun phrase that the catalogue does not have."""
     entry = entry_of(words)
     strange = len(words) > 1 and not is_describing(words[-2])
+    last = words[-1]
+    if entry is None and (last in fw.NO_NOUNS or (last.endswith(_VERBAL) and is_english(last))):
+        return "abstract", words[-1:], None, ""
+    before = lexicon.category_of(words[-2:-1]) if len(words) > 1 else None
+    if entry is not None and not entry.is_thing and before is not None:
+        return "thing", words[-2:-1], before, ""  # "a camera body"
     if entry is None:
         return "thing", words[-2:] if strange else words[-1:], None, ""
     head = words[-max(len(entry.noun.split()), 1 + strange) :]

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from . import function_words as fw
-from .cursor import SUPPORTING, Cursor
+from .cursor import ENDS, SUPPORTING, Cursor
 from .nouns import read_noun
 from .tree import (
     Carry,
     Location,
     Noun,
+    Zone,
 )
-from .zones import read_zone
+from .zones import FoundZone, read_zone
 
 _SIDES = {(-1, None): "left_of", (1, None): "right_of", (None, -1): "in_front_of",
           (None, 1): "behind"}  # fmt: skip
@@ -22,7 +23,8 @@ class PlaceReader(Cursor):
     def _place(self, *, leading: bool = False) -> Location | None:
         """Read where something is; None where no place starts here."""
         before = self.i
-        found = read_zone(self.tokens, self.i)
+        two = self._text() in fw.SIDES and self._text(1) in fw.SIDES
+        found = read_zone(self.tokens, self.i) or (self._corner() if two else None)
         if found is not None:
             self.i = found.end
             if not found.of:
@@ -42,6 +44,10 @@ class PlaceReader(Cursor):
             return Location(kind, Noun("pronoun", ("it",), self.tokens[self.i - 1].span, "it"))
         if self._tag() == "relation":
             kind = str(self._take().value)
+            ended = self._tag() in (*ENDS, "", "comma", "and", "close")
+            if ended and kind in ("behind", "next_to"):  # "with a canvas behind"
+                span = self.tokens[self.i - 1].span
+                return Location(kind, Noun("pronoun", ("it",), span, "it"))
             target = self._target(nested=kind in SUPPORTING and not leading)
             if target is not None:
                 if kind == "between":
@@ -50,6 +56,14 @@ class PlaceReader(Cursor):
         self.i = before
         return None
 
+    def _corner(self) -> FoundZone | None:
+        """Read "front right", "back left" without a preposition."""
+        found = [fw.SIDES[self._text(k)] for k in (0, 1)]
+        x = next((x for x, _ in found if x), None)
+        y = next((y for _, y in found if y), None)
+        after = self._tag(2) in (*ENDS, "", "comma", "and", "close")
+        return FoundZone(Zone(x, y), self.i + 2) if x and y and after else None
+
     def _target(self, *, nested: bool) -> Noun | None:
         """Read what a relation goes to; ``nested``: what follows is said of that."""
         self._skip(fw.PARTICIPLES & {"both", "all"})
@@ -57,10 +71,15 @@ class PlaceReader(Cursor):
             token = self._take()
             return Noun("pronoun", (token.text,), token.span, token.text,
                         plural=token.text in fw.PLURAL_PRONOUNS, definite=True)  # fmt: skip
+        if each := self._each_of_them():
+            return each
         noun, end = read_noun(self.tokens, self.i)
         if noun is None:
             return None
         self.i = end
+        if noun.kind == "part" and self._tag() == "of":  # "the rim of the bowl"
+            self.i += 1
+            return self._target(nested=nested)
         if self._tag() == "of" and noun.kind != "part":
             self._contents(noun, noun.post)
         if noun.kind == "table":
@@ -70,6 +89,20 @@ class PlaceReader(Cursor):
         elif self._tag() == "carry" and self._text() not in ("plus", "as well as", "along with"):
             self._carried(noun, noun.post, False)
         return noun
+
+    def _each_of_them(self) -> Noun | None:
+        """Read "each", "each one", "every one of them" and "each of these"."""
+        if self._tag() != "each":
+            return None
+        k = 1
+        k += self._text(k) in ("one", "single")
+        if self._tag(k) == "of" and self._text(k + 1) in fw.PRONOUNS:
+            k += 2
+        elif self._tag(k) in ("word", "name", "number") and self._starts_noun(k):
+            return None
+        span = self.tokens[self.i].span
+        self.i += k
+        return Noun("pronoun", ("them",), span, "them", plural=True, definite=True, each=True)
 
     def _starts_longer(self) -> bool:
         """Tell whether a pronoun's word opens a noun phrase: "these two cups", "one plate"."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from . import function_words as fw
@@ -20,6 +21,12 @@ from .tree import (
     Post,
 )
 
+_THERE_ARE = frozenset({"there", "are", "is", "with", "about", "say", "all"})
+_THEM = frozenset(
+    {"of", "them", "these", "those", "in", "total", "or", "so", "each", "altogether", "please",
+     "pieces", "pcs", "all"}
+)  # fmt: skip
+
 
 class PostReader(PlaceReader):
     """Reads what is said of a noun phrase after it."""
@@ -36,6 +43,8 @@ class PostReader(PlaceReader):
                 return
 
     def _post(self, noun: Noun | None, out: list[Post]) -> bool:
+        if noun is not None and self._bracket(noun, out):
+            return True
         comma = self._tag() in ("comma", "open")
         joined = self._tag() == "and"
         if comma or joined:
@@ -44,6 +53,7 @@ class PostReader(PlaceReader):
             self.i += 1
         if self._tag() in ("colon", "dash"):
             return self._listed_attributes(noun, out)
+        word = self._text()
         each = self._tag() == "each" or self._text() in ("all", "both")
         if self._tag() == "each" or (each and self._tag(1) in ("relation", "carry", "arranged")):
             self.i += 1
@@ -65,7 +75,15 @@ class PostReader(PlaceReader):
             return self._lacks(out)
         if self._tag() == "carry":
             return self._carried(noun, out, each)
+        if self._text() == "per" and self._text(1) in fw.SEATED and noun is not None:
+            self.i += 2
+            noun.seated = True
+            return True
         if self._text() == "for" and noun is not None:
+            if self._tag(1) == "each" and self._text(2) in fw.SEATED:
+                self.i += 3
+                noun.seated = True
+                return True
             return self._purpose()
         if self._aspect(out):
             return True
@@ -73,11 +91,64 @@ class PostReader(PlaceReader):
             return self._contents(noun, out)
         place = self._place()
         if place is not None:
-            out.append(replace(place, each=place.each or (each and not comma) or each))
+            whole = word == "all" and comma and noun is not None
+            out.append(replace(place, each=place.each or (each and not whole), whole=whole))
             return True
         if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False
+
+    def _bracket(self, noun: Noun, out: list[Post]) -> bool:
+        """Read a number or a length set apart: "candles (4)", "plates - four to six -"."""
+        opening = self._tag()
+        if opening not in ("open", "dash", "comma", "colon"):
+            return False
+        before = self.i
+        self.i += 1
+        while self._text() in _THERE_ARE:
+            self.i += 1
+        found, end = read_noun(self.tokens, self.i)
+        if found is None or (opening in ("comma", "colon") and not self._counts_them(found, end)):
+            self.i = before
+            return False
+        self.i = end
+        if not found.words and found.lengths:
+            out.append(Description(({},), found.lengths))
+        elif not found.words and found.kind == "member" and (found.count or found.amount):
+            noun.count, noun.amount = found.count, found.amount
+        elif not self._parcels(found, noun, out):
+            self.i = before
+            return False
+        while self._tag() in ("of", "word") and self._text() in _THEM:
+            self.i += 1
+        if self._tag() in ("close", "dash") or (opening in ("dash", "comma") and self._ended()):
+            self.i += self._tag() in ("close", "dash")
+            return True
+        if opening in ("comma", "colon"):
+            return True
+        self.i = before
+        return False
+
+    def _counts_them(self, found: Noun, end: int) -> bool:
+        """Tell whether ", three of them" counts what was just named."""
+        following = [token.text for token in self.tokens[end - 2 : end + 2]]
+        bare = not found.words and (found.count is not None or found.amount is not None)
+        return bare and "them" in following
+
+    def _parcels(self, found: Noun, noun: Noun, out: list[Post]) -> bool:
+        """Read "5 blue, 2 red": how many there are of each."""
+        each: list[Mapping[str, str]] = []
+        one: Noun | None = found
+        while one is not None and one.kind == "adjective" and one.count:
+            each += [one.attributes] * int(one.count)
+            more = self._tag() in ("comma", "and")
+            one, end = read_noun(self.tokens, self.i + 1) if more else (None, self.i)
+            self.i = end if one is not None else self.i
+        if len(each) < 2 or len(each) > 40 or one is not None:
+            return False
+        noun.count, noun.amount = float(len(each)), None
+        out.append(Description(tuple(each)))
+        return True
 
     def _goes_on(self) -> bool:
         """Tell whether more about the same thing follows a comma or "and"."""

@@ -33,11 +33,13 @@ class Zone:
         x: -1 left, 0 middle, 1 right; None where it is not said.
         y: -1 front, 0 middle, 1 back; None where it is not said.
         edge: at the edge there; alone, at any edge.
+        spread: one thing in each: "in the corners".
     """
 
     x: int | None = None
     y: int | None = None
     edge: bool = False
+    spread: bool = False
 
 
 @dataclass(frozen=True)
@@ -46,13 +48,14 @@ class Location:
 
     ``each``: every single one of the subjects has its own ("each on a saucer") or every target
     its own subject ("on every plate"). ``table``: what is said of the table in a zone ("in the
-    middle of a round table").
+    middle of a round table"). ``whole``: said of all that is listed ("..., all on a tray").
     """
 
     kind: str
     target: Noun | Zone
     each: bool = False
     table: Noun | None = None
+    whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -128,6 +131,7 @@ class Noun:
         arrangement: "a stack of", "stacked".
         position: "left", "right", ... ("the left plate").
         post: what follows the noun and belongs to it.
+        seated: so many for each person.
         joint: how it is joined to the item before it in its list: "", "and", "comma".
         family: kind of thing that stands for one without a category ("appliance").
     """
@@ -150,6 +154,7 @@ class Noun:
     arrangement: Arrangement | None = None
     position: str | None = None
     post: list[Post] = field(default_factory=list)
+    seated: bool = False
     joint: str = ""
     family: str = ""
 
@@ -157,6 +162,10 @@ class Noun:
     def determined(self) -> bool:
         """Whether an article, a number or a vague amount introduces it."""
         return self.definite or self.count is not None or self.amount is not None or self.each
+
+
+EVERYONE = -1
+"""People of whom the text has said before how many they are."""
 
 
 @dataclass
@@ -167,7 +176,8 @@ class Clause:
         subjects: the list.
         predicate: what a verb says of all of them ("... are on the tray").
         lead: the place said before them ("On the tray are ...").
-        people: for how many the things are laid; 0 where it is not said.
+        people: for how many the things are laid; 0 where it is not said, ``EVERYONE`` for as many
+            as were said before.
     """
 
     subjects: list[Noun]

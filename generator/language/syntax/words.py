@@ -11,11 +11,12 @@ WordKind = Literal["word", "number", "mark"]
 
 _ABBREVIATIONS = {
     "w/o": "without", "w/": "with", "&": "and", "+": "and", "pls": "please", "plz": "please",
-    "approx": "about", "ca": "about", "½": "half",
+    "approx": "about", "ca": "about", "½": "half", "inc": "including", "incl": "including",
 }  # fmt: skip
 _PIECE = re.compile(
     r"""
     (?P<abbreviation>w/o\b|w/|[&+½])
+    |(?P<contraction>\b(?:there|it|that|here|what|where|who)'s\b|\b(?:i|you|we|they)'(?:ve|re|ll|d|m)\b)
     |(?P<negated>[a-z]+n't)
     |(?P<possessive>(?<=[a-z])'s?(?![a-z]))
     |(?P<number>(?<![\w.])-?\d+(?:,\d{3})*(?:\.\d+)?(?:e\d+)?)
@@ -25,6 +26,11 @@ _PIECE = re.compile(
     """,
     re.VERBOSE,
 )
+_RUN_TOGETHER = {
+    "infront": ("in", "front"), "ontop": ("on", "top"), "nextto": ("next", "to"),
+    "atleast": ("at", "least"), "alot": ("a", "lot"), "ontopof": ("on", "top", "of"),
+    "infrontof": ("in", "front", "of"), "inbetween": ("in", "between"),
+}  # fmt: skip
 _TAG = re.compile(r"</?[A-Za-z][^<>\n]{0,80}>")
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
@@ -62,12 +68,16 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
         return [(said.replace(",", ""), "number")]
     if name == "dash":
         return [("-", "mark")]
+    if name == "contraction":
+        return [(said.split("'")[0], "word"), ("is" if said.endswith("'s") else "have", "word")]
     if name == "possessive":
         return [("'s", "mark")]
     if name == "negated":
         return [("not", "word")]
     if name == "mark":
         return [({"/": ",", '"': ""}.get(said, said), "mark")] if said != '"' else []
+    if said in _RUN_TOGETHER:
+        return [(part, "word") for part in _RUN_TOGETHER[said]]
     return [(_ABBREVIATIONS.get(said, said), "word")]
 
 

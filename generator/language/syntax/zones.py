@@ -11,40 +11,15 @@ from .tokens import Token
 from .tree import Zone
 
 _BEFORE = frozenset(
-    [
-        "in",
-        "on",
-        "at",
-        "to",
-        "near",
-        "along",
-        "towards",
-        "toward",
-        "by",
-        "from",
-        "into",
-        "onto",
-        "close",
-        "against",
-    ]
-)
-_ARTICLES = frozenset(["the", "a", "an", "one", "its", "each", "this", "that"])
+    {"in", "on", "at", "to", "near", "along", "towards", "toward", "by", "from", "into", "onto",
+     "close", "against"}
+)  # fmt: skip
+_ARTICLES = frozenset({"the", "a", "an", "one", "its", "each", "this", "that"})
 _DEGREES = frozenset(
-    [
-        "very",
-        "far",
-        "extreme",
-        "just",
-        "right",
-        "slightly",
-        "dead",
-        "exact",
-        "more",
-        "upper",
-        "lower",
-        "hand",
-    ]
-)
+    {"very", "far", "extreme", "just", "right", "slightly", "dead", "exact", "more", "upper",
+     "lower", "hand"}
+)  # fmt: skip
+_ALL_FOUR = frozenset({"four", "4", "two", "2", "both", "all", "opposite"})
 _ALONE = frozenset(["centrally", "centered", "central"])
 _TOPS = frozenset(["surface", "tabletop", "top", "area", "workspace", "scene", "image", "picture"])
 
@@ -92,6 +67,8 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
         return None
     article = _text(tokens, i) in _ARTICLES
     i += article
+    if _text(tokens, i) in _ALL_FOUR and _text(tokens, i + 1) in ("corners", "sides", "ends"):
+        i += 1
     owned = _text(tokens, i) in TABLE_NOUNS and _tag(tokens, i + 1) == "possessive"
     i += 2 * owned
     return _sides(tokens, i, heading=heading, owned=owned)
@@ -137,7 +114,8 @@ def _zone(sides: Sequence[str], noun: str) -> Zone:
     y = next((y for _, y in found if y is not None), None)
     if middle:
         x, y = (0 if x is None else x), (0 if y is None else y)
-    return Zone(x, y, noun in fw.EDGES)
+    spread = noun in ("corners", "ends") and x is None and y is None
+    return Zone(x, y, noun in fw.EDGES, spread)
 
 
 def _after_table(tokens: Sequence[Token], i: int) -> int | None:

@@ -14,6 +14,13 @@ from .dictionary import is_english
 
 _SHORTEST = 4
 
+_SHAPES = frozenset(
+    {"square", "circle", "round", "middle", "corner", "centre", "center", "table", "behind",
+     "front", "right", "between", "around", "wooden", "yellow", "purple", "orange", "three",
+     "seven", "eight", "twelve", "dozen", "together", "beside"}
+)  # fmt: skip
+"""Words other than nouns that are often misspelt."""
+
 
 def correct(
     words: Sequence[Word], known: Collection[str]
@@ -37,7 +44,11 @@ def correct(
         if word.text not in strange and (key := lexicon.category_of((word.text,)))
         for theme in CATEGORIES[key].themes
     }
-    found = {word: best for word in sorted(strange) if (best := _nearest(word, themes))}
+    found = {
+        word: best
+        for word in sorted(strange)
+        if (best := _nearest(word, themes)) not in (None, word)
+    }
     return tuple(replace(w, text=found.get(w.text, w.text)) for w in words), found
 
 
@@ -46,7 +57,7 @@ def _nearest(word: str, themes: set[str]) -> str | None:
     limit = 1 if len(word) < 7 else 2
     plural = word.endswith("s") and not word.endswith("ss")
     ranked = []
-    for candidate in sorted(lexicon.vocabulary()):
+    for candidate in sorted(lexicon.vocabulary() | _SHAPES):
         for form in (candidate, f"{candidate}s") if plural else (candidate,):
             if abs(len(form) - len(word)) > limit or len(form) < 3:
                 continue
