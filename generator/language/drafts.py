@@ -54,7 +54,6 @@ class Grouping:
     kind: GroupKind
     members: tuple[Draft, ...]
     around: Draft | None = None
-    order: str | None = None
     seat: tuple[int, int] | None = None
 
 
@@ -92,7 +91,6 @@ class Reading:
             return int(noun.count)
         if noun.amount is None and not noun.plural:
             return 1
-        self.vague = True
         low, high = noun.amount or (2, 3)
         if noun.amount == (2, 3) and not noun.plural:  # "some bread"
             return 1

@@ -64,7 +64,7 @@ def _noun(noun: Noun, text: str) -> Iterator[Explained]:
             yield Explained("count", said, f"{amount} {noun.head}")
     elif noun.kind == "table":
         yield Explained("table", said)
-    elif noun.kind in ("setting", "vague", "part", "member"):
+    elif noun.kind in ("setting", "title", "vague", "part", "member"):
         yield Explained("setting", said)
     for key, value in noun.attributes.items():
         yield Explained("attribute", value, f"{key} of {noun.head or said}")

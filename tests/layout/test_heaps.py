@@ -16,8 +16,8 @@ def shapes(category: str, count: int) -> list[Footprint]:
     return [footprint(model, 0.0)] * count
 
 
-@pytest.mark.parametrize(("count", "above"), [(3, 0), (4, 1), (7, 1), (8, 2), (12, 3)])
-def test_every_fourth_thing_of_a_heap_lies_on_three_others(count: int, above: int) -> None:
+@pytest.mark.parametrize(("count", "above"), [(3, 0), (4, 1), (7, 1), (8, 1), (12, 3)])
+def test_up_to_a_fourth_of_a_heap_lies_on_three_others(count: int, above: int) -> None:
     pile = pile_heap(shapes("apple", count))
     assert pile is not None and len(pile.offsets) == count
     assert [len(under) for under in pile.below] == [0] * (count - above) + [3] * above
@@ -59,10 +59,10 @@ def carried(scene: Scene, category: str) -> int:
     ("text", "category", "count", "above"),
     [
         ("a pyramid of oranges", "orange", 4, 1),
-        ("a pyramid of cans", "soda_can", 6, 3),
+        ("a pyramid of cans", "can", 6, 3),
         ("a heap of apples", "apple", 5, 1),
-        ("a pile of books", "book", 3, 2),
-        ("a pile of plates", "plate", 3, 2),
+        ("a pile of books", "book", 5, 4),
+        ("a pile of plates", "plate", 5, 4),
     ],
 )
 def test_piles_stand(text: str, category: str, count: int, above: int) -> None:

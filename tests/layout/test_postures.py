@@ -68,4 +68,4 @@ def test_they_stay_so(text: str, low: bool) -> None:
     assert not any("foot" in warning for warning in scene.provenance.warnings)
     up = quaternion_matrix(thing.pose.quaternion)[2, 2]
     assert up > 0.99  # it rests as the layout has put it
-    assert (thing.scale[2] < 0.5 * thing.scale[0]) is low
+    assert bool(thing.scale[2] < 0.5 * thing.scale[0]) is low

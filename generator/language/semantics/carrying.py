@@ -42,11 +42,12 @@ class CarryReader(ThingReader, ABC):
                 context.owner = outer
                 self._posts(items[0], owner)
                 return
-            moved = _owners_places(owner, items, post.how)
+            moved = _owners_places(owner, items, post.how, first=len(context.mentioned) < 2)
             if moved and isinstance(owner, list):
                 items = (*items[:-1], replace(items[-1], post=[
                     p for p in items[-1].post if p not in moved]))  # fmt: skip
-            if isinstance(owner, list) and len(owner) > 1 and (post.each or post.how == "hold"):
+            each = post.each or post.how == "hold" or (noun is not None and noun.each)
+            if isinstance(owner, list) and len(owner) > 1 and each:
                 items = tuple(_times(item, len(owner)) for item in items)
             groups = self._list(items, owner)
             if isinstance(owner, list):
@@ -93,10 +94,11 @@ class CarryReader(ThingReader, ABC):
         """Read a noun phrase with what follows it; return what it means."""
 
 
-def _owners_places(owner: Target, items: Sequence[Noun], how: str) -> list[Post]:
+def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:
     """Return the places said of a thing in a vessel that are the vessel's.
 
-    "A bowl with two eggs behind the pot": the bowl is behind the pot.
+    "A bowl with two eggs behind the pot": the bowl is behind the pot. "A bowl with crisps behind
+    it": so it is too, unless the bowl is the ``first`` thing of the text.
     """
     if not isinstance(owner, list) or not items:
         return []
@@ -108,12 +110,13 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str) -> list[Post]
         inside = "in"
     if inside not in ("on", "in"):
         return []
+    loose = not first and not item.determined and inside == "in"
     return [
         place
         for place in item.post
         if isinstance(place, Location)
         and place.kind in _DIRECTIONS
-        and not (isinstance(place.target, Noun) and place.target.kind == "pronoun")
+        and (loose or not (isinstance(place.target, Noun) and place.target.kind == "pronoun"))
     ]
 
 

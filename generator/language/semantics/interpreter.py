@@ -148,7 +148,7 @@ class Interpreter(CarryReader):
         if not isinstance(other, list) or previous.post:
             return
         if isinstance(places[0].target, Zone):
-            if all(not draft.relations for draft in other) and places[0].kind == "at":
+            if all(not draft.relations for draft in other):
                 self._attach(places[0], TABLE, other)
             return
         if places[0].each or (isinstance(places[0].target, Noun) and places[0].target.each):
@@ -176,6 +176,11 @@ class Interpreter(CarryReader):
             return group
         if noun.kind == "abstract":
             self.reading.lost.append(" ".join(noun.words))
+        if noun.kind == "title":
+            for post in noun.post:
+                if isinstance(post, Carry):
+                    self._list(post.items, None)
+            return None
         if noun.kind in ("setting", "vague", "abstract"):
             return self._loose(noun)
         if noun.kind == "part":
@@ -183,7 +188,7 @@ class Interpreter(CarryReader):
                 self.reading.table_parts.append(noun)
             return None
         if noun.kind in ("member", "adjective"):
-            return self._member(noun)
+            return self._member(noun) or self._loose(noun)
         group = self._thing(noun)
         if group:
             self._context.mentioned.append(group)

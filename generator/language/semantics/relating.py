@@ -17,6 +17,7 @@ from ..syntax.tree import (
     Zone,
 )
 from .linking import flank, lies_flat, link, stack
+from .ordering import put_in_order
 from .references import Context, Target
 
 _ZONES = {-1: ("left_of", "in_front_of"), 1: ("right_of", "behind")}
@@ -138,11 +139,14 @@ class Relater:
     def _arrange(self, post: Arranged, group: Group) -> None:
         if len(group) < 2:
             return
+        group = put_in_order(group, post.order)
         flat = post.kind == "heap" and all(lies_flat(draft) for draft in group)
         if post.kind == "stack" or flat:  # a pile of books
             stack(group)
         else:
-            self.reading.groupings.append(Grouping(post.kind, tuple(group), order=post.order))
+            laid = self.reading.groupings
+            laid[:] = [g for g in laid if g.around or {*map(id, g.members)} != {*map(id, group)}]
+            laid.append(Grouping(post.kind, tuple(group)))
 
     def _lack(self, post: Lack, group: Group) -> None:
         for item in post.items:

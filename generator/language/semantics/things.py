@@ -15,6 +15,7 @@ from ..syntax.tree import (
     Noun,
     Post,
 )
+from .ordering import size_rank
 from .references import find_referred
 from .relating import Relater
 
@@ -23,8 +24,6 @@ _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "
 
 _HEAPED = frozenset(("pancakes", "paper_stack"))
 """Those of which several are one heap without a word for it: "three pancakes"."""
-
-_SIZES = {"tiny": -1, "small": 0, "medium": 1, "large": 2}
 
 _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
@@ -76,7 +75,8 @@ class ThingReader(Relater, ABC):
             noun.arrangement is not None or noun.category in _HEAPED
         )
         count = 1 if single else len(noun.variants) or self.reading.number(noun, self.rng)
-        if noun.seated and self._seated is None:
+        first = noun.each and count == 1 and noun.count is None  # "each plate" of a table for six
+        if (noun.seated or first) and self._seated is None:
             count *= max(self.reading.people, self._guests, 1)
         group = [
             self.reading.add(
@@ -149,7 +149,7 @@ class ThingReader(Relater, ABC):
         if not groups:
             return []
         group = groups[-1]
-        sizes = [_SIZES.get(draft.attributes.get("size", ""), 1) for draft in group]
+        sizes = [size_rank(draft) for draft in group]
         for word in noun.words:
             if word in fw.SUPERLATIVES and len(set(sizes)) > 1:
                 best = max(sizes) if fw.SUPERLATIVES[word] == "large" else min(sizes)

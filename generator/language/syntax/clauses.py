@@ -58,7 +58,7 @@ class Parser(ListReader):
             subjects[0].post.append(arrangement)
         predicate: list[Post] = []
         people = people or self._people()
-        loose = all(noun.kind == "setting" for noun in subjects)
+        loose = all(noun.kind in ("setting", "title") for noun in subjects)
         if people and loose and self._tag() in ("colon", "dash"):
             self.i += 1
             subjects = self._items(None, "with")
@@ -82,11 +82,9 @@ class Parser(ListReader):
         if len(subjects) != 1 or predicate:
             return
         first = subjects[0]
-        if _is_title(first) and self._starts_noun(1):
-            first.kind = "setting"
-        if first.kind == "vague" and self._starts_noun(1):
-            first.kind = "setting"
-        if first.kind in ("table", "setting"):
+        if (_is_title(first) or first.kind == "vague") and self._starts_noun(1):
+            first.kind = "title"
+        if first.kind in ("table", "setting", "title"):
             self.i += 1
             arranged = [post for post in first.post if isinstance(post, Arranged)]
             items = self._items(subjects[0], "with")

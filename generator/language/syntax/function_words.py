@@ -130,8 +130,10 @@ ARRANGED = _table(
     stack: stacked, in a stack, on top of each other, on each other, on top of one another
     stack: one on top of the other, stacked up, stacked on top of each other, in a tower
     stack: stacked on each other, stacked on one another, piled on top of each other
+    stack: in one stack, in a single stack, into a stack, in a neat pile on each other
     stack: one atop the other, one on the other, in a neat stack, one on top of another
     stack: stacked on top of one another, nested, nested in each other, nested inside each other
+    heap: in one pile, into a pile, in one heap
     heap: piled, in a pile, in a heap, heaped, piled up, jumbled, in a jumble, piled high
     pyramid: in a pyramid, stacked in a pyramid, arranged in a pyramid, piled in a pyramid
     row: in a row, in a line, lined up, in line, side by side, next to each other, in a neat row
@@ -171,6 +173,8 @@ GROUPS = _table(
     group: bundle, bundles, handful, arrangement, array, selection, variety, number, mix, mixture
     group: batch, medley, range, display, ensemble, piece, pieces, slice
     group: slices, type, types, kind, kinds, sort, sorts, lot, sheet, sheets, serving, portion
+    group: clove, cloves, head, heads, stalk, stalks, strip, strips, wedge, wedges, chunk, chunks
+    group: roll, rolls, reel, reels, thumb, pinch, dash, drizzle, pat, knob, stick, sticks
     group: helping, unit, units, item, items, plenty, spread, sprig, clump
     """
 )
@@ -187,14 +191,14 @@ SUPERLATIVES: Mapping[str, str] = MappingProxyType(
 
 ORDERS = _table(
     """
-    size: by size, from small to large, from smallest to largest, from large to small
-    size: from largest to smallest, by height, from tallest to shortest, from shortest to tallest
-    size: in order of size, in descending order, in ascending order, from small to big
-    size: from big to small, from biggest to smallest, from smallest to biggest
-    size: from thin to thick, from thick to thin, from short to tall, from tall to short
-    size: from short to long, from long to short, from the smallest to the largest
-    size: from the largest to the smallest, smallest to largest, largest to smallest
-    size: by rank, in rank order, in ascending size, in descending size
+    size: by size, from small to large, from smallest to largest, by height, in order of size
+    size: from shortest to tallest, in ascending order, from small to big, from thin to thick
+    size: from smallest to biggest, from short to tall, from short to long, smallest to largest
+    size: from the smallest to the largest, by rank, in rank order, in ascending size
+    size down: from large to small, from largest to smallest, from tallest to shortest
+    size down: in descending order, from big to small, from biggest to smallest
+    size down: from thick to thin, from tall to short, from long to short, largest to smallest
+    size down: from the largest to the smallest, in descending size
     color: by color, by colour, in rainbow order
     """
 )
@@ -287,6 +291,12 @@ PEOPLE_WORDS = _words("people persons guests diners children kids adults players
 SEATED = _words("person guest diner child kid adult player friend place seat setting student pupil "
                 "participant head cover")  # fmt: skip
 """Words after "each" and "per" for whom, or what seat, the things are laid for."""
+
+WEIGHTS = _words(
+    "kg g gram grams kilo kilos kilogram kilograms ml l litre litres liter liters oz "
+    "ounce ounces lb lbs pound pounds pint pints cl dl watt w v volt volts gb tb"
+)
+"""Units of weight, volume and the like, which say nothing of a thing's place or form."""
 
 MEASURES: Mapping[str, float] = MappingProxyType(
     {

@@ -16,6 +16,13 @@ MORE = frozenset({
 })  # fmt: skip
 
 
+_DEGREES = frozenset({
+    "whole", "about", "around", "exactly", "approximately", "roughly", "only", "just", "nearly",
+    "at", "least", "most",
+})  # fmt: skip
+_FURTHER = frozenset({"more", "extra", "additional", "further"})
+
+
 @dataclass
 class PhraseStart:
     """What is read of a noun phrase so far."""
@@ -42,7 +49,12 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read articles, numbers, lengths and "a stack of"; return where they end."""
     while i < len(tokens):
         token = tokens[i]
-        step = _measure(tokens, i, run) or _group(tokens, i, run) or _number(tokens, i, run)
+        step = (
+            _weight(tokens, i)
+            or _measure(tokens, i, run)
+            or _group(tokens, i, run)
+            or _number(tokens, i, run)
+        )
         if step:
             i += step
         elif token.tag == "each":
@@ -63,8 +75,7 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         elif token.text in fw.AMOUNTS and may_continue(tokens, i + 1):
             run.amount = fw.AMOUNTS[token.text]
             i += 1 + _is_of(tokens, i + 1)
-        elif token.text in ("whole", "about", "around", "exactly", "approximately", "roughly",
-                            "only", "just", "nearly", "at", "least", "most"):  # fmt: skip
+        elif token.text in _DEGREES or (token.text in _FURTHER and run.numbers):
             i += 1
         else:
             break
@@ -131,6 +142,14 @@ def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             break
         k += 1
     return k + _is_of(tokens, k) - i
+
+
+def _weight(tokens: Sequence[Token], i: int) -> int:
+    """Read "500 g of" and "1 l"; return how many tokens they take."""
+    if tokens[i].tag != "number" or i + 1 >= len(tokens):
+        return 0
+    known = tokens[i + 1].text in fw.WEIGHTS
+    return 2 + _is_of(tokens, i + 2) if known else 0
 
 
 def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:

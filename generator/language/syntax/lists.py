@@ -122,6 +122,9 @@ class ListReader(PostReader):
         if end < len(self.tokens) and self.tokens[end].text in fw.BE:
             return True
         ended = any("and" in item.joint for item in items)
+        placed = [post for post in items[-1].post if isinstance(post, Location)]
+        if how == "with" and "comma" in joint and placed and noun.determined:
+            return True  # "a bowl with crisps behind it, and a tray"
         if how == "of":
             return noun.determined or joint == "comma" or ended
         if self._returns() is not None:

@@ -277,6 +277,7 @@ def _only_describes(tail: tuple[str, ...]) -> bool:
     return key is not None and key == lexicon.category_of(tail)
 
 
+_BODIES = frozenset({"body", "unit", "model", "type"})
 _VERBAL = ("ed", "ing", "ly")
 
 
@@ -285,10 +286,12 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
     entry = entry_of(words)
     strange = len(words) > 1 and not is_describing(words[-2])
     last = words[-1]
-    if entry is None and (last in fw.NO_NOUNS or (last.endswith(_VERBAL) and is_english(last))):
+    if entry is None and (
+        last in fw.NO_NOUNS or last in fw.AMOUNTS or (last.endswith(_VERBAL) and is_english(last))
+    ):
         return "abstract", words[-1:], None, ""
     before = lexicon.category_of(words[-2:-1]) if len(words) > 1 else None
-    if entry is not None and not entry.is_thing and before is not None:
+    if last in _BODIES and before is not None:
         return "thing", words[-2:-1], before, ""  # "a camera body"
     if entry is None:
         return "thing", words[-2:] if strange else words[-1:], None, ""

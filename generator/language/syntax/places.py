@@ -17,12 +17,17 @@ _SIDES = {(-1, None): "left_of", (1, None): "right_of", (None, -1): "in_front_of
           (None, 1): "behind"}  # fmt: skip
 
 
+_DEGREES = frozenset({"right", "just", "directly", "immediately", "slightly", "far", "close"})
+
+
 class PlaceReader(Cursor):
     """Reads places."""
 
     def _place(self, *, leading: bool = False) -> Location | None:
         """Read where something is; None where no place starts here."""
         before = self.i
+        if self._text() in _DEGREES and self._tag(1) in ("relation", "here"):
+            self.i += 1  # "right next to it"
         two = self._text() in fw.SIDES and self._text(1) in fw.SIDES
         found = read_zone(self.tokens, self.i) or (self._corner() if two else None)
         if found is not None:
@@ -77,6 +82,8 @@ class PlaceReader(Cursor):
         if noun is None:
             return None
         self.i = end
+        if noun.kind == "part" and self.tokens[end - 1 - len(noun.words)].text in ("its", "their"):
+            return Noun("pronoun", ("it",), noun.span, "it", definite=True)  # "around its base"
         if noun.kind == "part" and self._tag() == "of":  # "the rim of the bowl"
             self.i += 1
             return self._target(nested=nested)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from . import function_words as fw
-from .cursor import SUPPORTING
+from .cursor import ENDS, SUPPORTING
 from .nouns import read_noun
 from .places import PlaceReader
 from .tree import (
@@ -20,6 +20,7 @@ from .tree import (
     Noun,
     Post,
 )
+from .zones import read_zone
 
 _THERE_ARE = frozenset({"there", "are", "is", "with", "about", "say", "all"})
 _THEM = frozenset(
@@ -43,7 +44,7 @@ class PostReader(PlaceReader):
                 return
 
     def _post(self, noun: Noun | None, out: list[Post]) -> bool:
-        if noun is not None and self._bracket(noun, out):
+        if noun is not None and (self._bracket(noun, out) or self._aside()):
             return True
         comma = self._tag() in ("comma", "open")
         joined = self._tag() == "and"
@@ -62,6 +63,9 @@ class PostReader(PlaceReader):
         if self._tag() == "relative" or (self._text() == "that" and noun is not None):
             self.i += 1
             self._skip(fw.BE | fw.PARTICIPLES)
+            return True
+        if order := self._order_by_ends():
+            out.append(Arranged("row", order))
             return True
         if self._tag() == "order":
             out.append(Arranged("row", str(self._take().value)))
@@ -105,6 +109,7 @@ class PostReader(PlaceReader):
             return False
         before = self.i
         self.i += 1
+        many = noun.plural or noun.arrangement is not None
         while self._text() in _THERE_ARE:
             self.i += 1
         found, end = read_noun(self.tokens, self.i)
@@ -114,9 +119,9 @@ class PostReader(PlaceReader):
         self.i = end
         if not found.words and found.lengths:
             out.append(Description(({},), found.lengths))
-        elif not found.words and found.kind == "member" and (found.count or found.amount):
+        elif many and found.kind == "member" and not found.words and (found.count or found.amount):
             noun.count, noun.amount = found.count, found.amount
-        elif not self._parcels(found, noun, out):
+        elif not many or not self._parcels(found, noun, out):
             self.i = before
             return False
         while self._tag() in ("of", "word") and self._text() in _THEM:
@@ -128,6 +133,41 @@ class PostReader(PlaceReader):
             return True
         self.i = before
         return False
+
+    def _order_by_ends(self) -> str | None:
+        """Read "from the largest on the left to the smallest on the right"."""
+        if self._text() != "from":
+            return None
+        named = [k for k in range(1, 12) if self._text(k) in fw.SUPERLATIVES]
+        between = [k for k in range(1, 12) if self._text(k) == "to"]
+        stops = [k for k in range(1, 12) if self._tag(k) in ("stop", "line", "comma", "")]
+        if len(named) < 2 or not any(named[0] < k < named[1] for k in between):
+            return None
+        if stops and stops[0] < named[1]:
+            return None
+        first = fw.SUPERLATIVES[self._text(named[0])]
+        self.i += named[1] + 1
+        zone = read_zone(self.tokens, self.i)
+        self.i = zone.end if zone is not None and not zone.of else self.i
+        return "size" if first == "small" else "size down"
+
+    def _aside(self) -> bool:
+        """Skip a bracket in which nothing is understood."""
+        if self._tag() != "open":
+            return False
+        end = next((k for k in range(1, 12) if self._tag(k) in ("close", *ENDS)), 0)
+        if self._tag(end) != "close":
+            return False
+        inside = self.tokens[self.i + 1 : self.i + end]
+        for start in range(len(inside)):
+            noun, _ = read_noun(inside, start)
+            if noun is not None and (noun.category or noun.family or noun.kind == "table"):
+                return False
+        if any(token.tag in ("relation", "here", "carry", "arranged") for token in inside):
+            return False
+        self.skipped += inside
+        self.i += end + 1
+        return True
 
     def _counts_them(self, found: Noun, end: int) -> bool:
         """Tell whether ", three of them" counts what was just named."""

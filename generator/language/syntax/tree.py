@@ -13,6 +13,7 @@ NounKind = Literal[
     "pronoun",
     "part",  # of a thing: legs, lid, surface
     "setting",  # a room, an hour, an occasion: no thing
+    "title",  # "Shaving kit: ...": what a list is about
     "vague",  # "things", "stuff"
     "abstract",  # what is no thing: "happiness"
     "member",  # "one", "the other", "two of them"
@@ -80,7 +81,10 @@ class Lack:
 
 @dataclass(frozen=True)
 class Arranged:
-    """How several things are arranged; ``order`` is "size" or "color" where it is said."""
+    """How several things are arranged.
+
+    ``order`` is "size", "size down" (the largest first) or "color" where it is said.
+    """
 
     kind: Arrangement
     order: str | None = None

@@ -1,0 +1,55 @@
+"""Things ordered by size or colour: who comes first, and sizes where the text names none."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ...catalogue import CATEGORIES
+from ..drafts import Draft, Group
+
+_RANKS: Mapping[str, float] = {"tiny": -1.0, "small": 0.0, "medium": 1.0, "large": 2.0}
+_RAINBOW = (
+    "red",
+    "orange",
+    "yellow",
+    "green",
+    "cyan",
+    "blue",
+    "indigo",
+    "purple",
+    "violet",
+    "pink",
+)
+_SPREAD = 0.65, 1.45  # of the sizes of things in an order, in usual sizes
+
+
+def size_rank(draft: Draft) -> float:
+    """Return a number that is larger for what the text says is larger."""
+    if draft.lengths:
+        return 10.0 * draft.lengths[0]
+    return _RANKS.get(draft.attributes.get("size", ""), 1.0)
+
+
+def put_in_order(group: Group, order: str | None) -> Group:
+    """Return the things in an order: "size", "size down" or "color"; as they are for None.
+
+    Things of one kind that are to be ordered by size, and of which the text names no size, get
+    different ones.
+    """
+    if order == "color":
+        return sorted(group, key=lambda d: _hue(d.attributes.get("color", "")))
+    if order not in ("size", "size down"):
+        return group
+    if len({size_rank(draft) for draft in group}) == 1:
+        factors = np.linspace(*_SPREAD, len(group))
+        for draft, factor in zip(group, factors, strict=True):
+            usual = max(CATEGORIES[draft.category].size) if draft.category else 0.1
+            draft.lengths = (float(usual * factor),)
+    return sorted(group, key=size_rank, reverse=order == "size down")
+
+
+def _hue(color: str) -> int:
+    word = color.split()[-1:]
+    return _RAINBOW.index(word[0]) if word and word[0] in _RAINBOW else len(_RAINBOW)
