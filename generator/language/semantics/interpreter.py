@@ -124,6 +124,15 @@ class Interpreter(CarryReader):
         if posts and len(groups) > 1 and all(len(g) == 1 and not g[0].relations for g in groups):
             self._arrange(posts[0], [draft for group in groups for draft in group])
 
+    def _gather(self, place: Location, found: Sequence[Target]) -> None:
+        """Put "an apple, a pear and a plum around a bowl" all around it."""
+        last = [group for group in found[-1:] if isinstance(group, list)]
+        inner = [to for d in last[0] for _, to in d.relations if isinstance(to, Draft)][:1]
+        ring = [d for group in found if isinstance(group, list) for d in group]
+        free = [d for d in ring if not d.relations or d in last[0]]
+        if inner and len(free) > len(last[0]) and all(d is not inner[0] for d in free):
+            self._attach(place, inner, free)
+
     def _place_all(self, place: Location, found: Sequence[Target]) -> None:
         """Put all things of a list where its last one is."""
         last = found[-1]
@@ -142,6 +151,9 @@ class Interpreter(CarryReader):
         """Give "an apple and a pear on a plate" one place."""
         places = [post for post in last.post if isinstance(post, Location)]
         if last.joint != "and" or len(nouns) < 2 or not places or len(found) < 2:
+            return
+        if places[0].kind == "around":
+            self._gather(places[0], found)
             return
         other = found[-2]
         previous = nouns[-2]

@@ -10,6 +10,9 @@ from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
 
+SIDES = ("left_of", "right_of", "in_front_of", "behind")
+_FEW = 3  # of so many things one is beside all
+
 _OF_BOTH = ("between",)
 _BESIDE: dict[str, str] = dict.fromkeys(("against", "opposite", "beside", "at", "laid"), "next_to")
 
@@ -26,6 +29,14 @@ def stack(group: Group) -> None:
     for below, above in pairwise(group):
         above.relate("on", below)
         below.stacked_under = above
+
+
+def unstack(group: Group) -> None:
+    """Take drafts of one stack apart."""
+    for draft in group:
+        draft.stacked_under = None
+        others = [(k, to) for k, to in draft.relations if all(to is not d for d in group)]
+        draft.relations[:] = others
 
 
 def lies_flat(draft: Draft) -> bool:
@@ -55,7 +66,8 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
     kind = _BESIDE.get(kind, kind)
     if kind == "on" and len(group) == 1 and _pile(targets):
         stack([target for target in targets if isinstance(target, Draft)])
-    everyone = kind == "next_to" or kind in _OF_BOTH
+    few = len(group) == 1 and 1 < len(targets) <= _FEW and kind in SIDES
+    everyone = kind == "next_to" or kind in _OF_BOTH or few  # "in front of both"
     paired = len(targets) > 1 and not everyone and len(group) % len(targets) == 0
     share = len(group) // len(targets) if paired else len(group)
     for i, draft in enumerate(group):

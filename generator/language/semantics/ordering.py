@@ -35,19 +35,21 @@ def size_rank(draft: Draft) -> float:
 def put_in_order(group: Group, order: str | None) -> Group:
     """Return the things in an order: "size", "size down" or "color"; as they are for None.
 
+    "ranks down" is the order of the sizes that the text names, if any, the largest first.
+
     Things of one kind that are to be ordered by size, and of which the text names no size, get
     different ones.
     """
     if order == "color":
         return sorted(group, key=lambda d: _hue(d.attributes.get("color", "")))
-    if order not in ("size", "size down"):
+    if order not in ("size", "size down", "ranks down"):
         return group
-    if len({size_rank(draft) for draft in group}) == 1:
+    if order != "ranks down" and len({size_rank(draft) for draft in group}) == 1:
         factors = np.linspace(*_SPREAD, len(group))
         for draft, factor in zip(group, factors, strict=True):
             usual = max(CATEGORIES[draft.category].size) if draft.category else 0.1
             draft.lengths = (float(usual * factor),)
-    return sorted(group, key=size_rank, reverse=order == "size down")
+    return sorted(group, key=size_rank, reverse=order != "size")
 
 
 def _hue(color: str) -> int:

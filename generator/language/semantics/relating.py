@@ -16,7 +16,7 @@ from ..syntax.tree import (
     Noun,
     Zone,
 )
-from .linking import flank, lies_flat, link, stack
+from .linking import flank, lies_flat, link, stack, unstack
 from .ordering import put_in_order
 from .references import Context, Target
 
@@ -83,7 +83,7 @@ class Relater:
         elif kind in ("around", "surrounded"):
             inner, ring = (target, group) if kind == "around" else (group, target)
             laid = self.reading.groupings
-            laid[:] = [g for g in laid if g.kind != "circle" or set(g.members) != set(ring)]
+            laid[:] = [g for g in laid if g.kind != "circle" or not {*g.members} <= {*ring}]
             laid.append(Grouping("circle", tuple(ring), around=inner[0]))
             link("next_to", ring, inner[:1], self.reading.warnings)
         else:
@@ -139,7 +139,15 @@ class Relater:
     def _arrange(self, post: Arranged, group: Group) -> None:
         if len(group) < 2:
             return
-        group = put_in_order(group, post.order)
+        stacked = any(draft.stacked_under is not None for draft in group)
+        if stacked or post.kind == "stack":  # the largest at the bottom
+            group = put_in_order(group, "size down" if post.order else "ranks down")
+        else:
+            group = put_in_order(group, post.order)
+        if stacked and post.kind == "row":
+            unstack(group)
+            stack(group)
+            return
         flat = post.kind == "heap" and all(lies_flat(draft) for draft in group)
         if post.kind == "stack" or flat:  # a pile of books
             stack(group)

@@ -25,6 +25,11 @@ _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "
 _HEAPED = frozenset(("pancakes", "paper_stack"))
 """Those of which several are one heap without a word for it: "three pancakes"."""
 
+_SEATS = frozenset(
+    {"chair", "stool", "armchair", "sofa", "couch", "bench", "seat", "bed", "barstool"}
+)
+"""Furniture at a table."""
+
 _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
 
@@ -62,6 +67,11 @@ class ThingReader(Relater, ABC):
         ]
 
     def _introduce(self, noun: Noun) -> Group:
+        if noun.category is None and noun.head.split()[-1] in _SEATS:
+            self.reading.warnings.append(
+                f"The {noun.head} stands at the table, not on it; it is left out."
+            )
+            return []
         claimed = [d for d in self.reading.objects if d.implied and _claims(d, noun)]
         if claimed and not noun.definite and (noun.count or 1) == 1 and not noun.plural:
             claimed[0].implied = False

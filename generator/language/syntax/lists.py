@@ -63,6 +63,10 @@ class ListReader(PostReader):
         for noun in out:  # "a red and a blue mug": the first borrows the noun
             if noun.kind == "adjective" and (noun.determined or noun.attributes):
                 bare.append(noun)
+            elif bare and noun.kind == "member":  # "a small, a medium and a large one"
+                for other in bare:
+                    other.kind = "member"
+                bare = []
             elif bare and noun.kind == "thing":
                 for other in bare:
                     other.kind, other.head, other.category = "thing", noun.head, noun.category

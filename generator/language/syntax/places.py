@@ -71,9 +71,13 @@ class PlaceReader(Cursor):
 
     def _target(self, *, nested: bool) -> Noun | None:
         """Read what a relation goes to; ``nested``: what follows is said of that."""
+        if self._text() in ("both", "all") and not self._starts_noun(1) and self._tag(1) != "word":
+            token = self._take()
+            return Noun("pronoun", ("them",), token.span, "them", plural=True, definite=True)
         self._skip(fw.PARTICIPLES & {"both", "all"})
         if self._text() in fw.PRONOUNS and not self._starts_longer():
             token = self._take()
+            self.i += self._text() in ("all", "both")
             return Noun("pronoun", (token.text,), token.span, token.text,
                         plural=token.text in fw.PLURAL_PRONOUNS, definite=True)  # fmt: skip
         if each := self._each_of_them():
