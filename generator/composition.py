@@ -12,7 +12,7 @@ from .language.planner import plan_scene
 from .layout import build_models, lay_out
 from .layout.checking import check_relations, correct_supports, observe
 from .method.assembly import AssemblyConfig, assemble
-from .scene import Provenance, RelationOutcome, Report, Scene, ScenePlan
+from .scene import Density, Provenance, RelationOutcome, Report, Scene, ScenePlan
 from .scene.provenance import scene_name, versions
 
 ATTEMPTS = 6
@@ -26,6 +26,7 @@ def compose(
     seed: int = 0,
     *,
     name: str | None = None,
+    density: Density | None = None,
     config: AssemblyConfig | None = None,
 ) -> Scene:
     """Compose a scene straight from a text (or a plan) with catalogue objects.
@@ -33,7 +34,8 @@ def compose(
     The same text and seed give the same scene. A layout whose objects do not come to rest soundly
     is replaced by another one, and so is one at rest in which not every relation of the plan holds;
     of those the one with most is taken, with a warning for each that does not hold. What each thing
-    stands on is what it rests on.
+    stands on is what it rests on. ``density`` says how full the table is ("sparse", "normal",
+    "dense"); None takes it from the text.
 
     Raises:
         InputError: the text cannot be planned, or the seed is not a whole number in range.
@@ -41,7 +43,9 @@ def compose(
     """
     require_seed(seed)
     seed = int(seed)
-    plan = text if isinstance(text, ScenePlan) else plan_scene(text, seed)
+    plan = text if isinstance(text, ScenePlan) else plan_scene(text, seed, density)
+    if density is not None:
+        plan = replace(plan, density=density)
     if not plan.objects:
         raise InputError("The plan holds no object; a scene needs at least one.")
     models = build_models(plan, seed)

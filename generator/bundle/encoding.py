@@ -95,9 +95,11 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 
 def _encode_plan(plan: ScenePlan | None) -> dict[str, Any] | None:
-    """Return it without the groups and families that it does not have."""
+    """Return it without the groups and families that it does not have, or its usual density."""
     encoded = _without_empty(_printable(plain(plan)), "groups")
     if encoded is not None:
+        if encoded["density"] == "normal":
+            del encoded["density"]
         encoded["objects"] = [_without_empty(thing, "family") for thing in encoded["objects"]]
     return encoded
 

@@ -10,7 +10,7 @@ from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from ..errors import DryRunError, InputError, require_seed
 from ..io.files import check_folder
-from ..scene import Intrinsics
+from ..scene import Density, Intrinsics
 from . import paying
 from .paying import NO_CALLS, USUAL, Calls, Chosen
 from .printing import print_scene, progress
@@ -124,6 +124,7 @@ def compose(
     out: Path | None = None,
     name: str | None = None,
     seed: int = 0,
+    density: Density | None = None,
     json: bool = False,
 ) -> int:
     """Turn a text into a table directly, without drawing a picture first: about a second.
@@ -133,6 +134,7 @@ def compose(
         out: Folder the bundle goes into; the user cache if left out.
         name: Name of the scene; made from the text if left out.
         seed: The same text and seed give the same scene.
+        density: How full the table is; left out, as the text says ("cluttered").
         json: Print one JSON object instead of text.
     """
     from ..bundle import check_name, save
@@ -142,7 +144,7 @@ def compose(
     folder = store(out)
     if name is not None:
         check_name(name)
-    scene = run(text, seed, name=name)
+    scene = run(text, seed, name=name, density=density)
     path = save(scene, folder, images={"preview": preview(scene)})
     return print_scene(path, scene, json)
 

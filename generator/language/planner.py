@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 
 from ..catalogue import CATEGORIES
 from ..catalogue.stand_ins import GENERIC, stand_in_size
 from ..errors import InputError
-from ..scene import PlannedGroup, PlannedObject, Relation, ScenePlan
+from ..scene import Density, PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
 from .drafts import Draft, Reading
 from .filling import fill, relate_by_habit
@@ -34,13 +35,29 @@ _PEOPLE = re.compile(
 )
 
 
-def plan_scene(prompt: str, seed: int) -> ScenePlan:
+_DENSITIES: Mapping[str, Density] = MappingProxyType(
+    {
+        "cluttered": "dense", "crowded": "dense", "messy": "dense", "packed": "dense",
+        "busy": "dense", "chaotic": "dense", "sparse": "sparse", "minimalist": "sparse",
+        "minimal": "sparse", "uncluttered": "sparse", "spacious": "sparse",
+    }
+)  # fmt: skip
+"""Words for how full a table is."""
+
+_FULL: Mapping[Density, tuple[int, int]] = MappingProxyType(
+    {"sparse": (3, 4), "normal": (5, 7), "dense": (10, 13)}
+)
+"""How many things a theme alone puts on a table, the least and the most."""
+
+
+def plan_scene(prompt: str, seed: int, density: Density | None = None) -> ScenePlan:
     """Plan the tabletop scene that an English text describes.
 
     Explicit objects, counts, attributes and relations are kept exactly. A text that only names a
-    kind of table ("an office desk"), or stays vague ("some tools"), is filled up to seven objects
-    with what belongs there. A word outside the catalogue becomes a "generic" object with a
-    warning. The same text and seed give the same plan.
+    kind of table ("an office desk"), or stays vague ("some tools"), is filled with what belongs
+    there, up to seven objects, or as ``density`` says (None takes it from words as "cluttered").
+    A word outside the catalogue becomes a "generic" object with a warning. The same text and seed
+    give the same plan.
 
     Raises:
         InputError: empty, too long or not English; nothing for a table in it; impossible counts
@@ -55,6 +72,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     theme = _theme(words)
     _check_content(prompt, reading, theme)
     objects, groups = relate_by_habit(*_plan_objects(reading))
+    full = density or next((_DENSITIES[w] for w in words if w in _DENSITIES), "normal")
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
     people = reading.people or people
@@ -66,15 +84,16 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
         more, seated = place_settings(people, setting, objects, reading.excluded)
         objects, groups = [*objects, *more], [*groups, *seated]
     elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
-        most = min(7, len(objects) + 3) if objects else 7
-        fewest = most if objects else max(THEMES[name].core, most - 2)
+        fewest, most = _FULL[full]
+        if objects:
+            fewest = most = min(most, len(objects) + 3)
         objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.check_relations(grow_carriers(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
     told = [*reading.warnings, *_warn_of_lengths(reading), *_changed_nouns(objects), *doubts]
     warnings = tuple(dict.fromkeys(told))
-    return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))
+    return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups), full)
 
 
 # ------------------------------------------------------------------------------------- checks

@@ -44,7 +44,7 @@ def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: in
     failed: str = ""
     for attempt in range(_TRIES):
         rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, attempt, 3])
-        state = State()
+        state = State(density=plan.density)
         stuck = _place_all(plan, models, table, outline, rng, state)
         if stuck is not None:
             failed = stuck
@@ -80,7 +80,10 @@ def arrange_more(
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 5])
     warnings: list[str] = []
     while True:
-        state = State(dict(placed), {n: _standing(models[n], p) for n, p in placed.items()})
+        state = State(
+            dict(placed), {n: _standing(models[n], p) for n, p in placed.items()},
+            density=plan.density,
+        )  # fmt: skip
         stuck = _place_all(plan, models, table, outline, rng, state, yaws)
         if stuck is None:
             new = tuple(p for name, p in state.places.items() if name not in placed)

@@ -14,11 +14,13 @@ from ..catalogue.build.styles import STYLES
 from ..catalogue.stand_ins import build_stand_in
 from ..errors import SceneError
 from ..geometry import convex_outline
-from ..scene import ConvexPart, Model, PlannedObject, PlannedTable, ScenePlan
+from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, ScenePlan
 from .footprint import footprint
 from .postures import pose, stand_up
 
-_FILLING = 0.42  # share of a tabletop that objects and the room around them may take
+_FILLING: Mapping[Density, float] = {"sparse": 0.25, "normal": 0.42, "dense": 0.62}
+"""Share of a tabletop that objects and the room around them may take."""
+
 _LARGEST = 1.5  # how much longer than planned a table may become
 _ROOM = 0.035  # metres of free space counted around each object
 
@@ -84,7 +86,8 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
     x, y, z = plan.table.size
     share = {"round": 0.785, "oval": 0.85, "triangle": 0.45}.get(plan.table.outline, 1.0)
     widest = max((float(models[o.name].size[0]) for o in standing), default=0.0)
-    factor = max(1.0, float(np.sqrt(area / (_FILLING * x * y * share))), (widest + 0.1) / x)
+    taken = _FILLING[plan.density] * x * y * share
+    factor = max(1.0, float(np.sqrt(area / taken)), (widest + 0.1) / x)
     factor *= growth
     if factor > max(_LARGEST, 2.4 / x):
         large = sorted(standing, key=lambda o: -models[o.name].size[:2].prod())[:3]

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..catalogue import CATEGORIES
-from ..scene import TABLE, Model, Placement, PlannedObject, ScenePlan
+from ..scene import TABLE, Density, Model, Placement, PlannedObject, ScenePlan
 from . import stacking
 from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
@@ -30,6 +30,7 @@ class State:
     places: dict[str, Placement] = field(default_factory=dict)
     neighbours: dict[str, Neighbour] = field(default_factory=dict)
     fields: dict[str, HeightField] = field(default_factory=dict)
+    density: Density = "normal"
     warnings: list[str] = field(default_factory=list)
     cost: float = 0.0
 
@@ -224,7 +225,7 @@ def _best_place(
     """Return the best free place on the tabletop, None where there is none; its cost is added."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
-    request = Request(planned.relations, own, near, outline)
+    request = Request(planned.relations, own, near, outline, state.density)
     centers = proposals(request, rng)
     free = margins(own, centers, outline) >= MARGIN
     room = np.full(len(centers), 0.2)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from ..scene import TABLE, Relation
+from ..scene import TABLE, Density, Relation
 from .footprint import BACK, FRONT, LEFT, RIGHT, Footprint, gaps, margins
 
 SIDES: Mapping[str, tuple[int, int, tuple[float, float]]] = {
@@ -20,6 +20,9 @@ SIDES: Mapping[str, tuple[int, int, tuple[float, float]]] = {
 """Relation kind: the target's direction, the object's own, and the way as a vector."""
 
 _RELATED, _FREE = 120, 120  # candidates proposed by relations, and anywhere
+_SPACING: Mapping[Density, float] = {"sparse": 2.0, "normal": 1.0, "dense": 0.5}
+"""Distances that things keep, in usual ones."""
+
 _SIGHT = 0.7  # cotangent of the 55 degrees from which the table is seen
 
 
@@ -39,6 +42,7 @@ class Request:
     shape: Footprint
     near: Mapping[str, Neighbour]
     outline: Float[np.ndarray, "k 2"]
+    density: Density = "normal"
 
 
 def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "m 2"]:
@@ -105,14 +109,15 @@ def score(
     for relation in request.relations:
         cost += 3.0 * violation(request, relation, centers)
     cost += 0.9 * _hiding(request.shape, centers, others)
-    cost += 0.5 * np.clip(0.05 - room, 0, None) / 0.05
+    far = _SPACING[request.density]
+    cost += 0.5 * np.clip(0.05 * far - room, 0, None) / 0.05
     if request.relations:
         return cost
     tall = float(np.clip(request.shape.height / 0.25, 0, 1))
     wished = (0.42 * tall - 0.14) * size[1]
     cost += 0.5 * np.abs(centers[:, 1] - wished) / size[1]
     cost += 0.35 * np.clip(np.abs(centers[:, 0]) / size[0] - 0.25, 0, None)
-    return cost + 0.3 * np.clip(room - 0.16, 0, None) / 0.1
+    return cost + 0.3 * np.clip(room - 0.16 * far, 0, None) / 0.1
 
 
 def violation(

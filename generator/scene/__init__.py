@@ -39,6 +39,7 @@ from .picture import Reference as Reference
 from .picture import TopView as TopView
 from .picture import View as View
 from .plan import TABLE as TABLE
+from .plan import Density as Density
 from .plan import GroupKind as GroupKind
 from .plan import OutlineKind as OutlineKind
 from .plan import PlannedGroup as PlannedGroup

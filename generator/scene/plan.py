@@ -18,6 +18,9 @@ RelationKind = Literal[
 GroupKind = Literal[
     "row", "column", "circle", "fan", "heap", "pyramid", "scatter", "grid", "group", "setting"
 ]
+Density = Literal["sparse", "normal", "dense"]
+"""How full a table is: how far things stand apart, and how many a theme alone puts there."""
+
 OutlineKind = Literal["rectangle", "square", "round", "oval", "triangle", "slatted"]
 
 
@@ -104,8 +107,13 @@ class ScenePlan:
     style: str = "plain"
     warnings: tuple[str, ...] = ()
     groups: tuple[PlannedGroup, ...] = ()
+    density: Density = "normal"
 
     def __post_init__(self) -> None:
+        if self.density not in get_args(Density):
+            raise InputError(
+                f"Unknown density {self.density!r}." + choices(str(self.density), get_args(Density))
+            )
         names = [planned.name for planned in self.objects]
         if len(set(names)) < len(names) or TABLE in names:
             raise InputError(f"Planned names must be unique and not {TABLE!r}: {names}.")
