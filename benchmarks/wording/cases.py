@@ -48,10 +48,6 @@ class Relation:
     b: Names | None = None
     how: int | str | None = None
 
-    def __str__(self) -> str:
-        words = [_short(self.a), self.kind, _short(self.b) if self.b else ""]
-        return " ".join(w for w in (*words, f"({self.how})" if self.how else "") if w)
-
 
 @dataclass(frozen=True)
 class Case:
@@ -116,8 +112,3 @@ def _relation(
 
 def _names(entry: str | list[str]) -> Names:
     return entry if isinstance(entry, str) else tuple(entry)
-
-
-def _short(names: Names) -> str:
-    patterns = (names,) if isinstance(names, str) else names
-    return "+".join(p if len(p) < 14 else p[:12] + "…" for p in patterns)

@@ -23,6 +23,8 @@ SETTLE = 0.3
 """Seconds that a bundle is simulated before its contacts are read."""
 LIFT = 0.05
 """The part of its weight from which on a contact carries a thing."""
+THIN = 3e-4
+"""Metres that a thing on another begins above its lowest point, at the least: a sheet of paper."""
 HEAP = 0.01
 """Metres that a thing in a container may begin above its rim, as on a heap."""
 
@@ -44,18 +46,22 @@ class Thing:
 
     @cached_property
     def low(self) -> np.ndarray:
+        """The least corner of its box."""
         return self.points.min(0)
 
     @cached_property
     def high(self) -> np.ndarray:
+        """The greatest corner of its box."""
         return self.points.max(0)
 
     @property
     def centre(self) -> np.ndarray:
+        """The middle of its box."""
         return (self.low + self.high) / 2
 
     @property
     def size(self) -> np.ndarray:
+        """The extents of its box."""
         return self.high - self.low
 
     @cached_property
@@ -104,7 +110,7 @@ class Seen:
 
     def on(self, a: Thing, b: Thing) -> bool:
         """Return whether ``a`` stands on ``b``, over things between too, and begins above it."""
-        return b.name in self.below(a.name) and a.low[2] > b.low[2] - 1e-3
+        return b.name in self.below(a.name) and bool(a.low[2] > b.low[2] + THIN)
 
     def inside(self, a: Thing, b: Thing) -> bool:
         """Return whether ``b`` carries ``a`` within its outline, from below its rim on."""
