@@ -15,6 +15,9 @@ from wording.seen import Seen, Thing
 
 COLOURED = 0.15
 """The part of a thing's surface from which on it is of a colour."""
+PACKS = (
+    "bag|ball|bar|block|bottle|box|bunch|can|carton|case|jar|loaf|pack|packet|roll|slice|stack|tin"
+)
 
 
 @dataclass(frozen=True)
@@ -151,7 +154,7 @@ def _cost(clause: Clause, thing: Thing, needed: bool) -> float:
 
 def _looks(clause: Clause, thing: Thing) -> str:
     """Return what is wrong with a thing's size and colour, nothing where it is as asked."""
-    longest = 100 * float(max(thing.size))
+    longest = 100 * float(max(thing.extents))
     if clause.cm and not clause.cm[0] <= longest <= clause.cm[1]:
         return f"{thing.name} is {longest:.0f} cm long"
     if clause.colour and thing.share(clause.colour) < COLOURED:
@@ -204,8 +207,12 @@ def _may(case: Case, clause: Clause) -> bool:
 
 
 def _kind(clause: Clause, thing: Thing) -> bool:
-    """Return whether a thing's name, which says what it is, is one that a clause asks for."""
-    return matches(clause.any, thing.name) or plain(clause.word) == plain(thing.name)
+    """Return whether a thing's name, which says what it is, ends with what a clause asks for.
+
+    A word of ``PACKS`` may follow: a stack of paper is paper, a rack of test tubes no test tube.
+    """
+    pattern = rf"\b(?:{clause.any})(?:s|es)?(?: (?:{PACKS}))?$"
+    return re.search(pattern, plain(thing.name)) is not None
 
 
 def _as(thing: Thing) -> str:

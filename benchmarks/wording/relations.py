@@ -26,6 +26,10 @@ STEP = 0.01
 """Metres by which the middle of one thing must be beyond another's."""
 SKEW = 0.7
 """How far aside a thing may be for each metre that it is away in the direction asked."""
+SHALLOW = 0.05
+"""Metres of height up to which what is on a tray, a dish or a rack counts as in it."""
+GROWTH = 0.02
+"""The part by which each of ordered things is larger than the one before, or smaller."""
 
 Things = Sequence[Thing]
 Signs = tuple[float, float]
@@ -46,7 +50,7 @@ def pair(kind: str, a: Thing, b: Thing, seen: Seen) -> bool:
     if kind == "on":
         return seen.on(a, b)
     if kind == "in":
-        return seen.inside(a, b)
+        return seen.inside(a, b) or (b.size[2] <= SHALLOW and seen.on(a, b))
     if kind == "near":
         return gap(a, b) <= NEAR and not seen.on(a, b) and not seen.on(b, a)
     raise KeyError(kind)
@@ -114,8 +118,8 @@ def row(things: Things, direction: int | None = None) -> bool:
 def ordered(things: Things, sign: int) -> bool:
     """Return whether things from left to right grow (1) or shrink (-1), in height or in bulk."""
     line = sorted(things, key=lambda t: float(t.centre[0]))
-    measures = [[float(np.prod(t.size)) for t in line], [float(t.size[2]) for t in line]]
-    rises = [all(sign * (b - a) > 1e-3 * a for a, b in itertools.pairwise(m)) for m in measures]
+    measures = [[float(np.prod(t.extents)) for t in line], [float(t.extents[2]) for t in line]]
+    rises = [all(sign * (b - a) > GROWTH * a for a, b in itertools.pairwise(m)) for m in measures]
     return len(line) > 1 and any(rises)
 
 
@@ -159,8 +163,9 @@ def eachside(things: Things, b: Thing) -> bool:
 
 
 def upright(a: Thing) -> bool:
-    """Return whether a thing stands: its height is not its least extent."""
-    return bool(a.size[2] >= 1.3 * min(a.size[:2]))
+    """Return whether a thing stands: it is higher than it is wide, seen from its narrow side."""
+    reach = a.points[:, :2] @ a.edges[:, :2].T
+    return bool(a.size[2] >= 1.3 * np.ptp(reach, axis=0).min())
 
 
 def corners(things: Things, seen: Seen) -> bool:

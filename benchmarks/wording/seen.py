@@ -34,7 +34,8 @@ class Thing:
     """A thing that was simulated: corners of its box, points of its mesh (n, 3), colours (m, 3).
 
     ``label`` is what it is called; ``stand_in`` says that a plain shape stands for it. ``areas``
-    (m,) are the shares of the surface that have the colours, RGB from 0 to 1.
+    (m,) are the shares of the surface that have the colours, RGB from 0 to 1. ``own`` are the
+    extents along its own axes, where they are known.
     """
 
     name: str
@@ -43,6 +44,7 @@ class Thing:
     stand_in: bool = False
     colours: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
     areas: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    own: np.ndarray | None = None
 
     @cached_property
     def low(self) -> np.ndarray:
@@ -63,6 +65,11 @@ class Thing:
     def size(self) -> np.ndarray:
         """The extents of its box."""
         return self.high - self.low
+
+    @property
+    def extents(self) -> np.ndarray:
+        """Its length, width and height, however it is turned."""
+        return self.size if self.own is None else self.own
 
     @cached_property
     def foot(self) -> np.ndarray:
@@ -163,7 +170,8 @@ def _thing(model: mujoco.MjModel, data: mujoco.MjData, body: int, told: Mapping[
     points = _points(model, data, body)
     colours, areas = _colours(model, body)
     label, stand_in = str(told.get("label", name)), bool(told.get("stand_in", False))
-    return Thing(name, label, points, stand_in, colours, areas)
+    own = np.ptp(points @ data.xmat[body].reshape(3, 3), axis=0)
+    return Thing(name, label, points, stand_in, colours, areas, own)
 
 
 def _meshes(model: mujoco.MjModel, body: int) -> list[int]:

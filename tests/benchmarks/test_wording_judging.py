@@ -89,6 +89,14 @@ def test_a_change_without_a_word_is_told_from_one_that_is_warned_of() -> None:
     assert warned.changed == ()
 
 
+@pytest.mark.parametrize(
+    ("name", "strict"), [("test_tube_1", True), ("test_tube_rack_1", False), ("tube_box_1", True)]
+)
+def test_a_thing_is_of_the_kind_that_its_name_ends_with(name: str, strict: bool) -> None:
+    asked = case("a test tube", [wants("test tube|tube")])
+    assert judge(asked, seen(thing(name, label="test tube"))).strict is strict
+
+
 def test_nothing_there_and_nothing_said_is_silent() -> None:
     asked = case("a mug and a pen", [wants("mug"), wants("pen")])
     found = judge(asked, seen(thing("mug_1")))

@@ -143,6 +143,11 @@ def test_in_is_within_the_outline_and_below_the_rim() -> None:
     assert not true("in", [inside], [bowl], seen(bowl, inside))
 
 
+def test_on_a_tray_is_in_it() -> None:
+    tray, pen = thing("tray_1", size=(0.2, 0.2, 0.03)), thing("pen_1", 0.2, up=0.045)
+    assert true("in", [pen], [tray], seen(tray, pen, on={"pen_1": "tray_1"}))
+
+
 def test_a_stack_is_one_pile() -> None:
     things = [thing(f"book_{k}", up=0.06 * k) for k in range(3)]
     piled = seen(*things, on={"book_1": "book_0", "book_2": "book_1"})
