@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from wording.cases import Case, Clause, Names, Relation, matches, plain
+from wording.cases import MANY, Case, Clause, Names, Relation, matches, plain
 from wording.relations import holds
 from wording.seen import Seen, Thing
 
@@ -69,9 +69,10 @@ def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
     missing: list[str] = []
     silent: list[str] = []
     excused = 0
+    held = {c.any for k, c in enumerate(case.objects) if not given[k] and _held(c, real)}
     for k, clause in enumerate(case.objects):
         fault = _fault(clause, given[k], surplus[k])
-        if not fault:
+        if not fault or clause.any in held:
             continue
         warned = told(clause, case.text, [*warnings, *(t.label for t in stand_ins)])
         if warned and any(matches(clause.any, w) for w in case.terms_may_warn):
@@ -88,7 +89,7 @@ def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
     for relation in case.relations:
         if excused and excusable & {*_each(relation.a), *_each(relation.b or ())}:
             spared += 1
-        elif not holds(
+        elif not (relation.kind in ("in", "on") and relation.a in held) and not holds(
             relation.kind, group.of(relation.a), group.of(relation.b), relation.how, seen
         ):
             broken.append(_read(case, relation))
@@ -204,6 +205,14 @@ def _each(names: Names) -> tuple[str, ...]:
 
 def _may(case: Case, clause: Clause) -> bool:
     return any(matches(clause.any, w) for w in case.terms_may_warn)
+
+
+def _held(clause: Clause, real: Sequence[Thing]) -> bool:
+    """Return whether a vessel is called after what it holds, a "bowl of sweets", and shows it so.
+
+    That is enough where no number was asked for.
+    """
+    return clause.most >= MANY and any(matches(rf"of (?:{clause.any})", t.label) for t in real)
 
 
 def _kind(clause: Clause, thing: Thing) -> bool:

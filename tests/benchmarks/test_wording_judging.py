@@ -89,6 +89,17 @@ def test_a_change_without_a_word_is_told_from_one_that_is_warned_of() -> None:
     assert warned.changed == ()
 
 
+def test_a_vessel_called_after_what_it_holds_shows_it() -> None:
+    asked = case(
+        "a bowl of sweets", [wants("bowl"), wants("sweets", [1, 99])],
+        relations=[["sweets", "in", "bowl"]],
+    )  # fmt: skip
+    assert judge(asked, seen(thing("bowl_1", label="bowl of sweets"))).right
+    assert not judge(asked, seen(thing("bowl_1"))).right
+    two = case("a bowl with two sweets", [wants("bowl"), wants("sweets", 2)])
+    assert not judge(two, seen(thing("bowl_1", label="bowl of sweets"))).right
+
+
 @pytest.mark.parametrize(
     ("name", "strict"), [("test_tube_1", True), ("test_tube_rack_1", False), ("tube_box_1", True)]
 )
