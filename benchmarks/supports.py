@@ -2,8 +2,9 @@
 
     python benchmarks/supports.py --scenes 300
 
-Texts of ``table78.json`` and of the dev half of ``wording/`` that speak of things on or in others
-are composed and saved, all with seed 0 first, then with seed 1, and so on. A bundle is simulated
+Texts of the dev half of ``wording/`` and of ``table78.json`` that speak of things on or in others
+are composed and saved, all with seed 0 first, then with seed 1, and so on; scenes that
+``understanding.py --bundles`` kept are used as they are with the same option. A bundle is simulated
 for 0.3 s (``wording/seen.py``). On: contacts that carry lead from the thing down to the other, and
 it begins above the other's lowest point. In: also the thing's middle, or its foot, is within the
 other's outline, and it begins below the rim plus 1 cm. Checked are the ``on`` and ``inside`` of
@@ -15,16 +16,19 @@ from __future__ import annotations
 
 import argparse
 import itertools
+import json
 import re
 import tempfile
 import time
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from posing import tables
 from posing.figures import column
 from posing.tables import Row
 from wording.cases import cases_of
+from wording.making import Made
 from wording.seen import TABLE, Seen, look
 
 from generator.bundle import load, save
@@ -45,7 +49,7 @@ MEANING = {
 }  # fmt: skip
 
 
-def work(job: tuple[str, int]) -> list[Row]:
+def work(job: tuple[str, int], kept: Path | None = None) -> list[Row]:
     """Compose a text and check its supports; a failure is a row too."""
     text, seed = job
     row: Row = dict.fromkeys(FIELDS, 0) | {
@@ -57,11 +61,23 @@ def work(job: tuple[str, int]) -> list[Row]:
     start = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         try:
-            bundle = save(compose(text, seed), folder)
+            bundle = _kept(text, seed, kept) or save(compose(text, seed), folder)
             row["seconds"] = round(time.perf_counter() - start, 2)
             return [row | check(load(bundle), look(bundle))]
         except Exception as error:  # one text must not end the run
             return [row | {"error": tables.failure(error)}]
+
+
+def _kept(text: str, seed: int, folder: Path | None) -> Path | None:
+    """Return the bundle that ``understanding.py`` made of a text, if it is there."""
+    if folder is None:
+        return None
+    for case in cases_of("dev"):
+        record = folder / f"{case.id}-{seed}.json"
+        if case.text == text and record.exists():
+            made = Made(**json.loads(record.read_text(encoding="utf-8")))
+            return folder / made.bundle if made.bundle else None
+    return None
 
 
 def check(scene: Scene, seen: Seen) -> Row:
@@ -97,7 +113,7 @@ def check(scene: Scene, seen: Seen) -> Row:
 
 def texts(path: Path) -> list[str]:
     """Return the texts that speak of things on or in others, each once."""
-    all_of_them = [*tables.texts_in(path), *(c.text for c in cases_of("dev"))]
+    all_of_them = [*(c.text for c in cases_of("dev")), *tables.texts_in(path)]
     return [t for t in dict.fromkeys(all_of_them) if SPEAKS.search(t)]
 
 
@@ -137,6 +153,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--scenes", type=int, default=300)
     parser.add_argument("--texts", type=Path, default=HERE / "table78.json")
+    parser.add_argument("--bundles", type=Path, default=None, help="folder of kept scenes")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
@@ -145,8 +162,9 @@ def main() -> None:
     jobs = ((t, seed) for seed in itertools.count() for t in texts(args.texts))
     asked = {(t, str(seed)): (t, seed) for t, seed in itertools.islice(jobs, args.scenes)}
     path = args.out / "supports.csv"
-    rows = tables.complete(path, FIELDS, KEY, asked, work, args.workers, say)
-    text = summary(rows, tables.command_line("--workers", "--out"))
+    job = partial(work, kept=args.bundles)
+    rows = tables.complete(path, FIELDS, KEY, asked, job, args.workers, say)
+    text = summary(rows, tables.command_line("--workers", "--out", "--bundles"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")
     print(text)
 
