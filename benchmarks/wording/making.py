@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import resource
 import subprocess
 import sys
@@ -33,7 +34,7 @@ class Made:
     @property
     def foreign(self) -> bool:
         """Whether it ended with an exception that is not the package's own."""
-        return "Traceback (most recent call last)" in self.errors
+        return re.search(r'^ +File ".*", line \d+', self.errors, re.MULTILINE) is not None
 
     @property
     def warnings(self) -> list[str]:

@@ -50,6 +50,9 @@ def test_a_saved_bundle_is_seen_where_it_is(tmp_path: Path) -> None:
     assert shown.below("mug_1") == {"table"}
 
 
+TRACE = 'Traceback (most recent call last):\n  File "a.py", line 3, in f\nValueError: b\n'
+
+
 def made(code: int = 0, errors: str = "") -> Made:
     return Made(
         code, {"warnings": ["Not understood: 'zorb'."]} if not code else {}, errors, 1.5, ""
@@ -60,7 +63,7 @@ def test_rows_of_the_test_half_have_no_words(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     bench = script("understanding")
-    monkeypatch.setattr(bench, "make", lambda *given: made(1, "Traceback (most recent call last)"))
+    monkeypatch.setattr(bench, "make", lambda *given: made(1, TRACE))
     case = cases_of("test")[0]
     (row,) = bench.work(case, "compose", 0, tmp_path, shown=False)
     assert set(row) == set(bench.FIELDS)
@@ -72,6 +75,11 @@ def test_rows_of_the_test_half_have_no_words(
     assert case.id not in text
     (open_row,) = bench.work(case, "compose", 0, None, shown=True)
     assert "- " + case.id in bench.summary([open_row], "compose", "dev", "bench")
+
+
+def test_an_error_of_the_package_is_not_foreign() -> None:
+    assert made(1, TRACE).foreign
+    assert not made(2, "error: The text is empty.").foreign
 
 
 def test_a_scene_made_before_is_not_made_again(
