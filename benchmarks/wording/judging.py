@@ -10,7 +10,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from wording.cases import MANY, Case, Clause, Names, Relation, matches, plain
-from wording.relations import holds
+from wording.relations import Things, holds
 from wording.seen import Seen, Thing
 
 COLOURED = 0.15
@@ -83,7 +83,7 @@ def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
             silent.append(clause.word)
     masked = [t for c, ts in zip(case.objects, given, strict=True) for t in ts if not _kind(c, t)]
     hidden = [t for t in masked if not any(plain(t.label) in plain(w) for w in warnings)]
-    group = _Groups(case, given, real)
+    group = _Groups(case, given, real, stand_ins)
     excusable = {c.any for k, c in enumerate(case.objects) if not given[k] and _may(case, c)}
     broken, spared = [], 0
     for relation in case.relations:
@@ -173,19 +173,28 @@ def _fault(clause: Clause, given: Sequence[Thing], surplus: Sequence[Thing]) -> 
 
 
 class _Groups:
-    """The things that a relation's patterns mean: those given to a clause, else all that match."""
+    """The things that a relation's patterns mean: those given to a clause, else all that match.
 
-    def __init__(self, case: Case, given: Sequence[Sequence[Thing]], real: Sequence[Thing]) -> None:
-        self.case, self.given, self.real = case, given, real
+    Where a clause lacks things, plain shapes that stand for them have places too: what is wrong
+    with the counts is not counted again with the relations.
+    """
+
+    def __init__(
+        self, case: Case, given: Sequence[Sequence[Thing]], real: Things, stand_ins: Things
+    ) -> None:
+        self.case, self.given, self.real, self.stand_ins = case, given, real, stand_ins
 
     def of(self, names: Names | None) -> list[list[Thing]]:
         return [self._of(pattern) for pattern in _each(names or ())]
 
     def _of(self, pattern: str) -> list[Thing]:
         clauses = [k for k, c in enumerate(self.case.objects) if c.any == pattern]
-        if clauses:
-            return [t for k in clauses for t in self.given[k]]
-        return [t for t in self.real if _named((pattern,), t)]
+        if not clauses:
+            return [t for t in self.real if _named((pattern,), t)]
+        found = [t for k in clauses for t in self.given[k]]
+        if len(found) < sum(self.case.objects[k].least for k in clauses):
+            found += [t for t in self.stand_ins if _named((pattern,), t)]
+        return found
 
 
 def _read(case: Case, relation: Relation) -> str:

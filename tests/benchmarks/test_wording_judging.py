@@ -75,6 +75,17 @@ def test_a_plain_shape_never_counts_but_is_no_phantom_of_a_word_of_the_text() ->
     assert other.phantoms == ("blib (blib_1)",)
 
 
+def test_a_plain_shape_has_a_place() -> None:
+    asked = case(
+        "a zorb left of a mug", [wants("mug"), wants("zorb")], relations=[["zorb", "left", "mug"]]
+    )
+    found = judge(asked, seen(thing("mug_1"), thing("zorb_1", -0.2, stand_in=True)))
+    assert found.counts
+    assert not found.relations
+    turned = judge(asked, seen(thing("mug_1"), thing("zorb_1", 0.2, stand_in=True)))
+    assert len(turned.relations) == 1
+
+
 def test_a_change_without_a_word_is_told_from_one_that_is_warned_of() -> None:
     asked = case("a bat", [wants("bat|paddle")])
     table = seen(thing("vampire_1", label="vampire"))
