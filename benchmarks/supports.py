@@ -61,14 +61,14 @@ def work(job: tuple[str, int], kept: Path | None = None) -> list[Row]:
     start = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         try:
-            bundle = _kept(text, seed, kept) or save(compose(text, seed), folder)
+            bundle = _find_kept(text, seed, kept) or save(compose(text, seed), folder)
             row["seconds"] = round(time.perf_counter() - start, 2)
             return [row | check(load(bundle), look(bundle))]
         except Exception as error:  # one text must not end the run
             return [row | {"error": tables.failure(error)}]
 
 
-def _kept(text: str, seed: int, folder: Path | None) -> Path | None:
+def _find_kept(text: str, seed: int, folder: Path | None) -> Path | None:
     """Return the bundle that ``understanding.py`` made of a text, if it is there."""
     if folder is None:
         return None

@@ -28,7 +28,7 @@ from wording.cases import Case, cases_of
 from wording.judging import judge
 from wording.making import make
 from wording.seen import look
-from wording.sheet import Entry, contact_sheet
+from wording.sheet import SheetEntry, contact_sheet
 
 HERE = Path(__file__).parent
 KEY = ("id", "seed")
@@ -177,7 +177,7 @@ def draw(count: int, route: str, seed: int, bundles: Path | None, out: Path) -> 
     cases = cases_of("test")
     chosen = random.Random(SHEET_SEED).sample(cases, min(count, len(cases)))
     made = [(c, make(c.text, c.id, route, seed, bundles)) for c in chosen]
-    entries = [Entry(c.text, bundles / m.bundle if m.bundle else None) for c, m in made]
+    entries = [SheetEntry(c.text, bundles / m.bundle if m.bundle else None) for c, m in made]
     contact_sheet(entries).save(out / f"understanding_{route}.png")
     return None
 

@@ -22,7 +22,7 @@ Names = str | tuple[str, ...]
 
 
 @dataclass(frozen=True)
-class Clause:
+class ExpectedThing:
     """Things that the table must show: ``least`` to ``most`` whose name matches ``any``.
 
     ``word`` is the author's own word for it. ``cm`` is the range of the longest side, centimetres.
@@ -37,7 +37,7 @@ class Clause:
 
 
 @dataclass(frozen=True)
-class Relation:
+class ExpectedRelation:
     """Things ``a`` stand in a relation to things ``b``, or on the table where ``b`` is None.
 
     ``how`` says how many of ``a`` must: None all, "some" at least one, a number at least so many.
@@ -57,8 +57,8 @@ class Case:
     theme: str
     level: str
     text: str
-    objects: tuple[Clause, ...]
-    relations: tuple[Relation, ...] = ()
+    objects: tuple[ExpectedThing, ...]
+    relations: tuple[ExpectedRelation, ...] = ()
     absent: tuple[str, ...] = ()
     also: tuple[str, ...] = ()
     terms_may_warn: tuple[str, ...] = ()
@@ -96,18 +96,18 @@ def case_of(entry: dict[str, Any]) -> Case:
     )
 
 
-def _clause(entry: dict[str, Any]) -> Clause:
+def _clause(entry: dict[str, Any]) -> ExpectedThing:
     count = entry["count"]
     least, most = (count, count) if isinstance(count, int) else count
     cm = (float(entry["cm"][0]), float(entry["cm"][1])) if "cm" in entry else None
     word = entry.get("word", entry["any"])
-    return Clause(word, entry["any"], least, most, cm, entry.get("colour"))
+    return ExpectedThing(word, entry["any"], least, most, cm, entry.get("colour"))
 
 
 def _relation(
     a: str | list[str], kind: str, b: str | list[str] | None = None, how: int | str | None = None
-) -> Relation:
-    return Relation(_names(a), kind, None if b is None else _names(b), how)
+) -> ExpectedRelation:
+    return ExpectedRelation(_names(a), kind, None if b is None else _names(b), how)
 
 
 def _names(entry: str | list[str]) -> Names:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from wording.cases import MANY, Case, Clause, Names, Relation, matches, plain
+from wording.cases import MANY, Case, ExpectedRelation, ExpectedThing, Names, matches, plain
 from wording.relations import Things, holds
 from wording.seen import Seen, Thing
 
@@ -109,7 +109,7 @@ def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
     )
 
 
-def assign(clauses: Sequence[Clause], things: Sequence[Thing]) -> list[list[Thing]]:
+def assign(clauses: Sequence[ExpectedThing], things: Sequence[Thing]) -> list[list[Thing]]:
     """Give things to clauses so that as many counts as possible are met.
 
     Among such ways it is the one in which most names are the clauses' own words, and most sizes
@@ -131,12 +131,12 @@ def assign(clauses: Sequence[Clause], things: Sequence[Thing]) -> list[list[Thin
     return given
 
 
-def fits(clause: Clause, thing: Thing) -> bool:
+def fits(clause: ExpectedThing, thing: Thing) -> bool:
     """Return whether a thing's label or name is one that a clause asks for."""
     return any(matches(clause.any, w) for w in _words(thing))
 
 
-def told(clause: Clause, text: str, warnings: Sequence[str]) -> bool:
+def told(clause: ExpectedThing, text: str, warnings: Sequence[str]) -> bool:
     """Return whether a warning names what a clause asks for, by any of its words."""
     said = [plain(w) for w in warnings]
     terms = re.findall(rf"\b((?:{clause.any})(?:s|es)?)\b", plain(text))
@@ -145,7 +145,7 @@ def told(clause: Clause, text: str, warnings: Sequence[str]) -> bool:
     return named or any(matches(clause.any, line) for line in said)
 
 
-def _cost(clause: Clause, thing: Thing, needed: bool) -> float:
+def _cost(clause: ExpectedThing, thing: Thing, needed: bool) -> float:
     if not fits(clause, thing):
         return 1e3
     own = plain(thing.label).replace(" ", "") == clause.word or matches(clause.word, thing.label)
@@ -153,7 +153,7 @@ def _cost(clause: Clause, thing: Thing, needed: bool) -> float:
     return (-100.0 if needed else -20.0) + 2.0 * (not own) + 5.0 * wrong
 
 
-def _looks(clause: Clause, thing: Thing) -> str:
+def _looks(clause: ExpectedThing, thing: Thing) -> str:
     """Return what is wrong with a thing's size and colour, nothing where it is as asked."""
     longest = 100 * float(max(thing.extents))
     if clause.cm and not clause.cm[0] <= longest <= clause.cm[1]:
@@ -163,7 +163,7 @@ def _looks(clause: Clause, thing: Thing) -> str:
     return ""
 
 
-def _fault(clause: Clause, given: Sequence[Thing], surplus: Sequence[Thing]) -> str:
+def _fault(clause: ExpectedThing, given: Sequence[Thing], surplus: Sequence[Thing]) -> str:
     many = len(given) + (len(surplus) if len(given) >= clause.most else 0)
     if not clause.least <= many <= clause.most:
         most = "" if clause.most == clause.least else "+" if clause.most > 90 else f"-{clause.most}"
@@ -197,7 +197,7 @@ class _Groups:
         return found
 
 
-def _read(case: Case, relation: Relation) -> str:
+def _read(case: Case, relation: ExpectedRelation) -> str:
     """Return a relation in the words of the case's clauses."""
     words = {c.any: c.word for c in case.objects}
 
@@ -212,11 +212,11 @@ def _each(names: Names) -> tuple[str, ...]:
     return (names,) if isinstance(names, str) else names
 
 
-def _may(case: Case, clause: Clause) -> bool:
+def _may(case: Case, clause: ExpectedThing) -> bool:
     return any(matches(clause.any, w) for w in case.terms_may_warn)
 
 
-def _held(clause: Clause, real: Sequence[Thing]) -> bool:
+def _held(clause: ExpectedThing, real: Sequence[Thing]) -> bool:
     """Return whether a vessel is called after what it holds, a "bowl of sweets", and shows it so.
 
     That is enough where no number was asked for.
@@ -224,7 +224,7 @@ def _held(clause: Clause, real: Sequence[Thing]) -> bool:
     return clause.most >= MANY and any(matches(rf"of (?:{clause.any})", t.label) for t in real)
 
 
-def _kind(clause: Clause, thing: Thing) -> bool:
+def _kind(clause: ExpectedThing, thing: Thing) -> bool:
     """Return whether a thing's name, which says what it is, ends with what a clause asks for.
 
     A word of ``PACKS`` may follow: a stack of paper is paper, a rack of test tubes no test tube.

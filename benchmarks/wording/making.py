@@ -51,7 +51,7 @@ def make(text: str, name: str, route: str, seed: int, folder: Path) -> Made:
     command += ["--out", str(folder), "--name", f"{name}-{seed}"]
     paths = os.pathsep.join(p for p in (str(ROOT), os.environ.get("PYTHONPATH", "")) if p)
     environment = os.environ | {"PYTHONPATH": paths, "OMP_NUM_THREADS": "1"}
-    before = _spent()
+    before = _processor_seconds()
     try:
         done = subprocess.run(
             command, capture_output=True, text=True, timeout=LONGEST, env=environment, check=False
@@ -61,12 +61,12 @@ def make(text: str, name: str, route: str, seed: int, folder: Path) -> Made:
         code, out, errors = 124, "", f"no answer in {LONGEST:.0f} s"
     said = _read(out)
     bundle = Path(said["bundle"]).name if "bundle" in said else ""
-    made = Made(code, said, errors[-2000:], round(_spent() - before, 2), bundle)
+    made = Made(code, said, errors[-2000:], round(_processor_seconds() - before, 2), bundle)
     kept.write_text(json.dumps(asdict(made)), encoding="utf-8")
     return made
 
 
-def _spent() -> float:
+def _processor_seconds() -> float:
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 

@@ -144,10 +144,10 @@ def look(bundle: Path, told: Iterable[Mapping[str, Any]] = ()) -> Seen:
     things = tuple(_thing(model, data, b, known.get(model.body(b).name, {})) for b in free)
     table = _points(model, data, model.body(TABLE).id)
     width, depth = (table.max(0) - table.min(0))[:2]
-    return Seen(things, (float(width), float(depth)), carried(model, data))
+    return Seen(things, (float(width), float(depth)), find_carriers(model, data))
 
 
-def carried(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, frozenset[str]]:
+def find_carriers(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, frozenset[str]]:
     """Return for each body the bodies whose contact takes ``LIFT`` of its weight or more."""
     lift: dict[tuple[int, int], float] = defaultdict(float)
     for k, contact in enumerate(data.contact):

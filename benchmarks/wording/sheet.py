@@ -16,14 +16,14 @@ SIGNS = 62
 
 
 @dataclass(frozen=True)
-class Entry:
+class SheetEntry:
     """A scene of the sheet; a bundle that is None is one that was not made."""
 
     text: str
     bundle: Path | None
 
 
-def contact_sheet(entries: Sequence[Entry]) -> Image.Image:
+def contact_sheet(entries: Sequence[SheetEntry]) -> Image.Image:
     """Return the previews, top views below them where there are some, and the texts."""
     cells = [_cell(number, entry) for number, entry in enumerate(entries, start=1)]
     rows = [cells[k : k + COLUMNS] for k in range(0, len(cells), COLUMNS)]
@@ -38,8 +38,8 @@ def contact_sheet(entries: Sequence[Entry]) -> Image.Image:
     return sheet
 
 
-def _cell(number: int, entry: Entry) -> Image.Image:
-    pictures = [_fitted(p) for name in ("preview.png", "top_view.png") if (p := _of(entry, name))]
+def _cell(number: int, entry: SheetEntry) -> Image.Image:
+    pictures = [_fit(p) for name in ("preview.png", "top_view.png") if (p := _of(entry, name))]
     paragraphs = f"{number}. {entry.text}".splitlines()
     lines = [line for p in paragraphs for line in textwrap.wrap(p, SIGNS) or [""]]
     if not pictures:
@@ -56,12 +56,12 @@ def _cell(number: int, entry: Entry) -> Image.Image:
     return cell
 
 
-def _of(entry: Entry, name: str) -> Path | None:
+def _of(entry: SheetEntry, name: str) -> Path | None:
     path = entry.bundle / name if entry.bundle else None
     return path if path and path.exists() else None
 
 
-def _fitted(path: Path) -> Image.Image:
+def _fit(path: Path) -> Image.Image:
     with Image.open(path) as picture:
         height = round(picture.height * WIDTH / picture.width)
         return picture.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS)

@@ -12,7 +12,7 @@ from wording import making
 from wording.cases import cases_of
 from wording.making import Made, make
 from wording.seen import look
-from wording.sheet import Entry, contact_sheet
+from wording.sheet import SheetEntry, contact_sheet
 
 from generator.bundle import save
 
@@ -93,7 +93,7 @@ def test_a_scene_made_before_is_not_made_again(
 
 def test_the_sheet_numbers_its_scenes(tmp_path: Path) -> None:
     Image.new("RGB", (100, 50), "red").save(tmp_path / "preview.png")
-    entries = [Entry("a mug\non a plate", tmp_path), Entry("two pens", None)]
+    entries = [SheetEntry("a mug\non a plate", tmp_path), SheetEntry("two pens", None)]
     sheet = contact_sheet(entries)
     assert sheet.getpixel((30, 30)) == (255, 0, 0)
     assert sheet.height > 250
