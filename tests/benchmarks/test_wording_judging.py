@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from blocks import seen, thing
+from made_things import seen, thing
 from wording.cases import Case, case_of, cases_of, matches, plain
 from wording.judging import assign, judge, told
 from wording.relations import ALONE, TOGETHER, TOWARDS, ZONES

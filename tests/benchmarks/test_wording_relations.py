@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 import pytest
-from blocks import seen, thing
+from made_things import seen, thing
 from wording.relations import holds, ordered, row
 from wording.seen import Seen, Thing
 
