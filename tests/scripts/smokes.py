@@ -124,6 +124,15 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--parts vector pixels resets --out {out}",
         _table("speed_vector_pixels_resets"), "| vector | steps | 8 slots, 2 threads |",
     ),
+    "benchmarks/supports.py": Smoke(
+        "--texts {out}/texts.json --scenes 1 --out {out}", _table("supports"),
+        "| scenes in which all hold | ", _texts,
+    ),
+    "benchmarks/understanding.py": Smoke(
+        "--theme terse --limit 1 --sheet 1 --bundles {out}/made --out {out}",
+        (*_table("understanding_compose_dev_terse"), "understanding_compose.png", "made/*.json"),
+        "| fully right | ",
+    ),
     "docs/make_task_pictures.py": Smoke("reach --out {out}", ("reach.png",)),
     "examples/demo.py": Smoke(
         "--only text --text 'a die and a bowl' --out {out}",

@@ -1,0 +1,246 @@
+"""What a saved bundle shows, by plain MuJoCo: boxes, outlines, who carries whom, colours.
+
+Metres, in the frame of ``docs/concepts/frames.md``: +x right, +y away, +z up. Nothing is taken
+from the report that the bundle holds.
+"""
+
+from __future__ import annotations
+
+import colorsys
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+from scipy.spatial import ConvexHull, QhullError
+
+TABLE = "table"
+SETTLE = 0.3
+"""Seconds that a bundle is simulated before its contacts are read."""
+LIFT = 0.05
+"""The part of its weight from which on a contact carries a thing."""
+THIN = 3e-4
+"""Metres that a thing on another begins above its lowest point, at the least: a sheet of paper."""
+HEAP = 0.01
+"""Metres that a thing in a container may begin above its rim, as on a heap."""
+
+
+@dataclass(frozen=True)
+class Thing:
+    """A thing that was simulated: corners of its box, points of its mesh (n, 3), colours (m, 3).
+
+    ``label`` is what it is called; ``stand_in`` says that a plain shape stands for it. ``areas``
+    (m,) are the shares of the surface that have the colours, RGB from 0 to 1. ``own`` are the
+    extents along its own axes, where they are known.
+    """
+
+    name: str
+    label: str
+    points: np.ndarray
+    stand_in: bool = False
+    colours: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
+    areas: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    own: np.ndarray | None = None
+
+    @cached_property
+    def low(self) -> np.ndarray:
+        """The least corner of its box."""
+        return self.points.min(0)
+
+    @cached_property
+    def high(self) -> np.ndarray:
+        """The greatest corner of its box."""
+        return self.points.max(0)
+
+    @property
+    def centre(self) -> np.ndarray:
+        """The middle of its box."""
+        return (self.low + self.high) / 2
+
+    @property
+    def size(self) -> np.ndarray:
+        """The extents of its box."""
+        return self.high - self.low
+
+    @property
+    def extents(self) -> np.ndarray:
+        """Its length, width and height, however it is turned."""
+        return self.size if self.own is None else self.own
+
+    @cached_property
+    def foot(self) -> np.ndarray:
+        """The place of the lowest tenth of its height, (2,)."""
+        under = self.points[:, 2] <= self.low[2] + 0.1 * self.size[2]
+        return self.points[under, :2].mean(0)
+
+    @cached_property
+    def edges(self) -> np.ndarray:
+        """Lines around the outline seen from above, (k, 3): inside is where n·p + c <= 0."""
+        try:
+            return ConvexHull(self.points[:, :2]).equations
+        except (QhullError, ValueError):
+            lows, highs = self.low[:2], self.high[:2]
+            axes = np.array([[1.0, 0], [0, 1], [-1, 0], [0, -1]])
+            return np.column_stack([axes, [-highs[0], -highs[1], lows[0], lows[1]]])
+
+    def covers(self, place: np.ndarray, slack: float = 0.005) -> bool:
+        """Return whether a place (2,) is within the outline seen from above."""
+        return bool((self.edges[:, :2] @ place + self.edges[:, 2] <= slack).all())
+
+    def share(self, colour: str) -> float:
+        """Return the part of the surface that is of a colour, from 0 to 1."""
+        of = [is_colour(rgb, colour) for rgb in self.colours]
+        return float(self.areas[of].sum() / max(self.areas.sum(), 1e-12)) if of else 0.0
+
+
+@dataclass(frozen=True)
+class Seen:
+    """All things of a bundle, the table's top (width, depth) in metres, and who carries whom."""
+
+    things: tuple[Thing, ...]
+    top: tuple[float, float]
+    carriers: Mapping[str, frozenset[str]] = field(default_factory=dict)
+
+    def below(self, name: str) -> set[str]:
+        """Return all that carries a thing, by however many things between."""
+        found: set[str] = set()
+        left = [name]
+        while left:
+            for under in self.carriers.get(left.pop(), frozenset()) - found:
+                found.add(under)
+                left.append(under)
+        return found - {name}
+
+    def on(self, a: Thing, b: Thing) -> bool:
+        """Return whether ``a`` stands on ``b``, over things between too, and begins above it."""
+        return b.name in self.below(a.name) and bool(a.low[2] > b.low[2] + THIN)
+
+    def inside(self, a: Thing, b: Thing) -> bool:
+        """Return whether ``b`` carries ``a`` within its outline, from below its rim on."""
+        over = b.covers(a.centre[:2]) or b.covers(a.foot)
+        return self.on(a, b) and over and bool(a.low[2] < b.high[2] + HEAP)
+
+
+def look(bundle: Path, told: Iterable[Mapping[str, Any]] = ()) -> Seen:
+    """Simulate a bundle for ``SETTLE`` seconds and return what it shows.
+
+    ``told`` are the objects of a command's ``--json``: labels and stand-ins are theirs.
+    """
+    model = mujoco.MjModel.from_xml_path(str(bundle / "scene.xml"))
+    model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)  # what sleeps has no contacts
+    data = mujoco.MjData(model)
+    if model.nkey:
+        mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    for _ in range(round(SETTLE / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    mujoco.mj_forward(model, data)
+    known = {str(o["name"]): o for o in told}
+    free = [b for b in range(1, model.nbody) if model.body(b).name != TABLE]
+    things = tuple(_thing(model, data, b, known.get(model.body(b).name, {})) for b in free)
+    table = _points(model, data, model.body(TABLE).id)
+    width, depth = (table.max(0) - table.min(0))[:2]
+    return Seen(things, (float(width), float(depth)), find_carriers(model, data))
+
+
+def find_carriers(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, frozenset[str]]:
+    """Return for each body the bodies whose contact takes ``LIFT`` of its weight or more."""
+    lift: dict[tuple[int, int], float] = defaultdict(float)
+    for k, contact in enumerate(data.contact):
+        force = np.zeros(6)
+        mujoco.mj_contactForce(model, data, k, force)
+        up = float(contact.frame.reshape(3, 3)[:, 2] @ force[:3])  # of geom 1 on geom 2
+        one, two = (int(model.geom_bodyid[g]) for g in contact.geom)
+        lift[two, one] += up
+        lift[one, two] -= up
+    under: dict[str, set[str]] = defaultdict(set)
+    gravity = float(np.linalg.norm(model.opt.gravity))
+    for (upper, lower), force in lift.items():
+        if force > LIFT * gravity * float(model.body_mass[upper]):
+            under[model.body(upper).name].add(model.body(lower).name)
+    return {name: frozenset(names) for name, names in under.items()}
+
+
+def _thing(model: mujoco.MjModel, data: mujoco.MjData, body: int, told: Mapping[str, Any]) -> Thing:
+    name = model.body(body).name
+    points = _points(model, data, body)
+    colours, areas = _colours(model, body)
+    label, stand_in = str(told.get("label", name)), bool(told.get("stand_in", False))
+    own = np.ptp(points @ data.xmat[body].reshape(3, 3), axis=0)
+    return Thing(name, label, points, stand_in, colours, areas, own)
+
+
+def _meshes(model: mujoco.MjModel, body: int) -> list[int]:
+    """Return the geoms that are drawn."""
+    first, count = int(model.body_geomadr[body]), int(model.body_geomnum[body])
+    geoms = range(first, first + count)
+    return [g for g in geoms if model.geom_group[g] == 2 and model.geom_dataid[g] >= 0]
+
+
+def _points(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> np.ndarray:
+    found = []
+    for geom in _meshes(model, body):
+        mesh = model.mesh(int(model.geom_dataid[geom]))
+        first, count = int(mesh.vertadr[0]), int(mesh.vertnum[0])
+        turn = data.geom_xmat[geom].reshape(3, 3)
+        found.append(model.mesh_vert[first : first + count] @ turn.T + data.geom_xpos[geom])
+    return np.concatenate(found) if found else data.xpos[body][None]
+
+
+def _colours(model: mujoco.MjModel, body: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the colour of each triangle's middle, and its area."""
+    colours, areas = [np.zeros((0, 3))], [np.zeros(0)]
+    for geom in _meshes(model, body):
+        mesh = model.mesh(int(model.geom_dataid[geom]))
+        first, count = int(mesh.faceadr[0]), int(mesh.facenum[0])
+        corners = model.mesh_vert[int(mesh.vertadr[0]) :][model.mesh_face[first : first + count]]
+        a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+        areas.append(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+        material = int(model.geom_matid[geom])
+        tint = model.mat_rgba[material] if material >= 0 else model.geom_rgba[geom]
+        plain = np.tile(tint[:3], (count, 1))
+        texture = _texture(model, material)
+        if texture is not None and mesh.texcoordadr[0] >= 0:
+            uv = model.mesh_texcoord[int(mesh.texcoordadr[0]) :]
+            middle = uv[model.mesh_facetexcoord[first : first + count]].mean(1) % 1.0
+            height, width = texture.shape[:2]
+            rows = np.minimum((middle[:, 1] * height).astype(int), height - 1)
+            columns = np.minimum((middle[:, 0] * width).astype(int), width - 1)
+            plain = plain * texture[rows, columns, :3] / 255.0
+        colours.append(plain)
+    return np.concatenate(colours), np.concatenate(areas)
+
+
+def _texture(model: mujoco.MjModel, material: int) -> np.ndarray | None:
+    """Return a material's texture, row 0 where v is 0, or None."""
+    ids = model.mat_texid[material] if material >= 0 else np.array([-1])
+    used = [int(t) for t in ids if t >= 0]
+    if not used:
+        return None
+    t = used[0]
+    shape = (int(model.tex_height[t]), int(model.tex_width[t]), int(model.tex_nchannel[t]))
+    first = int(model.tex_adr[t])
+    return np.asarray(model.tex_data[first : first + int(np.prod(shape))]).reshape(shape)
+
+
+HUES: Mapping[str, tuple[float, float]] = {
+    "red": (335, 22), "orange": (12, 45), "yellow": (38, 72), "green": (70, 175),
+    "blue": (175, 262), "purple": (255, 330), "pink": (300, 360), "brown": (8, 45),
+}  # fmt: skip
+"""Degrees of the colour circle."""
+
+
+def is_colour(rgb: np.ndarray, colour: str) -> bool:
+    """Return whether RGB from 0 to 1 is called by a colour's name."""
+    hue, strong, light = colorsys.rgb_to_hsv(*(float(np.clip(c, 0, 1)) for c in rgb[:3]))
+    if colour == "white":
+        return strong < 0.25 and light > 0.65
+    if colour in ("black", "grey"):
+        return light < 0.32 if colour == "black" else strong < 0.2 and 0.2 < light < 0.85
+    low, high = HUES[colour]
+    within = low <= 360 * hue <= high if low < high else 360 * hue >= low or 360 * hue <= high
+    return within and strong > 0.25 and light > 0.15
