@@ -94,8 +94,8 @@ def test_what_stands_on_the_table_finds_room_beside_the_rest():
 
 
 def test_what_a_row_lacks_is_added_whatever_the_rest_is_called():
-    new = by_name(Found("A desk with a mug, a can and a stapler in a row", "can_1").add().placements)
-    assert set(new) == {"can_1"}
+    found = Found("A desk with a mug, a can and a stapler in a row", "can_1")
+    assert set(by_name(found.add().placements)) == {"can_1"}
 
 
 def test_what_rests_on_something_hidden_comes_with_it():
