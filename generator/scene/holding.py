@@ -31,7 +31,7 @@ def hold_supports(scene: Scene) -> Scene:
     outcomes = scene.report.relations if scene.report else ()
     denied = {(o.name, o.kind, o.target) for o in outcomes if not o.holds}
 
-    def corrected(thing: Object) -> Object:
+    def hold(thing: Object) -> Object:
         place = thing.placement
         if place.on == TABLE:
             return thing
@@ -39,6 +39,6 @@ def hold_supports(scene: Scene) -> Scene:
             return thing
         return replace(thing, placement=replace(place, on=TABLE, inside=False))
 
-    objects = tuple(map(corrected, scene.objects))
+    objects = tuple(map(hold, scene.objects))
     changed = any(new is not old for new, old in zip(objects, scene.objects, strict=True))
     return scene.replace(objects=objects) if changed else scene

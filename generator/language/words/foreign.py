@@ -90,10 +90,10 @@ _KNOWN = 0.25  # what a word of the English dictionary weighs
 
 def is_foreign(text: str) -> bool:
     """Tell whether a text is in another language; False where it cannot be told."""
-    return _is_in_other_script(text) or _is_in_other_words(_QUOTED.sub(" ", text))
+    return is_in_other_script(text) or _is_in_other_words(_QUOTED.sub(" ", text))
 
 
-def _is_in_other_script(text: str) -> bool:
+def is_in_other_script(text: str) -> bool:
     """Tell whether more of the text is in another script than Latin."""
     latin = other = 0
     for letter in filter(str.isalpha, unicodedata.normalize("NFKC", text)):
