@@ -93,6 +93,11 @@ def test_what_stands_on_the_table_finds_room_beside_the_rest():
             assert gaps(own, new.translation[None, :2], shape, other.translation[:2])[0] > 0
 
 
+def test_what_a_row_lacks_is_added_whatever_the_rest_is_called():
+    found = Found("A desk with a mug, a can and a stapler in a row", "can_1")
+    assert set(by_name(found.add().placements)) == {"can_1"}
+
+
 def test_what_rests_on_something_hidden_comes_with_it():
     new = by_name(Found(TEXT, "book_1", "apple_1").add().placements)
     assert new["apple_1"].on == "book_1" and new["book_1"].on == TABLE

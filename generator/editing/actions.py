@@ -14,7 +14,18 @@ from ..generation import Config
 from ..language.planner import plan_scene
 from ..method.assembly import body
 from ..method.publish import without
-from ..scene import TABLE, Edit, EditKind, Model, Object, Placement, PlannedObject, Relation, Scene
+from ..scene import (
+    TABLE,
+    Edit,
+    EditKind,
+    Model,
+    Object,
+    Placement,
+    PlannedObject,
+    Relation,
+    Scene,
+    held_relations,
+)
 from ..scene.provenance import plain, versions
 from . import planning
 from .edited import Edited, Opened
@@ -80,7 +91,8 @@ def swap(
     wanted = _exchange(scene, name, new)
     arranged = set_down(wanted, [new.name])
     done = settle_again(wanted, arranged, [new.name], config)
-    done = planning.swap_in_plan(done, name, asked.planned)
+    took = replace(asked.planned, relations=held_relations(scene, name))
+    done = planning.swap_in_plan(done, name, took)
     edit = _edit(opened, "swap", (name, new.name), text, seed, backends, config)
     messages = (f"{new.name} was put in the place of {name}.", *_aside(wanted, done, new.name))
     return Edited.of(opened, done, edit, asked.warnings + messages)

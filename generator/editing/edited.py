@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ..bundle import Segments, load, load_fingerprint, load_pictures, load_segments, save
 from ..errors import InputError, SceneError
+from ..layout.checking import describe_unmet, list_unmet, record_relations
 from ..method.figures import preview
 from ..scene import TABLE, Edit, Object, Scene
 
@@ -57,6 +58,8 @@ class Edited:
     def of(cls, opened: Opened, scene: Scene, edit: Edit, warnings: tuple[str, ...]) -> Edited:
         """Return a settled and judged scene with the edit written into its provenance.
 
+        Of a composed scene the report says again which of its plan's relations hold.
+
         Raises:
             SceneError: it failed its gate.
         """
@@ -66,6 +69,9 @@ class Edited:
                 f"Edited so, {scene.name!r} fails its physical gate: {'; '.join(failures)}. "
                 "Nothing was published. Try another seed, or make room first."
             )
+        if scene.provenance.kind == "compose":  # names of its plan are names of its things
+            scene = record_relations(scene)
+            warnings = (*warnings, *_list_broken(opened.scene, scene))
         past = scene.provenance
         merged = past.warnings + tuple(w for w in warnings if w not in past.warnings)
         provenance = replace(past, edits=(*past.edits, edit), warnings=merged)
@@ -80,3 +86,13 @@ class Edited:
         """
         images = {**self.pictures, "preview": preview(self.scene)}
         return save(self.scene, folder, images=images, segments=self.segments)
+
+
+def _list_broken(before: Scene, after: Scene) -> list[str]:
+    """Return a warning for each of the plan's relations that an edit broke."""
+    known = {(o.name, o.kind, o.target) for o in list_unmet(before)}
+    return [
+        describe_unmet(o, after)
+        for o in list_unmet(after)
+        if (o.name, o.kind, o.target) not in known
+    ]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from ..method.supplement import retarget
-from ..scene import TABLE, PlannedObject, Relation, Scene
+from ..scene import TABLE, PlannedGroup, PlannedObject, Relation, Scene
 
 
 def planned_things(scene: Scene) -> tuple[PlannedObject, ...]:
@@ -19,9 +19,8 @@ def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
     known = {o.name: o for o in planned_things(scene)}
     if old not in known:
         return add_to_plan(scene, new)
-    took = replace(new, relations=known[old].relations)
-    objects = [took if o.name == old else retarget(o, {old: new.name}) for o in known.values()]
-    return _with(scene, objects)
+    objects = [new if o.name == old else retarget(o, {old: new.name}) for o in known.values()]
+    return _with(scene, objects, {old: new.name})
 
 
 def add_to_plan(scene: Scene, new: PlannedObject) -> Scene:
@@ -35,14 +34,17 @@ def remove_from_plan(scene: Scene, names: Collection[str]) -> Scene:
 
 
 def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
-    """Return the scene, its plan with other relations of a thing, and none to it."""
+    """Return the scene, its plan with other relations of a thing, and none to it.
+
+    What moves leaves the group that it was arranged in.
+    """
     objects = [
         replace(o, relations=tuple(relations))
         if o.name == name
         else replace(o, relations=tuple(r for r in o.relations if _held(r, name)))
         for o in planned_things(scene)
     ]
-    return _with(scene, objects)
+    return _with(scene, objects, {name: ""})
 
 
 def restyle_plan(scene: Scene, names: Collection[str], style: str) -> Scene:
@@ -57,12 +59,33 @@ def _held(relation: Relation, name: str) -> bool:
     return relation.target != name or relation.kind in ("on", "in")
 
 
-def _with(scene: Scene, objects: Sequence[PlannedObject]) -> Scene:
-    """Return the scene with these planned, if it has a plan; relations to other things go."""
+def _with(
+    scene: Scene, objects: Sequence[PlannedObject], renamed: Mapping[str, str] | None = None
+) -> Scene:
+    """Return the scene with these planned, if it has a plan; relations to other things go.
+
+    ``renamed`` says what members of groups are called now, "" for those that left.
+    """
     if scene.plan is None:
         return scene
     names = {TABLE, *(o.name for o in objects)}
     related = tuple(
         replace(o, relations=tuple(r for r in o.relations if r.target in names)) for o in objects
     )
-    return scene.replace(plan=replace(scene.plan, objects=related))
+    groups = tuple(
+        left
+        for group in scene.plan.groups
+        if (left := _regroup(group, names, renamed or {})) is not None
+    )
+    return scene.replace(plan=replace(scene.plan, objects=related, groups=groups))
+
+
+def _regroup(
+    group: PlannedGroup, names: Collection[str], renamed: Mapping[str, str]
+) -> PlannedGroup | None:
+    """Return what is left of a group; None for less than two things."""
+    members = tuple(m for n in group.members if (m := renamed.get(n, n)) in names)
+    around = renamed.get(group.around, group.around) if group.around else None
+    around = around if around in names else None
+    few = len(members) + (around is not None) < 2
+    return None if few else replace(group, members=members, around=around)

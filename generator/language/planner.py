@@ -24,7 +24,7 @@ from .reading import EXAMPLE, read_text
 from .semantics import contents
 from .sizing import grow_carriers
 from .themes import DEFAULT_TABLES, THEMES
-from .words.dictionary import is_substituted
+from .words.dictionary import warn_of_stand_ins
 
 _REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
 _SOME = "|".join(PEOPLE)
@@ -91,7 +91,7 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.check_relations(grow_carriers(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
-    told = [*reading.warnings, *_warn_of_lengths(reading), *_changed_nouns(objects), *doubts]
+    told = [*reading.warnings, *_warn_of_lengths(reading), *warn_of_stand_ins(objects), *doubts]
     warnings = tuple(dict.fromkeys(told))
     return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups), full)
 
@@ -119,18 +119,6 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
             "The text leaves nothing on the table; a scene needs at least one object. Name one, "
             f"for example {EXAMPLE}."
         )
-
-
-def _changed_nouns(objects: Sequence[PlannedObject]) -> list[str]:
-    """Return a warning for each noun that something else stands for."""
-    unknown = dict.fromkeys(o.noun for o in objects if o.category == GENERIC)
-    shown = dict.fromkeys((o.noun, o.category) for o in objects if o.category != GENERIC)
-    return [
-        *(f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
-          for noun in unknown),
-        *(f"The catalogue has no {noun!r}; it is shown as {key.replace('_', ' ')!r}."
-          for noun, key in shown if is_substituted(noun, key)),
-    ]  # fmt: skip
 
 
 # -------------------------------------------------------------------------------------- themes

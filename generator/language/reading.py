@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -16,7 +17,6 @@ from .parsing.vocabulary import (
     DEFINITE,
     DRAWN,
     FILLERS,
-    FOREIGN,
     LEGS,
     MATERIALS,
     NUMBERS,
@@ -31,10 +31,19 @@ from .syntax.clauses import Parser
 from .syntax.tokens import list_skipped, small_words, tokens_of
 from .syntax.tree import Sentence
 from .syntax.words import words_of
+from .words.dictionary import is_english
+from .words.foreign import is_foreign
 from .words.spelling import correct
 
 MAX_CHARACTERS = 2000
 """Longest text the planner reads."""
+
+OTHER_LANGUAGE = (
+    "The embedded planner reads English alone, and this text is not English. Write it in English, "
+    "or let a cloud reasoner plan it: 'tabletopgen generate TEXT --reasoner cloud', in Python "
+    "Backends.select(reasoner='cloud')."
+)
+"""What is said of a text in another language."""
 
 EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
 _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
@@ -65,10 +74,7 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
         InputError: empty, too long or not English; impossible counts, a second table.
     """
     check_text(prompt)
-    spelt, fixes = correct(
-        words_of(_undrawn(prompt)),
-        _ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary(),
-    )
+    spelt, fixes = correct(words_of(_undrawn(prompt)), _known_words())
     parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
     sentences = parser.sentences()
     reading = Interpreter(rng).read(sentences)
@@ -96,16 +102,23 @@ def check_text(prompt: str) -> None:
     letters = [c for c in prompt if c.isalpha()]
     if not letters:
         raise InputError(f"The text holds no words. Describe a tabletop, for example {EXAMPLE}.")
-    latin = sum(bool(re.fullmatch("[a-z]+", "".join(lexicon.tokens(c)) or "-")) for c in letters)
+    if is_foreign(prompt) or not _has_english(prompt):
+        raise InputError(OTHER_LANGUAGE)
+
+
+def _has_english(prompt: str) -> bool:
+    """Tell whether any word is one that the planner goes by, a misspelt one, or in a dictionary."""
+    known = _known_words()
     words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
-    known = _ENGLISH | lexicon.vocabulary()
-    english = sum(w in known or lexicon.singular(w) in known for w in words)
-    foreign = sum(w in FOREIGN for w in words)
-    if latin < 0.7 * len(letters) or not english or foreign > english - foreign:
-        raise InputError(
-            "The embedded planner reads English and recognised none here. Write in English, for "
-            f"example {EXAMPLE}, or choose another reasoner backend that reads your language."
-        )
+    if any(word in known or lexicon.singular(word) in known for word in words):
+        return True
+    dictionary = any(len(word) > 2 and is_english(word) for word in words)
+    return dictionary or bool(correct(words_of(prompt), known)[1])
+
+
+@cache
+def _known_words() -> frozenset[str]:
+    return frozenset(_ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary())
 
 
 def _undrawn(prompt: str) -> str:

@@ -83,20 +83,50 @@ def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
     return tuple(out)
 
 
+def record_relations(scene: Scene) -> Scene:
+    """Return a settled scene with its plan's relations in its report and its true supports.
+
+    A scene without a report is returned as it is.
+    """
+    if scene.report is None:
+        return scene
+    rest = observe(scene)
+    outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
+    return correct_supports(rest).replace(report=replace(scene.report, relations=outcomes))
+
+
+def list_unmet(scene: Scene) -> list[RelationOutcome]:
+    """Return the recorded relations of a scene that do not hold."""
+    return [] if scene.report is None else [o for o in scene.report.relations if not o.holds]
+
+
+def describe_unmet(outcome: RelationOutcome, scene: Scene) -> str:
+    """Return a warning of a relation that does not hold."""
+    kind = outcome.kind.replace("_", " ")
+    if outcome.kind in ("center", "edge"):
+        kind = f"at the {outcome.kind} of"
+    on = scene.object(outcome.name).placement.on
+    return f"{outcome.name} is not {kind} {outcome.target}; it stands on {on}."
+
+
 def correct_supports(rest: Rest) -> Scene:
     """Return the scene with each thing's support being what it really rests on."""
+    meant = {o.name: o.placement.on for o in rest.scene.objects}
     objects = []
     for thing in rest.scene.objects:
         on = thing.placement.on
-        if on != TABLE and not _is_carried(thing.name, on, rest, thing.placement.inside):
+        if on == TABLE or not _is_carried(thing.name, on, rest, thing.placement.inside):
             below = [
                 n
                 for n in rest.touching[thing.name]
-                if n != TABLE and rest.things[n].center[2] < rest.things[thing.name].center[2]
+                if n != TABLE
+                and meant[n] != thing.name
+                and rest.things[n].center[2] < rest.things[thing.name].center[2]
             ]
             table = TABLE in rest.touching[thing.name] or not below
-            on = TABLE if table else min(below, key=lambda n: rest.things[n].center[2])
-            thing = replace(thing, placement=replace(thing.placement, on=on, inside=False))
+            real = TABLE if table else min(below, key=lambda n: rest.things[n].center[2])
+            if real != on or thing.placement.inside:
+                thing = replace(thing, placement=replace(thing.placement, on=real, inside=False))
         objects.append(thing)
     return rest.scene.replace(objects=tuple(objects))
 

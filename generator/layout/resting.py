@@ -68,6 +68,8 @@ def put_on(
         yaw = shape.yaw + turn
         height, empty = ground.resting(model, yaw)
         cost = _resting_cost(planned, support, ground, height, empty, alone, base, shapes, state)
+        if inside and len(sharing) in _FEW and _rolls(planned):
+            cost += _crowding(shape, ground, base, cost.shape)
         for cell in _best_cells(cost):
             start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
             placement = stacking.lower(
@@ -115,8 +117,8 @@ def _resting_cost(
     grid = np.stack(np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"), -1)
     centers = (ground.origin + ground.step * grid).reshape(-1, 2)
     cost = np.where(np.isneginf(height) | np.isneginf(ground.top), np.inf, height).ravel()
-    rolls = planned.category in CATEGORIES and "round" in CATEGORIES[planned.category].roles
-    cost = cost + 0.2 * np.clip(empty.ravel() - (0.08 if rolls else _OVERHANG), 0, None)
+    overhang = 0.08 if _rolls(planned) else _OVERHANG
+    cost = cost + 0.2 * np.clip(empty.ravel() - overhang, 0, None)
     away = np.hypot(*(centers - base.translation[:2]).T)
     cost += (0.2 if alone else 0.01) * away
     shape = shapes[planned.name]
@@ -125,6 +127,24 @@ def _resting_cost(
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
             cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
     return cost.reshape(nx, ny)
+
+
+_FEW = (2, 3)
+"""How many round things lie side by side in a vessel; the first of more lies in the middle."""
+
+
+def _rolls(planned: PlannedObject) -> bool:
+    return planned.category in CATEGORIES and "round" in CATEGORIES[planned.category].roles
+
+
+def _crowding(
+    shape: Footprint, ground: HeightField, base: Placement, cells: tuple[int, ...]
+) -> Float[np.ndarray, "nx ny"]:
+    """Return how much of the middle, which is for others too, a thing takes at each place."""
+    grid = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), -1)
+    centers = ground.origin + ground.step * grid
+    away = np.linalg.norm(centers - base.translation[:2], axis=-1)
+    return np.clip(0.9 * float(shape.reach.max()) - away, 0, None)
 
 
 def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:

@@ -16,7 +16,16 @@ from scipy.optimize import linear_sum_assignment
 
 from ..layout import arrange_more, build_models
 from ..layout.resting import support_of
-from ..scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan, names_in
+from ..scene import (
+    TABLE,
+    Instance,
+    Model,
+    Placement,
+    PlannedGroup,
+    PlannedObject,
+    ScenePlan,
+    names_in,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +89,8 @@ def supplement(
     there = {name: replace(models[name], size=p.scale) for name, p in placed.items()}
     table = replace(models[TABLE], size=table_scale)
     planned = tuple(replace(retarget(o, names), name=names[o.name]) for o in plan.objects)
-    renamed = replace(plan, objects=planned)
+    groups = tuple(_rename_group(group, names) for group in plan.groups)
+    renamed = replace(plan, objects=planned, groups=groups)
     layout = arrange_more(renamed, placed, {**there, **added}, table, seed)
     lost = {*added} - {p.name for p in layout.placements}
     unfit = {i.label for i in instances if i.name in gone}
@@ -131,3 +141,8 @@ def retarget(planned: PlannedObject, names: Mapping[str, str]) -> PlannedObject:
     """Return a planned thing with its relations to what is renamed by ``names``, old to new."""
     relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
     return replace(planned, relations=relations)
+
+
+def _rename_group(group: PlannedGroup, names: Mapping[str, str]) -> PlannedGroup:
+    members = tuple(names[name] for name in group.members)
+    return replace(group, members=members, around=names[group.around] if group.around else None)

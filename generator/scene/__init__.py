@@ -25,6 +25,8 @@ right and v upwards (Wavefront OBJ), so texture row 0 is v = 1.
 """
 
 from .arrays import frozen_array as frozen_array
+from .holding import held_relations as held_relations
+from .holding import hold_supports as hold_supports
 from .model import ConvexPart as ConvexPart
 from .model import Mesh as Mesh
 from .model import Model as Model

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from jaxtyping import Float
 
-from generator.scene import TABLE, Object, Scene
+from generator.scene import TABLE, Object, Scene, hold_supports
 
 from ..affordance import (
     FINGER_CLEARANCE,
@@ -82,7 +82,7 @@ def _crowding(scene: Scene) -> dict[str, float]:
     """Return clutter and clearance, from the outlines of what stands on the table."""
     import shapely
 
-    standing = [o for o in scene.objects if o.placement.on == TABLE]
+    standing = [o for o in hold_supports(scene).objects if o.placement.on == TABLE]
     if not standing:
         return {"clutter": 0.0, "clearance": 0.0}
     outlines = np.array([shapely.Polygon(footprint(o)) for o in standing])

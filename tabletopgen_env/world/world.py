@@ -23,7 +23,7 @@ from generator.bundle import digest
 from generator.errors import SceneError, choices
 from generator.geometry import rotation_z
 from generator.physics.mjcf import compile_spec
-from generator.scene import Scene
+from generator.scene import Scene, hold_supports
 
 from ..affordance import (
     Opening,
@@ -57,7 +57,7 @@ class World:
     """One scene with a robot, compiled, and its state.
 
     Attributes:
-        scene: the scene.
+        scene: the scene; supports that its report denies are left out.
         bundle: the bundle's folder that it was read from; None for others.
         mount: where the robot's base stands, in the world frame.
         model, data: MuJoCo's.
@@ -78,7 +78,8 @@ class World:
         import mujoco
 
         self.bundle = bundle
-        self.scene = self._given = scene
+        self._source = scene
+        self.scene = self._given = scene = hold_supports(scene)
         self._own_mount = mount or Mount.beside(scene)
         self.seat(self._own_mount)
         self.absent: frozenset[str] = frozenset()
@@ -217,7 +218,7 @@ class World:
     @cached_property
     def digest(self) -> str:
         """The digest of the scene as it was given; see ``generator.bundle.digest``."""
-        return digest(self._given)
+        return digest(self._source)
 
     @cached_property
     def openings(self) -> Mapping[str, Opening | None]:

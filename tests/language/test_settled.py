@@ -18,6 +18,8 @@ from generator.composition import compose
         ("a mug of pens", "pen_2", "mug_1"),
         ("a tray holding a teapot, a jug and 2 cups", "mug_2", "tray_1"),
         ("a monitor on two books", "monitor_1", "book_2"),
+        ("a bowl with two apples", "apple_2", "bowl_1"),
+        ("a bowl with three oranges", "orange_3", "bowl_1"),
     ],
 )
 def test_things_rest_where_the_text_puts_them(text: str, name: str, support: str) -> None:

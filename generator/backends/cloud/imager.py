@@ -27,7 +27,7 @@ from .drawing import cutting
 from .drawing.picture_request import RATIOS, Form, Painter, Tolerated
 from .drawing.pictures import on_white, pad, shrink
 from .prompts import prompt
-from .questions import planning
+from .questions import describing
 from .questions.checking import faults
 from .questions.labelled import Labelled
 from .server import configuration
@@ -102,7 +102,7 @@ class CloudImager:
         Raises:
             BackendError: the server gave no picture, as for every question.
         """
-        table, things = planning.in_words(plan)
+        table, things = describing.in_words(plan)
         text = prompt(
             "draw", style=plan.style, table=table, things=things, count=str(len(plan.objects)),
             take=self._take(seed, 0),

@@ -26,7 +26,7 @@ from ...scene import (
 from ..protocols import Instances, Sizes
 from .drawing.pictures import on_white
 from .prompts import prompt as worded
-from .questions import estimating, orientation, planning
+from .questions import describing, estimating, orientation, planning
 from .questions.labelled import Labelled
 from .server import answers, configuration
 from .server.calling import Server
@@ -115,7 +115,7 @@ class CloudReasoner:
         shown = Labelled.of(reference.image, instances)
         fixed = estimating.fixed_sizes(reference, instances)
         numbers = shown.numbers
-        known = [f"Number {numbers[n]} measures {planning.in_cm(s)}." for n, s in fixed.items()]
+        known = [f"Number {numbers[n]} measures {describing.in_cm(s)}." for n, s in fixed.items()]
 
         def sizes(answer: answers.SizesAnswer) -> Sizes:
             return {

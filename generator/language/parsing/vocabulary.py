@@ -196,14 +196,6 @@ VERBS = _words(
 )
 FILLERS = _words("of from for at to as or than about onto through per via during after until")
 
-FOREIGN = _words(
-    "le la les un une des du et sur avec dans est der die das und auf ein eine einen einem mit "
-    "im den dem ist el los las una unos y con en sobre mesa il lo gli uno e di sul sulla nella "
-    "tavolo een het op met van de naast bord um uma o os com na no em da do mesa og pa et bordet "
-    "med ett en och pa bord na stole stol i ja poydalla tisch table"
-) - _words("table i no do")
-"""Frequent words of other European languages, to tell them from English."""
-
 PEOPLE: Mapping[str, int] = MappingProxyType(
     {"one": 1, "two": 2, "three": 3, "four": 4, "1": 1, "2": 2, "3": 3, "4": 4}
 )

@@ -7,12 +7,14 @@ in NOTICE. ``substituted.txt`` lists aliases and synonyms that are not the same 
 from __future__ import annotations
 
 import gzip
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
 
+from ...catalogue.stand_ins import GENERIC
+from ...scene import PlannedObject
 from ..parsing.lexicon import category_of, singular
 
 _TABLES = files("generator.language") / "words"
@@ -86,3 +88,28 @@ def is_english(word: str) -> bool:
         return True
     stems = [word.removesuffix(end) for end in ("ed", "ing", "er", "est", "ly", "d", "r", "st")]
     return any(stem != word and (stem in known or f"{stem}e" in known) for stem in stems)
+
+
+def classify(words: tuple[str, ...]) -> tuple[str | None, str]:
+    """Return the catalogue's category of a noun phrase, or None and the family of its kind.
+
+    The longest ending that the catalogue or the dictionary knows counts, the catalogue's first.
+    """
+    tails = [words[start:] for start in range(len(words))]
+    named = next((tail for tail in tails if category_of(tail) is not None), ())
+    entry = entry_of(words)
+    if entry is not None and entry.is_thing and len(entry.noun.split()) > len(named):
+        return entry.category, "" if entry.category else entry.family
+    return category_of(named) if named else None, ""
+
+
+def warn_of_stand_ins(objects: Sequence[PlannedObject]) -> list[str]:
+    """Return a warning for each noun that something else stands for."""
+    unknown = dict.fromkeys(o.noun for o in objects if o.category == GENERIC)
+    shown = dict.fromkeys((o.noun, o.category) for o in objects if o.category != GENERIC)
+    return [
+        *(f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
+          for noun in unknown),
+        *(f"The catalogue has no {noun!r}; it is shown as {key.replace('_', ' ')!r}."
+          for noun, key in shown if is_substituted(noun, key)),
+    ]  # fmt: skip

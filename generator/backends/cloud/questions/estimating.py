@@ -13,8 +13,8 @@ from ....scene import TABLE, LayoutBox, Reference, Stacking, View
 from ...protocols import Instances, Sizes
 from ..server.answers import KindsAnswer, PlacesAnswer, RestAnswer, RestsAnswer
 from ..server.reading import Wrong
+from .describing import in_cm
 from .labelled import Labelled
-from .planning import in_cm
 
 
 def kinds(answer: KindsAnswer) -> tuple[str, ...]:

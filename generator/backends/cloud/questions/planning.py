@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
-from ....catalogue import category
+from ....catalogue.stand_ins import GENERIC, stand_in_size
 from ....errors import InputError
-from ....scene import TABLE, PlannedObject, PlannedTable, Relation, ScenePlan
-from ..server.answers import PlanAnswer, RelationAnswer, ThingAnswer
+from ....language.relations import check_relations
+from ....language.sizing import grow_carriers
+from ....language.words.dictionary import classify, warn_of_stand_ins
+from ....language.words.foreign import is_in_other_script
+from ....scene import TABLE, PlannedGroup, PlannedObject, PlannedTable, Relation, ScenePlan
+from ..server.answers import GroupAnswer, PlanAnswer, RelationAnswer, ThingAnswer
 from ..server.reading import Wrong
 
 _MOST = 2000  # characters of a text
+_LONGEST = 0.6  # metres: the longest thing on a table, as for the embedded planner
 
 
 def checked_text(text: object) -> str:
@@ -33,18 +39,29 @@ def checked_text(text: object) -> str:
 
 
 def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
-    """Return the plan of an answer (Wrong, InputError: it contradicts itself)."""
-    names = _names(answer)
-    objects = tuple(_thing(thing, names) for thing in answer.things)
+    """Return the plan of an answer, as the embedded planner would give it.
+
+    Things that carry others grow, relations that cannot be step aside, and warnings say what stands
+    in for what the catalogue lacks.
+
+    Raises:
+        Wrong, InputError: the answer contradicts itself.
+    """
     table = answer.table
     if table.legs == "trestle" and table.outline in ("triangle", "oval", "round"):
         raise Wrong(f"a {table.outline} table has no trestle legs; choose others.")
+    names = _names(answer)
+    listed = [_thing(thing, names) for thing in answer.things]
+    objects, doubts = check_relations(grow_carriers([_shorten(thing) for thing in listed]))
+    cut = [_warn_of_length(thing) for thing in listed if thing.size and max(thing.size) > _LONGEST]
     size = (table.length_cm / 100, table.width_cm / 100, table.height_cm / 100)
     return ScenePlan(
         prompt,
         PlannedTable(table.outline, table.material.lower(), table.legs, size, table.color),
-        objects,
+        tuple(objects),
         answer.style,
+        tuple(dict.fromkeys([*cut, *warn_of_stand_ins(objects), *doubts])),
+        tuple(_groups(answer, names)),
     )
 
 
@@ -55,7 +72,10 @@ def _names(answer: PlanAnswer) -> dict[int, str]:
     for thing in answer.things:
         if thing.id in names:
             raise Wrong(f"the number {thing.id} is given twice. Each thing has its own.")
-        stems.append(re.sub(r"[^0-9a-z]+", "_", _noun(thing.noun)).strip("_") or "object")
+        if is_in_other_script(thing.noun):
+            raise Wrong(f"the noun {thing.noun!r} of thing {thing.id} is no English word.")
+        stem = re.sub(r"[^0-9a-z]+", "_", _noun(thing.noun)).strip("_") or "object"
+        stems.append("object" if stem == TABLE else stem)
         names[thing.id] = f"{stems[-1]}_{stems.count(stems[-1])}"
     return names
 
@@ -65,19 +85,37 @@ def _noun(word: str) -> str:
 
 
 def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
+    noun = _noun(thing.noun)
+    category, family = classify(tuple(re.findall(r"[a-z]+", noun)))
+    state = thing.state
+    if thing.contents:
+        state, noun = f"with {thing.contents}", f"{noun} of {thing.contents}"
     fields = {
-        "color": thing.color, "material": thing.material,
-        "size": thing.size_word, "state": thing.state,
+        "color": thing.color, "accent": thing.accent, "material": thing.material,
+        "size": thing.size_word, "state": state,
     }  # fmt: skip
-    size = thing.size_cm
+    attributes = {k: v for k, v in fields.items() if v}
+    size = None if category else stand_in_size(family, attributes)
+    if thing.size_cm:
+        size = (thing.size_cm[0] / 100, thing.size_cm[1] / 100, thing.size_cm[2] / 100)
     return PlannedObject(
-        names[thing.id],
-        _noun(thing.noun),
-        _category_key(thing.noun),
-        {k: v for k, v in fields.items() if v},
+        names[thing.id], noun, category or GENERIC, attributes,
         tuple(_relation(thing, relation, names) for relation in thing.relations),
-        (size[0] / 100, size[1] / 100, size[2] / 100) if size else None,
-    )
+        size, "" if category else family,
+    )  # fmt: skip
+
+
+def _shorten(thing: PlannedObject) -> PlannedObject:
+    """Return a thing no longer than what belongs on a table, in its proportions."""
+    if thing.size is None or max(thing.size) <= _LONGEST:
+        return thing
+    x, y, z = (float(v) for v in np.asarray(thing.size) * _LONGEST / max(thing.size))
+    return replace(thing, size=(x, y, z))
+
+
+def _warn_of_length(thing: PlannedObject) -> str:
+    longest = max(thing.size or (0.0,))
+    return f"A {thing.noun} of {longest:g} m does not belong on a table; it is {_LONGEST:g} m long."
 
 
 def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str]) -> Relation:
@@ -93,63 +131,37 @@ def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str
     return Relation(relation.kind, names[relation.target] if relation.target else TABLE)
 
 
-def _category_key(noun: str) -> str:
-    """Return the catalogue's key for a noun, or for its last words; "generic" if it has none."""
-    words = _noun(noun).split()
-    for first in range(len(words)):
-        try:
-            return category(" ".join(words[first:])).key
-        except InputError:
-            continue
-    return "generic"
+# ----------------------------------------------------------------------------------------- groups
 
 
-def in_words(plan: ScenePlan) -> tuple[str, str]:
-    """Return a plan's table, and its things line by line, as an image model is told them."""
-    table = plan.table
-    length, width, height = (round(100 * v) for v in table.size)
-    color = f"{table.color} " if table.color else ""
-    top = (
-        f"a {table.outline} {color}{table.material} table, {length} cm long, {width} cm deep and "
-        f"{height} cm high, with {table.legs} legs"
-    )
-    called = _descriptions(plan)
-    lines = []
-    for number, thing in enumerate(plan.objects, start=1):
-        size = f", {in_cm(thing.size)}" if thing.size else ""
-        where = "; ".join(_PLACES[r.kind].format(called[r.target]) for r in thing.relations)
-        lines.append(f"{number}. {called[thing.name]}{size}{': ' + where if where else ''}")
-    return top, "\n".join(lines)
+def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]:
+    """Yield the groups, each of two things or more (Wrong: they contradict the things)."""
+    taken: set[int] = set()
+    laid: set[int] = set()
+    for group in answer.groups:
+        told = [*group.things, *([group.around] if group.around else [])]
+        where = f"the {group.kind} of things {', '.join(map(str, told))}"
+        if strange := sorted({*told} - {*names}):
+            raise Wrong(f"{where} names number {strange[0]}, which is no thing.")
+        if len({*told}) < len(told) or taken & {*told}:
+            raise Wrong(f"{where} names a thing twice, or one of another group.")
+        taken |= {*told}
+        _check_group(group, where, laid, answer)
+        if len(told) > 1:
+            seat = None if group.seat is None else (group.seat.number - 1, group.seat.count)
+            around = names[group.around] if group.around else None
+            yield PlannedGroup(group.kind, tuple(names[n] for n in group.things), around, seat)
 
 
-_PLACES = {
-    "left_of": "to the left of {}",
-    "right_of": "to the right of {}",
-    "in_front_of": "in front of {}",
-    "behind": "behind {}",
-    "on": "on {}",
-    "in": "inside {}",
-    "next_to": "beside {}",
-    "center": "in the middle of {}",
-    "edge": "near the edge of {}",
-}
-
-
-def _descriptions(plan: ScenePlan) -> dict[str, str]:
-    """Return how each thing is called: with its looks, and its number where nouns repeat."""
-    nouns = [thing.noun for thing in plan.objects]
-    called = {TABLE: "the table"}
-    for thing in plan.objects:
-        looks = [thing.attributes[k] for k in ("size", "state", "color", "material")
-                 if k in thing.attributes]  # fmt: skip
-        which = ""
-        if nouns.count(thing.noun) > 1:
-            earlier = [t.name for t in plan.objects if t.noun == thing.noun]
-            which = f" (number {earlier.index(thing.name) + 1} of {len(earlier)})"
-        called[thing.name] = f"the {' '.join([*looks, thing.noun])}{which}"
-    return called
-
-
-def in_cm(size: Sequence[float] | np.ndarray) -> str:
-    """Return a size, metres, in words."""
-    return " by ".join(f"{100 * v:.3g}" for v in size) + " cm"
+def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
+    """Raise Wrong where a group has what its kind does not; ``laid`` are the seats so far."""
+    if group.around is not None and group.kind != "circle":
+        raise Wrong(f"{where} is around a thing; only a circle is.")
+    if (group.seat is not None) != (group.kind == "setting"):
+        raise Wrong(f"{where}: a setting has a seat, and nothing else has one.")
+    if group.seat is None:
+        return
+    counts = {g.seat.count for g in answer.groups if g.seat is not None}
+    if len(counts) > 1 or group.seat.number > group.seat.count or group.seat.number in laid:
+        raise Wrong(f"{where}: seats are numbered 1 to their count, each once, all of one count.")
+    laid.add(group.seat.number)

@@ -6,11 +6,17 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
-from ....scene import OutlineKind, RelationKind
+from ....scene import GroupKind, OutlineKind, RelationKind
 
 Id = Annotated[int, Field(ge=0, le=999)]
 MOST_ANSWERED = 1000
 """Things that an answer may tell of: it names no more than it was shown."""
+
+MOST_PLANNED = 40
+"""Things that a plan may hold, as many as the embedded planner's."""
+
+MOST_SEATS = 12
+"""People that a table may be laid for."""
 
 
 def _check_printable(word: str) -> str:
@@ -39,17 +45,38 @@ class RelationAnswer(ModelAnswer):
     target: Id
 
 
-class ThingAnswer(ModelAnswer):
-    """One planned thing."""
+PlannedId = Annotated[int, Field(ge=1, le=200)]
 
-    id: Annotated[int, Field(ge=1, le=200)]
+
+class ThingAnswer(ModelAnswer):
+    """One planned thing. ``contents`` is what it holds or shows that is no thing of its own."""
+
+    id: PlannedId
     noun: Word
     color: Word | None
+    accent: Word | None = None
     material: Word | None
-    size_word: Literal["small", "large"] | None
+    size_word: Literal["small", "medium", "large"] | None
     state: Word | None
+    contents: Word | None = None
     size_cm: Annotated[list[Centimetres], Field(min_length=3, max_length=3)] | None
     relations: Annotated[list[RelationAnswer], Field(max_length=6)]
+
+
+class SeatAnswer(ModelAnswer):
+    """The seat that is laid, counted from 1, and how many there are."""
+
+    number: Annotated[int, Field(ge=1, le=MOST_SEATS)]
+    count: Annotated[int, Field(ge=1, le=MOST_SEATS)]
+
+
+class GroupAnswer(ModelAnswer):
+    """Things arranged as one, in order; ``seat`` is of a "setting", ``around`` of a "circle"."""
+
+    kind: GroupKind
+    things: Annotated[list[PlannedId], Field(min_length=1, max_length=MOST_PLANNED)]
+    around: PlannedId | None = None
+    seat: SeatAnswer | None = None
 
 
 class TableAnswer(ModelAnswer):
@@ -69,7 +96,8 @@ class PlanAnswer(ModelAnswer):
 
     table: TableAnswer
     style: Word
-    things: Annotated[list[ThingAnswer], Field(min_length=1, max_length=60)]
+    things: Annotated[list[ThingAnswer], Field(min_length=1, max_length=MOST_PLANNED)]
+    groups: Annotated[list[GroupAnswer], Field(max_length=20)] = []
 
 
 class KindAnswer(ModelAnswer):

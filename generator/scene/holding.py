@@ -1,0 +1,44 @@
+"""What a settled scene keeps of its plan: relations and supports, as the report found them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from .plan import TABLE, Relation
+from .result import Object, Scene
+
+
+def held_relations(scene: Scene, name: str) -> tuple[Relation, ...]:
+    """Return the plan's relations of a thing that hold in the settled scene.
+
+    A report without outcomes tells nothing: then all of the plan's are returned.
+    """
+    planned = scene.plan.objects if scene.plan else ()
+    asked = next((o.relations for o in planned if o.name == name), ())
+    outcomes = scene.report.relations if scene.report else ()
+    if not outcomes:
+        return asked
+    held = {(o.kind, o.target) for o in outcomes if o.name == name and o.holds}
+    return tuple(r for r in asked if (r.kind, r.target) in held)
+
+
+def hold_supports(scene: Scene) -> Scene:
+    """Return the scene without supports that its report denies.
+
+    A thing that does not rest on, or in, what its placement says stands on the table, for all that
+    is known. The same scene is returned where nothing is denied.
+    """
+    outcomes = scene.report.relations if scene.report else ()
+    denied = {(o.name, o.kind, o.target) for o in outcomes if not o.holds}
+
+    def hold(thing: Object) -> Object:
+        place = thing.placement
+        if place.on == TABLE:
+            return thing
+        if (thing.name, "in" if place.inside else "on", place.on) not in denied:
+            return thing
+        return replace(thing, placement=replace(place, on=TABLE, inside=False))
+
+    objects = tuple(map(hold, scene.objects))
+    changed = any(new is not old for new, old in zip(objects, scene.objects, strict=True))
+    return scene.replace(objects=objects) if changed else scene
