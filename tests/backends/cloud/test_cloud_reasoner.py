@@ -17,7 +17,7 @@ from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server.answers import OrientationAnswer
 from generator.backends.cloud.server.reading import Wrong
 from generator.errors import BackendError, InputError
-from generator.method.modeling import quarter_turn
+from generator.scene.turning import quarter_turn
 from generator.scene import (
     TABLE,
     Intrinsics,

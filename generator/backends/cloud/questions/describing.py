@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ....layout.seats import seats
+from ....layout.groups.seats import seats
 from ....scene import TABLE, PlannedGroup, ScenePlan
 
 
@@ -48,6 +48,7 @@ _ARRANGED: Mapping[str, str] = {
     "circle": "stand in a circle",
     "fan": "lie side by side, fanned out",
     "heap": "lie close together in a heap",
+    "pyramid": "are piled up as a pyramid",
     "scatter": "lie scattered about",
     "grid": "stand in rows and columns",
     "group": "stand close together",

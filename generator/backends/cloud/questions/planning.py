@@ -93,6 +93,7 @@ def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
     fields = {
         "color": thing.color, "accent": thing.accent, "material": thing.material,
         "size": thing.size_word, "state": state,
+        "posture": thing.posture,
     }  # fmt: skip
     attributes = {k: v for k, v in fields.items() if v}
     size = None if category else stand_in_size(family, attributes)

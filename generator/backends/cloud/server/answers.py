@@ -58,6 +58,7 @@ class ThingAnswer(ModelAnswer):
     material: Word | None
     size_word: Literal["small", "medium", "large"] | None
     state: Word | None
+    posture: Literal["upright", "lying", "upside down"] | None = None
     contents: Word | None = None
     size_cm: Annotated[list[Centimetres], Field(min_length=3, max_length=3)] | None
     relations: Annotated[list[RelationAnswer], Field(max_length=6)]
