@@ -21,6 +21,8 @@ from .things.electronics import (
     electronics,
     gadgets,
     handhelds,
+    media,
+    parts,
     peripherals,
     portables,
 )
@@ -50,9 +52,22 @@ from .things.kitchen import (
     racks,
     utensils,
 )
-from .things.lab import checkup, clinic, lab
+from .things.lab import checkup, clinic, firstaid, glass, lab
 from .things.larder import boxes, condiments, packs, preserves
-from .things.leisure import games, instruments, leisure, maps, optics, sports, toys
+from .things.leisure import (
+    blocks,
+    boardgames,
+    games,
+    instruments,
+    leisure,
+    maps,
+    music,
+    optics,
+    playthings,
+    sports,
+    sportsgear,
+    toys,
+)
 from .things.office import (
     clips,
     desk,
@@ -61,10 +76,20 @@ from .things.office import (
     organizers,
     paper,
     printed,
+    school,
     supplies,
     writing,
 )
-from .things.tools import benchwork, craft, fasteners, hardware, tools, workbench
+from .things.tools import (
+    benchwork,
+    craft,
+    fasteners,
+    handtools,
+    hardware,
+    hardware_parts,
+    tools,
+    workbench,
+)
 from .things.wardrobe import bathroom, clothes, gifts, jewelry
 
 _DRAWN_BY_THEME = (
@@ -108,6 +133,18 @@ _ON_REQUEST = (
     fasteners,
     benchwork,
     printed,
+    blocks,
+    boardgames,
+    playthings,
+    sportsgear,
+    music,
+    media,
+    parts,
+    handtools,
+    hardware_parts,
+    glass,
+    firstaid,
+    school,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

@@ -228,7 +228,7 @@ CATEGORIES = (
              "workbench"), ("flat",), ("white",), state="lying flat"),
     Category("circuit_board", circuit_board, (0.065, 0.0367, 0.0134), 0.03, ("arduino",
              "arduino board", "raspberry pi", "microcontroller", "pcb", "motherboard",
-             "development board", "electronics board", "microchip", "arduino uno",
+             "development board", "electronics board", "arduino uno",
              "raspberry pi board", "printed circuit board"), ("lab", "workbench"), ("flat",),
              ("green", "blue"), state="lying flat"),
     Category("oscilloscope", oscilloscope, (0.31, 0.155, 0.21), 3.2, ("digital oscilloscope",

@@ -289,7 +289,7 @@ CATEGORIES = (
         speaker,
         (0.11, 0.12, 0.185),
         0.9,
-        ("loudspeaker", "bluetooth speaker", "radio"),
+        ("loudspeaker", "bluetooth speaker"),
         ("office", "living"),
         ("tall",),
         ("black", "white"),

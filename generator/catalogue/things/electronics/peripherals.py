@@ -169,7 +169,7 @@ CATEGORIES = (
              "lying flat"),
     Category("usb_stick", usb_stick, (0.055, 0.017, 0.008), 0.01, ("flash drive",
              "usb flash drive", "memory stick", "thumb drive", "pen drive", "usb", "usb key",
-             "usb drive", "memory card", "sd card"), ("office", "gaming"), ("flat",), ("black",
+             "usb drive"), ("office", "gaming"), ("flat",), ("black",
              "red"), state="lying flat"),
     Category("charger", charger, (0.0964, 0.0612, 0.0302), 0.07, ("phone charger", "usb charger",
              "power adapter", "adapter", "wall charger", "charging plug", "power brick", "plug"),

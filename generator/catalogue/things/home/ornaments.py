@@ -113,7 +113,7 @@ CATEGORIES = (
              ("sand timer", "egg timer", "sandglass", "sand clock"), ("office", "living", "games"),
              ("tall", "round"), ("brown", "gold")),
     Category("trophy", trophy, (0.15, 0.105, 0.235), 0.9,
-             ("prize cup", "cup trophy", "award", "trophy cup", "medal"), ("office", "living"),
+             ("prize cup", "cup trophy", "award", "trophy cup"), ("office", "living"),
              ("tall",), ("gold", "silver")),
     Category("gourd", gourd, (0.12, 0.12, 0.12), 0.4,
              ("pumpkin", "gourd ornament", "squash", "calabash", "ornamental gourd",

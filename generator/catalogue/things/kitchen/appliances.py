@@ -272,6 +272,6 @@ CATEGORIES = (
              "mixer", "cake mixer"), ("kitchen",), ("tall", "big"), ("red", "mint")),
     Category("kitchen_scale", kitchen_scale, (0.176, 0.216, 0.0503), 0.6, ("scale",
              "weighing scale", "digital scale", "food scale", "kitchen scales", "scales",
-             "electronic scale", "balance"), ("kitchen",), ("support",), ("white", "black")),
+             "electronic scale"), ("kitchen",), ("support",), ("white", "black")),
 )  # fmt: skip
 """The module's categories."""

@@ -237,7 +237,7 @@ def grater(look: Look) -> Shape:
 CATEGORIES = (
     Category("spatula", spatula, (0.306, 0.0711, 0.0214), 0.09, ("turner", "fish slice",
              "egg flipper", "slotted spatula", "pancake turner", "rubber spatula",
-             "wooden spatula", "slotted turner", "scraper"), ("kitchen",), ("flat",), ("black",
+             "wooden spatula", "slotted turner"), ("kitchen",), ("flat",), ("black",
              "red"), state="lying flat"),
     Category("ladle", ladle, (0.331, 0.082, 0.0593), 0.14, ("soup ladle", "serving ladle",
              "dipper"), ("kitchen", "dining"), (), ("silver", "black"), state="lying down"),

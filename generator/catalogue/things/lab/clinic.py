@@ -153,7 +153,7 @@ CATEGORIES = (
               "clinical thermometer", "clinical digital thermometer"),
              ("medical",), ("flat",), ("white", "sky"), state="lying flat"),
     Category("bandage_roll", bandage_roll, (0.063, 0.055, 0.07), 0.03,
-             ("bandage", "roll of bandage", "gauze", "gauze roll", "roll of gauze",
+             ("bandage", "roll of bandage", "gauze roll", "roll of gauze",
               "elastic bandage", "medical bandage"),
              ("medical",), ("round",), ("white", "tan")),
 )  # fmt: skip

@@ -216,7 +216,6 @@ CATEGORIES = (
              ("dog bowl", "cat bowl", "dog dish", "pet dish", "food bowl", "dog food", "cat food"),
              ("pets",), ("round", "container", "big"), ("red", "blue")),
     Category("chess_board", chess_board, (0.33, 0.33, 0.06), 1.2,
-             ("chess", "chess set", "chess game", "checkerboard", "chequers", "checkers",
-              "board game"), ("games",), ("big",), ("brown", "black")),
+             ("chess", "chess set", "chess game"), ("games",), ("big",), ("brown", "black")),
 )  # fmt: skip
 """The module's categories."""

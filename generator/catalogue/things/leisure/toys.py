@@ -262,7 +262,7 @@ CATEGORIES = (
         toy_block,
         (0.042, 0.042, 0.042),
         0.045,
-        ("letter block", "wooden block", "block", "cube", "alphabet block"),
+        ("letter block", "wooden block", "block", "alphabet block"),
         ("toys",),
         (),
         BRIGHT,

@@ -145,8 +145,7 @@ def thumbtacks(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("paper_clips", paper_clips, (0.0768, 0.0844, 0.00257), 0.004, ("paper clip",
-             "paperclip", "paperclips", "clip", "pile of paper clips"), ("office",), ("flat",),
+    Category("paper_clips", paper_clips, (0.0768, 0.0844, 0.00257), 0.004, ("pile of paper clips",), ("office",), ("flat",),
              ("silver",), state="lying flat"),
     Category("binder_clip", binder_clip, (0.0323, 0.0335, 0.0483), 0.015, ("bulldog clip",
              "foldback clip", "fold back clip", "document clip"), ("office",), (), ("black",)),
@@ -157,8 +156,7 @@ CATEGORIES = (
              ("tall",), ("wooden", "black")),
     Category("ink_pad", ink_pad, (0.0984, 0.105, 0.0668), 0.09, ("inkpad", "stamp pad",
              "stamp ink pad", "ink"), ("office",), (), ("black", "navy"), state="lying open"),
-    Category("thumbtacks", thumbtacks, (0.0752, 0.074, 0.0118), 0.004, ("thumbtack", "push pin",
-             "push pins", "pushpin", "drawing pin", "drawing pins", "pushpins"), ("office",),
+    Category("thumbtacks", thumbtacks, (0.0752, 0.074, 0.0118), 0.004, ("thumbtack",), ("office",),
              ("flat",), ("red", "blue"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

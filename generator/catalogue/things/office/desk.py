@@ -174,7 +174,7 @@ CATEGORIES = (
              "desktop calendar", "flip calendar", "perpetual calendar"), ("office",), ("tall",),
              ("white", "red")),
     Category("desk_bell", desk_bell, (0.0862, 0.0862, 0.0835), 0.2, ("bell", "call bell",
-             "service bell", "reception bell", "hand bell", "counter bell", "table bell",
+             "service bell", "reception bell", "counter bell", "table bell",
              "hotel bell"), ("office", "dining"), ("round",), ("silver", "gold")),
 )  # fmt: skip
 """The module's categories."""

@@ -212,7 +212,7 @@ CATEGORIES = (
         book,
         (0.15, 0.215, 0.028),
         0.45,
-        ("novel", "textbook", "hardback"),
+        ("novel", "hardback"),
         ("office", "living", "coffee"),
         ("support", "flat"),
         INKS,

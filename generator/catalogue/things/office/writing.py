@@ -188,7 +188,7 @@ CATEGORIES = (
         marker,
         (0.128, 0.018, 0.018),
         0.02,
-        ("felt pen", "highlighter", "felt tip pen", "whiteboard marker"),
+        ("felt pen", "felt tip pen", "whiteboard marker"),
         ("office", "craft"),
         ("flat",),
         ("red", "blue", "green"),

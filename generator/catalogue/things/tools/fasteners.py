@@ -222,7 +222,7 @@ CATEGORIES = (
              ("flat",), ("silver",), state="lying flat"),
     Category("bolt", bolt, (0.0376, 0.0206, 0.04), 0.035, ("hex bolt", "machine bolt",
              "threaded bolt"), ("workbench",), (), ("silver",)),
-    Category("nut", nut, (0.0197, 0.0213, 0.00567), 0.01, ("hex nut", "washer", "metal nut",
+    Category("nut", nut, (0.0197, 0.0213, 0.00567), 0.01, ("hex nut", "metal nut",
              "hexagon nut"), ("workbench",), ("flat",), ("silver",), state="lying flat"),
     Category("hex_key", hex_key, (0.105, 0.0562, 0.0089), 0.03, ("allen key", "allen wrench",
              "hex wrench", "hex keys", "allen keys", "hexagon key"), ("workbench",), ("flat",),

@@ -287,7 +287,7 @@ CATEGORIES = (
     Category("hand_saw", hand_saw, (0.415, 0.12, 0.024), 0.45, ("saw", "handsaw", "wood saw"),
              ("workbench",), ("flat",), ("wooden", "red"), state="lying flat"),
     Category("clamp", clamp, (0.115, 0.2, 0.023), 0.6,
-             ("c-clamp", "c clamp", "g-clamp", "g clamp", "vise", "vice"),
+             ("c-clamp", "c clamp", "g-clamp", "g clamp"),
              ("workbench",), ("flat",), ("red", "blue"), state="lying flat"),
     Category("spirit_level", spirit_level, (0.34, 0.025, 0.053), 0.35,
              ("level", "bubble level", "builder's level"), ("workbench",), (), ("yellow", "red")),

@@ -208,7 +208,7 @@ CATEGORIES = (
         hammer,
         (0.295, 0.127, 0.027),
         0.55,
-        ("claw hammer", "mallet"),
+        ("claw hammer",),
         ("workbench",),
         (),
         ("wooden", "red"),
