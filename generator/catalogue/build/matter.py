@@ -38,7 +38,8 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 _MADE_OF: Mapping[str, str] = {
     "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
     "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter plant_pot "
-    "cactus succulent ice_cream sink",
+    "cactus succulent ice_cream sink jelly roast_chicken noodles ramen salad spaghetti curry stew "
+    "mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass salt_shaker "
     "pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug shot_glass "
@@ -70,12 +71,23 @@ _MADE_OF: Mapping[str, str] = {
     "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
     "pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder calendar "
     "gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter banknotes "
-    "price_tag",
+    "price_tag chewing_gum",
     "wax": "candle soap_bar",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom avocado "
     "onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes cookie "
-    "chocolate_bar gourd peach plum mango kiwi eggplant cherries steak sushi_rolls",
+    "chocolate_bar gourd peach plum mango kiwi eggplant cherries steak sushi_rolls toast baguette "
+    "bread_roll bagel pretzel muffin waffle tart cinnamon_roll gingerbread_man brownie macaron "
+    "eclair candy lollipop candy_cane marshmallow gummy_bear truffle ice_pop granola_bar "
+    "ice_cream_cone licorice sausage bacon fried_egg ham chicken_leg meatball salami ribs "
+    "chicken_nugget onion_ring fish salmon shrimp lobster crab oyster clam nigiri sashimi "
+    "sushi_roll onigiri dumpling spring_roll taco burrito flatbread pizza_slice cake_slice "
+    "pie_slice cheese_wheel cheese_slice tofu kebab lasagna lettuce cabbage celery leek "
+    "spring_onion asparagus cauliflower artichoke basil mint parsley rosemary lime grapefruit "
+    "lemon_slice melon watermelon coconut pumpkin papaya dragon_fruit raspberry blackberry "
+    "blueberry fig pomegranate star_fruit passion_fruit date zucchini radish beetroot turnip "
+    "parsnip sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
+    "cashew pistachio chestnut acorn olive pickle",
     "leather": "wallet ring_box american_football baseball",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset microphone "
     "desk_fan power_strip hard_drive action_camera handheld_console hair_dryer calculator laptop "
@@ -96,32 +108,32 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 """The material that a category's underside, or most of it, is made of."""
 
 HOLLOW = frozenset(
-    {"mug", "teacup", "glass", "wine_glass", "bowl", "plate", "saucer", "tray", "teapot",
-     "kettle", "french_press", "pot", "pan", "sugar_bowl", "basket", "vase", "cake_stand",
-     "pet_bowl", "desk_tray", "pencil_holder", "box", "beaker", "flask", "petri_dish",
-     "toothbrush_cup", "thermos", "toolbox", "globe", "ball", "rubber_duck", "cap", "trophy",
-     "figurine", "pencil_case", "test_tube_rack", "matryoshka", "pitcher", "ramekin", "soup",
-     "beer_mug", "shot_glass", "cocktail_glass", "champagne_flute", "mixing_bowl", "colander",
-     "measuring_cup", "baking_tray", "muffin_tin", "ice_bucket", "watering_can", "plant_pot",
-     "waste_bin", "basketball", "soccer_ball", "tennis_ball", "american_football",
-     "stacking_cups", "desk_caddy", "food_container", "paper_bag", "gift_bag", "cabinet",
-     "drawer_box", "candlestick", "violin", "ukulele"}
+    {"mug", "teacup", "glass", "wine_glass", "bowl", "plate", "saucer", "tray", "teapot", "kettle",
+     "french_press", "pot", "pan", "sugar_bowl", "basket", "vase", "cake_stand", "pet_bowl",
+     "desk_tray", "pencil_holder", "box", "beaker", "flask", "petri_dish", "toothbrush_cup",
+     "thermos", "toolbox", "globe", "ball", "rubber_duck", "cap", "trophy", "figurine",
+     "pencil_case", "test_tube_rack", "matryoshka", "pitcher", "ramekin", "soup", "beer_mug",
+     "shot_glass", "cocktail_glass", "champagne_flute", "mixing_bowl", "colander", "measuring_cup",
+     "baking_tray", "muffin_tin", "ice_bucket", "watering_can", "plant_pot", "waste_bin",
+     "basketball", "soccer_ball", "tennis_ball", "american_football", "stacking_cups",
+     "desk_caddy", "food_container", "paper_bag", "gift_bag", "cabinet", "drawer_box",
+     "candlestick", "violin", "ukulele"}
 )  # fmt: skip
 """Things that are walls around air."""
 
 ASSEMBLED = frozenset(
-    {"potted_plant", "picture_frame", "eyeglasses", "keys", "wristwatch", "candle",
-     "bandage_roll", "pencil_holder", "vase", "chess_board", "basket", "pill_bottle", "map",
-     "folded_map", "photo_print", "cap", "figurine", "dish_rack", "wine_rack", "napkin_holder",
-     "straw_holder", "popcorn", "toothpicks", "crayon_box", "pencil_set", "paper_clips",
-     "thumbtacks", "bookend", "calendar", "ink_pad", "cable", "poker_chips", "dominoes",
-     "marbles", "cactus", "succulent", "bouquet", "jewelry_box", "necklace", "bracelet", "ring",
-     "tripod", "telescope", "compass", "candlestick", "standing_mirror", "coins", "nail", "screw",
-     "nut", "bolt", "banknotes", "letter", "price_tag", "breadboard", "circuit_board", "charger",
-     "light_bulb", "battery", "soap_bar", "kiwi", "tea_box", "coffee_grinder", "ladle", "tongs",
-     "paint_roller", "stethoscope", "padlock", "toy_airplane", "hex_key", "basketball",
-     "soccer_ball", "american_football", "cherries", "sushi_rolls", "pencil_sharpener",
-     "tomato_can"}
+    {"potted_plant", "picture_frame", "eyeglasses", "keys", "wristwatch", "candle", "bandage_roll",
+     "pencil_holder", "vase", "chess_board", "basket", "pill_bottle", "map", "folded_map",
+     "photo_print", "cap", "figurine", "dish_rack", "wine_rack", "napkin_holder", "straw_holder",
+     "popcorn", "toothpicks", "crayon_box", "pencil_set", "paper_clips", "thumbtacks", "bookend",
+     "calendar", "ink_pad", "cable", "poker_chips", "dominoes", "marbles", "cactus", "succulent",
+     "bouquet", "jewelry_box", "necklace", "bracelet", "ring", "tripod", "telescope", "compass",
+     "candlestick", "standing_mirror", "coins", "nail", "screw", "nut", "bolt", "banknotes",
+     "letter", "price_tag", "breadboard", "circuit_board", "charger", "light_bulb", "battery",
+     "soap_bar", "kiwi", "tea_box", "coffee_grinder", "ladle", "tongs", "paint_roller",
+     "stethoscope", "padlock", "toy_airplane", "hex_key", "basketball", "soccer_ball",
+     "american_football", "cherries", "sushi_rolls", "pencil_sharpener", "tomato_can", "lollipop",
+     "coconut", "papaya", "noodles", "bowl_of_cereal", "grapefruit"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 
