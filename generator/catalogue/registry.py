@@ -26,7 +26,30 @@ from .things.electronics import (
     peripherals,
     portables,
 )
-from .things.food import bakery, food, fruit, groceries, meals, orchard, pantry, produce, sweets
+from .things.food import (
+    bakery,
+    berries,
+    bowls,
+    confections,
+    dishes,
+    exotic,
+    food,
+    fruit,
+    greens,
+    groceries,
+    meals,
+    meats,
+    nuts,
+    orchard,
+    pantry,
+    pastries,
+    produce,
+    roots,
+    seafood,
+    snacks,
+    sushi,
+    sweets,
+)
 from .things.home import (
     decor,
     dressing,
@@ -145,6 +168,19 @@ _ON_REQUEST = (
     glass,
     firstaid,
     school,
+    pastries,
+    confections,
+    meats,
+    seafood,
+    sushi,
+    snacks,
+    dishes,
+    bowls,
+    greens,
+    exotic,
+    berries,
+    roots,
+    nuts,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

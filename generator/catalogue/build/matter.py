@@ -37,84 +37,101 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 
 _MADE_OF: Mapping[str, str] = {
     "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
-    "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter plant_pot "
-    "cactus succulent ice_cream sink crucible",
+    "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter "
+    "plant_pot cactus succulent ice_cream sink crucible jelly roast_chicken noodles ramen "
+    "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
-    "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass salt_shaker "
-    "pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug shot_glass "
-    "beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup soy_sauce straw_holder "
-    "measuring_cup light_bulb marbles standing_mirror camera_lens ashtray test_tube "
-    "graduated_cylinder glass_prism dropper medicine_bottle go_stone",
+    "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass "
+    "salt_shaker pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug "
+    "shot_glass beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup "
+    "soy_sauce straw_holder measuring_cup light_bulb marbles standing_mirror camera_lens "
+    "ashtray test_tube graduated_cylinder glass_prism dropper medicine_bottle go_stone",
     "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
-    "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy dumbbell "
-    "button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can tongs grater "
-    "corkscrew bottle_opener pizza_cutter mixing_bowl colander baking_tray muffin_tin pie "
-    "dish_rack soup_can tomato_can tuna_can coffee_can paper_clips binder_clip thumbtacks bookend "
-    "pencil_set desk_bell candlestick watering_can garden_trowel ring necklace bracelet compass "
-    "battery screw nail bolt nut hex_key metal_file chisel padlock coins razor ink_pad hole_punch "
-    "usb_stick kettlebell weight_plate medal golf_tee stopwatch whistle trumpet saxophone flute "
-    "harmonica triangle hand_bell cymbal axe crowbar hand_plane caliper drill_bit vise "
-    "wire_cutters tin_snips wire_stripper staple_gun oil_can socket_wrench pipe_wrench hacksaw "
-    "metal_rod pipe pipe_fitting valve gear bearing spring washer hinge bracket wall_hook chain "
-    "horseshoe_magnet bar_magnet bunsen_burner lab_tripod retort_stand balance_scale "
-    "newtons_cradle scalpel tweezers kidney_dish drawing_compass paper_clip push_pin heatsink "
-    "electric_motor cpu resistor dart xylophone",
+    "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy "
+    "dumbbell button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can "
+    "tongs grater corkscrew bottle_opener pizza_cutter mixing_bowl colander baking_tray "
+    "muffin_tin pie dish_rack soup_can tomato_can tuna_can coffee_can paper_clips "
+    "binder_clip thumbtacks bookend pencil_set desk_bell candlestick watering_can "
+    "garden_trowel ring necklace bracelet compass battery screw nail bolt nut hex_key "
+    "metal_file chisel padlock coins razor ink_pad hole_punch usb_stick kettlebell "
+    "weight_plate medal golf_tee stopwatch whistle trumpet saxophone flute harmonica "
+    "triangle hand_bell cymbal axe crowbar hand_plane caliper drill_bit vise wire_cutters "
+    "tin_snips wire_stripper staple_gun oil_can socket_wrench pipe_wrench hacksaw "
+    "metal_rod pipe pipe_fitting valve gear bearing spring washer hinge bracket wall_hook "
+    "chain horseshoe_magnet bar_magnet bunsen_burner lab_tripod retort_stand "
+    "balance_scale newtons_cradle scalpel tweezers kidney_dish drawing_compass paper_clip "
+    "push_pin heatsink electric_motor cpu resistor dart xylophone",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
-    "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder clipboard "
-    "chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack napkin_holder chopsticks "
-    "cabinet drawer_box desk_caddy stamp violin ukulele metronome jewelry_box toothpicks cube "
-    "cuboid cylinder sphere cone pyramid wedge triangular_prism hexagonal_prism half_cylinder "
-    "arch_block l_block t_block cross_block star_block heart_block torus peg square_peg pegboard "
-    "tower_of_hanoi shape_sorter tumbling_tower jenga_block checkers_set go_board "
-    "backgammon_board ludo_board scrabble_board snakes_and_ladders letter_tile meeple game_pawn "
-    "spinning_top slingshot boomerang baseball_bat table_tennis_bat guitar recorder clarinet drum "
-    "tambourine drumstick maraca mallet putty_knife plank wood_block dowel tube_stand abacus "
-    "gavel toy_piano",
+    "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
+    "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
+    "napkin_holder chopsticks cabinet drawer_box desk_caddy stamp violin ukulele "
+    "metronome jewelry_box toothpicks cube cuboid cylinder sphere cone pyramid wedge "
+    "triangular_prism hexagonal_prism half_cylinder arch_block l_block t_block "
+    "cross_block star_block heart_block torus peg square_peg pegboard tower_of_hanoi "
+    "shape_sorter tumbling_tower jenga_block checkers_set go_board backgammon_board "
+    "ludo_board scrabble_board snakes_and_ladders letter_tile meeple game_pawn "
+    "spinning_top slingshot boomerang baseball_bat table_tennis_bat guitar recorder "
+    "clarinet drum tambourine drumstick maraca mallet putty_knife plank wood_block dowel "
+    "tube_stand abacus gavel toy_piano",
     "stone": "sculpture",
     "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
-    "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser tape_measure "
-    "utility_knife stapler building_brick toy_car toy_robot toy_train stacking_rings puzzle_cube "
-    "die lipstick makeup_compact syringe thermometer eyeglasses first_aid_kit tool_kit paint_tube "
-    "spatula ladle peeler food_container dish_soap peanut_butter ketchup mustard_bottle yogurt "
-    "pencil_sharpener waste_bin poker_chips dominoes stacking_cups toy_airplane toothbrush "
-    "toothpaste comb nail_file paint_roller cable charger breadboard circuit_board crayon "
-    "telescope binoculars tripod golf_ball hollow_cylinder checkers_piece mahjong_tile domino "
-    "yo_yo kite frisbee shuttlecock ping_pong_ball skipping_rope bubbles_tub bowling_ball "
-    "bowling_pin sports_bottle helmet tennis_racket guitar_pick vinyl_record cd cd_case cassette "
-    "floppy_disk game_cartridge film_roll led capacitor ic_chip jumper_wire case_fan ram_stick "
-    "memory_card servo propeller solder_spool sensor push_button glue_gun paint_tray funnel "
-    "wash_bottle micropipette weighing_boat molecule_model blister_pack pill_organizer eye_drops "
-    "inhaler reflex_hammer oximeter protractor set_square credit_card id_card whiteboard "
-    "highlighter",
+    "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser "
+    "tape_measure utility_knife stapler building_brick toy_car toy_robot toy_train "
+    "stacking_rings puzzle_cube die lipstick makeup_compact syringe thermometer "
+    "eyeglasses first_aid_kit tool_kit paint_tube spatula ladle peeler food_container "
+    "dish_soap peanut_butter ketchup mustard_bottle yogurt pencil_sharpener waste_bin "
+    "poker_chips dominoes stacking_cups toy_airplane toothbrush toothpaste comb nail_file "
+    "paint_roller cable charger breadboard circuit_board crayon telescope binoculars "
+    "tripod golf_ball hollow_cylinder checkers_piece mahjong_tile domino yo_yo kite "
+    "frisbee shuttlecock ping_pong_ball skipping_rope bubbles_tub bowling_ball "
+    "bowling_pin sports_bottle helmet tennis_racket guitar_pick vinyl_record cd cd_case "
+    "cassette floppy_disk game_cartridge film_roll led capacitor ic_chip jumper_wire "
+    "case_fan ram_stick memory_card servo propeller solder_spool sensor push_button "
+    "glue_gun paint_tray funnel wash_bottle micropipette weighing_boat molecule_model "
+    "blister_pack pill_organizer eye_drops inhaler reflex_hammer oximeter protractor "
+    "set_square credit_card id_card whiteboard highlighter",
     "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
     "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
     "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
-    "pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder calendar "
-    "gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter banknotes "
-    "price_tag playing_card puzzle_piece jigsaw_puzzle board_game dartboard sheet_music "
-    "record_sleeve sandpaper glove_box business_card index_card postcard greeting_card dictionary "
-    "textbook atlas cookbook",
+    "pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder "
+    "calendar gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter "
+    "banknotes price_tag playing_card puzzle_piece jigsaw_puzzle board_game dartboard "
+    "sheet_music record_sleeve sandpaper glove_box business_card index_card postcard "
+    "greeting_card dictionary textbook atlas cookbook chewing_gum",
     "wax": "candle soap_bar chalk pastel charcoal_stick",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
-    "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom avocado "
-    "onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes cookie "
-    "chocolate_bar gourd peach plum mango kiwi eggplant cherries steak sushi_rolls pill",
+    "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
+    "avocado onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes "
+    "cookie chocolate_bar gourd peach plum mango kiwi eggplant cherries steak sushi_rolls "
+    "pill toast baguette bread_roll bagel pretzel muffin waffle tart cinnamon_roll "
+    "gingerbread_man brownie macaron eclair candy lollipop candy_cane marshmallow "
+    "gummy_bear truffle ice_pop granola_bar ice_cream_cone licorice sausage bacon "
+    "fried_egg ham chicken_leg meatball salami ribs chicken_nugget onion_ring fish salmon "
+    "shrimp lobster crab oyster clam nigiri sashimi sushi_roll onigiri dumpling "
+    "spring_roll taco burrito flatbread pizza_slice cake_slice pie_slice cheese_wheel "
+    "cheese_slice tofu kebab lasagna lettuce cabbage celery leek spring_onion asparagus "
+    "cauliflower artichoke basil mint parsley rosemary lime grapefruit lemon_slice melon "
+    "watermelon coconut pumpkin papaya dragon_fruit raspberry blackberry blueberry fig "
+    "pomegranate star_fruit passion_fruit date zucchini radish beetroot turnip parsnip "
+    "sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
+    "cashew pistachio chestnut acorn olive pickle",
     "leather": "wallet ring_box american_football baseball dice_cup volleyball cricket_ball "
     "rugby_ball baseball_glove boxing_glove",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset microphone "
-    "desk_fan power_strip hard_drive action_camera handheld_console hair_dryer calculator laptop "
-    "monitor keyboard computer_mouse smartphone tablet headphones speaker remote_control "
-    "walkie_talkie camera game_controller earbuds_case alarm_clock globe desk_lamp night_light "
-    "flashlight microscope microwave stove blender rice_cooker stand_mixer kitchen_scale "
-    "espresso_machine oscilloscope webcam trackpad mini_pc telephone barcode_scanner "
-    "cash_register card_reader phone_stand joystick headset blood_pressure_monitor sewing_machine "
-    "synthesizer drum_pad record_player radio boombox clock_radio smart_speaker projector "
-    "retro_television graphics_card forehead_thermometer",
+    "desk_fan power_strip hard_drive action_camera handheld_console hair_dryer calculator "
+    "laptop monitor keyboard computer_mouse smartphone tablet headphones speaker "
+    "remote_control walkie_talkie camera game_controller earbuds_case alarm_clock globe "
+    "desk_lamp night_light flashlight microscope microwave stove blender rice_cooker "
+    "stand_mixer kitchen_scale espresso_machine oscilloscope webcam trackpad mini_pc "
+    "telephone barcode_scanner cash_register card_reader phone_stand joystick headset "
+    "blood_pressure_monitor sewing_machine synthesizer drum_pad record_player radio "
+    "boombox clock_radio smart_speaker projector retro_television graphics_card "
+    "forehead_thermometer",
     "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
-    "blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask whiteboard_eraser "
-    "band_aid",
-    "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball "
-    "shoe stethoscope foam_brick hockey_puck yoga_block rubber_band",
+    "blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
+    "whiteboard_eraser band_aid",
+    "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
+    "stethoscope foam_brick hockey_puck yoga_block rubber_band",
 }
 
 MATERIALS: Mapping[str, str] = MappingProxyType(
@@ -123,47 +140,47 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 """The material that a category's underside, or most of it, is made of."""
 
 HOLLOW = frozenset(
-    {"mug", "teacup", "glass", "wine_glass", "bowl", "plate", "saucer", "tray", "teapot",
-     "kettle", "french_press", "pot", "pan", "sugar_bowl", "basket", "vase", "cake_stand",
-     "pet_bowl", "desk_tray", "pencil_holder", "box", "beaker", "flask", "petri_dish",
-     "toothbrush_cup", "thermos", "toolbox", "globe", "ball", "rubber_duck", "cap", "trophy",
-     "figurine", "pencil_case", "test_tube_rack", "matryoshka", "pitcher", "ramekin", "soup",
-     "beer_mug", "shot_glass", "cocktail_glass", "champagne_flute", "mixing_bowl", "colander",
-     "measuring_cup", "baking_tray", "muffin_tin", "ice_bucket", "watering_can", "plant_pot",
-     "waste_bin", "basketball", "soccer_ball", "tennis_ball", "american_football",
-     "stacking_cups", "desk_caddy", "food_container", "paper_bag", "gift_bag", "cabinet",
-     "drawer_box", "candlestick", "violin", "ukulele",
-     "hollow_cylinder", "dice_cup", "volleyball", "ping_pong_ball", "bowling_pin", "helmet",
-     "drum", "tambourine", "guitar", "hand_bell", "graduated_cylinder", "funnel", "crucible",
-     "kidney_dish", "weighing_boat", "paint_tray", "tube_stand"}
+    {"american_football", "baking_tray", "ball", "basket", "basketball", "beaker", "beer_mug",
+     "bowl", "bowling_pin", "box", "cabinet", "cake_stand", "candlestick", "cap",
+     "champagne_flute", "cocktail_glass", "colander", "crucible", "desk_caddy", "desk_tray",
+     "dice_cup", "drawer_box", "drum", "figurine", "flask", "food_container", "french_press",
+     "funnel", "gift_bag", "glass", "globe", "graduated_cylinder", "guitar", "hand_bell",
+     "helmet", "hollow_cylinder", "ice_bucket", "kettle", "kidney_dish", "matryoshka",
+     "measuring_cup", "mixing_bowl", "muffin_tin", "mug", "paint_tray", "pan", "paper_bag",
+     "pencil_case", "pencil_holder", "pet_bowl", "petri_dish", "ping_pong_ball", "pitcher",
+     "plant_pot", "plate", "pot", "ramekin", "rubber_duck", "saucer", "shot_glass",
+     "soccer_ball", "soup", "stacking_cups", "sugar_bowl", "tambourine", "teacup", "teapot",
+     "tennis_ball", "test_tube_rack", "thermos", "toolbox", "toothbrush_cup", "tray", "trophy",
+     "tube_stand", "ukulele", "vase", "violin", "volleyball", "waste_bin", "watering_can",
+     "weighing_boat", "wine_glass"}
 )  # fmt: skip
 """Things that are walls around air."""
 
 ASSEMBLED = frozenset(
-    {"potted_plant", "picture_frame", "eyeglasses", "keys", "wristwatch", "candle",
-     "bandage_roll", "pencil_holder", "vase", "chess_board", "basket", "pill_bottle", "map",
-     "folded_map", "photo_print", "cap", "figurine", "dish_rack", "wine_rack", "napkin_holder",
-     "straw_holder", "popcorn", "toothpicks", "crayon_box", "pencil_set", "paper_clips",
-     "thumbtacks", "bookend", "calendar", "ink_pad", "cable", "poker_chips", "dominoes",
-     "marbles", "cactus", "succulent", "bouquet", "jewelry_box", "necklace", "bracelet", "ring",
-     "tripod", "telescope", "compass", "candlestick", "standing_mirror", "coins", "nail", "screw",
-     "nut", "bolt", "banknotes", "letter", "price_tag", "breadboard", "circuit_board", "charger",
-     "light_bulb", "battery", "soap_bar", "kiwi", "tea_box", "coffee_grinder", "ladle", "tongs",
-     "paint_roller", "stethoscope", "padlock", "toy_airplane", "hex_key", "basketball",
-     "soccer_ball", "american_football", "cherries", "sushi_rolls", "pencil_sharpener",
-     "tomato_can",
-     "kite", "slingshot", "shuttlecock", "skipping_rope", "baseball_glove", "boxing_glove",
-     "stopwatch", "medal", "kettlebell", "tennis_racket", "trumpet", "saxophone", "maraca",
-     "xylophone", "triangle", "radio", "dart", "yo_yo", "film_roll", "resistor", "led",
-     "jumper_wire", "servo", "propeller", "sensor", "mallet", "axe", "crowbar", "hand_plane",
-     "caliper", "vise", "glue_gun", "sandpaper", "putty_knife", "wire_cutters", "tin_snips",
-     "wire_stripper", "staple_gun", "oil_can", "socket_wrench", "pipe_wrench", "hacksaw",
-     "pipe_fitting", "valve", "spring", "bracket", "wall_hook", "chain", "rope", "bunsen_burner",
-     "lab_tripod", "wash_bottle", "dropper", "micropipette", "retort_stand", "balance_scale",
-     "molecule_model", "newtons_cradle", "cotton_swab", "cotton_ball", "tweezers", "inhaler",
-     "face_mask", "reflex_hammer", "drawing_compass", "abacus", "greeting_card", "rubber_band",
-     "gavel", "whiteboard", "paper_clip", "push_pin", "tower_of_hanoi", "pegboard",
-     "checkers_set", "spinning_top", "drumstick", "boomerang", "whistle"}
+    {"abacus", "american_football", "axe", "balance_scale", "bandage_roll", "banknotes",
+     "baseball_glove", "basket", "basketball", "battery", "bolt", "bookend", "boomerang",
+     "bouquet", "bowl_of_cereal", "boxing_glove", "bracelet", "bracket", "breadboard",
+     "bunsen_burner", "cable", "cactus", "calendar", "caliper", "candle", "candlestick", "cap",
+     "chain", "charger", "checkers_set", "cherries", "chess_board", "circuit_board", "coconut",
+     "coffee_grinder", "coins", "compass", "cotton_ball", "cotton_swab", "crayon_box", "crowbar",
+     "dart", "dish_rack", "dominoes", "drawing_compass", "dropper", "drumstick", "eyeglasses",
+     "face_mask", "figurine", "film_roll", "folded_map", "gavel", "glue_gun", "grapefruit",
+     "greeting_card", "hacksaw", "hand_plane", "hex_key", "inhaler", "ink_pad", "jewelry_box",
+     "jumper_wire", "kettlebell", "keys", "kite", "kiwi", "lab_tripod", "ladle", "led", "letter",
+     "light_bulb", "lollipop", "mallet", "map", "maraca", "marbles", "medal", "micropipette",
+     "molecule_model", "nail", "napkin_holder", "necklace", "newtons_cradle", "noodles", "nut",
+     "oil_can", "padlock", "paint_roller", "papaya", "paper_clip", "paper_clips", "pegboard",
+     "pencil_holder", "pencil_set", "pencil_sharpener", "photo_print", "picture_frame",
+     "pill_bottle", "pipe_fitting", "pipe_wrench", "poker_chips", "popcorn", "potted_plant",
+     "price_tag", "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
+     "retort_stand", "ring", "rope", "rubber_band", "sandpaper", "saxophone", "screw", "sensor",
+     "servo", "shuttlecock", "skipping_rope", "slingshot", "soap_bar", "soccer_ball",
+     "socket_wrench", "spinning_top", "spring", "standing_mirror", "staple_gun", "stethoscope",
+     "stopwatch", "straw_holder", "succulent", "sushi_rolls", "tea_box", "telescope",
+     "tennis_racket", "thumbtacks", "tin_snips", "tomato_can", "tongs", "toothpicks",
+     "tower_of_hanoi", "toy_airplane", "triangle", "tripod", "trumpet", "tweezers", "valve",
+     "vase", "vise", "wall_hook", "wash_bottle", "whistle", "whiteboard", "wine_rack",
+     "wire_cutters", "wire_stripper", "wristwatch", "xylophone", "yo_yo"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 

@@ -125,11 +125,11 @@ CATEGORIES = (
     Category("pineapple", pineapple, (0.13, 0.13, 0.245), 1.1, ("ananas",),
              ("kitchen", "food"), ("tall", "round", "edible"), ("amber",)),
     Category("watermelon_slice", watermelon_slice, (0.18, 0.1, 0.024), 0.25,
-             ("slice of watermelon", "watermelon", "melon slice", "melon"),
+             ("slice of watermelon", "melon slice"),
              ("kitchen", "food"), ("flat", "edible"), ("red",), state="lying flat"),
     Category("grapes", grapes, (0.14, 0.09, 0.05), 0.3, ("bunch of grapes", "grape"),
              ("kitchen", "food", "dining"), ("edible",), ("purple", "lime"), state="lying flat"),
-    Category("strawberry", strawberry, (0.05, 0.035, 0.033), 0.018, ("berry", "raspberry"),
+    Category("strawberry", strawberry, (0.05, 0.035, 0.033), 0.018, ("berry",),
              ("kitchen", "food"), ("edible",), ("red",), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

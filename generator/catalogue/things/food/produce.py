@@ -196,11 +196,11 @@ CATEGORIES = (
              ("corn cob", "ear of corn", "corn on the cob", "maize", "sweetcorn"),
              ("kitchen", "food"), ("edible",), ("yellow",), state="lying flat"),
     Category("bell_pepper", bell_pepper, (0.08, 0.08, 0.105), 0.16,
-             ("sweet pepper", "capsicum", "paprika", "red pepper", "green pepper", "chili"),
+             ("sweet pepper", "capsicum", "paprika", "red pepper", "green pepper"),
              ("kitchen", "food"), ("round", "edible"), ("red", "yellow", "green")),
-    Category("broccoli", broccoli, (0.11, 0.11, 0.105), 0.25, ("cauliflower", "broccoli head"),
+    Category("broccoli", broccoli, (0.11, 0.11, 0.105), 0.25, ("broccoli head",),
              ("kitchen", "food"), ("round", "edible"), ("green",)),
-    Category("potato", potato, (0.092, 0.062, 0.05), 0.17, ("sweet potato", "yam", "spud"),
+    Category("potato", potato, (0.092, 0.062, 0.05), 0.17, ("spud",),
              ("kitchen", "food"), ("edible",), ("tan",), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

@@ -312,7 +312,7 @@ CATEGORIES = (
              "creme brulee", "pudding cup", "custard dish", "dip bowl", "sauce dish"), ("dining",
              "kitchen"), ("container", "round"), ("white",)),
     Category("pie", pie, (0.235, 0.235, 0.044), 0.8, ("apple pie", "cherry pie", "pumpkin pie",
-             "tart", "fruit tart", "quiche", "fruit pie"), ("kitchen", "dining"), ("edible",
+             "quiche", "fruit pie"), ("kitchen", "dining"), ("edible",
              "round", "big"), ("tan",)),
     Category("food_container", food_container, (0.186, 0.149, 0.0883), 0.45, ("tupperware",
              "lunch box", "lunchbox", "plastic container", "storage container", "plastic box",

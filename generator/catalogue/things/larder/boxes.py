@@ -106,7 +106,7 @@ CATEGORIES = (
              "biscuit box", "box of biscuits", "cookies box", "box of crackers", "cookie packet",
              "biscuit packet"), ("kitchen", "tea"), (), ("blue", "red")),
     Category("pudding_box", pudding_box, (0.098, 0.036, 0.083), 0.12, ("box of pudding",
-             "chocolate pudding", "pudding", "gelatin box", "jello box", "jello", "pudding mix",
+             "chocolate pudding", "pudding", "gelatin box", "jello box", "pudding mix",
              "chocolate pudding box", "gelatin", "baking mix"), ("kitchen",), (), ("brown",
              "red")),
     Category("popcorn", popcorn, (0.116, 0.116, 0.175), 0.12, ("popcorn box", "popcorn bucket",

@@ -262,8 +262,8 @@ CATEGORIES = (
              "honey pot", "pot of honey", "honey bottle"), ("kitchen", "breakfast"), ("round",),
              ("gold", "amber")),
     Category("jam_jar", jam_jar, (0.073, 0.073, 0.106), 0.36, ("jar of jam", "jam", "marmalade",
-             "strawberry jam", "jar of marmalade", "jelly jar", "marmalade jar", "jelly",
-             "jar of jelly", "fruit preserve", "preserve", "raspberry jam"), ("kitchen",
+             "strawberry jam", "jar of marmalade", "jelly jar", "marmalade jar", "jar of jelly",
+             "fruit preserve", "preserve", "raspberry jam"), ("kitchen",
              "breakfast"), ("round",), ("crimson", "purple")),
 )  # fmt: skip
 """The module's categories."""
