@@ -203,7 +203,8 @@ PEOPLE: Mapping[str, int] = MappingProxyType(
 SUBSTANCES = _words(
     "water tea coffee milk juice wine beer soup cereal sugar salt pepper flour rice pasta jam "
     "honey soda lemonade cocoa chocolate butter oil sauce paint ink salad soil sand cola coke "
-    "chips crisps popcorn nuts candy sweets"
+    "chips crisps popcorn nuts candy sweets liquid fluid solution broth cider whisky whiskey vodka "
+    "rum gin champagne espresso cappuccino latte smoothie milkshake sake gravel compost"
 )
 """What vessels hold; it becomes the vessel's "state", unless it is an object itself."""
 

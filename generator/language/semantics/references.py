@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from ...catalogue import CATEGORIES
 from ...scene import TABLE
 from ..drafts import Draft, Group
 from ..parsing.lexicon import singular
@@ -45,6 +46,8 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
         *reversed(context.mentioned),
     ]  # fmt: skip
     fit = [c for c in candidates if isinstance(c, list) and c and not _overlaps(c, context.subject)]
+    if kind in ("on", "in") and not several:  # "on it" is on what can carry something
+        fit.sort(key=lambda group: not _may_carry(group[0], kind))
     for group in fit:
         if (len(group) > 1) == several:
             return group
@@ -55,6 +58,13 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     if fit:
         return fit[0]
     return TABLE if TABLE in candidates else None
+
+
+def _may_carry(draft: Draft, kind: str) -> bool:
+    if draft.category is None:
+        return True
+    known = CATEGORIES[draft.category]
+    return known.container or (kind == "on" and bool({"support", "flat"} & {*known.roles}))
 
 
 def _overlaps(one: Group, other: Sequence[Draft]) -> bool:

@@ -84,6 +84,8 @@ class Parser(ListReader):
         first = subjects[0]
         if (_is_title(first) or first.kind == "vague") and self._starts_noun(1):
             first.kind = "title"
+            if not first.post:
+                return  # what follows is a clause of its own
         if first.kind in ("table", "setting", "title"):
             self.i += 1
             arranged = [post for post in first.post if isinstance(post, Arranged)]

@@ -277,6 +277,8 @@ class PostReader(PlaceReader):
         if inner.lengths and not inner.words:
             out.append(Description(({},), inner.lengths))
             return True
+        if noun.kind == "table" and inner.family == "figurine":
+            return True  # "the desk of a pupil"
         items = [inner]
         while self._tag() in ("and", "comma"):
             before = self.i

@@ -32,6 +32,13 @@ _RUN_TOGETHER = {
     "infrontof": ("in", "front", "of"), "inbetween": ("in", "between"),
 }  # fmt: skip
 _TAG = re.compile(r"</?[A-Za-z][^<>\n]{0,80}>")
+_PARTS = re.compile(
+    r"(?i)\b(?:one|two|three|four|five|six|seven|eight|nine|ten|twelve|single|double|multi|\d+)-"
+    r"(?:tier|tiered|tone|toned|piece|legged|sided|layer|layered|litre|liter|door|drawer|slice|"
+    r"handled|pronged|armed|burner|cup|ply|speed|storey|part|stage|colour|coloured|color|colored|"
+    r"year|level|ring|hole|string|button|key|arm|branch|wick|pack)s?\b"
+)
+"""What "two-tier" and the like say of one thing."""
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
@@ -52,6 +59,7 @@ class Word:
 def words_of(text: str) -> tuple[Word, ...]:
     """Return the words of a text; bullets and numbers of list items are line ends."""
     text = _TAG.sub(lambda found: " " * len(found.group()), text)
+    text = _PARTS.sub(lambda found: " " * len(found.group()), text)
     text = _BULLET.sub(lambda found: "\n".ljust(len(found.group())), text)
     plain, places = _plain(text)
     found = []
