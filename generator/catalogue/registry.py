@@ -64,13 +64,21 @@ from .things.home import (
 from .things.kitchen import (
     appliances,
     bakeware,
+    blades,
     bottles,
     brewing,
     cooking,
     cups,
     cutlery,
     dining,
+    gadgetry,
+    ovenware,
+    paperware,
     racks,
+    serving,
+    spoons,
+    storage,
+    teatime,
     utensils,
 )
 from .things.lab import checkup, clinic, lab
@@ -144,6 +152,14 @@ _ON_REQUEST = (
     berries,
     roots,
     nuts,
+    serving,
+    blades,
+    spoons,
+    gadgetry,
+    ovenware,
+    teatime,
+    storage,
+    paperware,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)
