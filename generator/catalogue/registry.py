@@ -66,13 +66,21 @@ from .things.home import (
 from .things.kitchen import (
     appliances,
     bakeware,
+    blades,
     bottles,
     brewing,
     cooking,
     cups,
     cutlery,
     dining,
+    gadgetry,
+    ovenware,
+    paperware,
     racks,
+    serving,
+    spoons,
+    storage,
+    teatime,
     utensils,
 )
 from .things.lab import checkup, clinic, firstaid, glass, lab
@@ -181,6 +189,14 @@ _ON_REQUEST = (
     berries,
     roots,
     nuts,
+    serving,
+    blades,
+    spoons,
+    gadgetry,
+    ovenware,
+    teatime,
+    storage,
+    paperware,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

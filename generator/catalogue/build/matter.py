@@ -39,13 +39,16 @@ _MADE_OF: Mapping[str, str] = {
     "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
     "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter "
     "plant_pot cactus succulent ice_cream sink crucible jelly roast_chicken noodles ramen "
-    "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip",
+    "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip "
+    "gravy_boat butter_dish tureen serving_platter cloche egg_cup baking_dish pie_dish "
+    "tagine sake_bottle sake_cup chopstick_rest cookie_jar storage_jar",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass "
     "salt_shaker pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug "
     "shot_glass beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup "
     "soy_sauce straw_holder measuring_cup light_bulb marbles standing_mirror camera_lens "
-    "ashtray test_tube graduated_cylinder glass_prism dropper medicine_bottle go_stone",
+    "ashtray test_tube graduated_cylinder glass_prism dropper medicine_bottle go_stone "
+    "ice_cube spice_jar",
     "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy "
     "dumbbell button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can "
@@ -60,7 +63,12 @@ _MADE_OF: Mapping[str, str] = {
     "metal_rod pipe pipe_fitting valve gear bearing spring washer hinge bracket wall_hook "
     "chain horseshoe_magnet bar_magnet bunsen_burner lab_tripod retort_stand "
     "balance_scale newtons_cradle scalpel tweezers kidney_dish drawing_compass paper_clip "
-    "push_pin heatsink electric_motor cpu resistor dart xylophone",
+    "push_pin heatsink electric_motor cpu resistor dart xylophone napkin_ring toast_rack "
+    "chef_knife bread_knife steak_knife paring_knife butter_knife cleaver cake_server "
+    "cheese_knife slotted_spoon serving_spoon teaspoon soup_spoon ice_cream_scoop scoop "
+    "measuring_spoon sieve lid garlic_press potato_masher cookie_cutter nutcracker wok "
+    "casserole roasting_tin loaf_tin cake_tin cooling_rack griddle tea_strainer bread_box "
+    "lunch_box",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
     "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
@@ -72,7 +80,8 @@ _MADE_OF: Mapping[str, str] = {
     "ludo_board scrabble_board snakes_and_ladders letter_tile meeple game_pawn "
     "spinning_top slingshot boomerang baseball_bat table_tennis_bat guitar recorder "
     "clarinet drum tambourine drumstick maraca mallet putty_knife plank wood_block dowel "
-    "tube_stand abacus gavel toy_piano",
+    "tube_stand abacus gavel toy_piano serving_bowl lazy_susan wooden_spoon salad_servers "
+    "honey_dipper pastry_brush trivet knife_block bamboo_steamer crate spice_rack skewer",
     "stone": "sculpture",
     "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
     "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser "
@@ -89,7 +98,9 @@ _MADE_OF: Mapping[str, str] = {
     "case_fan ram_stick memory_card servo propeller solder_spool sensor push_button "
     "glue_gun paint_tray funnel wash_bottle micropipette weighing_boat molecule_model "
     "blister_pack pill_organizer eye_drops inhaler reflex_hammer oximeter protractor "
-    "set_square credit_card id_card whiteboard highlighter",
+    "set_square credit_card id_card whiteboard highlighter rice_paddle can_opener "
+    "mandoline citrus_juicer kitchen_timer ice_cube_tray cool_box bento_box plastic_cup "
+    "plastic_fork straw",
     "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
     "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
     "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
@@ -97,7 +108,8 @@ _MADE_OF: Mapping[str, str] = {
     "calendar gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter "
     "banknotes price_tag playing_card puzzle_piece jigsaw_puzzle board_game dartboard "
     "sheet_music record_sleeve sandpaper glove_box business_card index_card postcard "
-    "greeting_card dictionary textbook atlas cookbook chewing_gum",
+    "greeting_card dictionary textbook atlas cookbook chewing_gum tea_bag pizza_box "
+    "takeaway_box foil_roll cling_film paper_towel_roll paper_plate",
     "wax": "candle soap_bar chalk pastel charcoal_stick",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
@@ -114,7 +126,7 @@ _MADE_OF: Mapping[str, str] = {
     "watermelon coconut pumpkin papaya dragon_fruit raspberry blackberry blueberry fig "
     "pomegranate star_fruit passion_fruit date zucchini radish beetroot turnip parsnip "
     "sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
-    "cashew pistachio chestnut acorn olive pickle",
+    "cashew pistachio chestnut acorn olive pickle sugar_cube",
     "leather": "wallet ring_box american_football baseball dice_cup volleyball cricket_ball "
     "rugby_ball baseball_glove boxing_glove",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset microphone "
@@ -129,7 +141,7 @@ _MADE_OF: Mapping[str, str] = {
     "forehead_thermometer",
     "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
     "blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
-    "whiteboard_eraser band_aid",
+    "whiteboard_eraser band_aid tea_cosy oven_mitt pot_holder tea_towel apron",
     "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
     "stethoscope foam_brick hockey_puck yoga_block rubber_band",
 }
@@ -140,19 +152,23 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 """The material that a category's underside, or most of it, is made of."""
 
 HOLLOW = frozenset(
-    {"american_football", "baking_tray", "ball", "basket", "basketball", "beaker", "beer_mug",
-     "bowl", "bowling_pin", "box", "cabinet", "cake_stand", "candlestick", "cap",
-     "champagne_flute", "cocktail_glass", "colander", "crucible", "desk_caddy", "desk_tray",
-     "dice_cup", "drawer_box", "drum", "figurine", "flask", "food_container", "french_press",
-     "funnel", "gift_bag", "glass", "globe", "graduated_cylinder", "guitar", "hand_bell",
-     "helmet", "hollow_cylinder", "ice_bucket", "kettle", "kidney_dish", "matryoshka",
-     "measuring_cup", "mixing_bowl", "muffin_tin", "mug", "paint_tray", "pan", "paper_bag",
-     "pencil_case", "pencil_holder", "pet_bowl", "petri_dish", "ping_pong_ball", "pitcher",
-     "plant_pot", "plate", "pot", "ramekin", "rubber_duck", "saucer", "shot_glass",
-     "soccer_ball", "soup", "stacking_cups", "sugar_bowl", "tambourine", "teacup", "teapot",
+    {"american_football", "baking_dish", "baking_tray", "ball", "bamboo_steamer", "basket",
+     "basketball", "beaker", "beer_mug", "bowl", "bowling_pin", "box", "bread_box",
+     "butter_dish", "cabinet", "cake_stand", "cake_tin", "candlestick", "cap", "casserole",
+     "champagne_flute", "cloche", "cocktail_glass", "colander", "cool_box", "crate", "crucible",
+     "desk_caddy", "desk_tray", "dice_cup", "drawer_box", "drum", "figurine", "flask",
+     "food_container", "french_press", "funnel", "gift_bag", "glass", "globe",
+     "graduated_cylinder", "gravy_boat", "griddle", "guitar", "hand_bell", "helmet",
+     "hollow_cylinder", "ice_bucket", "kettle", "kidney_dish", "loaf_tin", "lunch_box",
+     "matryoshka", "measuring_cup", "mixing_bowl", "muffin_tin", "mug", "paint_tray", "pan",
+     "paper_bag", "paper_plate", "pencil_case", "pencil_holder", "pet_bowl", "petri_dish",
+     "pie_dish", "ping_pong_ball", "pitcher", "plant_pot", "plastic_cup", "plate", "pot",
+     "ramekin", "roasting_tin", "rubber_duck", "sake_bottle", "sake_cup", "saucer",
+     "serving_bowl", "serving_platter", "shot_glass", "sieve", "soccer_ball", "soup",
+     "stacking_cups", "sugar_bowl", "tagine", "tambourine", "tea_cosy", "teacup", "teapot",
      "tennis_ball", "test_tube_rack", "thermos", "toolbox", "toothbrush_cup", "tray", "trophy",
-     "tube_stand", "ukulele", "vase", "violin", "volleyball", "waste_bin", "watering_can",
-     "weighing_boat", "wine_glass"}
+     "tube_stand", "tureen", "ukulele", "vase", "violin", "volleyball", "waste_bin",
+     "watering_can", "weighing_boat", "wine_glass", "wok"}
 )  # fmt: skip
 """Things that are walls around air."""
 
@@ -162,25 +178,28 @@ ASSEMBLED = frozenset(
      "bouquet", "bowl_of_cereal", "boxing_glove", "bracelet", "bracket", "breadboard",
      "bunsen_burner", "cable", "cactus", "calendar", "caliper", "candle", "candlestick", "cap",
      "chain", "charger", "checkers_set", "cherries", "chess_board", "circuit_board", "coconut",
-     "coffee_grinder", "coins", "compass", "cotton_ball", "cotton_swab", "crayon_box", "crowbar",
-     "dart", "dish_rack", "dominoes", "drawing_compass", "dropper", "drumstick", "eyeglasses",
-     "face_mask", "figurine", "film_roll", "folded_map", "gavel", "glue_gun", "grapefruit",
-     "greeting_card", "hacksaw", "hand_plane", "hex_key", "inhaler", "ink_pad", "jewelry_box",
-     "jumper_wire", "kettlebell", "keys", "kite", "kiwi", "lab_tripod", "ladle", "led", "letter",
-     "light_bulb", "lollipop", "mallet", "map", "maraca", "marbles", "medal", "micropipette",
-     "molecule_model", "nail", "napkin_holder", "necklace", "newtons_cradle", "noodles", "nut",
-     "oil_can", "padlock", "paint_roller", "papaya", "paper_clip", "paper_clips", "pegboard",
-     "pencil_holder", "pencil_set", "pencil_sharpener", "photo_print", "picture_frame",
-     "pill_bottle", "pipe_fitting", "pipe_wrench", "poker_chips", "popcorn", "potted_plant",
-     "price_tag", "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
+     "coffee_grinder", "coins", "compass", "cooling_rack", "cotton_ball", "cotton_swab",
+     "crayon_box", "crowbar", "dart", "dish_rack", "dominoes", "drawing_compass", "dropper",
+     "drumstick", "egg_cup", "eyeglasses", "face_mask", "figurine", "film_roll", "folded_map",
+     "gavel", "glue_gun", "grapefruit", "greeting_card", "hacksaw", "hand_plane", "hex_key",
+     "inhaler", "ink_pad", "jewelry_box", "jumper_wire", "kettlebell", "keys", "kitchen_timer",
+     "kite", "kiwi", "knife_block", "lab_tripod", "ladle", "led", "letter", "light_bulb",
+     "lollipop", "mallet", "mandoline", "map", "maraca", "marbles", "measuring_spoon", "medal",
+     "micropipette", "molecule_model", "nail", "napkin_holder", "napkin_ring", "necklace",
+     "newtons_cradle", "noodles", "nut", "oil_can", "padlock", "paint_roller", "papaya",
+     "paper_clip", "paper_clips", "paper_towel_roll", "pegboard", "pencil_holder", "pencil_set",
+     "pencil_sharpener", "photo_print", "picture_frame", "pill_bottle", "pipe_fitting",
+     "pipe_wrench", "poker_chips", "popcorn", "potato_masher", "potted_plant", "price_tag",
+     "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
      "retort_stand", "ring", "rope", "rubber_band", "sandpaper", "saxophone", "screw", "sensor",
-     "servo", "shuttlecock", "skipping_rope", "slingshot", "soap_bar", "soccer_ball",
-     "socket_wrench", "spinning_top", "spring", "standing_mirror", "staple_gun", "stethoscope",
-     "stopwatch", "straw_holder", "succulent", "sushi_rolls", "tea_box", "telescope",
-     "tennis_racket", "thumbtacks", "tin_snips", "tomato_can", "tongs", "toothpicks",
-     "tower_of_hanoi", "toy_airplane", "triangle", "tripod", "trumpet", "tweezers", "valve",
-     "vase", "vise", "wall_hook", "wash_bottle", "whistle", "whiteboard", "wine_rack",
-     "wire_cutters", "wire_stripper", "wristwatch", "xylophone", "yo_yo"}
+     "servo", "shuttlecock", "skewer", "skipping_rope", "slingshot", "soap_bar", "soccer_ball",
+     "socket_wrench", "soup_spoon", "spice_rack", "spinning_top", "spring", "standing_mirror",
+     "staple_gun", "stethoscope", "stopwatch", "straw", "straw_holder", "succulent",
+     "sushi_rolls", "takeaway_box", "tea_bag", "tea_box", "tea_strainer", "telescope",
+     "tennis_racket", "thumbtacks", "tin_snips", "toast_rack", "tomato_can", "tongs",
+     "toothpicks", "tower_of_hanoi", "toy_airplane", "triangle", "tripod", "trivet", "trumpet",
+     "tweezers", "valve", "vase", "vise", "wall_hook", "wash_bottle", "whistle", "whiteboard",
+     "wine_rack", "wire_cutters", "wire_stripper", "wristwatch", "xylophone", "yo_yo"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 

@@ -109,3 +109,13 @@ def served(
     """Return food on a dish; the dish is one collision part, the food another."""
     food = list(food)
     return shape([(dish, glaze), *food], [hull_above(dish), hull_above(*(s for s, _ in food))])
+
+
+def stretched(parts: Iterable[ConvexPart], x: float, y: float) -> tuple[ConvexPart, ...]:
+    """Return collision parts stretched along x and y, as their solid is."""
+    return tuple(ConvexPart(p.vertices * np.array([x, y, 1.0])) for p in parts)
+
+
+def lifted(parts: Iterable[ConvexPart], z: float) -> tuple[ConvexPart, ...]:
+    """Return collision parts raised by ``z``."""
+    return tuple(ConvexPart(p.vertices + np.array([0, 0, z]), p.kind, p.axis) for p in parts)

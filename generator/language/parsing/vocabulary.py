@@ -50,7 +50,7 @@ VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
 DEFINITE = _words("the this that these those its his her my your their our")
 LOOSE_NOUNS = _words(
     "board brush tin ring case dish compact tube powder figure deck note paint "
-    "cube cutter card plug plane seal file lens clip roller driver"
+    "cube cutter card server plug plane seal file lens clip roller driver"
 )
 """Heads that mean a known thing alone, but hardly after a strange word ("arduino board")."""
 

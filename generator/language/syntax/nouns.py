@@ -128,6 +128,9 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             "standing", "hanging", "left", "right"
         )  # fmt: skip
         return not (before_noun and describes)
+    closed = i + 1 >= len(tokens) or tokens[i + 1].tag in ("comma", "stop", "colon", "line", "and")
+    if closed and word.endswith("ing") and entry_of((word,)) and word not in fw.PARTICIPLES:
+        return False  # "a board meeting"
     if nouns and (word.endswith(("ing", "ed")) or is_describing(word)) and _is_known(run.words):
         extended = (*run.words, word)
         ahead = [*extended, *(t.text for t in tokens[i + 1 : i + 3] if t.tag == "word")]

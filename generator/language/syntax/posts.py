@@ -44,7 +44,7 @@ class PostReader(PlaceReader):
                 return
 
     def _post(self, noun: Noun | None, out: list[Post]) -> bool:
-        if noun is not None and (self._bracket(noun, out) or self._aside()):
+        if (noun is not None and self._bracket(noun, out)) or self._aside():
             return True
         comma = self._tag() in ("comma", "open")
         joined = self._tag() == "and"

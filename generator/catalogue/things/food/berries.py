@@ -165,6 +165,7 @@ CATEGORIES = (
              _K, ("edible", "flat"), ("yellow",), state="lying flat"),
     Category("passion_fruit", passion_fruit, (0.058, 0.058, 0.0267), 0.04, ("passionfruit",
              "maracuja"), _K, ("edible", "round"), ("purple",)),
-    Category("date", date, (0.0412, 0.0211, 0.0159), 0.012, ("medjool date", "dried date", "prune"), _K, ("edible",), ("brown",), state="lying flat"),
+    Category("date", date, (0.0412, 0.0211, 0.0159), 0.012, ("medjool date", "dried date", "prune"),
+             _K, ("edible",), ("brown",), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

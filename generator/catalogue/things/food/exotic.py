@@ -185,8 +185,8 @@ def dragon_fruit(look: Look) -> Shape:
 
 _K = ("kitchen", "food")
 CATEGORIES = (
-    Category("lime", lime, (0.066, 0.0489, 0.0441), 0.065, ("green lime", "half lime"), _K,
-             ("round", "edible"), ("lime",)),
+    Category("lime", lime, (0.066, 0.0489, 0.0441), 0.065, ("half lime",), _K, ("round", "edible"),
+             ("lime",)),
     Category("grapefruit", grapefruit, (0.105, 0.105, 0.0849), 0.35, ("pomelo", "half grapefruit"),
              _K, ("round", "edible"), ("amber",)),
     Category("lemon_slice", lemon_slice, (0.0586, 0.0586, 0.00511), 0.012, ("slice of lemon",
@@ -198,8 +198,8 @@ CATEGORIES = (
              "water melon"), _K, ("edible", "big"), ("green",)),
     Category("coconut", coconut, (0.108, 0.108, 0.0862), 0.5, ("coconut half", "half coconut"), _K,
              ("round", "edible"), ("brown",)),
-    Category("pumpkin", pumpkin, (0.219, 0.209, 0.151), 1.2, ("halloween pumpkin", "jack o lantern",
-             "small pumpkin"), _K, ("round", "edible", "big"), ("orange",)),
+    Category("pumpkin", pumpkin, (0.219, 0.209, 0.151), 1.2, ("halloween pumpkin",
+             "jack o lantern"), _K, ("round", "edible", "big"), ("orange",)),
     Category("papaya", papaya, (0.173, 0.0948, 0.062), 0.5, ("pawpaw", "half papaya"), _K,
              ("edible",), ("yellow",), state="lying flat"),
     Category("dragon_fruit", dragon_fruit, (0.14, 0.113, 0.0763), 0.35, ("dragonfruit", "pitaya",

@@ -276,7 +276,7 @@ CATEGORIES = (
              ("bag of chips", "chip bag", "crisps", "potato chips", "chips", "snack bag", "snack"),
              ("living", "dining"), ("flat",), ("red", "yellow"), state="lying flat"),
     Category("tea_tin", tea_tin, (0.078, 0.078, 0.122), 0.18,
-             ("tea caddy", "tin of tea", "tea canister", "coffee tin", "canister"),
+             ("tea caddy", "tin of tea", "tea canister", "coffee tin"),
              ("kitchen", "tea"), (), ("green", "red")),
     Category("wipes_canister", wipes_canister, (0.083, 0.083, 0.21), 0.35,
              ("wipes", "cleaning wipes", "disinfecting wipes", "wet wipes", "wipe canister"),

@@ -196,7 +196,7 @@ CATEGORIES = (
              ("corn cob", "ear of corn", "corn on the cob", "maize", "sweetcorn"),
              ("kitchen", "food"), ("edible",), ("yellow",), state="lying flat"),
     Category("bell_pepper", bell_pepper, (0.08, 0.08, 0.105), 0.16,
-             ("sweet pepper", "capsicum", "paprika", "red pepper", "green pepper"),
+             ("sweet pepper", "capsicum", "red pepper", "green pepper"),
              ("kitchen", "food"), ("round", "edible"), ("red", "yellow", "green")),
     Category("broccoli", broccoli, (0.11, 0.11, 0.105), 0.25, ("broccoli head",),
              ("kitchen", "food"), ("round", "edible"), ("green",)),

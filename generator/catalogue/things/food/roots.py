@@ -137,10 +137,10 @@ _K = ("kitchen", "food")
 CATEGORIES = (
     Category("zucchini", zucchini, (0.208, 0.0446, 0.0376), 0.2, ("courgette",), _K, ("edible",),
              ("green",), state="lying flat"),
-    Category("radish", radish, (0.13, 0.0724, 0.0268), 0.02, ("red radish", "radishes"), _K,
-             ("edible",), ("crimson",), state="lying flat"),
-    Category("beetroot", beetroot, (0.185, 0.079, 0.0567), 0.16, ("beet", "red beet"), _K,
-             ("edible",), ("maroon",), state="lying flat"),
+    Category("radish", radish, (0.13, 0.0724, 0.0268), 0.02, (), _K, ("edible",), ("crimson",),
+             state="lying flat"),
+    Category("beetroot", beetroot, (0.185, 0.079, 0.0567), 0.16, ("beet",), _K, ("edible",),
+             ("maroon",), state="lying flat"),
     Category("turnip", turnip, (0.174, 0.0721, 0.0599), 0.15, ("rutabaga", "swede", "kohlrabi"), _K,
              ("edible",), ("purple",), state="lying flat"),
     Category("parsnip", parsnip, (0.215, 0.0453, 0.0408), 0.12, ("daikon", "white radish",
@@ -151,8 +151,7 @@ CATEGORIES = (
              "turmeric", "root of ginger", "galangal"), _K, ("edible",), ("tan",),
              state="lying flat"),
     Category("chili", chili, (0.127, 0.028, 0.0168), 0.015, ("chilli", "chili pepper",
-             "chilli pepper", "jalapeno", "red chili", "red chilli", "hot pepper", "chile",
-             "chile pepper", "cayenne pepper", "jalapeno pepper", "green chili", "green chilli",
-             "okra"), _K, ("edible",), ("red", "green"), state="lying flat"),
+             "chilli pepper", "jalapeno", "hot pepper", "chile", "chile pepper", "cayenne pepper",
+             "jalapeno pepper", "okra"), _K, ("edible",), ("red", "green"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

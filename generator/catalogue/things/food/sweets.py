@@ -122,7 +122,7 @@ CATEGORIES = (
              ("biscuit", "cracker", "chocolate chip cookie"), ("tea", "coffee", "food"),
              ("round", "flat", "edible"), ("tan", "brown"), state="lying flat"),
     Category("chocolate_bar", chocolate_bar, (0.16, 0.076, 0.011), 0.1,
-             ("chocolate", "bar of chocolate"),
+             ("chocolate", "bar of chocolate", "candy bar"),
              ("coffee", "food"), ("flat", "edible"), ("purple", "red"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

@@ -110,7 +110,7 @@ def gourd(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("hourglass", hourglass, (0.094, 0.094, 0.14), 0.22,
-             ("sand timer", "egg timer", "sandglass", "sand clock"), ("office", "living", "games"),
+             ("sand timer", "sandglass", "sand clock"), ("office", "living", "games"),
              ("tall", "round"), ("brown", "gold")),
     Category("trophy", trophy, (0.15, 0.105, 0.235), 0.9,
              ("prize cup", "cup trophy", "award", "trophy cup"), ("office", "living"),

@@ -263,7 +263,7 @@ CATEGORIES = (
              "electric stove", "gas stove", "cooker", "camping stove", "stovetop"), ("kitchen",),
              ("big", "support"), ("white", "silver")),
     Category("blender", blender, (0.213, 0.181, 0.374), 2.4, ("food processor", "smoothie maker",
-             "juicer", "mixer jug", "smoothie blender"), ("kitchen",), ("tall", "big"), ("silver",
+             "mixer jug", "smoothie blender"), ("kitchen",), ("tall", "big"), ("silver",
              "black")),
     Category("rice_cooker", rice_cooker, (0.299, 0.265, 0.222), 2.2, ("slow cooker", "multicooker",
              "multi cooker", "pressure cooker", "crockpot"), ("kitchen",), ("big",), ("white",

@@ -298,11 +298,7 @@ CATEGORIES = (
         jar,
         (0.076, 0.076, 0.115),
         0.4,
-        (
-            "pickle jar",
-            "spice jar",
-            "cookie jar",
-        ),
+        ("pickle jar",),
         ("kitchen", "dining"),
         ("round",),
         ("crimson", "amber"),

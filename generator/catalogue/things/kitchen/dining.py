@@ -291,7 +291,7 @@ CATEGORIES = (
         tray,
         (0.42, 0.27, 0.053),
         0.8,
-        ("serving tray", "platter"),
+        ("serving tray",),
         ("dining", "coffee", "kitchen"),
         ("container", "support", "big", "flat"),
         ("wooden", "white", "black"),
