@@ -65,7 +65,22 @@ from .things.office import (
     writing,
 )
 from .things.tools import benchwork, craft, fasteners, hardware, tools, workbench
-from .things.wardrobe import bathroom, clothes, gifts, jewelry
+from .things.wardrobe import (
+    bags,
+    bathroom,
+    clothes,
+    footwear,
+    garments,
+    gifts,
+    jewelry,
+    trinkets,
+)
+from .things.festive import candlelight, characters, christmas, party, seasons
+from .things.grooming import bath, hair, makeup, shaving, toiletries
+from .things.nature import finds, flowers, gardening, greenery
+from .things.nursery import animals, baby, dinosaurs, play, vehicles
+from .things.sewing import cloths, notions
+from .things.upkeep import chores, pets
 
 _DRAWN_BY_THEME = (
     *(cups, dining, cutlery, brewing, cooking, bottles, pantry, food, bakery),
@@ -108,6 +123,33 @@ _ON_REQUEST = (
     fasteners,
     benchwork,
     printed,
+    bags,
+    footwear,
+    garments,
+    trinkets,
+    finds,
+    flowers,
+    gardening,
+    greenery,
+    candlelight,
+    characters,
+    christmas,
+    party,
+    seasons,
+    cloths,
+    notions,
+    bath,
+    hair,
+    makeup,
+    shaving,
+    toiletries,
+    animals,
+    baby,
+    dinosaurs,
+    play,
+    vehicles,
+    chores,
+    pets,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

@@ -116,7 +116,7 @@ CATEGORIES = (
              ("prize cup", "cup trophy", "award", "trophy cup", "medal"), ("office", "living"),
              ("tall",), ("gold", "silver")),
     Category("gourd", gourd, (0.12, 0.12, 0.12), 0.4,
-             ("pumpkin", "gourd ornament", "squash", "calabash", "ornamental gourd",
+             ("gourd ornament", "squash", "calabash", "ornamental gourd",
               "butternut squash"), ("kitchen", "living"), ("round",), ("orange", "amber")),
 )  # fmt: skip
 """The module's categories."""
