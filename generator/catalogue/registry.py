@@ -26,6 +26,7 @@ from .things.electronics import (
     peripherals,
     portables,
 )
+from .things.festive import candlelight, characters, christmas, party, seasons
 from .things.food import (
     bakery,
     berries,
@@ -50,6 +51,7 @@ from .things.food import (
     sushi,
     sweets,
 )
+from .things.grooming import bath, hair, makeup, shaving, toiletries
 from .things.home import (
     decor,
     dressing,
@@ -99,6 +101,8 @@ from .things.leisure import (
     sportsgear,
     toys,
 )
+from .things.nature import finds, flowers, gardening, greenery
+from .things.nursery import animals, baby, dinosaurs, play, vehicles
 from .things.office import (
     clips,
     desk,
@@ -111,6 +115,7 @@ from .things.office import (
     supplies,
     writing,
 )
+from .things.sewing import cloths, notions
 from .things.tools import (
     benchwork,
     craft,
@@ -121,7 +126,8 @@ from .things.tools import (
     tools,
     workbench,
 )
-from .things.wardrobe import bathroom, clothes, gifts, jewelry
+from .things.upkeep import chores, pets
+from .things.wardrobe import bags, bathroom, clothes, footwear, garments, gifts, jewelry, trinkets
 
 _DRAWN_BY_THEME = (
     *(cups, dining, cutlery, brewing, cooking, bottles, pantry, food, bakery),
@@ -197,6 +203,33 @@ _ON_REQUEST = (
     teatime,
     storage,
     paperware,
+    bags,
+    footwear,
+    garments,
+    trinkets,
+    finds,
+    flowers,
+    gardening,
+    greenery,
+    candlelight,
+    characters,
+    christmas,
+    party,
+    seasons,
+    cloths,
+    notions,
+    bath,
+    hair,
+    makeup,
+    shaving,
+    toiletries,
+    animals,
+    baby,
+    dinosaurs,
+    play,
+    vehicles,
+    chores,
+    pets,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

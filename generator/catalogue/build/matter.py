@@ -41,14 +41,15 @@ _MADE_OF: Mapping[str, str] = {
     "plant_pot cactus succulent ice_cream sink crucible jelly roast_chicken noodles ramen "
     "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip "
     "gravy_boat butter_dish tureen serving_platter cloche egg_cup baking_dish pie_dish "
-    "tagine sake_bottle sake_cup chopstick_rest cookie_jar storage_jar",
+    "tagine sake_bottle sake_cup chopstick_rest cookie_jar storage_jar frog bird fern ivy "
+    "bonsai herb_pot oil_burner trinket_dish soap_dish dog_bone",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass "
     "salt_shaker pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug "
     "shot_glass beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup "
     "soy_sauce straw_holder measuring_cup light_bulb marbles standing_mirror camera_lens "
     "ashtray test_tube graduated_cylinder glass_prism dropper medicine_bottle go_stone "
-    "ice_cube spice_jar",
+    "ice_cube spice_jar bauble votive_candle aftershave foundation fish_bowl",
     "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy "
     "dumbbell button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can "
@@ -68,7 +69,10 @@ _MADE_OF: Mapping[str, str] = {
     "cheese_knife slotted_spoon serving_spoon teaspoon soup_spoon ice_cream_scoop scoop "
     "measuring_spoon sieve lid garlic_press potato_masher cookie_cutter nutcracker wok "
     "casserole roasting_tin loaf_tin cake_tin cooling_rack griddle tea_strainer bread_box "
-    "lunch_box",
+    "lunch_box hand_fork hand_rake secateurs bird_cage star tea_light candelabra menorah "
+    "lantern thimble needle pin safety_pin crochet_hook bobbin nail_clippers "
+    "eyelash_curler bobby_pin shaving_foam hairspray earring brooch cufflink tie_clip "
+    "pocket_watch crown pendant iron",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
     "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
@@ -81,8 +85,12 @@ _MADE_OF: Mapping[str, str] = {
     "spinning_top slingshot boomerang baseball_bat table_tennis_bat guitar recorder "
     "clarinet drum tambourine drumstick maraca mallet putty_knife plank wood_block dowel "
     "tube_stand abacus gavel toy_piano serving_bowl lazy_susan wooden_spoon salad_servers "
-    "honey_dipper pastry_brush trivet knife_block bamboo_steamer crate spice_rack skewer",
-    "stone": "sculpture",
+    "honey_dipper pastry_brush trivet knife_block bamboo_steamer crate spice_rack skewer "
+    "toy_boat train_track skittle twig driftwood pine_cone acorn birdhouse terrarium "
+    "bird_feeder nutcracker wreath nest snow_globe easter_basket incense_holder match "
+    "dreidel knitting_needle makeup_brush shaving_brush scrub_brush clothes_peg "
+    "clothes_hanger",
+    "stone": "sculpture pebble rock seashell starfish coral",
     "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
     "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser "
     "tape_measure utility_knife stapler building_brick toy_car toy_robot toy_train "
@@ -100,7 +108,15 @@ _MADE_OF: Mapping[str, str] = {
     "blister_pack pill_organizer eye_drops inhaler reflex_hammer oximeter protractor "
     "set_square credit_card id_card whiteboard highlighter rice_paddle can_opener "
     "mandoline citrus_juicer kitchen_timer ice_cube_tray cool_box bento_box plastic_cup "
-    "plastic_fork straw",
+    "plastic_fork straw toy_horse toy_unicorn toy_zebra toy_cow toy_pig toy_sheep "
+    "toy_elephant toy_giraffe toy_lion toy_tiger toy_dog toy_cat toy_rabbit toy_fox "
+    "toy_dinosaur toy_dragon toy_truck fire_truck toy_bus toy_tractor toy_rocket "
+    "toy_helicopter rattle pacifier baby_bottle play_dough toy_soldier toy_spade "
+    "beach_ball plant_label seed_tray hose_nozzle fertilizer_bag christmas_tree santa "
+    "snowman mask balloon skull lighter button bead shampoo conditioner body_lotion "
+    "sunscreen mouthwash hand_cream face_wash deodorant bleach mascara eyeliner "
+    "eyeshadow_palette blusher dental_floss hair_clip hair_roller bucket laundry_basket "
+    "dustpan hair_straightener curling_iron",
     "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
     "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
     "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
@@ -109,8 +125,10 @@ _MADE_OF: Mapping[str, str] = {
     "banknotes price_tag playing_card puzzle_piece jigsaw_puzzle board_game dartboard "
     "sheet_music record_sleeve sandpaper glove_box business_card index_card postcard "
     "greeting_card dictionary textbook atlas cookbook chewing_gum tea_bag pizza_box "
-    "takeaway_box foil_roll cling_film paper_towel_roll paper_plate",
-    "wax": "candle soap_bar chalk pastel charcoal_stick",
+    "takeaway_box foil_roll cling_film paper_towel_roll paper_plate jigsaw_piece leaf "
+    "feather party_hat party_popper christmas_cracker wrapping_paper gift_tag matchbox "
+    "toilet_roll tissue_pack",
+    "wax": "candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
     "avocado onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes "
@@ -126,9 +144,12 @@ _MADE_OF: Mapping[str, str] = {
     "watermelon coconut pumpkin papaya dragon_fruit raspberry blackberry blueberry fig "
     "pomegranate star_fruit passion_fruit date zucchini radish beetroot turnip parsnip "
     "sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
-    "cashew pistachio chestnut acorn olive pickle sugar_cube",
+    "cashew pistachio chestnut acorn olive pickle sugar_cube rose tulip daisy sunflower "
+    "lily carnation lavender orchid dried_flower flower_bulb gingerbread_house "
+    "jack_o_lantern birthday_cake easter_egg",
     "leather": "wallet ring_box american_football baseball dice_cup volleyball cricket_ball "
-    "rugby_ball baseball_glove boxing_glove",
+    "rugby_ball baseball_glove boxing_glove handbag purse clutch suitcase belt boot "
+    "sandal high_heel glasses_case dog_collar",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset microphone "
     "desk_fan power_strip hard_drive action_camera handheld_console hair_dryer calculator "
     "laptop monitor keyboard computer_mouse smartphone tablet headphones speaker "
@@ -138,12 +159,18 @@ _MADE_OF: Mapping[str, str] = {
     "telephone barcode_scanner cash_register card_reader phone_stand joystick headset "
     "blood_pressure_monitor sewing_machine synthesizer drum_pad record_player radio "
     "boombox clock_radio smart_speaker projector retro_television graphics_card "
-    "forehead_thermometer",
+    "forehead_thermometer electric_shaver",
     "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
     "blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
-    "whiteboard_eraser band_aid tea_cosy oven_mitt pot_holder tea_towel apron",
+    "whiteboard_eraser band_aid tea_cosy oven_mitt pot_holder tea_towel apron bib diaper "
+    "baby_shoes doll puppet garden_glove stocking witch_hat bow ribbon pin_cushion "
+    "embroidery_hoop zipper pompom yarn_skein cushion pillow rug table_runner tablecloth "
+    "fabric_square felt_sheet doily quilt mannequin makeup_bag powder_puff cotton_pad "
+    "loofah rolled_towel washcloth hair_tie headband t_shirt shirt sweater jeans sock "
+    "glove mitten beanie tie bow_tie backpack duffel_bag umbrella slipper leash cat_toy "
+    "duster",
     "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
-    "stethoscope foam_brick hockey_puck yoga_block rubber_band",
+    "stethoscope foam_brick hockey_puck yoga_block rubber_band rubber_glove",
 }
 
 MATERIALS: Mapping[str, str] = MappingProxyType(
@@ -153,53 +180,64 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 
 HOLLOW = frozenset(
     {"american_football", "baking_dish", "baking_tray", "ball", "bamboo_steamer", "basket",
-     "basketball", "beaker", "beer_mug", "bowl", "bowling_pin", "box", "bread_box",
-     "butter_dish", "cabinet", "cake_stand", "cake_tin", "candlestick", "cap", "casserole",
-     "champagne_flute", "cloche", "cocktail_glass", "colander", "cool_box", "crate", "crucible",
-     "desk_caddy", "desk_tray", "dice_cup", "drawer_box", "drum", "figurine", "flask",
+     "basketball", "beach_ball", "beaker", "beer_mug", "bird_cage", "birdhouse", "bowl",
+     "bowling_pin", "box", "bread_box", "bucket", "butter_dish", "cabinet", "cake_stand",
+     "cake_tin", "candlestick", "cap", "casserole", "champagne_flute", "cloche",
+     "cocktail_glass", "colander", "cool_box", "crate", "crown", "crucible", "desk_caddy",
+     "desk_tray", "dice_cup", "drawer_box", "drum", "easter_basket", "figurine", "flask",
      "food_container", "french_press", "funnel", "gift_bag", "glass", "globe",
      "graduated_cylinder", "gravy_boat", "griddle", "guitar", "hand_bell", "helmet",
-     "hollow_cylinder", "ice_bucket", "kettle", "kidney_dish", "loaf_tin", "lunch_box",
-     "matryoshka", "measuring_cup", "mixing_bowl", "muffin_tin", "mug", "paint_tray", "pan",
-     "paper_bag", "paper_plate", "pencil_case", "pencil_holder", "pet_bowl", "petri_dish",
-     "pie_dish", "ping_pong_ball", "pitcher", "plant_pot", "plastic_cup", "plate", "pot",
-     "ramekin", "roasting_tin", "rubber_duck", "sake_bottle", "sake_cup", "saucer",
-     "serving_bowl", "serving_platter", "shot_glass", "sieve", "soccer_ball", "soup",
-     "stacking_cups", "sugar_bowl", "tagine", "tambourine", "tea_cosy", "teacup", "teapot",
-     "tennis_ball", "test_tube_rack", "thermos", "toolbox", "toothbrush_cup", "tray", "trophy",
-     "tube_stand", "tureen", "ukulele", "vase", "violin", "volleyball", "waste_bin",
-     "watering_can", "weighing_boat", "wine_glass", "wok"}
+     "hollow_cylinder", "ice_bucket", "kettle", "kidney_dish", "laundry_basket", "loaf_tin",
+     "lunch_box", "matryoshka", "measuring_cup", "mixing_bowl", "muffin_tin", "mug", "nest",
+     "paint_tray", "pan", "paper_bag", "paper_plate", "party_hat", "pencil_case",
+     "pencil_holder", "pet_bowl", "petri_dish", "pie_dish", "ping_pong_ball", "pitcher",
+     "plant_pot", "plastic_cup", "plate", "pot", "ramekin", "roasting_tin", "rubber_duck",
+     "sake_bottle", "sake_cup", "saucer", "serving_bowl", "serving_platter", "shot_glass",
+     "sieve", "soap_dish", "soccer_ball", "soup", "stacking_cups", "sugar_bowl", "tagine",
+     "tambourine", "tea_cosy", "teacup", "teapot", "tennis_ball", "test_tube_rack", "thermos",
+     "toolbox", "toothbrush_cup", "tray", "trinket_dish", "trophy", "tube_stand", "tureen",
+     "ukulele", "vase", "violin", "volleyball", "waste_bin", "watering_can", "weighing_boat",
+     "wine_glass", "witch_hat", "wok"}
 )  # fmt: skip
 """Things that are walls around air."""
 
 ASSEMBLED = frozenset(
-    {"abacus", "american_football", "axe", "balance_scale", "bandage_roll", "banknotes",
-     "baseball_glove", "basket", "basketball", "battery", "bolt", "bookend", "boomerang",
-     "bouquet", "bowl_of_cereal", "boxing_glove", "bracelet", "bracket", "breadboard",
-     "bunsen_burner", "cable", "cactus", "calendar", "caliper", "candle", "candlestick", "cap",
-     "chain", "charger", "checkers_set", "cherries", "chess_board", "circuit_board", "coconut",
-     "coffee_grinder", "coins", "compass", "cooling_rack", "cotton_ball", "cotton_swab",
-     "crayon_box", "crowbar", "dart", "dish_rack", "dominoes", "drawing_compass", "dropper",
-     "drumstick", "egg_cup", "eyeglasses", "face_mask", "figurine", "film_roll", "folded_map",
-     "gavel", "glue_gun", "grapefruit", "greeting_card", "hacksaw", "hand_plane", "hex_key",
-     "inhaler", "ink_pad", "jewelry_box", "jumper_wire", "kettlebell", "keys", "kitchen_timer",
-     "kite", "kiwi", "knife_block", "lab_tripod", "ladle", "led", "letter", "light_bulb",
-     "lollipop", "mallet", "mandoline", "map", "maraca", "marbles", "measuring_spoon", "medal",
+    {"abacus", "acorn", "american_football", "axe", "backpack", "balance_scale", "balloon",
+     "bandage_roll", "banknotes", "baseball_glove", "basket", "basketball", "battery", "bauble",
+     "belt", "bird_feeder", "bolt", "bonsai", "bookend", "boomerang", "bouquet", "bow",
+     "bowl_of_cereal", "boxing_glove", "bracelet", "bracket", "breadboard", "bunsen_burner",
+     "cable", "cactus", "calendar", "caliper", "candelabra", "candle", "candlestick", "cap",
+     "carnation", "chain", "charger", "checkers_set", "cherries", "chess_board",
+     "christmas_tree", "circuit_board", "clothes_hanger", "coconut", "coffee_grinder", "coins",
+     "compass", "cooling_rack", "coral", "cotton_ball", "cotton_swab", "crayon_box", "crowbar",
+     "daisy", "dart", "dish_rack", "dog_collar", "dominoes", "drawing_compass", "dried_flower",
+     "dropper", "drumstick", "duster", "dustpan", "earring", "egg_cup", "eyeglasses",
+     "face_mask", "feather", "fern", "figurine", "film_roll", "folded_map", "gavel", "glue_gun",
+     "grapefruit", "greeting_card", "hacksaw", "hair_clip", "hand_fork", "hand_plane",
+     "hand_rake", "handbag", "headband", "herb_pot", "hex_key", "incense_holder", "inhaler",
+     "ink_pad", "ivy", "jewelry_box", "jumper_wire", "kettlebell", "keys", "kitchen_timer",
+     "kite", "kiwi", "knife_block", "lab_tripod", "ladle", "lantern", "lavender", "leaf",
+     "leash", "led", "letter", "light_bulb", "lily", "lollipop", "loofah", "mallet", "mandoline",
+     "map", "maraca", "marbles", "mascara", "mask", "measuring_spoon", "medal", "menorah",
      "micropipette", "molecule_model", "nail", "napkin_holder", "napkin_ring", "necklace",
-     "newtons_cradle", "noodles", "nut", "oil_can", "padlock", "paint_roller", "papaya",
-     "paper_clip", "paper_clips", "paper_towel_roll", "pegboard", "pencil_holder", "pencil_set",
-     "pencil_sharpener", "photo_print", "picture_frame", "pill_bottle", "pipe_fitting",
-     "pipe_wrench", "poker_chips", "popcorn", "potato_masher", "potted_plant", "price_tag",
-     "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
-     "retort_stand", "ring", "rope", "rubber_band", "sandpaper", "saxophone", "screw", "sensor",
-     "servo", "shuttlecock", "skewer", "skipping_rope", "slingshot", "soap_bar", "soccer_ball",
-     "socket_wrench", "soup_spoon", "spice_rack", "spinning_top", "spring", "standing_mirror",
-     "staple_gun", "stethoscope", "stopwatch", "straw", "straw_holder", "succulent",
-     "sushi_rolls", "takeaway_box", "tea_bag", "tea_box", "tea_strainer", "telescope",
-     "tennis_racket", "thumbtacks", "tin_snips", "toast_rack", "tomato_can", "tongs",
-     "toothpicks", "tower_of_hanoi", "toy_airplane", "triangle", "tripod", "trivet", "trumpet",
-     "tweezers", "valve", "vase", "vise", "wall_hook", "wash_bottle", "whistle", "whiteboard",
-     "wine_rack", "wire_cutters", "wire_stripper", "wristwatch", "xylophone", "yo_yo"}
+     "needle", "newtons_cradle", "noodles", "nut", "oil_can", "orchid", "padlock",
+     "paint_roller", "papaya", "paper_clip", "paper_clips", "paper_towel_roll", "pegboard",
+     "pencil_holder", "pencil_set", "pencil_sharpener", "pendant", "photo_print",
+     "picture_frame", "pill_bottle", "pin", "pine_cone", "pipe_fitting", "pipe_wrench",
+     "pocket_watch", "poker_chips", "pompom", "popcorn", "potato_masher", "potted_plant",
+     "price_tag", "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
+     "retort_stand", "ribbon", "ring", "rope", "rose", "rubber_band", "safety_pin", "sandpaper",
+     "saxophone", "screw", "secateurs", "sensor", "servo", "shuttlecock", "skewer",
+     "skipping_rope", "slingshot", "soap_bar", "soccer_ball", "socket_wrench", "soup_spoon",
+     "spice_rack", "spinning_top", "spring", "standing_mirror", "staple_gun", "stethoscope",
+     "stopwatch", "straw", "straw_holder", "succulent", "sunflower", "sushi_rolls",
+     "takeaway_box", "taper_candle", "tea_bag", "tea_box", "tea_strainer", "telescope",
+     "tennis_racket", "terrarium", "thumbtacks", "tin_snips", "toast_rack", "tomato_can",
+     "tongs", "toothpicks", "tower_of_hanoi", "toy_airplane", "toy_boat", "toy_giraffe",
+     "toy_helicopter", "toy_horse", "toy_unicorn", "toy_zebra", "triangle", "tripod", "trivet",
+     "trumpet", "tulip", "tweezers", "twig", "umbrella", "valve", "vase", "vise", "wall_hook",
+     "wash_bottle", "whistle", "whiteboard", "wine_rack", "wire_cutters", "wire_stripper",
+     "wreath", "wristwatch", "xylophone", "yo_yo"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 

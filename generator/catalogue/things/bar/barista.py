@@ -244,7 +244,7 @@ CATEGORIES = (
              "whiskey decanter", "whisky decanter", "wine carafe", "water carafe", "glass carafe"),
              ("dining",), ("tall", "round"), ("clear",)),
     Category("ice_bucket", ice_bucket, (0.205, 0.205, 0.183), 1.6, ("wine cooler",
-             "champagne bucket", "bucket of ice", "wine bucket", "champagne cooler", "bucket"),
+             "champagne bucket", "bucket of ice", "wine bucket", "champagne cooler"),
              ("dining",), ("round", "big"), ("silver", "copper")),
 )  # fmt: skip
 """The module's categories."""

@@ -217,7 +217,7 @@ CATEGORIES = (
         cake,
         (0.19, 0.19, 0.09),
         0.9,
-        ("birthday cake",),
+        (),
         ("dining", "coffee"),
         ("edible", "round", "big"),
         ("white", "pink"),

@@ -205,7 +205,7 @@ CATEGORIES = (
         potted_plant,
         (0.17, 0.17, 0.185),
         0.6,
-        ("plant", "houseplant", "flower pot", "pot plant", "bonsai"),
+        ("plant", "houseplant", "flower pot", "pot plant"),
         ("office", "living", "coffee"),
         ("tall",),
         ("terracotta", "white"),

@@ -252,7 +252,7 @@ CATEGORIES = (
         toy_car,
         (0.16, 0.07, 0.058),
         0.16,
-        ("car", "model car", "miniature car", "race car", "truck", "vehicle"),
+        ("car", "model car", "miniature car", "race car", "vehicle"),
         ("toys", "craft"),
         (),
         ("red", "blue", "yellow"),

@@ -252,7 +252,7 @@ CATEGORIES = (
               "car key", "house key"), ("living", "office"), ("flat",), ("red", "blue"),
              state="lying flat"),
     Category("wallet", wallet, (0.109, 0.09, 0.02), 0.12,
-             ("purse", "billfold", "leather wallet", "coin purse"), ("living", "office"), ("flat",),
+             ("billfold", "leather wallet"), ("living", "office"), ("flat",),
              ("brown", "black"), state="lying flat"),
     Category("tape_dispenser", tape_dispenser, (0.15, 0.05, 0.085), 0.4,
              ("sticky tape dispenser", "scotch tape dispenser", "adhesive tape dispenser"),

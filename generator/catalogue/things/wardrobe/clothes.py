@@ -258,7 +258,7 @@ CATEGORIES = (
              "bowler hat", "cowboy hat", "top hat", "panama hat"), ("living",), ("big",), ("tan",
              "black")),
     Category("blanket", blanket, (0.297, 0.269, 0.0886), 0.8, ("folded blanket", "throw blanket",
-             "quilt", "wool blanket", "sweater", "folded sweater", "folded blankets"), ("living",),
+             "wool blanket", "folded blankets"), ("living",),
              ("big", "support"), ("gray", "cream"), state="lying folded"),
     Category("scarf", scarf, (0.25, 0.169, 0.0469), 0.2, ("folded scarf", "wool scarf", "shawl",
              "knitted scarf"), ("living",), (), ("red", "gray"), state="lying folded"),

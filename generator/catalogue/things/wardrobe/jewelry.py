@@ -215,7 +215,7 @@ CATEGORIES = (
              "engagement ring", "gold ring", "diamond ring", "wedding band"), ("vanity",),
              ("flat",), ("gold", "silver"), state="lying flat"),
     Category("necklace", necklace, (0.155, 0.126, 0.00812), 0.04, ("pearl necklace", "jewelry",
-             "jewellery", "pendant", "string of pearls", "pearls", "gold necklace",
+             "jewellery", "string of pearls", "pearls", "gold necklace",
              "bead necklace", "gold chain"), ("vanity",), ("flat",), ("white", "gold"),
              state="lying flat"),
     Category("bracelet", bracelet, (0.0676, 0.0676, 0.014), 0.025, ("bangle", "wristband",

@@ -1,0 +1,74 @@
+"""Short ways to the shapes of small things: balls, rods, plates, pads, and parts that fit them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..surfaces.textures import Tile, speckles
+from .collision import hull_part
+from .forms import above, facing
+from .outlines import rectangle, smooth
+from .shape import Shape, shape
+from .solids import Solid, ellipsoid, loft, prism, tube
+
+Pieces = list[tuple[Solid, Tile]]
+"""Solids, each with the tile it shows."""
+
+Point = tuple[float, float, float]
+
+
+def settled(pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0) -> Shape:
+    """Return a shape of pieces whose convex parts are the hulls of ``bodies`` (else all pieces).
+
+    What lies under z = 0 is pressed flat there, so that round things get a foot.
+    """
+    solids = bodies or tuple(solid for solid, _ in pieces)
+    parts = [hull_part(above(solid.vertices)) for solid in solids]
+    return shape(pieces, parts, opacity).scale(factor)
+
+
+def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) -> Solid:
+    """Return an ellipsoid with diameters x, y, z about ``at``."""
+    return ellipsoid(x, y, z, fine, max(fine // 2, 5)).move(*at)
+
+
+def rod(points: Sequence[Any], radius: Any, sides: int = 8, steps: int = 4) -> Solid:
+    """Return a round rod along a smooth curve through ``points``; one radius, or one per point."""
+    path = smooth(points, steps)
+    if np.ndim(radius):
+        radius = np.interp(
+            np.linspace(0, 1, len(path)), np.linspace(0, 1, len(radius)), np.asarray(radius)
+        )
+    return tube(path, radius, sides)
+
+
+def straight(a: Point, b: Point, radius: Any, sides: int = 8) -> Solid:
+    """Return a straight round rod from ``a`` to ``b``."""
+    return tube([a, b], radius, sides)
+
+
+def standing_plate(outline: Any, thick: float, y: float = 0.0, bevel: float = 0.0) -> Solid:
+    """Return an outline (x, z; counter-clockwise) as an upright plate facing the front."""
+    return facing(prism(outline, -thick / 2, thick / 2, bevel)).move(y=y)
+
+
+def pad(x: float, y: float, h: float, radius: float, *, soft: float = 0.3, steps: int = 5) -> Solid:
+    """Return a soft-edged slab on z = 0: folded cloth, cushions, pouches, soap."""
+    outline = rectangle(x, y, radius, steps)
+    edge = soft * h
+    levels = [(edge, 0.0), (0.3 * edge, 0.15 * h), (0, 0.5 * h), (0.3 * edge, 0.85 * h), (edge, h)]
+    rings = [
+        np.column_stack(
+            [outline * [1 - 2 * inward / x, 1 - 2 * inward / y], np.full(len(outline), z)]
+        )
+        for inward, z in levels
+    ]
+    return loft(np.stack(rings), outline)
+
+
+def leather(rng: np.random.Generator, color: tuple[float, float, float]) -> Tile:
+    """Return grained leather."""
+    return speckles(rng, color, 9, 64)

@@ -1,0 +1,1 @@
+"""What feasts and parties bring to the table."""

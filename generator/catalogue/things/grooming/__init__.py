@@ -1,0 +1,1 @@
+"""What one washes, shaves, combs and makes up with."""

@@ -1,0 +1,1 @@
+"""Flowers, finds from outdoors, and what a garden needs."""

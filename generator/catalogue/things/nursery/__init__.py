@@ -1,0 +1,1 @@
+"""What children and babies play with and use."""

@@ -1,0 +1,1 @@
+"""What stands about to look at."""

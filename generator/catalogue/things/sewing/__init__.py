@@ -1,0 +1,1 @@
+"""What one sews, knits and weaves with, and cloths."""

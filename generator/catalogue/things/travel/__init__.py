@@ -1,0 +1,1 @@
+"""What goes along on a journey."""

@@ -1,0 +1,1 @@
+"""What pets and households need."""
