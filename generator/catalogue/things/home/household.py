@@ -186,12 +186,7 @@ def cake_stand(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("folded_towel", folded_towel, (0.27, 0.19, 0.065), 0.4,
-<<<<<<< HEAD
-             ("towel", "hand towel", "bath towel", "towels", "washcloth"),
-=======
-             ("towel", "hand towel", "bath towel", "dish towel", "tea towel", "kitchen towel",
-              "towels"),
->>>>>>> h/cat3
+             ("towel", "hand towel", "bath towel", "towels"),
              ("vanity", "kitchen"), ("support", "big"), ("white", "teal"), 0.8,
              "lying folded"),
     Category("hair_dryer", hair_dryer, (0.205, 0.185, 0.073), 0.5,

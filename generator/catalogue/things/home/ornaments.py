@@ -116,12 +116,7 @@ CATEGORIES = (
              ("prize cup", "cup trophy", "award", "trophy cup"), ("office", "living"),
              ("tall",), ("gold", "silver")),
     Category("gourd", gourd, (0.12, 0.12, 0.12), 0.4,
-<<<<<<< HEAD
              ("gourd ornament", "squash", "calabash", "ornamental gourd", "butternut squash"),
              ("kitchen", "living"), ("round",), ("orange", "amber")),
-=======
-             ("gourd ornament", "squash", "calabash", "ornamental gourd",
-              "butternut squash"), ("kitchen", "living"), ("round",), ("orange", "amber")),
->>>>>>> h/cat3
 )  # fmt: skip
 """The module's categories."""
