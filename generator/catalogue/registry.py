@@ -64,6 +64,7 @@ from .things.home import (
     ornaments,
     plants,
     vanity,
+    open_vessels,
 )
 from .things.kitchen import (
     appliances,
@@ -230,6 +231,7 @@ _ON_REQUEST = (
     vehicles,
     chores,
     pets,
+    open_vessels,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

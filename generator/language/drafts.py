@@ -148,7 +148,22 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
     )
 
 
-_CARRIERS = frozenset({"basket", "bowl", "box", "pot", "tray", "toolbox", "pencil_holder"})
+_CARRIERS = frozenset(
+    {
+        "basket",
+        "bowl",
+        "open_box",
+        "pot",
+        "tray",
+        "tool_caddy",
+        "pen_cup",
+        "open_suitcase",
+        "open_lunch_box",
+        "open_jar",
+        "empty_vase",
+        "crate",
+    }
+)
 """What is there to hold things: "a basket with pears" holds them."""
 
 

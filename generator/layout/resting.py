@@ -94,6 +94,9 @@ def _is_long(model: Model) -> bool:
     return float(model.size[:2].max()) > 1.8 * float(model.size[:2].min())
 
 
+_FULL = 0.85
+"""Share of the length of what carries them beyond which two things do not lie side by side."""
+
 _OVERHANG = 0.35
 """Share of a thing's underside that may be beyond what it stands on."""
 
@@ -122,8 +125,12 @@ def _resting_cost(
     away = np.hypot(*(centers - base.translation[:2]).T)
     cost += (0.2 if alone else 0.01) * away
     shape = shapes[planned.name]
-    for place in state.places.values():
-        if place.on == support:
+    siblings = [place for place in state.places.values() if place.on == support]
+    mouth = _FULL * float(np.ptp(shapes[support].outline, axis=0).max())
+    for place in siblings:
+        both = 2 * float(shape.half.min() + shapes[place.name].half.min())
+        full = both > mouth and not _rolls(planned)
+        if not full:  # what has no room beside another lies on it
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
             cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
     return cost.reshape(nx, ny)

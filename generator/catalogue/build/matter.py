@@ -36,14 +36,14 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 """Sliding friction by material; "device" is plastic or metal on rubber feet."""
 
 _MADE_OF: Mapping[str, str] = {
-    "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
+    "ceramic": "empty_vase mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
     "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter "
     "plant_pot cactus succulent ice_cream sink crucible jelly roast_chicken noodles ramen "
     "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip "
     "gravy_boat butter_dish tureen serving_platter cloche egg_cup baking_dish pie_dish "
     "tagine sake_bottle sake_cup chopstick_rest cookie_jar storage_jar frog bird fern ivy "
     "bonsai herb_pot oil_burner trinket_dish soap_dish dog_bone",
-    "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
+    "glass": "open_jar glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass "
     "salt_shaker pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug "
     "shot_glass beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup "
@@ -91,7 +91,7 @@ _MADE_OF: Mapping[str, str] = {
     "dreidel knitting_needle makeup_brush shaving_brush scrub_brush clothes_peg "
     "clothes_hanger",
     "stone": "sculpture pebble rock seashell starfish coral",
-    "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
+    "plastic": "tool_caddy open_suitcase open_lunch_box pen_cup paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
     "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser "
     "tape_measure utility_knife stapler building_brick toy_car toy_robot toy_train "
     "stacking_rings puzzle_cube die lipstick makeup_compact syringe thermometer "
@@ -117,7 +117,7 @@ _MADE_OF: Mapping[str, str] = {
     "sunscreen mouthwash hand_cream face_wash deodorant bleach mascara eyeliner "
     "eyeshadow_palette blusher dental_floss hair_clip hair_roller bucket laundry_basket "
     "dustpan hair_straightener curling_iron",
-    "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
+    "paper": "open_box napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
     "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
     "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
     "pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder "
@@ -179,7 +179,8 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 """The material that a category's underside, or most of it, is made of."""
 
 HOLLOW = frozenset(
-    {"american_football", "baking_dish", "baking_tray", "ball", "bamboo_steamer", "basket",
+    {"open_box", "tool_caddy", "open_suitcase", "open_lunch_box", "pen_cup", "open_jar", "empty_vase",
+     "american_football", "baking_dish", "baking_tray", "ball", "bamboo_steamer", "basket",
      "basketball", "beach_ball", "beaker", "beer_mug", "bird_cage", "birdhouse", "bowl",
      "bowling_pin", "box", "bread_box", "bucket", "butter_dish", "cabinet", "cake_stand",
      "cake_tin", "candlestick", "cap", "casserole", "champagne_flute", "cloche",

@@ -345,6 +345,25 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
 )
 """Words that mean a category where another one is there: pieces by a chess board."""
 
+OPENED: Mapping[str, str] = MappingProxyType(
+    {
+        "box": "open_box",
+        "vase": "empty_vase",
+        "jar": "open_jar",
+        "pencil_holder": "pen_cup",
+        "toolbox": "tool_caddy",
+        "tool_kit": "tool_caddy",
+        "suitcase": "open_suitcase",
+        "lunch_box": "open_lunch_box",
+        "food_container": "open_lunch_box",
+        "cookie_jar": "open_jar",
+        "parcel": "open_box",
+        "shipping_carton": "open_box",
+        "gift_box": "open_box",
+    }
+)
+"""Categories that are closed, or full already, and what is there where a text fills them."""
+
 COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "tools": ("hammer", "screwdriver", "wrench", "pliers"),

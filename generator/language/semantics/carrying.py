@@ -8,6 +8,9 @@ from dataclasses import dataclass, replace
 
 from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group, assumed_relation
+from ..parsing.vocabulary import OPENED
+from ..relations import fits
+from ..sizing import largest_size
 from ..syntax.tree import (
     Carry,
     Location,
@@ -15,6 +18,7 @@ from ..syntax.tree import (
     Post,
 )
 from . import contents
+from .linking import open_up
 from .references import Target
 from .things import ThingReader
 
@@ -37,11 +41,17 @@ class CarryReader(ThingReader, ABC):
             items = post.items
             if isinstance(owner, list):
                 items = tuple(item for item in items if not contents.decorates(item, owner))
-            if isinstance(owner, list) and noun is not None and contents.fills(noun, items):
+            if (
+                isinstance(owner, list)
+                and noun is not None
+                and (contents.fills(noun, items) or contents.repeats(noun, items))
+            ):
                 contents.label(noun, items[0], owner)
                 context.owner = outer
                 self._posts(items[0], owner)
                 return
+            if isinstance(owner, list) and items and _is_filled(post, owner, items):
+                open_up(owner)
             moved = _owners_places(owner, items, post.how, first=len(context.mentioned) < 2)
             if moved and isinstance(owner, list):
                 items = (*items[:-1], replace(items[-1], post=[
@@ -65,6 +75,7 @@ class CarryReader(ThingReader, ABC):
             if contents.labels(noun, inner):
                 contents.label(noun, inner, owner)
                 continue
+            open_up(owner)
             group = self._noun(_times(inner, len(owner)) if len(owner) > 1 else inner, owner)
             if isinstance(group, list):
                 self._assume(group, owner, post)
@@ -92,6 +103,24 @@ class CarryReader(ThingReader, ABC):
     @abstractmethod
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
+
+
+def _is_filled(post: Carry, owner: Group, items: Sequence[Noun]) -> bool:
+    """Tell whether what a thing brings along goes into it, rather than next to it."""
+    category = OPENED.get(owner[0].category or "")
+    if category is None:
+        return False
+    if post.how == "hold" or post.back == "in":
+        return True
+    places = [place for place in items[-1].post if isinstance(place, Location)]
+    if any(place.kind not in ("in",) for place in places) or post.back is not None:
+        return False
+    known = [item for item in items if item.category is not None]
+    vessel = CATEGORIES[category]
+    return any(
+        fits("in", CATEGORIES[str(item.category)].size, largest_size(category), vessel.container)
+        for item in known
+    )
 
 
 def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:

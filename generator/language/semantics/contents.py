@@ -65,6 +65,13 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)
 
 
+def repeats(owner: Noun, items: Sequence[Noun]) -> bool:
+    """Tell whether "a vase with flowers" names only what is drawn in it anyway."""
+    if len(items) != 1 or items[0].category is None or items[0].determined:
+        return False
+    return items[0].category == owner.category
+
+
 def decorates(item: Noun, owners: Group) -> bool:
     """Tell whether "with a picture of a cat" only says how things look; then they are so."""
     if item.head not in DECORATIONS or owners[0].category in ("picture_frame", "photo_print"):

@@ -275,7 +275,7 @@ CATEGORIES = (
              "succulent plant", "echeveria", "aloe", "aloe vera", "small succulent"), ("living",
              "office"), ("round",), ("sage", "green")),
     Category("bouquet", bouquet, (0.377, 0.153, 0.0912), 0.3, ("bouquet of flowers",
-             "bunch of flowers", "flower bouquet", "bouquet of roses", "roses", "bunch of roses",
+             "bunch of flowers", "flower bouquet", "bouquet of roses", "bunch of roses",
              "rose bouquet"), ("living", "dining"), ("big",), ("red", "pink"), state="lying flat"),
     Category("garden_trowel", garden_trowel, (0.33, 0.082, 0.032), 0.2, ("trowel", "hand trowel",
              "garden shovel", "small shovel", "hand shovel", "garden spade", "shovel"),
