@@ -127,7 +127,7 @@ def summary(rows: Sequence[Row], route: str, half: str, command: str) -> str:
         "| figure | value |",
         "|---|---|",
         f"| fully right | {_share(total['right'], len(rows))} |",
-        f"| fully right, and each thing of the kind it is called | "
+        f"| fully right, no plain shapes, and each thing of the kind it is called | "
         f"{_share(total['strict'], len(rows))} |",
         *(f"| fully right, {w} | {_share(column(some, 'right').sum(), len(some))} |"
           for w, some in levels),

@@ -51,8 +51,8 @@ class Verdict:
 
     @property
     def strict(self) -> bool:
-        """Right, and each thing is of the kind that it is called, as far as its name tells."""
-        return self.right and not self.other
+        """Right, without plain shapes, and each thing of the kind it is called, by its name."""
+        return self.right and not self.other and not self.stand_ins
 
 
 def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
@@ -93,7 +93,9 @@ def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
             relation.kind, group.of(relation.a), group.of(relation.b), relation.how, seen
         ):
             broken.append(_read(case, relation))
-    forbidden = [t.name for t in real if any(matches(p, w) for p in case.absent for w in _words(t))]
+    forbidden = [
+        t.name for t in seen.things if any(matches(p, w) for p in case.absent for w in _words(t))
+    ]
     return Verdict(
         asked=len(case.objects) - excused,
         relations_asked=len(case.relations) - spared,

@@ -138,9 +138,14 @@ def test_rare_words_may_be_warned_of() -> None:
 
 
 def test_what_must_not_be_there() -> None:
-    asked = case("a mug, no spoon", [wants("mug")], absent=["spoon"], also=["spoon"])
+    asked = case("a mug, no spoon, thanks", [wants("mug")], absent=["spoon"], also=["spoon"])
     assert judge(asked, seen(thing("mug_1"))).right
     assert judge(asked, seen(thing("mug_1"), thing("spoon_1", 0.2))).forbidden == ("spoon_1",)
+    shape = thing("spoon_1", 0.2, stand_in=True)
+    assert judge(asked, seen(thing("mug_1"), shape)).forbidden == ("spoon_1",)
+    other = judge(asked, seen(thing("mug_1"), thing("thanks_1", 0.2, stand_in=True)))
+    assert other.right
+    assert not other.strict
 
 
 def painted(name: str, colour: tuple[float, float, float], x: float) -> Thing:
