@@ -13,7 +13,7 @@ from ..errors import InputError, choices
 from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
-from .things.bar import barista, glassware, openers
+from .things.bar import barista, glassware, mixing, openers
 from .things.electronics import (
     circuits,
     counter,
@@ -72,6 +72,7 @@ from .things.kitchen import (
     cutlery,
     dining,
     gadgetry,
+    machines,
     ovenware,
     paperware,
     racks,
@@ -82,7 +83,7 @@ from .things.kitchen import (
     utensils,
 )
 from .things.lab import checkup, clinic, lab
-from .things.larder import boxes, condiments, packs, preserves
+from .things.larder import boxes, condiments, jars, packs, preserves
 from .things.leisure import games, instruments, leisure, maps, optics, sports, toys
 from .things.office import (
     clips,
@@ -160,6 +161,9 @@ _ON_REQUEST = (
     teatime,
     storage,
     paperware,
+    machines,
+    mixing,
+    jars,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

@@ -41,12 +41,14 @@ _MADE_OF: Mapping[str, str] = {
     "cactus succulent ice_cream sink jelly roast_chicken noodles ramen salad spaghetti curry stew "
     "mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip gravy_boat butter_dish tureen "
     "serving_platter cloche egg_cup baking_dish pie_dish tagine sake_bottle sake_cup "
-    "chopstick_rest cookie_jar storage_jar",
+    "chopstick_rest cookie_jar storage_jar honey_pot",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass salt_shaker "
     "pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug shot_glass "
     "beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup soy_sauce straw_holder "
-    "measuring_cup light_bulb marbles standing_mirror camera_lens ashtray ice_cube spice_jar",
+    "measuring_cup light_bulb marbles standing_mirror camera_lens ashtray ice_cube spice_jar "
+    "pint_glass whiskey_glass whiskey_bottle milkshake pickle_jar olive_jar mayonnaise hot_sauce "
+    "oil_bottle vinegar_bottle",
     "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy dumbbell "
     "button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can tongs grater "
@@ -58,13 +60,14 @@ _MADE_OF: Mapping[str, str] = {
     "butter_knife cleaver cake_server cheese_knife slotted_spoon serving_spoon teaspoon "
     "soup_spoon ice_cream_scoop scoop measuring_spoon sieve lid garlic_press potato_masher "
     "cookie_cutter nutcracker wok casserole roasting_tin loaf_tin cake_tin cooling_rack griddle "
-    "tea_strainer bread_box lunch_box",
+    "tea_strainer bread_box lunch_box coffee_pod portafilter cocktail_shaker jigger ice_tongs "
+    "hip_flask bottle_cap beer_can energy_drink",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder clipboard "
     "chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack napkin_holder chopsticks "
     "cabinet drawer_box desk_caddy stamp violin ukulele metronome jewelry_box toothpicks "
     "serving_bowl lazy_susan wooden_spoon salad_servers honey_dipper pastry_brush trivet "
-    "knife_block bamboo_steamer crate spice_rack skewer",
+    "knife_block bamboo_steamer crate spice_rack skewer muddler cork pepper_mill",
     "stone": "sculpture",
     "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
     "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser tape_measure "
@@ -74,14 +77,15 @@ _MADE_OF: Mapping[str, str] = {
     "pencil_sharpener waste_bin poker_chips dominoes stacking_cups toy_airplane toothbrush "
     "toothpaste comb nail_file paint_roller cable charger breadboard circuit_board crayon "
     "telescope binoculars tripod golf_ball rice_paddle funnel can_opener mandoline citrus_juicer "
-    "kitchen_timer ice_cube_tray cool_box bento_box plastic_cup plastic_fork straw",
+    "kitchen_timer ice_cube_tray cool_box bento_box plastic_cup plastic_fork straw milk_frother "
+    "baby_bottle",
     "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
     "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
     "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
     "pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder calendar "
     "gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter banknotes "
     "price_tag chewing_gum tea_bag pizza_box takeaway_box foil_roll cling_film paper_towel_roll "
-    "paper_plate",
+    "paper_plate beer_mat instant_noodles juice_box oats",
     "wax": "candle soap_bar",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom avocado "
@@ -105,7 +109,8 @@ _MADE_OF: Mapping[str, str] = {
     "walkie_talkie camera game_controller earbuds_case alarm_clock globe desk_lamp night_light "
     "flashlight microscope microwave stove blender rice_cooker stand_mixer kitchen_scale "
     "espresso_machine oscilloscope webcam trackpad mini_pc telephone barcode_scanner "
-    "cash_register card_reader phone_stand joystick headset blood_pressure_monitor sewing_machine",
+    "cash_register card_reader phone_stand joystick headset blood_pressure_monitor sewing_machine "
+    "waffle_iron air_fryer slow_cooker toaster_oven food_processor hand_mixer coffee_machine",
     "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
     "blanket scarf tennis_ball tea_cosy oven_mitt pot_holder tea_towel apron",
     "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
@@ -131,7 +136,7 @@ HOLLOW = frozenset(
      "casserole", "roasting_tin", "loaf_tin", "baking_dish", "cake_tin", "pie_dish", "griddle",
      "tagine", "bamboo_steamer", "crate", "sake_cup", "sake_bottle", "plastic_cup", "paper_plate",
      "tureen", "butter_dish", "cloche", "sieve", "funnel", "bread_box", "cool_box", "lunch_box",
-     "tea_cosy"}
+     "tea_cosy", "pint_glass", "whiskey_glass", "cocktail_shaker", "jigger"}
 )  # fmt: skip
 """Things that are walls around air."""
 
@@ -150,7 +155,7 @@ ASSEMBLED = frozenset(
      "coconut", "papaya", "noodles", "bowl_of_cereal", "grapefruit", "napkin_ring", "toast_rack",
      "straw", "takeaway_box", "cooling_rack", "spice_rack", "knife_block", "tea_strainer",
      "tea_bag", "measuring_spoon", "trivet", "potato_masher", "skewer", "paper_towel_roll",
-     "kitchen_timer", "egg_cup", "soup_spoon", "mandoline"}
+     "kitchen_timer", "egg_cup", "soup_spoon", "mandoline", "ice_tongs", "hip_flask", "juice_box"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 
