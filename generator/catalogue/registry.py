@@ -13,120 +13,21 @@ from ..errors import InputError, choices
 from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
-from .things.bar import barista, glassware, openers
-from .things.electronics import (
-    circuits,
-    counter,
-    devices,
-    electronics,
-    gadgets,
-    handhelds,
-    media,
-    parts,
-    peripherals,
-    portables,
-)
+from .things.bar import barista, glassware, mixing, openers
+from .things.electronics import circuits, counter, devices, electronics, gadgets, handhelds, media, parts, peripherals, portables
 from .things.festive import candlelight, characters, christmas, party, seasons
-from .things.food import (
-    bakery,
-    berries,
-    bowls,
-    confections,
-    dishes,
-    exotic,
-    food,
-    fruit,
-    greens,
-    groceries,
-    meals,
-    meats,
-    nuts,
-    orchard,
-    pantry,
-    pastries,
-    produce,
-    roots,
-    seafood,
-    snacks,
-    sushi,
-    sweets,
-)
+from .things.food import bakery, berries, bowls, confections, dishes, exotic, food, fruit, greens, groceries, meals, meats, nuts, orchard, pantry, pastries, produce, roots, seafood, snacks, sushi, sweets
 from .things.grooming import bath, hair, makeup, shaving, toiletries
-from .things.home import (
-    decor,
-    dressing,
-    figurines,
-    garden,
-    household,
-    keepsakes,
-    lights,
-    mats,
-    ornaments,
-    plants,
-    vanity,
-    open_vessels,
-)
-from .things.kitchen import (
-    appliances,
-    bakeware,
-    blades,
-    bottles,
-    brewing,
-    cooking,
-    cups,
-    cutlery,
-    dining,
-    gadgetry,
-    ovenware,
-    paperware,
-    racks,
-    serving,
-    spoons,
-    storage,
-    teatime,
-    utensils,
-)
+from .things.home import decor, dressing, figurines, garden, household, keepsakes, lights, mats, open_vessels, ornaments, plants, vanity
+from .things.kitchen import appliances, bakeware, blades, bottles, brewing, cooking, cups, cutlery, dining, gadgetry, machines, ovenware, paperware, racks, serving, spoons, storage, teatime, utensils
 from .things.lab import checkup, clinic, firstaid, glass, lab
-from .things.larder import boxes, condiments, packs, preserves
-from .things.leisure import (
-    blocks,
-    boardgames,
-    games,
-    instruments,
-    leisure,
-    maps,
-    music,
-    optics,
-    playthings,
-    sports,
-    sportsgear,
-    toys,
-)
+from .things.larder import boxes, condiments, jars, packs, preserves
+from .things.leisure import blocks, boardgames, games, instruments, leisure, maps, music, optics, playthings, sports, sportsgear, toys
 from .things.nature import finds, flowers, gardening, greenery
 from .things.nursery import animals, baby, dinosaurs, play, vehicles
-from .things.office import (
-    clips,
-    desk,
-    deskware,
-    office,
-    organizers,
-    paper,
-    printed,
-    school,
-    supplies,
-    writing,
-)
+from .things.office import clips, desk, deskware, office, organizers, paper, printed, school, supplies, writing
 from .things.sewing import cloths, notions
-from .things.tools import (
-    benchwork,
-    craft,
-    fasteners,
-    handtools,
-    hardware,
-    hardware_parts,
-    tools,
-    workbench,
-)
+from .things.tools import benchwork, craft, fasteners, handtools, hardware, hardware_parts, tools, workbench
 from .things.upkeep import chores, pets
 from .things.wardrobe import bags, bathroom, clothes, footwear, garments, gifts, jewelry, trinkets
 
@@ -232,6 +133,9 @@ _ON_REQUEST = (
     chores,
     pets,
     open_vessels,
+    machines,
+    mixing,
+    jars,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

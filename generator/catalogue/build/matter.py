@@ -36,20 +36,22 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 """Sliding friction by material; "device" is plastic or metal on rubber feet."""
 
 _MADE_OF: Mapping[str, str] = {
-    "ceramic": "empty_vase mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
-    "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter "
+    "ceramic": "empty_vase mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl "
+    "mortar sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter "
     "plant_pot cactus succulent ice_cream sink crucible jelly roast_chicken noodles ramen "
     "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip "
     "gravy_boat butter_dish tureen serving_platter cloche egg_cup baking_dish pie_dish "
     "tagine sake_bottle sake_cup chopstick_rest cookie_jar storage_jar frog bird fern ivy "
-    "bonsai herb_pot oil_burner trinket_dish soap_dish dog_bone",
-    "glass": "open_jar glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
-    "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass "
-    "salt_shaker pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug "
-    "shot_glass beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup "
-    "soy_sauce straw_holder measuring_cup light_bulb marbles standing_mirror camera_lens "
-    "ashtray test_tube graduated_cylinder glass_prism dropper medicine_bottle go_stone "
-    "ice_cube spice_jar bauble votive_candle aftershave foundation fish_bowl",
+    "bonsai herb_pot oil_burner trinket_dish soap_dish dog_bone honey_pot",
+    "glass": "open_jar glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker "
+    "flask petri_dish reagent_bottle perfume_bottle nail_polish hourglass "
+    "magnifying_glass salt_shaker pepper_shaker cream_jar carafe cocktail_glass "
+    "champagne_flute beer_mug shot_glass beer_bottle milk_bottle honey_jar jam_jar "
+    "salad_dressing maple_syrup soy_sauce straw_holder measuring_cup light_bulb marbles "
+    "standing_mirror camera_lens ashtray test_tube graduated_cylinder glass_prism dropper "
+    "medicine_bottle go_stone ice_cube spice_jar bauble votive_candle aftershave "
+    "foundation fish_bowl pint_glass whiskey_glass whiskey_bottle milkshake pickle_jar "
+    "olive_jar mayonnaise hot_sauce oil_bottle vinegar_bottle",
     "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy "
     "dumbbell button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can "
@@ -72,7 +74,8 @@ _MADE_OF: Mapping[str, str] = {
     "lunch_box hand_fork hand_rake secateurs bird_cage star tea_light candelabra menorah "
     "lantern thimble needle pin safety_pin crochet_hook bobbin nail_clippers "
     "eyelash_curler bobby_pin shaving_foam hairspray earring brooch cufflink tie_clip "
-    "pocket_watch crown pendant iron",
+    "pocket_watch crown pendant iron coffee_pod portafilter cocktail_shaker jigger "
+    "ice_tongs hip_flask bottle_cap beer_can energy_drink",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
     "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
@@ -89,25 +92,26 @@ _MADE_OF: Mapping[str, str] = {
     "toy_boat train_track skittle twig driftwood pine_cone acorn birdhouse terrarium "
     "bird_feeder nutcracker wreath nest snow_globe easter_basket incense_holder match "
     "dreidel knitting_needle makeup_brush shaving_brush scrub_brush clothes_peg "
-    "clothes_hanger",
+    "clothes_hanger muddler cork pepper_mill",
     "stone": "sculpture pebble rock seashell starfish coral",
-    "plastic": "tool_caddy open_suitcase open_lunch_box pen_cup paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
-    "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser "
-    "tape_measure utility_knife stapler building_brick toy_car toy_robot toy_train "
-    "stacking_rings puzzle_cube die lipstick makeup_compact syringe thermometer "
-    "eyeglasses first_aid_kit tool_kit paint_tube spatula ladle peeler food_container "
-    "dish_soap peanut_butter ketchup mustard_bottle yogurt pencil_sharpener waste_bin "
-    "poker_chips dominoes stacking_cups toy_airplane toothbrush toothpaste comb nail_file "
-    "paint_roller cable charger breadboard circuit_board crayon telescope binoculars "
-    "tripod golf_ball hollow_cylinder checkers_piece mahjong_tile domino yo_yo kite "
-    "frisbee shuttlecock ping_pong_ball skipping_rope bubbles_tub bowling_ball "
-    "bowling_pin sports_bottle helmet tennis_racket guitar_pick vinyl_record cd cd_case "
-    "cassette floppy_disk game_cartridge film_roll led capacitor ic_chip jumper_wire "
-    "case_fan ram_stick memory_card servo propeller solder_spool sensor push_button "
-    "glue_gun paint_tray funnel wash_bottle micropipette weighing_boat molecule_model "
-    "blister_pack pill_organizer eye_drops inhaler reflex_hammer oximeter protractor "
-    "set_square credit_card id_card whiteboard highlighter rice_paddle can_opener "
-    "mandoline citrus_juicer kitchen_timer ice_cube_tray cool_box bento_box plastic_cup "
+    "plastic": "tool_caddy open_suitcase open_lunch_box pen_cup paint_bottle spray_bottle "
+    "wipes_canister screw_box pipette_box pill_bottle soap_dispenser glue_stick marker "
+    "pen ruler desk_tray tape_roll tape_dispenser tape_measure utility_knife stapler "
+    "building_brick toy_car toy_robot toy_train stacking_rings puzzle_cube die lipstick "
+    "makeup_compact syringe thermometer eyeglasses first_aid_kit tool_kit paint_tube "
+    "spatula ladle peeler food_container dish_soap peanut_butter ketchup mustard_bottle "
+    "yogurt pencil_sharpener waste_bin poker_chips dominoes stacking_cups toy_airplane "
+    "toothbrush toothpaste comb nail_file paint_roller cable charger breadboard "
+    "circuit_board crayon telescope binoculars tripod golf_ball hollow_cylinder "
+    "checkers_piece mahjong_tile domino yo_yo kite frisbee shuttlecock ping_pong_ball "
+    "skipping_rope bubbles_tub bowling_ball bowling_pin sports_bottle helmet "
+    "tennis_racket guitar_pick vinyl_record cd cd_case cassette floppy_disk "
+    "game_cartridge film_roll led capacitor ic_chip jumper_wire case_fan ram_stick "
+    "memory_card servo propeller solder_spool sensor push_button glue_gun paint_tray "
+    "funnel wash_bottle micropipette weighing_boat molecule_model blister_pack "
+    "pill_organizer eye_drops inhaler reflex_hammer oximeter protractor set_square "
+    "credit_card id_card whiteboard highlighter rice_paddle can_opener mandoline "
+    "citrus_juicer kitchen_timer ice_cube_tray cool_box bento_box plastic_cup "
     "plastic_fork straw toy_horse toy_unicorn toy_zebra toy_cow toy_pig toy_sheep "
     "toy_elephant toy_giraffe toy_lion toy_tiger toy_dog toy_cat toy_rabbit toy_fox "
     "toy_dinosaur toy_dragon toy_truck fire_truck toy_bus toy_tractor toy_rocket "
@@ -116,18 +120,18 @@ _MADE_OF: Mapping[str, str] = {
     "snowman mask balloon skull lighter button bead shampoo conditioner body_lotion "
     "sunscreen mouthwash hand_cream face_wash deodorant bleach mascara eyeliner "
     "eyeshadow_palette blusher dental_floss hair_clip hair_roller bucket laundry_basket "
-    "dustpan hair_straightener curling_iron",
-    "paper": "open_box napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
-    "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
-    "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
-    "pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder "
-    "calendar gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter "
-    "banknotes price_tag playing_card puzzle_piece jigsaw_puzzle board_game dartboard "
-    "sheet_music record_sleeve sandpaper glove_box business_card index_card postcard "
-    "greeting_card dictionary textbook atlas cookbook chewing_gum tea_bag pizza_box "
-    "takeaway_box foil_roll cling_film paper_towel_roll paper_plate jigsaw_piece leaf "
-    "feather party_hat party_popper christmas_cracker wrapping_paper gift_tag matchbox "
-    "toilet_roll tissue_pack",
+    "dustpan hair_straightener curling_iron milk_frother",
+    "paper": "open_box napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup "
+    "egg_carton envelope binder folded_map book notebook box sticky_notes paper_stack "
+    "playing_cards open_book photo_print map fries chips_can cream_cheese flour_bag "
+    "sugar_bag rice_bag pasta_box tea_box juice_carton cookie_box pudding_box popcorn "
+    "crayon_box folder calendar gift_box gift_bag paper_bag bouquet seed_packet magazine "
+    "newspaper letter banknotes price_tag playing_card puzzle_piece jigsaw_puzzle "
+    "board_game dartboard sheet_music record_sleeve sandpaper glove_box business_card "
+    "index_card postcard greeting_card dictionary textbook atlas cookbook chewing_gum "
+    "tea_bag pizza_box takeaway_box foil_roll cling_film paper_towel_roll paper_plate "
+    "jigsaw_piece leaf feather party_hat party_popper christmas_cracker wrapping_paper "
+    "gift_tag matchbox toilet_roll tissue_pack beer_mat instant_noodles juice_box oats",
     "wax": "candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
@@ -159,7 +163,8 @@ _MADE_OF: Mapping[str, str] = {
     "telephone barcode_scanner cash_register card_reader phone_stand joystick headset "
     "blood_pressure_monitor sewing_machine synthesizer drum_pad record_player radio "
     "boombox clock_radio smart_speaker projector retro_television graphics_card "
-    "forehead_thermometer electric_shaver",
+    "forehead_thermometer electric_shaver waffle_iron air_fryer slow_cooker toaster_oven "
+    "food_processor hand_mixer coffee_machine",
     "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
     "blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
     "whiteboard_eraser band_aid tea_cosy oven_mitt pot_holder tea_towel apron bib diaper "
@@ -179,26 +184,26 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 """The material that a category's underside, or most of it, is made of."""
 
 HOLLOW = frozenset(
-    {"open_box", "tool_caddy", "open_suitcase", "open_lunch_box", "pen_cup", "open_jar", "empty_vase",
-     "american_football", "baking_dish", "baking_tray", "ball", "bamboo_steamer", "basket",
+    {"american_football", "baking_dish", "baking_tray", "ball", "bamboo_steamer", "basket",
      "basketball", "beach_ball", "beaker", "beer_mug", "bird_cage", "birdhouse", "bowl",
      "bowling_pin", "box", "bread_box", "bucket", "butter_dish", "cabinet", "cake_stand",
      "cake_tin", "candlestick", "cap", "casserole", "champagne_flute", "cloche",
-     "cocktail_glass", "colander", "cool_box", "crate", "crown", "crucible", "desk_caddy",
-     "desk_tray", "dice_cup", "drawer_box", "drum", "easter_basket", "figurine", "flask",
-     "food_container", "french_press", "funnel", "gift_bag", "glass", "globe",
-     "graduated_cylinder", "gravy_boat", "griddle", "guitar", "hand_bell", "helmet",
-     "hollow_cylinder", "ice_bucket", "kettle", "kidney_dish", "laundry_basket", "loaf_tin",
-     "lunch_box", "matryoshka", "measuring_cup", "mixing_bowl", "muffin_tin", "mug", "nest",
-     "paint_tray", "pan", "paper_bag", "paper_plate", "party_hat", "pencil_case",
-     "pencil_holder", "pet_bowl", "petri_dish", "pie_dish", "ping_pong_ball", "pitcher",
+     "cocktail_glass", "cocktail_shaker", "colander", "cool_box", "crate", "crown", "crucible",
+     "desk_caddy", "desk_tray", "dice_cup", "drawer_box", "drum", "easter_basket", "empty_vase",
+     "figurine", "flask", "food_container", "french_press", "funnel", "gift_bag", "glass",
+     "globe", "graduated_cylinder", "gravy_boat", "griddle", "guitar", "hand_bell", "helmet",
+     "hollow_cylinder", "ice_bucket", "jigger", "kettle", "kidney_dish", "laundry_basket",
+     "loaf_tin", "lunch_box", "matryoshka", "measuring_cup", "mixing_bowl", "muffin_tin", "mug",
+     "nest", "open_box", "open_jar", "open_lunch_box", "open_suitcase", "paint_tray", "pan",
+     "paper_bag", "paper_plate", "party_hat", "pen_cup", "pencil_case", "pencil_holder",
+     "pet_bowl", "petri_dish", "pie_dish", "ping_pong_ball", "pint_glass", "pitcher",
      "plant_pot", "plastic_cup", "plate", "pot", "ramekin", "roasting_tin", "rubber_duck",
      "sake_bottle", "sake_cup", "saucer", "serving_bowl", "serving_platter", "shot_glass",
      "sieve", "soap_dish", "soccer_ball", "soup", "stacking_cups", "sugar_bowl", "tagine",
      "tambourine", "tea_cosy", "teacup", "teapot", "tennis_ball", "test_tube_rack", "thermos",
-     "toolbox", "toothbrush_cup", "tray", "trinket_dish", "trophy", "tube_stand", "tureen",
-     "ukulele", "vase", "violin", "volleyball", "waste_bin", "watering_can", "weighing_boat",
-     "wine_glass", "witch_hat", "wok"}
+     "tool_caddy", "toolbox", "toothbrush_cup", "tray", "trinket_dish", "trophy", "tube_stand",
+     "tureen", "ukulele", "vase", "violin", "volleyball", "waste_bin", "watering_can",
+     "weighing_boat", "whiskey_glass", "wine_glass", "witch_hat", "wok"}
 )  # fmt: skip
 """Things that are walls around air."""
 
@@ -215,30 +220,30 @@ ASSEMBLED = frozenset(
      "dropper", "drumstick", "duster", "dustpan", "earring", "egg_cup", "eyeglasses",
      "face_mask", "feather", "fern", "figurine", "film_roll", "folded_map", "gavel", "glue_gun",
      "grapefruit", "greeting_card", "hacksaw", "hair_clip", "hand_fork", "hand_plane",
-     "hand_rake", "handbag", "headband", "herb_pot", "hex_key", "incense_holder", "inhaler",
-     "ink_pad", "ivy", "jewelry_box", "jumper_wire", "kettlebell", "keys", "kitchen_timer",
-     "kite", "kiwi", "knife_block", "lab_tripod", "ladle", "lantern", "lavender", "leaf",
-     "leash", "led", "letter", "light_bulb", "lily", "lollipop", "loofah", "mallet", "mandoline",
-     "map", "maraca", "marbles", "mascara", "mask", "measuring_spoon", "medal", "menorah",
-     "micropipette", "molecule_model", "nail", "napkin_holder", "napkin_ring", "necklace",
-     "needle", "newtons_cradle", "noodles", "nut", "oil_can", "orchid", "padlock",
-     "paint_roller", "papaya", "paper_clip", "paper_clips", "paper_towel_roll", "pegboard",
-     "pencil_holder", "pencil_set", "pencil_sharpener", "pendant", "photo_print",
-     "picture_frame", "pill_bottle", "pin", "pine_cone", "pipe_fitting", "pipe_wrench",
-     "pocket_watch", "poker_chips", "pompom", "popcorn", "potato_masher", "potted_plant",
-     "price_tag", "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
-     "retort_stand", "ribbon", "ring", "rope", "rose", "rubber_band", "safety_pin", "sandpaper",
-     "saxophone", "screw", "secateurs", "sensor", "servo", "shuttlecock", "skewer",
-     "skipping_rope", "slingshot", "soap_bar", "soccer_ball", "socket_wrench", "soup_spoon",
-     "spice_rack", "spinning_top", "spring", "standing_mirror", "staple_gun", "stethoscope",
-     "stopwatch", "straw", "straw_holder", "succulent", "sunflower", "sushi_rolls",
-     "takeaway_box", "taper_candle", "tea_bag", "tea_box", "tea_strainer", "telescope",
-     "tennis_racket", "terrarium", "thumbtacks", "tin_snips", "toast_rack", "tomato_can",
-     "tongs", "toothpicks", "tower_of_hanoi", "toy_airplane", "toy_boat", "toy_giraffe",
-     "toy_helicopter", "toy_horse", "toy_unicorn", "toy_zebra", "triangle", "tripod", "trivet",
-     "trumpet", "tulip", "tweezers", "twig", "umbrella", "valve", "vase", "vise", "wall_hook",
-     "wash_bottle", "whistle", "whiteboard", "wine_rack", "wire_cutters", "wire_stripper",
-     "wreath", "wristwatch", "xylophone", "yo_yo"}
+     "hand_rake", "handbag", "headband", "herb_pot", "hex_key", "hip_flask", "ice_tongs",
+     "incense_holder", "inhaler", "ink_pad", "ivy", "jewelry_box", "juice_box", "jumper_wire",
+     "kettlebell", "keys", "kitchen_timer", "kite", "kiwi", "knife_block", "lab_tripod", "ladle",
+     "lantern", "lavender", "leaf", "leash", "led", "letter", "light_bulb", "lily", "lollipop",
+     "loofah", "mallet", "mandoline", "map", "maraca", "marbles", "mascara", "mask",
+     "measuring_spoon", "medal", "menorah", "micropipette", "molecule_model", "nail",
+     "napkin_holder", "napkin_ring", "necklace", "needle", "newtons_cradle", "noodles", "nut",
+     "oil_can", "orchid", "padlock", "paint_roller", "papaya", "paper_clip", "paper_clips",
+     "paper_towel_roll", "pegboard", "pencil_holder", "pencil_set", "pencil_sharpener",
+     "pendant", "photo_print", "picture_frame", "pill_bottle", "pin", "pine_cone",
+     "pipe_fitting", "pipe_wrench", "pocket_watch", "poker_chips", "pompom", "popcorn",
+     "potato_masher", "potted_plant", "price_tag", "propeller", "push_pin", "putty_knife",
+     "radio", "reflex_hammer", "resistor", "retort_stand", "ribbon", "ring", "rope", "rose",
+     "rubber_band", "safety_pin", "sandpaper", "saxophone", "screw", "secateurs", "sensor",
+     "servo", "shuttlecock", "skewer", "skipping_rope", "slingshot", "soap_bar", "soccer_ball",
+     "socket_wrench", "soup_spoon", "spice_rack", "spinning_top", "spring", "standing_mirror",
+     "staple_gun", "stethoscope", "stopwatch", "straw", "straw_holder", "succulent", "sunflower",
+     "sushi_rolls", "takeaway_box", "taper_candle", "tea_bag", "tea_box", "tea_strainer",
+     "telescope", "tennis_racket", "terrarium", "thumbtacks", "tin_snips", "toast_rack",
+     "tomato_can", "tongs", "toothpicks", "tower_of_hanoi", "toy_airplane", "toy_boat",
+     "toy_giraffe", "toy_helicopter", "toy_horse", "toy_unicorn", "toy_zebra", "triangle",
+     "tripod", "trivet", "trumpet", "tulip", "tweezers", "twig", "umbrella", "valve", "vase",
+     "vise", "wall_hook", "wash_bottle", "whistle", "whiteboard", "wine_rack", "wire_cutters",
+     "wire_stripper", "wreath", "wristwatch", "xylophone", "yo_yo"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 

@@ -214,7 +214,7 @@ CATEGORIES = (
         pepper_shaker,
         (0.046, 0.046, 0.1),
         0.12,
-        ("pepper", "pepper mill", "pepper grinder"),
+        ("pepper",),
         ("dining", "kitchen"),
         ("round",),
         ("black", "brown"),

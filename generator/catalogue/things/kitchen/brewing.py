@@ -201,7 +201,7 @@ CATEGORIES = (
         french_press,
         (0.14, 0.105, 0.225),
         0.6,
-        ("coffee press", "coffee pot", "coffee maker", "cafetiere"),
+        ("coffee press", "coffee pot", "cafetiere"),
         ("coffee", "kitchen"),
         ("tall",),
         ("silver", "black"),

@@ -230,7 +230,7 @@ CATEGORIES = (
         glass,
         (0.074, 0.074, 0.12),
         0.24,
-        ("tumbler", "drinking glass", "water glass", "glass of water"),
+        ("drinking glass", "water glass", "glass of water"),
         ("dining", "kitchen"),
         ("container", "round", "tall"),
         ("clear",),

@@ -124,7 +124,8 @@ def honey_dipper(look: Look) -> Shape:
             -0.5 * long + 0.0062 * k))  # fmt: skip
     core = cylinder(0.5 * r, 0.038, 14).turn(1, np.pi / 2).move(x=-0.5 * long)
     stick = limb([(-0.5 * long + 0.03, 0, 0), (0.2 * long, 0, -0.2 * r),
-                  (0.48 * long, 0, -0.62 * r), (0.5 * long, 0, -0.65 * r)], [0.0036, 0.0036, 0.0046, 0.003], 10)  # fmt: skip
+                  (0.48 * long, 0, -0.62 * r), (0.5 * long, 0, -0.65 * r)],
+                 [0.0036, 0.0036, 0.0046, 0.003], 10)  # fmt: skip
     return settle([(join([*head, core]), wood), (stick, wood)], 0.1)
 
 

@@ -259,7 +259,7 @@ CATEGORIES = (
              "jar of peanut butter", "nutella", "nut butter", "chocolate spread",
              "hazelnut spread"), ("kitchen", "breakfast"), ("round",), ("red", "blue")),
     Category("honey_jar", honey_jar, (0.0711, 0.0778, 0.109), 0.4, ("jar of honey", "honey",
-             "honey pot", "pot of honey", "honey bottle"), ("kitchen", "breakfast"), ("round",),
+             "honey bottle"), ("kitchen", "breakfast"), ("round",),
              ("gold", "amber")),
     Category("jam_jar", jam_jar, (0.073, 0.073, 0.106), 0.36, ("jar of jam", "jam", "marmalade",
              "strawberry jam", "jar of marmalade", "jelly jar", "marmalade jar", "jar of jelly",
