@@ -17,6 +17,7 @@ from .things.bar import barista, glassware, openers
 from .things.electronics import (
     circuits,
     counter,
+    desktop,
     devices,
     electronics,
     gadgets,
@@ -140,6 +141,7 @@ _ON_REQUEST = (
     music,
     media,
     parts,
+    desktop,
     handtools,
     hardware_parts,
     glass,

@@ -87,7 +87,8 @@ def cassette(look: Look) -> Shape:
     return shape([(block(x, y, h * 0.8, 0.002), textures.plain(edge)),
                   (box(0.6 * x, 0.2 * y, h).move(y=-0.4 * y), textures.plain(edge)),
                   (box(0.99 * x, 0.985 * y, 0.0004).move(z=h * 0.8 - 0.0001), image)],
-                 [box_part(x, y, h * 0.8 + 0.0003), box_part(0.6 * x, 0.2 * y, h, (0, -0.4 * y, 0))])  # fmt: skip
+                 [box_part(x, y, h * 0.8 + 0.0003), box_part(0.6 * x, 0.2 * y, h,
+                     (0, -0.4 * y, 0))])  # fmt: skip
 
 
 def floppy_disk(look: Look) -> Shape:
@@ -173,7 +174,8 @@ def radio(look: Look) -> Shape:
     front = box(0.95 * x, 0.0012, 0.88 * h).move(y=-y / 2 - 0.0002, z=0.06 * h)
     knobs = [facing(cylinder(0.015 * k, 0.012 * k, 22, bevel=0.001)).move(
         (0.055 + 0.04 * n) * k, -y / 2, 0.28 * h) for n in (0, 1)]  # fmt: skip
-    bow = tube(np.array([(-0.45 * x, 0, 0.96 * h), (-0.42 * x, 0, 1.22 * h), (0.42 * x, 0, 1.22 * h),
+    bow = tube(np.array([(-0.45 * x, 0, 0.96 * h), (-0.42 * x, 0, 1.22 * h),
+        (0.42 * x, 0, 1.22 * h),
                          (0.45 * x, 0, 0.96 * h)]), 0.0045 * k, 8)  # fmt: skip
     aerial = tube(np.array([(0.4 * x, 0.3 * y, 0.97 * h), (0.62 * x, 0.3 * y, 1.9 * h)]), 0.0018, 6)
     tip = cylinder(0.0032, 0.008, 10).move(0.62 * x, 0.3 * y, 1.88 * h)
@@ -203,10 +205,12 @@ def boombox(look: Look) -> Shape:
     for n in range(6):
         prints.fill(image, 0.38 + 0.041 * n, 0.3, 0.034, 0.07, (200, 202, 206))
     front = box(0.98 * x, 0.0012, 0.97 * h).move(y=-y / 2 - 0.0002, z=0.012 * h)
-    bow = tube(np.array([(-0.42 * x, 0, 0.97 * h), (-0.41 * x, 0, 1.25 * h), (0.41 * x, 0, 1.25 * h),
+    bow = tube(np.array([(-0.42 * x, 0, 0.97 * h), (-0.41 * x, 0, 1.25 * h),
+        (0.41 * x, 0, 1.25 * h),
                          (0.42 * x, 0, 0.97 * h)]), 0.006 * k, 8)  # fmt: skip
     return shape([(block(x, y, h, 0.01, 0.004), look.surface(color, "plastic")), (front, image),
-                  (bow, textures.plain((40, 40, 44)))], [box_part(x, y, h), hull_of(bow)])  # fmt: skip
+                  (bow, textures.plain((40, 40, 44)))], [box_part(x, y, h),
+                      hull_of(bow)])  # fmt: skip
 
 
 def clock_radio(look: Look) -> Shape:
@@ -300,7 +304,8 @@ def retro_television(look: Look) -> Shape:
     knob = lathe([(0, 0), (0.024 * k, 0), (0.02 * k, 0.012 * k), (0, 0.016 * k)], 18).move(
         0, 0.2 * y, h - 0.001)  # fmt: skip
     silver = textures.brushed_metal(look.rng, (200, 200, 204))
-    return shape([(body, look.surface(color, "wood")), (face, textures.plain(tint_color(color, 0.7))),
+    return shape([(body, look.surface(color, "wood")), (face,
+        textures.plain(tint_color(color, 0.7))),
                   (frame, textures.plain((50, 48, 50))), (screen, shown), (join(knobs), silver),
                   (join([*slots, *feet, knob]), textures.plain(DARK)), (join(horns), silver)],
                  [box_part(x, y, h), *(hull_of(s) for s in (*horns, *knobs))])  # fmt: skip
@@ -387,13 +392,16 @@ CATEGORIES = (
     Category("projector", projector, (0.225, 0.201, 0.085), 2.0, ("video projector", "beamer",
              "mini projector", "data projector", "film projector"), ("office",), ("big",),
              ("white",)),
-    Category("retro_television", retro_television, (0.285, 0.197, 0.329), 3.0, ("old television", "retro tv",
-             "old tv", "crt tv", "vintage tv", "crt television", "vintage television"), ("living",), ("big", "screen"),
+    Category("retro_television", retro_television, (0.285, 0.197, 0.329), 3.0,
+        ("old television", "retro tv",
+             "old tv", "crt tv", "vintage tv", "crt television", "vintage television"),
+                 ("living",), ("big", "screen"),
              ("wooden",)),
     Category("game_cartridge", game_cartridge, (0.0635, 0.07, 0.0105), 0.05, ("cartridge",
              "video game cartridge", "game card", "video game"), ("living",), ("flat",),
              ("gray",)),
-    Category("film_roll", film_roll, (0.0576, 0.0284, 0.0505), 0.03, ("roll of film", "film canister",
+    Category("film_roll", film_roll, (0.0576, 0.0284, 0.0505), 0.03,
+        ("roll of film", "film canister",
              "camera film", "photo film", "35mm film", "film"), ("living",), ("round",),
              ("yellow",)),
 )  # fmt: skip

@@ -162,8 +162,8 @@ def case_fan(look: Look) -> Shape:
     for s in (-1, 1):
         for t in (-1, 1):
             corner = block(0.19 * side, 0.19 * side, 0.004, 0.003)
-            for z in (0.0, h - 0.004):
-                frame.append(corner.move(s * 0.4 * side, t * 0.4 * side, z))
+            at = (s * 0.4 * side, t * 0.4 * side)
+            frame += [corner.move(*at, z) for z in (0.0, h - 0.004)]
     rims = [box(side, 0.06 * side, h).move(y=s * 0.47 * side) for s in (-1, 1)]
     rims += [box(0.06 * side, side, h).move(x=s * 0.47 * side) for s in (-1, 1)]
     blades = []
@@ -306,7 +306,8 @@ def propeller(look: Look) -> Shape:
     hub = lathe([(0.0022 * k, 0), (0.0075 * k, 0), (0.0075 * k, high), (0.006 * k, high + 0.002),
                  (0.0022 * k, high + 0.002)], 22, loop=True)  # fmt: skip
     return shape([(join([*blades, hub]), textures.speckles(look.rng, color, 3, 32))],
-                 [*(hull_of(s) for s in blades), cylinder_part(0.0075 * k, high + 0.0015)])  # fmt: skip
+                 [*(hull_of(s) for s in blades), cylinder_part(0.0075 * k,
+                     high + 0.0015)])  # fmt: skip
 
 
 def solder_spool(look: Look) -> Shape:

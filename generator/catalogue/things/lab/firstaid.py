@@ -308,8 +308,10 @@ def glove_box(look: Look) -> Shape:
                  readable_on(color), bold=True)  # fmt: skip
     glove = look.own_color("sky", "white", "violet", "mint")
     at = np.array([0.12 * x, -0.06 * y, h])
-    fingers = [tube(np.array([at + [0.004 * n, 0, -0.004], at + [0.006 * n, 0.004, 0.016],
-                              at + [0.011 * n, 0.006, 0.03]]) , np.array([0.0075, 0.007, 0.0045]), 8)
+    fingers = [tube(np.array([np.add(at, (0.004 * n, 0, -0.004)),
+        np.add(at, (0.006 * n, 0.004, 0.016)),
+                              np.add(at, (0.011 * n, 0.006, 0.03))]) ,
+                                  np.array([0.0075, 0.007, 0.0045]), 8)
                for n in (-2, -0.6, 0.7, 2)]  # fmt: skip
     return shape([(box(x, y, h), side), (box(x, y, 0.0006).move(z=h - 0.0003), image),
                   (join(fingers), textures.plain(glove))],
@@ -379,7 +381,8 @@ def oximeter(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("pill", pill, (0.0185, 0.0105, 0.0078), 0.001, ("capsule", "tablet pill",
-             "medicine pill", "vitamin", "vitamin pill", "painkiller", "aspirin", "medicine capsule"),
+             "medicine pill", "vitamin", "vitamin pill", "painkiller", "aspirin",
+                 "medicine capsule"),
              ("medical",), (), ("white", "red")),
     Category("blister_pack", blister_pack, (0.095, 0.042, 0.0057), 0.012, ("pill blister",
              "tablet strip", "blister pack of pills", "strip of tablets", "pill packet",
@@ -421,7 +424,8 @@ CATEGORIES = (
              "medical mask", "dust mask", "mask", "facemask", "disposable mask"),
              ("medical",), ("flat",), ("blue", "white"), 0.6),
     Category("glove_box", glove_box, (0.215, 0.117, 0.099), 0.3, ("box of gloves",
-             "box of disposable gloves", "box of latex gloves", "glove dispenser"), ("medical",), ("big",),
+             "box of disposable gloves", "box of latex gloves", "glove dispenser"), ("medical",),
+                 ("big",),
              ("blue",)),
     Category("reflex_hammer", reflex_hammer, (0.2, 0.052, 0.018), 0.08, ("neurological hammer",
              "tendon hammer", "medical hammer"), ("medical",), (), ("terracotta",), None,

@@ -50,8 +50,10 @@ def test_tube(look: Look) -> Shape:
     r, long = 0.009 * k, 0.13 * k
     a = np.linspace(-np.pi / 2, 0, 6)
     bottom = [(r * np.cos(t), r + r * np.sin(t)) for t in a]
-    body = lathe([(0, 0), *bottom[1:], (r, long - 0.003), (1.18 * r, long - 0.002), (1.18 * r, long),
-                  (0, long)], 22, v=[0, *np.linspace(0.01, 0.07, 5), 0.96, 0.97, 0.99, 1])  # fmt: skip
+    body = lathe([(0, 0), *bottom[1:], (r, long - 0.003), (1.18 * r, long - 0.002),
+        (1.18 * r, long),
+                  (0, long)], 22, v=[0, *np.linspace(0.01, 0.07, 5), 0.96, 0.97, 0.99,
+                      1])  # fmt: skip
     body = _lay(body, -long / 2, 1.18 * r)
     share = look.between(0.4, 0.7)
     tile = textures.stack((textures.plain(color), share), (textures.plain(GLASS), 1 - share))
@@ -119,7 +121,8 @@ def bunsen_burner(look: Look) -> Shape:
     foot = lathe(np.array([(0, 0), (0.04, 0), (0.041, 0.004), (0.036, 0.012), (0.014, 0.022),
                            (0, 0.024)]) * k, 30)  # fmt: skip
     barrel = lathe(np.array([(0, 0.02), (0.008, 0.02), (0.008, 0.13), (0.0092, 0.132),
-                             (0.0092, 0.14), (0.0065, 0.14), (0.0065, 0.136), (0, 0.136)]) * k, 22)  # fmt: skip
+                             (0.0092, 0.14), (0.0065, 0.14), (0.0065, 0.136), (0, 0.136)]) * k,
+                                 22)  # fmt: skip
     collar = cylinder(0.0108 * k, 0.02 * k, 22).move(z=0.032 * k)
     inlet = _lay(cylinder(0.0048 * k, 0.05 * k, 14), 0.005 * k, 0.03 * k)
     knob = _lay(cylinder(0.009 * k, 0.008 * k, 12), -0.03 * k, 0.03 * k)
@@ -127,7 +130,8 @@ def bunsen_burner(look: Look) -> Shape:
     brass = textures.brushed_metal(look.rng, (204, 170, 96))
     steel = textures.brushed_metal(look.rng, STEEL)
     pieces = [(foot, look.surface(color, "metal")), (barrel, steel),
-              (join([collar, inlet, knob]), brass), (join(spots), textures.plain((30, 30, 32)))]  # fmt: skip
+              (join([collar, inlet, knob]), brass), (join(spots),
+                  textures.plain((30, 30, 32)))]  # fmt: skip
     if look.chance(0.4):
         flame = lathe(np.array([(0, 0.134), (0.005, 0.138), (0.0085, 0.15), (0.006, 0.172),
                                 (0.001, 0.19), (0, 0.192)]) * k, 16)  # fmt: skip
@@ -150,7 +154,8 @@ def lab_tripod(look: Look) -> Shape:
     prints.disc(net, 0.5, 0.5, 0.34, (232, 230, 224))
     mat = box(1.9 * r, 1.9 * r, 0.002).move(z=h)
     return shape([(join([ring, *legs]), look.surface(color, "metal")), (mat, net)],
-                 [*(hull_of(s.bend(above)) for s in legs), cylinder_part(r, 0.006, (0, 0, h - 0.006)),
+                 [*(hull_of(s.bend(above)) for s in legs),
+                     cylinder_part(r, 0.006, (0, 0, h - 0.006)),
                   hull_of(mat)])  # fmt: skip
 
 
@@ -201,7 +206,8 @@ def micropipette(look: Look) -> Shape:
     accent = look.own_color("blue", "yellow", "red", "green", "orange", "purple")
     grip = lathe(np.array([(0, 0.1), (0.008, 0.1), (0.011, 0.115), (0.0135, 0.16), (0.015, 0.2),
                            (0.011, 0.208), (0, 0.21)]) * k, 20)  # fmt: skip
-    shaft = lathe(np.array([(0, 0.03), (0.0035, 0.03), (0.005, 0.06), (0.007, 0.1), (0, 0.101)]) * k,
+    shaft = lathe(np.array([(0, 0.03), (0.0035, 0.03), (0.005, 0.06), (0.007, 0.1),
+        (0, 0.101)]) * k,
                   16)  # fmt: skip
     tip = lathe(
         np.array([(0, 0), (0.0006, 0), (0.0036, 0.034), (0.0044, 0.042), (0, 0.042)]) * k, 14
@@ -214,7 +220,8 @@ def micropipette(look: Look) -> Shape:
     solids = [s.move(x=-0.08 * k, z=-0.015 * k).turn(1, lean) for s in solids]
     low = min(float(s.bounds[0, 2]) for s in solids)
     grip, shaft, tip, knob, hook = (s.move(z=-low) for s in solids)
-    return shape([(join([grip, hook, shaft]), look.surface(color, "plastic")), (knob, textures.plain(
+    return shape([(join([grip, hook, shaft]), look.surface(color, "plastic")),
+        (knob, textures.plain(
                   accent)), (tip, textures.plain(tint_color(accent, 1.4)))],
                  [flat_foot(grip.vertices, 0.08), hull_of(shaft), hull_of(tip), hull_of(knob),
                   hull_of(hook)])  # fmt: skip
@@ -228,7 +235,8 @@ def retort_stand(look: Look) -> Shape:
     rod = cylinder(0.0055 * k, 0.4 * k, 14).move(y=0.07 * k, z=0.014 * k)
     boss = block(0.022 * k, 0.03 * k, 0.03 * k, 0.004).move(y=0.07 * k, z=0.27 * k)
     arm = tube(np.array([(0, 0.07, 0.285), (0, -0.01, 0.285)]) * k, 0.0045 * k, 8)
-    ring = lathe([(0.009 * k, 0), (0.014 * k, 0), (0.014 * k, 0.016 * k), (0.009 * k, 0.016 * k)], 20,
+    ring = lathe([(0.009 * k, 0), (0.014 * k, 0), (0.014 * k, 0.016 * k), (0.009 * k, 0.016 * k)],
+        20,
                  loop=True).move(y=-0.022 * k, z=0.277 * k)  # fmt: skip
     glass = lathe(np.array([(0, 0.07), (0.0015, 0.07), (0.002, 0.09), (0.0085, 0.105),
                             (0.0085, 0.4), (0.0105, 0.404), (0, 0.404)]) * k, 20)  # fmt: skip
@@ -240,7 +248,8 @@ def retort_stand(look: Look) -> Shape:
     return shape([(base, look.surface(color, "metal")), (join([rod, arm]), steel),
                   (join([boss, ring]), textures.plain((70, 72, 76))), (glass, fill),
                   (tap, textures.plain((206, 52, 46)))],
-                 [hull_of(base), hull_of(rod), hull_of(boss, arm), hull_of(ring), hull_of(glass)])  # fmt: skip
+                 [hull_of(base), hull_of(rod), hull_of(boss, arm), hull_of(ring),
+                     hull_of(glass)])  # fmt: skip
 
 
 def balance_scale(look: Look) -> Shape:
@@ -265,7 +274,8 @@ def balance_scale(look: Look) -> Shape:
             foot = (x + 0.039 * k * np.cos(a), 0.039 * k * np.sin(a), bottom + 0.011 * k)
             pieces.append(tube([foot, (x, 0, top)], 0.0009 * k, 5))
         parts += [cylinder_part(0.04 * k, 0.011 * k, (x, 0, bottom)),
-                  box_part(0.012 * k, 0.012 * k, 0.088 * k, (x, 0, bottom + 0.011 * k))]  # fmt: skip
+                  box_part(0.012 * k, 0.012 * k, 0.088 * k,
+                      (x, 0, bottom + 0.011 * k))]  # fmt: skip
     return shape([(join(pieces), metal)], parts)
 
 
@@ -304,12 +314,14 @@ def molecule_model(look: Look) -> Shape:
     tone = look.own_color("white", "white", "red", "green", "yellow")
     feet = [resting_ball(small, small, small) for _ in range(3)]
     feet = [
-        ConvexPart(p.vertices + [*(long * w)[:2], 0.0]) for p, w in zip(feet, ways, strict=False)
+        ConvexPart(np.add(p.vertices, (*(long * w)[:2], 0.0)))
+        for p, w in zip(feet, ways, strict=False)
     ]
     return shape([(join(balls), textures.speckles(look.rng, color, 3, 32)),
                   (join(outer), textures.speckles(look.rng, tone, 3, 32)),
                   (join(rods), textures.plain((170, 172, 176)))],
-                 [*feet, hull_of(balls[0]), hull_of(outer[3]), *(hull_of(r) for r in rods)])  # fmt: skip
+                 [*feet, hull_of(balls[0]), hull_of(outer[3]),
+                     *(hull_of(r) for r in rods)])  # fmt: skip
 
 
 def glass_prism(look: Look) -> Shape:
@@ -332,8 +344,10 @@ def newtons_cradle(look: Look) -> Shape:
     color = look.color("silver", "black", "gold", "charcoal")
     x, y, h = 0.15 * k, 0.11 * k, 0.14 * k
     base = block(1.12 * x, 1.1 * y, 0.014 * k, 0.008, 0.002)
-    bars = [tube(np.array([(-x / 2, s * y / 2, 0.012), (-x / 2, s * y / 2, h), (x / 2, s * y / 2, h),
-                           (x / 2, s * y / 2, 0.012)]), 0.0034 * k, 8) for s in (-1, 1)]  # fmt: skip
+    bars = [tube(np.array([(-x / 2, s * y / 2, 0.012), (-x / 2, s * y / 2, h),
+        (x / 2, s * y / 2, h),
+                           (x / 2, s * y / 2, 0.012)]), 0.0034 * k, 8)
+                               for s in (-1, 1)]  # fmt: skip
     d = 0.022 * k
     balls, wires = [], []
     swing = look.between(0.3, 0.6) if look.chance(0.6) else 0.0
@@ -387,7 +401,8 @@ CATEGORIES = (
              "old scale"), ("lab",), ("tall", "big"), ("brass",)),
     Category("weighing_boat", weighing_boat, (0.075, 0.06, 0.016), 0.008, ("weigh boat",
              "weighing dish", "weighing tray"), ("lab",), ("container",), ("white",)),
-    Category("crucible", crucible, (0.055, 0.055, 0.042), 0.05, ("porcelain crucible",), ("lab",), ("container", "round"), ("white",)),
+    Category("crucible", crucible, (0.055, 0.055, 0.042), 0.05, ("porcelain crucible",), ("lab",),
+        ("container", "round"), ("white",)),
     Category("molecule_model", molecule_model, (0.09, 0.103, 0.086), 0.06, ("molecule",
              "molecular model", "atom model", "ball and stick model"),
              ("lab",), (), ("black", "red")),

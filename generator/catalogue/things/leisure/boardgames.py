@@ -260,7 +260,7 @@ def puzzle_piece(look: Look) -> Shape:
     for n, sign in enumerate((1, -1, 1, -1)):
         a = n * np.pi / 2
         turn = np.array([[np.cos(a), np.sin(a)], [-np.sin(a), np.cos(a)]])
-        side = np.concatenate([[(0.5, 0)], knob * [1, sign]]) + [0, 0.5]
+        side = np.add(np.concatenate([[(0.5, 0)], knob * [1, sign]]), (0, 0.5))
         outline.append(side @ turn)
     points = np.concatenate(outline) * 0.03 * k
     h = 0.0035

@@ -119,7 +119,8 @@ def trumpet(look: Look) -> Shape:
                    (0.08, 0.014, up), (-0.2, 0.014, up), (-0.235, 0.014, up)], 4)  # fmt: skip
     loop = tube(loop * k, pipe, 10)
     mouth = _lay(lathe(np.array([(0, 0), (0.011, 0), (0.012, 0.004), (0.006, 0.02), (0.0045, 0.05),
-                                 (0, 0.05)]) * k, 18), -0.27 * k, up * k).move(y=0.014 * k)  # fmt: skip
+                                 (0, 0.05)]) * k, 18), -0.27 * k,
+                                     up * k).move(y=0.014 * k)  # fmt: skip
     valves = []
     for n in (-1, 0, 1):
         x = (0.0 + 0.026 * n) * k
@@ -147,18 +148,21 @@ def saxophone(look: Look) -> Shape:
     z = 0.0
     way = smooth([(-0.07, 0.24, z), (-0.045, 0.262, z), (-0.015, 0.25, z), (-0.005, 0.21, z),
                   (0.0, 0.1, z), (0.0, -0.04, z), (0.006, -0.12, z), (0.04, -0.155, z),
-                  (0.08, -0.13, z), (0.1, -0.07, z), (0.115, 0.0, z), (0.125, 0.03, z)], 4)  # fmt: skip
+                  (0.08, -0.13, z), (0.1, -0.07, z), (0.115, 0.0, z), (0.125, 0.03, z)],
+                      4)  # fmt: skip
     t = np.linspace(0, 1, len(way))
     radii = 0.006 + 0.026 * t**1.4 + 0.028 * np.clip((t - 0.86) / 0.14, 0, 1) ** 2
     way[:, 2] = radii
     body = tube(way * k, radii * k, 16)
-    mouth = tube(np.array([(-0.105, 0.222, 0.01), (-0.065, 0.244, 0.01)]) * k, np.array([0.005, 0.01]) * k,
+    mouth = tube(np.array([(-0.105, 0.222, 0.01), (-0.065, 0.244, 0.01)]) * k,
+        np.array([0.005, 0.01]) * k,
                  10)  # fmt: skip
     keys = []
     for n in range(8):
         y = 0.16 - 0.034 * n
         keys.append(cylinder((0.009 + 0.0009 * n) * k, 0.005 * k, 14)
-                    .move(0.002 * k, y * k, 2 * float(np.interp(-y, -way[12:26, 1], radii[12:26])) * k - 0.001))  # fmt: skip
+                    .move(0.002 * k, y * k, 2 * float(np.interp(-y, -way[12:26, 1],
+                        radii[12:26])) * k - 0.001))  # fmt: skip
     keys.append(tube(np.array([(0.014, 0.17, 0.024), (0.02, -0.1, 0.036)]) * k, 0.003 * k, 6))
     inside = prism(ellipse(0.08, 0.08, 24) * k, -0.002, 0.0015).turn(0, -np.pi / 2 + 0.0)
     inside = inside.turn(2, -0.32).move(0.1255 * k, 0.0315 * k, 0.06 * k)
@@ -208,9 +212,9 @@ def _drum(r0: float, h0: float, jingles: bool) -> Callable[[Look], Shape]:
             for n in range(6):
                 prints.fill(wood, n / 6 + 0.03, 0.25, 0.1, 0.5, (40, 34, 30))
                 a = 2 * np.pi * (n + 0.48) / 6 + np.pi / 2
-                for z in (0.4, 0.56):
-                    extra.append(cylinder(0.0105 * k, 0.0016, 14).move(
-                        0.95 * r * np.cos(a), 0.95 * r * np.sin(a), z * h))  # fmt: skip
+                at = (0.95 * r * np.cos(a), 0.95 * r * np.sin(a))
+                plate = cylinder(0.0105 * k, 0.0016, 14)
+                extra += [plate.move(*at, z * h) for z in (0.4, 0.56)]
         else:
             for n in range(8):
                 a, b = (n / 8, 0.1), (n / 8 + 0.0625, 0.9)
@@ -231,7 +235,8 @@ def drumstick(look: Look) -> Shape:
     """One wooden drumstick lying."""
     k = look.between(0.75, 0.9)
     color = look.color("wooden", "tan", "beige", "wooden", "black", "red")
-    body = lathe(np.array([(0, 0), (0.0055, 0.001), (0.0072, 0.006), (0.0072, 0.28), (0.0035, 0.375),
+    body = lathe(np.array([(0, 0), (0.0055, 0.001), (0.0072, 0.006), (0.0072, 0.28),
+        (0.0035, 0.375),
                            (0.0052, 0.384), (0.005, 0.391), (0, 0.395)]) * k, 16)  # fmt: skip
     body = _lay(body, -0.2 * k, 0.0072 * k)
     return shape([(body, look.surface(color, "wood"))], [flat_foot(body.vertices, 0.12)])
@@ -313,7 +318,8 @@ def hand_bell(look: Look) -> Shape:
     k = look.between(0.85, 1.1)
     metal = look.surface(look.color("brass", "gold", "silver", "copper", "bronze"), "metal")
     bell = lathe(np.array([(0, 0.03), (0.026, 0.025), (0.034, 0.0), (0.038, 0.0), (0.031, 0.014),
-                           (0.026, 0.034), (0.023, 0.05), (0.012, 0.058), (0, 0.06)]) * k, 32)  # fmt: skip
+                           (0.026, 0.034), (0.023, 0.05), (0.012, 0.058), (0, 0.06)]) * k,
+                               32)  # fmt: skip
     grip = lathe(np.array([(0, 0.058), (0.006, 0.058), (0.0095, 0.075), (0.008, 0.1),
                            (0.0115, 0.118), (0.009, 0.128), (0, 0.131)]) * k, 20)  # fmt: skip
     wood = look.own_color("brown", "black", "wooden", "maroon")
@@ -356,7 +362,8 @@ def cymbal(look: Look) -> Shape:
     k = look.between(0.85, 1.1)
     metal = look.surface(look.color("gold", "brass", "gold", "bronze"), "metal")
     body = lathe(np.array([(0, 0.018), (0.022, 0.014), (0.03, 0.005), (0.098, 0.0), (0.1, 0.0008),
-                           (0.03, 0.0085), (0.024, 0.016), (0.012, 0.0215), (0, 0.023)]) * k, 40)  # fmt: skip
+                           (0.03, 0.0085), (0.024, 0.016), (0.012, 0.0215), (0, 0.023)]) * k,
+                               40)  # fmt: skip
     grooves = [torus(r * k, 0.0006, 40, 4).move(z=(0.0085 - 0.0077 * (r - 0.03) / 0.07) * k)
                for r in (0.05, 0.065, 0.08)]  # fmt: skip
     knob = cylinder(0.004 * k, 0.006 * k, 12).move(z=0.022 * k)
@@ -440,7 +447,8 @@ CATEGORIES = (
              ("black",), None, "lying flat"),
     Category("trumpet", trumpet, (0.4, 0.114, 0.116), 0.9, ("cornet", "toy trumpet"),
              ("music",), ("big",), ("gold",), None, "lying flat"),
-    Category("saxophone", saxophone, (0.191, 0.291, 0.0657), 1.1, ("sax", "alto saxophone"), ("music",), ("big",), ("gold",), None, "lying flat"),
+    Category("saxophone", saxophone, (0.191, 0.291, 0.0657), 1.1, ("sax", "alto saxophone"),
+        ("music",), ("big",), ("gold",), None, "lying flat"),
     Category("harmonica", harmonica, (0.102, 0.027, 0.02), 0.11, ("mouth organ", "mouth harp",
              "blues harp"), ("music",), (), ("silver",)),
     Category("drum", _drum(0.1, 0.12, False), (0.2, 0.2, 0.12), 0.7, ("toy drum", "snare drum",

@@ -69,7 +69,8 @@ def bowling_ball(look: Look) -> Shape:
         hole = cylinder((0.0095 if n else 0.011) * d / 0.12, 0.004, 16).move(z=d / 2 - 0.0034)
         holes.append(hole.turn(1, a).turn(0, b + 0.5).move(z=d / 2))
     return shape([(ellipsoid(d, d, d, 32, 20).move(z=d / 2), skin),
-                  (join(holes), textures.plain((14, 14, 16)))], [resting_ball(d, d, d)])  # fmt: skip
+                  (join(holes), textures.plain((14, 14, 16)))],
+                      [resting_ball(d, d, d)])  # fmt: skip
 
 
 def rugby_ball(look: Look) -> Shape:
@@ -171,7 +172,8 @@ def baseball_glove(look: Look) -> Shape:
                                 (-0.078, 0.055, -0.034, 0.09))]  # fmt: skip
     return shape([(join([*fingers, palm, cuff]), skin), (web, skin),
                   (pocket, textures.plain(tint_color(color, 0.78))), (join(laces), dark)],
-                 [flat_foot(palm.vertices, 0.3), hull_of(cuff), *(hull_of(f) for f in fingers)])  # fmt: skip
+                 [flat_foot(palm.vertices, 0.3), hull_of(cuff),
+                     *(hull_of(f) for f in fingers)])  # fmt: skip
 
 
 def boxing_glove(look: Look) -> Shape:
@@ -210,7 +212,8 @@ def whistle(look: Look) -> Shape:
                   (join([slot, *dots]), textures.plain(tint_color(color, 0.4))),
                   (ring, textures.brushed_metal(look.rng, (190, 192, 196)))],
                  [hull_of(prism(curve * k, 0, 0.018 * k)),
-                  box_part(0.034 * k, 0.0088 * k, 0.018 * k, (0.017 * k, -0.0075 * k, 0))])  # fmt: skip
+                  box_part(0.034 * k, 0.0088 * k, 0.018 * k,
+                      (0.017 * k, -0.0075 * k, 0))])  # fmt: skip
 
 
 def stopwatch(look: Look) -> Shape:
@@ -246,7 +249,8 @@ def medal(look: Look) -> Shape:
     else:
         prints.write(image, "1", 0.5, 0.5, 0.5, tint_color(color, 0.6), bold=True)
     tones = look.pick([((190, 40, 44), (246, 244, 240), (44, 80, 160)), ((44, 80, 160),) * 2,
-                       ((196, 42, 40), (244, 206, 62)), ((66, 142, 76), (246, 244, 240))])  # fmt: skip
+                       ((196, 42, 40), (244, 206, 62)), ((66, 142, 76),
+                           (246, 244, 240))])  # fmt: skip
     strip = textures.stripes(tones, 1, upright=True)
     bands = [box(0.02 * k, 0.09 * k, 0.0022).turn(2, s * 0.24).move(-s * 0.011 * k, 0.068 * k,
              0.0001 + 0.0021 * (s > 0)) for s in (-1, 1)]  # fmt: skip
@@ -331,7 +335,8 @@ def sports_bottle(look: Look) -> Shape:
     mark = tint_color(color, 1.6) if sum(color) < 480 else tint_color(color, 0.55)
     for n in range(3):
         prints.polygon(image[:, 38:90], [(0.1 + 0.25 * n, 0.62), (0.25 + 0.25 * n, 0.62),
-                                         (0.4 + 0.25 * n, 0.32), (0.25 + 0.25 * n, 0.32)], mark)  # fmt: skip
+                                         (0.4 + 0.25 * n, 0.32), (0.25 + 0.25 * n, 0.32)],
+                                        mark)  # fmt: skip
     return shape([(body, image), (lid, textures.speckles(look.rng, cap, 4, 32))],
                  [cylinder_part(0.0355 * k, 0.155 * k), hull_of(lid)])  # fmt: skip
 
@@ -353,8 +358,9 @@ def helmet(look: Look) -> Shape:
             vents.append(vent.move(x, y, 0.02 + 0.115 * np.sqrt(1 - away**2)).scale(k, k, k))
     wall = ring_parts([(0.098 * k, 0), (0.094 * k, 0.07 * k)],
                       [(0.075 * k, 0.07 * k), (0.083 * k, 0)], 10, stretch=(0.92, 1.2))  # fmt: skip
-    crown = hull_of(shell.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2],
-                                                                               0.07 * k)])))  # fmt: skip
+    crown = hull_of(
+        shell.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0.07 * k)]))
+    )
     return shape([(shell, textures.speckles(look.rng, color, 4, 32)),
                   (join(vents), textures.plain((30, 30, 34)))], [*wall, crown])  # fmt: skip
 
@@ -395,7 +401,8 @@ CATEGORIES = (
              ("sports",), ("big",), ("white",)),
     Category("hockey_puck", hockey_puck, (0.076, 0.076, 0.0254), 0.16, ("puck",
              "ice hockey puck"), ("sports",), ("round", "flat"), ("black",)),
-    Category("bowling_pin", bowling_pin, (0.064, 0.064, 0.205), 0.25, ("skittle", "tenpin", "mini bowling pin"), ("sports",), ("round", "tall"), ("white",)),
+    Category("bowling_pin", bowling_pin, (0.064, 0.064, 0.205), 0.25,
+        ("skittle", "tenpin", "mini bowling pin"), ("sports",), ("round", "tall"), ("white",)),
     Category("baseball_bat", _bat([(0, 0), (0.012, 0), (0.012, 0.006), (0.007, 0.012),
              (0.007, 0.11), (0.011, 0.19), (0.016, 0.27), (0.016, 0.335), (0.012, 0.345),
              (0, 0.346)], 0.3), (0.345, 0.032, 0.032), 0.2, ("bat", "mini baseball bat",

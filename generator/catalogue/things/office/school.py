@@ -80,14 +80,17 @@ def drawing_compass(look: Look) -> Shape:
                    np.sin(spread), z], [0.132 * k * np.cos(spread), -0.132 * k * np.sin(spread),
                                         z]], np.array([0.001, 0.0003]) * k, 6)  # fmt: skip
     lead = tube([[0.105 * k * np.cos(spread), 0.105 * k * np.sin(spread), z],
-                 [0.13 * k * np.cos(spread), 0.13 * k * np.sin(spread), z]], 0.0032 * k, 8)  # fmt: skip
+                 [0.13 * k * np.cos(spread), 0.13 * k * np.sin(spread), z]], 0.0032 * k,
+                     8)  # fmt: skip
     hub = cylinder(0.0095 * k, 2 * z, 20)
     knob = _lay(cylinder(0.0036 * k, 0.018 * k, 12), -0.024 * k, z)
     bow = tube(smooth([(0.05 * k, -0.05 * k * np.tan(spread), 2 * z), (0.05 * k, 0, 2.5 * z),
-                       (0.05 * k, 0.05 * k * np.tan(spread), 2 * z)], 3), 0.0012 * k, 6)  # fmt: skip
+                       (0.05 * k, 0.05 * k * np.tan(spread), 2 * z)], 3), 0.0012 * k,
+                           6)  # fmt: skip
     return shape([(join([*legs, hub]), metal), (join([knob, lead]), textures.plain((40, 40, 44))),
                   (join([needle, bow]), textures.plain((214, 216, 220)))],
-                 [*(hull_of(s) for s in legs), hull_of(hub), hull_of(knob), hull_of(lead)])  # fmt: skip
+                 [*(hull_of(s) for s in legs), hull_of(hub), hull_of(knob),
+                     hull_of(lead)])  # fmt: skip
 
 
 def abacus(look: Look) -> Shape:
@@ -179,7 +182,8 @@ def _card(
 
 
 def _bank(look: Look, color: RGB) -> textures.Tile:
-    image = textures.fit(textures.gradient(tint_color(color, 0.75), tint_color(color, 1.2), look.rng,
+    image = textures.fit(textures.gradient(tint_color(color, 0.75), tint_color(color, 1.2),
+        look.rng,
                                            3), 100, 160).copy()  # fmt: skip
     ink = readable_on(color)
     prints.fill(image, 0.09, 0.34, 0.14, 0.18, (222, 190, 110))
@@ -208,7 +212,8 @@ def _business(look: Look, color: RGB) -> textures.Tile:
     image = prints.canvas(160, 92, color)
     ink, accent = readable_on(color), look.own_color("red", "teal", "gold", "blue", "orange")
     prints.disc(image, 0.17, 0.36, 0.15, accent)
-    prints.write(image[:, 56:], look.pick(["JANE DOE", "A. MEYER", "STUDIO X", "T. CHEN"]), 0.45, 0.28,
+    prints.write(image[:, 56:], look.pick(["JANE DOE", "A. MEYER", "STUDIO X", "T. CHEN"]), 0.45,
+        0.28,
                  0.17, ink, bold=True)  # fmt: skip
     prints.lines(image, look.rng, (0.42, 0.48, 0.48, 0.36), 4, ink, 0.25)
     return image
@@ -312,7 +317,8 @@ def whiteboard(look: Look) -> Shape:
         curve = zip(0.12 + 0.74 * t, 0.8 - 0.5 * t**2 - 0.06 * np.sin(9 * t), strict=True)
         prints.stroke(image, list(curve), 0.025, inks[1])
     elif kind == 1:
-        prints.write(image, look.pick(["TO DO", "IDEAS", "MONDAY", "a2+b2=c2", "E = mc2"]), 0.5, 0.2,
+        prints.write(image, look.pick(["TO DO", "IDEAS", "MONDAY", "a2+b2=c2", "E = mc2"]), 0.5,
+            0.2,
                      0.18, inks[0], bold=True)  # fmt: skip
         for n in range(4):
             prints.disc(image, 0.14, 0.42 + 0.14 * n, 0.02, inks[1])
@@ -390,7 +396,8 @@ def push_pin(look: Look) -> Shape:
     solids = [s.turn(1, np.pi / 2 - lean) for s in (head, needle)]
     low = min(float(s.bounds[0, 2]) for s in solids)
     head, needle = (s.move(z=-low) for s in solids)
-    return shape([(head, textures.speckles(look.rng, color, 3, 32)), (needle, textures.plain(STEEL))],
+    return shape([(head, textures.speckles(look.rng, color, 3, 32)),
+        (needle, textures.plain(STEEL))],
                  [flat_foot(head.vertices, 0.1), hull_of(needle)])  # fmt: skip
 
 
@@ -401,11 +408,13 @@ def paper_clip(look: Look) -> Shape:
     r = 0.0007 * k
     way = [(-0.008, 0.0036), (0.01, 0.0036), *map(tuple, arc((0.0115, 0), 0.0036, np.pi / 2, -np.pi
            / 2, 6)), (-0.012, -0.0036), *map(tuple, arc((-0.013, -0.0006), 0.003, -np.pi / 2, -1.5 *
-           np.pi, 6)), (0.007, 0.0024), *map(tuple, arc((0.0075, 0.0), 0.0024, np.pi / 2, -np.pi / 2,
+           np.pi, 6)), (0.007, 0.0024), *map(tuple, arc((0.0075, 0.0), 0.0024, np.pi / 2,
+               -np.pi / 2,
                                                         5)), (-0.006, -0.0022)]  # fmt: skip
     path = np.array([(x, y, 0) for x, y in way]) * k + [0, 0, r]
     return shape([(tube(path, r, 6), textures.plain(color))],
-                 [box_part(0.031 * k, 0.0082 * k, 1.7 * r, (-0.0005 * k, 0, 0.15 * r))])  # fmt: skip
+                 [box_part(0.031 * k, 0.0082 * k, 1.7 * r,
+                     (-0.0005 * k, 0, 0.15 * r))])  # fmt: skip
 
 
 CATEGORIES = (

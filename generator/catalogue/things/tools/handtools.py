@@ -59,7 +59,8 @@ def axe(look: Look) -> Shape:
     k = look.between(0.9, 1.06)
     color = look.color("wooden", "tan", "red", "wooden", "orange", "black")
     grip = tube(smooth(np.array([(-0.16, -0.012, 0.011), (-0.14, 0.0, 0.011), (-0.02, 0.006, 0.011),
-                                 (0.13, 0.0, 0.011)]) * k, 5), 0.0155 * k, 12, squash=0.7)  # fmt: skip
+                                 (0.13, 0.0, 0.011)]) * k, 5), 0.0155 * k, 12,
+                                     squash=0.7)  # fmt: skip
     head = prism(np.array([(0.085, 0.03), (0.085, -0.02), (0.07, -0.05), (0.062, -0.09),
                            (0.15, -0.095), (0.135, -0.05), (0.13, -0.02), (0.13, 0.03)]) * k,
                  0.0, 0.024 * k)  # fmt: skip
@@ -106,15 +107,19 @@ def hand_plane(look: Look) -> Shape:
                         0.0035 * k).move(y=s * 0.026 * k) for s in (-1, 1)]  # fmt: skip
     frog = side_view(np.array([(-0.055, 0.01), (0.018, 0.01), (-0.02, 0.055), (-0.028, 0.055)]) * k,
                      0.045 * k)  # fmt: skip
-    iron = side_view(np.array([(0.014, 0.014), (0.018, 0.017), (-0.035, 0.083), (-0.039, 0.08)]) * k,
+    iron = side_view(np.array([(0.014, 0.014), (0.018, 0.017), (-0.035, 0.083),
+        (-0.039, 0.08)]) * k,
                      0.046 * k)  # fmt: skip
-    knob = lathe(np.array([(0, 0.011), (0.014, 0.011), (0.01, 0.022), (0.0155, 0.04), (0.0145, 0.05),
+    knob = lathe(np.array([(0, 0.011), (0.014, 0.011), (0.01, 0.022), (0.0155, 0.04),
+        (0.0145, 0.05),
                            (0, 0.056)]) * k, 22).move(x=0.085 * k)  # fmt: skip
-    tote = tube(smooth([(-0.085, 0, 0.01), (-0.074, 0, 0.04), (-0.084, 0, 0.07), (-0.102, 0, 0.084)],
+    tote = tube(smooth([(-0.085, 0, 0.01), (-0.074, 0, 0.04), (-0.084, 0, 0.07),
+        (-0.102, 0, 0.084)],
                        4) * k, 0.0115 * k, 10)  # fmt: skip
     return shape([(join([sole, *cheeks]), metal), (frog, metal), (iron, steel(look)),
                   (knob, wood), (tote, wood)],
-                 [hull_of(sole), hull_of(frog), hull_of(knob), hull_of(tote), hull_of(iron)])  # fmt: skip
+                 [hull_of(sole), hull_of(frog), hull_of(knob), hull_of(tote),
+                     hull_of(iron)])  # fmt: skip
 
 
 def _rounded_ends(x: float, y: float) -> np.ndarray:
@@ -132,8 +137,8 @@ def caliper(look: Look) -> Shape:
     face = box(0.19 * k, 0.0145 * k, 0.0004).move(x=0.02 * k, z=0.0046)
     jaw = np.array([(0, 0.0075), (0, -0.045), (-0.006, -0.045), (-0.018, -0.0075), (-0.018, 0.0075),
                     (-0.008, 0.024), (0, 0.026)])[::-1] * k  # fmt: skip
-    fixed = prism(jaw + [-0.082 * k, 0], 0, 0.0045)
-    moving = prism((jaw * [-1, 1])[::-1] + [at - 0.02 * k, 0], 0, 0.0055)
+    fixed = prism(np.add(jaw, (-0.082 * k, 0)), 0, 0.0045)
+    moving = prism(np.add((jaw * [-1, 1])[::-1], (at - 0.02 * k, 0)), 0, 0.0055)
     slide = block(0.055 * k, 0.026 * k, 0.009, 0.003, 0.001).move(x=at + 0.02 * k)
     shown = prints.canvas(64, 28, (176, 190, 176))
     prints.write(shown, f"{look.between(10, 90):.2f}", 0.5, 0.5, 0.6, (24, 26, 24))
@@ -202,8 +207,10 @@ def glue_gun(look: Look) -> Shape:
     outline = np.array([(-0.075, 0.03), (-0.07, -0.005), (-0.066, -0.085), (-0.035, -0.09),
                         (-0.02, -0.012), (0.045, 0.0), (0.05, 0.036), (-0.03, 0.042)])  # fmt: skip
     body = prism(outline * k, 0, h)
-    nose = lying(lathe(np.array([(0, 0), (0.012, 0), (0.011, 0.012), (0.0045, 0.03), (0.0028, 0.038),
-                                 (0, 0.038)]) * k, 18), 0.048 * k, h / 2).move(y=0.018 * k)  # fmt: skip
+    nose = lying(lathe(np.array([(0, 0), (0.012, 0), (0.011, 0.012), (0.0045, 0.03),
+        (0.0028, 0.038),
+                                 (0, 0.038)]) * k, 18), 0.048 * k,
+                                     h / 2).move(y=0.018 * k)  # fmt: skip
     collar = lying(cylinder(0.0145 * k, 0.012 * k, 20), 0.042 * k, h / 2).move(y=0.018 * k)
     trigger = prism(np.array([(-0.022, -0.012), (-0.03, -0.05), (-0.018, -0.055), (-0.004, -0.012)])
                     * k, 0.3 * h, 0.7 * h)  # fmt: skip
@@ -213,7 +220,8 @@ def glue_gun(look: Look) -> Shape:
                   (join([collar, trigger]), textures.plain(DARK)), (plate, textures.plain(
                       tint_color(color, 0.6))), (stick, textures.plain((236, 230, 206)))],
                  [hull_of(prism(outline[[0, 1, 4, 5, 6, 7]] * k, 0, h)),
-                  hull_of(prism(outline[1:5] * k, 0, h)), hull_of(nose), hull_of(stick)])  # fmt: skip
+                  hull_of(prism(outline[1:5] * k, 0, h)), hull_of(nose),
+                      hull_of(stick)])  # fmt: skip
 
 
 def sandpaper(look: Look) -> Shape:
@@ -339,7 +347,8 @@ def socket_wrench(look: Look) -> Shape:
     dial = cylinder(0.011 * k, 0.004 * k, 20).move(x=0.08 * k, z=0.0245 * k)
     neck = lying(cylinder(0.0065 * k, 0.09 * k, 14), -0.015 * k, z)
     grip = lying(lathe(np.array([(0, 0), (0.012, 0.001), (0.0145, 0.01), (0.012, 0.05),
-                                 (0.0145, 0.09), (0.008, 0.1), (0, 0.1)]) * k, 18), -0.11 * k, z)  # fmt: skip
+                                 (0.0145, 0.09), (0.008, 0.1), (0, 0.1)]) * k, 18), -0.11 * k,
+                                     z)  # fmt: skip
     switch = box(0.016 * k, 0.005 * k, 0.003 * k).turn(2, 0.6).move(x=0.08 * k, z=0.028 * k)
     socket = cylinder(0.0125 * k, 0.006 * k, 22).move(x=0.08 * k)
     knurl = textures.stripes([tint_color(color, 0.8), tint_color(color, 1.15)], 14)
@@ -422,9 +431,11 @@ CATEGORIES = (
              (0.143, 0.064, 0.0135), 0.18, ("wire cutter", "diagonal cutter", "side cutter",
              "diagonal pliers", "nippers", "side cutters", "snips"), ("workbench",), (),
              ("red", "blue"), None, "lying flat"),
-    Category("tin_snips", _cutters([(-0.006, 0.01), (0.004, -0.004), (0.075, -0.001), (0.078, 0.001),
+    Category("tin_snips", _cutters([(-0.006, 0.01), (0.004, -0.004), (0.075, -0.001),
+        (0.078, 0.001),
              (0.06, 0.011), (0.02, 0.016)], 0.14, 0.014), (0.216, 0.064, 0.0155), 0.35,
-             ("tin snip", "metal shears", "metal snips", "aviation snips"), ("workbench",), (), ("red",),
+             ("tin snip", "metal shears", "metal snips", "aviation snips"), ("workbench",), (),
+                 ("red",),
              None, "lying flat"),
     Category("wire_stripper", _cutters([(-0.006, 0.009), (0.004, -0.004), (0.02, -0.001),
              (0.026, 0.004), (0.034, -0.001), (0.066, -0.0005), (0.068, 0.006), (0.03, 0.013),
@@ -441,6 +452,7 @@ CATEGORIES = (
     Category("pipe_wrench", pipe_wrench, (0.266, 0.056, 0.024), 0.8, ("plumber wrench",
              "plumber's wrench", "stillson wrench", "monkey wrench"), ("workbench",), (),
              ("red",), None, "lying flat"),
-    Category("hacksaw", hacksaw, (0.32, 0.118, 0.016), 0.5, ("hack saw", "metal saw"), ("workbench",), ("big",), ("red", "blue"), None, "lying flat"),
+    Category("hacksaw", hacksaw, (0.32, 0.118, 0.016), 0.5, ("hack saw", "metal saw"),
+        ("workbench",), ("big",), ("red", "blue"), None, "lying flat"),
 )  # fmt: skip
 """The module's categories."""

@@ -107,7 +107,9 @@ def valve(look: Look) -> Shape:
     metal = look.surface(color, "metal")
     return shape([(join(solids[:5]), metal), (join(solids[5:]), textures.speckles(
                   look.rng, wheel, 4, 32))],
-                 [*(hull_of(s) for s in solids[:4]), hull_of(solids[4]), hull_of(solids[5])])  # fmt: skip
+                 [hull_of(solids[0]), *(flat_foot(s.vertices, 0.15) for s in solids[1:3]),
+                     hull_of(solids[3]), hull_of(solids[4]),
+                     hull_of(solids[5])])  # fmt: skip
 
 
 def gear(look: Look) -> Shape:
@@ -150,8 +152,8 @@ def bearing(look: Look) -> Shape:
                        12).scale(k, k, k).move(0.7 * r * np.cos(a), 0.7 * r * np.sin(a), 0.2 * h)
                  for a in np.arange(9) * 2 * np.pi / 9]  # fmt: skip
         web = shield.scale(1, 1, 0.4).move(z=0.3 * h)
-        pieces += [(join(balls), textures.plain((226, 228, 232))), (web, textures.plain((70, 66,
-                                                                                         60)))]  # fmt: skip
+        pieces.append((join(balls), textures.plain((226, 228, 232))))
+        pieces.append((web, textures.plain((70, 66, 60))))
     return shape(pieces, ring_parts([(r, 0), (r, h)], [(0.42 * r, h), (0.42 * r, 0)], 10))
 
 
