@@ -45,7 +45,8 @@ _MADE_OF: Mapping[str, str] = {
     "beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup soy_sauce straw_holder "
     "measuring_cup light_bulb marbles standing_mirror camera_lens ashtray test_tube "
     "graduated_cylinder glass_prism dropper medicine_bottle go_stone",
-    "metal": "laptop_stand fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
+    "metal": "laptop_stand fork spoon knife kettle pot pan whisk can meat_can tea_tin "
+    "paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy dumbbell "
     "button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can tongs grater "
     "corkscrew bottle_opener pizza_cutter mixing_bowl colander baking_tray muffin_tin pie "
@@ -71,7 +72,8 @@ _MADE_OF: Mapping[str, str] = {
     "tambourine drumstick maraca mallet putty_knife plank wood_block dowel tube_stand abacus "
     "gavel toy_piano",
     "stone": "sculpture",
-    "plastic": "ring_light laser_pointer headphone_stand cable_reel paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
+    "plastic": "ring_light laser_pointer headphone_stand cable_reel paint_bottle "
+    "spray_bottle wipes_canister screw_box pipette_box pill_bottle "
     "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser tape_measure "
     "utility_knife stapler building_brick toy_car toy_robot toy_train stacking_rings puzzle_cube "
     "die lipstick makeup_compact syringe thermometer eyeglasses first_aid_kit tool_kit paint_tube "
@@ -107,7 +109,8 @@ _MADE_OF: Mapping[str, str] = {
     "walkie_talkie camera game_controller earbuds_case alarm_clock globe desk_lamp night_light "
     "flashlight microscope microwave stove blender rice_cooker stand_mixer kitchen_scale "
     "espresso_machine oscilloscope webcam trackpad mini_pc telephone barcode_scanner "
-    "cash_register card_reader phone_stand joystick headset blood_pressure_monitor sewing_machine television game_console "
+    "cash_register card_reader phone_stand joystick headset blood_pressure_monitor "
+    "sewing_machine television game_console "
     "drone power_bank usb_hub power_supply e_reader scanner graphics_tablet security_camera "
     "label_maker docking_station "
     "synthesizer drum_pad record_player radio boombox clock_radio smart_speaker projector "

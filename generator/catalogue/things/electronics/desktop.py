@@ -392,7 +392,7 @@ def cable_reel(look: Look) -> Shape:
              for y in (-wide / 2 - 0.014 * k, wide / 2 + 0.01 * k)]  # fmt: skip
     grip = facing(cylinder(0.008 * k, wide + 0.034 * k, 14)).move(
         y=wide / 2 + 0.015 * k, z=2 * z + 0.014 * k)  # fmt: skip
-    low = min(float(s.bounds[0, 2]) for s in rails)
+    low = max(min(float(s.bounds[0, 2]) for s in rails), 0.0)
     feet = [box_part(0.18 * k, 0.01 * k, 0.0104 * k, (0, y, low)) for y in
             (-wide / 2 - 0.014 * k, wide / 2 + 0.01 * k)]  # fmt: skip
     return shape([(join(discs), look.surface(color, "plastic")), (coil, cord),
