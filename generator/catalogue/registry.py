@@ -16,6 +16,7 @@ from .surfaces.look import Look
 from .things.bar import barista, glassware, openers
 from .things.electronics import (
     circuits,
+    components,
     counter,
     desktop,
     devices,
@@ -25,7 +26,9 @@ from .things.electronics import (
     media,
     parts,
     peripherals,
+    players,
     portables,
+    stands,
 )
 from .things.food import bakery, food, fruit, groceries, meals, orchard, pantry, produce, sweets
 from .things.home import (
@@ -53,23 +56,27 @@ from .things.kitchen import (
     racks,
     utensils,
 )
-from .things.lab import checkup, clinic, firstaid, glass, lab
+from .things.lab import apparatus, checkup, clinic, firstaid, glass, lab, surgery
 from .things.larder import boxes, condiments, packs, preserves
 from .things.leisure import (
+    balls,
     blocks,
     boardgames,
+    gamepieces,
     games,
     instruments,
     leisure,
     maps,
     music,
     optics,
+    percussion,
     playthings,
     sports,
     sportsgear,
     toys,
 )
 from .things.office import (
+    cards,
     clips,
     desk,
     deskware,
@@ -84,7 +91,9 @@ from .things.office import (
 from .things.tools import (
     benchwork,
     craft,
+    cutters,
     fasteners,
+    fittings,
     handtools,
     hardware,
     hardware_parts,
@@ -136,17 +145,28 @@ _ON_REQUEST = (
     printed,
     blocks,
     boardgames,
+    gamepieces,
     playthings,
     sportsgear,
+    balls,
     music,
+    percussion,
     media,
+    players,
     parts,
+    components,
     desktop,
+    stands,
     handtools,
+    cutters,
     hardware_parts,
+    fittings,
     glass,
+    apparatus,
     firstaid,
+    surgery,
     school,
+    cards,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)
