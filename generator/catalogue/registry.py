@@ -14,20 +14,130 @@ from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
 from .things.bar import barista, glassware, mixing, openers
-from .things.electronics import circuits, counter, devices, electronics, gadgets, handhelds, media, parts, peripherals, portables
+from .things.electronics import (
+    circuits,
+    components,
+    counter,
+    desktop,
+    devices,
+    electronics,
+    gadgets,
+    handhelds,
+    media,
+    parts,
+    peripherals,
+    players,
+    portables,
+    stands,
+)
 from .things.festive import candlelight, characters, christmas, party, seasons
-from .things.food import bakery, berries, bowls, confections, dishes, exotic, food, fruit, greens, groceries, meals, meats, nuts, orchard, pantry, pastries, produce, roots, seafood, snacks, sushi, sweets
+from .things.food import (
+    bakery,
+    berries,
+    bowls,
+    confections,
+    dishes,
+    exotic,
+    food,
+    fruit,
+    greens,
+    groceries,
+    meals,
+    meats,
+    nuts,
+    orchard,
+    pantry,
+    pastries,
+    produce,
+    roots,
+    seafood,
+    snacks,
+    sushi,
+    sweets,
+)
 from .things.grooming import bath, hair, makeup, shaving, toiletries
-from .things.home import decor, dressing, figurines, garden, household, keepsakes, lights, mats, open_vessels, ornaments, plants, vanity
-from .things.kitchen import appliances, bakeware, blades, bottles, brewing, cooking, cups, cutlery, dining, gadgetry, machines, ovenware, paperware, racks, serving, spoons, storage, teatime, utensils
-from .things.lab import checkup, clinic, firstaid, glass, lab
+from .things.home import (
+    decor,
+    dressing,
+    figurines,
+    garden,
+    household,
+    keepsakes,
+    lights,
+    mats,
+    open_vessels,
+    ornaments,
+    plants,
+    vanity,
+)
+from .things.kitchen import (
+    appliances,
+    bakeware,
+    blades,
+    bottles,
+    brewing,
+    cooking,
+    cups,
+    cutlery,
+    dining,
+    gadgetry,
+    machines,
+    ovenware,
+    paperware,
+    racks,
+    serving,
+    spoons,
+    storage,
+    teatime,
+    utensils,
+)
+from .things.lab import apparatus, checkup, clinic, firstaid, glass, lab, surgery
 from .things.larder import boxes, condiments, jars, packs, preserves
-from .things.leisure import blocks, boardgames, games, instruments, leisure, maps, music, optics, playthings, sports, sportsgear, toys
+from .things.leisure import (
+    balls,
+    blocks,
+    boardgames,
+    gamepieces,
+    games,
+    instruments,
+    leisure,
+    maps,
+    music,
+    optics,
+    percussion,
+    playthings,
+    sports,
+    sportsgear,
+    toys,
+)
 from .things.nature import finds, flowers, gardening, greenery
 from .things.nursery import animals, baby, dinosaurs, play, vehicles
-from .things.office import clips, desk, deskware, office, organizers, paper, printed, school, supplies, writing
+from .things.office import (
+    cards,
+    clips,
+    desk,
+    deskware,
+    office,
+    organizers,
+    paper,
+    printed,
+    school,
+    supplies,
+    writing,
+)
 from .things.sewing import cloths, notions
-from .things.tools import benchwork, craft, fasteners, handtools, hardware, hardware_parts, tools, workbench
+from .things.tools import (
+    benchwork,
+    craft,
+    cutters,
+    fasteners,
+    fittings,
+    handtools,
+    hardware,
+    hardware_parts,
+    tools,
+    workbench,
+)
 from .things.upkeep import chores, pets
 from .things.wardrobe import bags, bathroom, clothes, footwear, garments, gifts, jewelry, trinkets
 
@@ -136,6 +246,18 @@ _ON_REQUEST = (
     machines,
     mixing,
     jars,
+    gamepieces,
+    balls,
+    percussion,
+    players,
+    components,
+    desktop,
+    stands,
+    cutters,
+    fittings,
+    apparatus,
+    surgery,
+    cards,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

@@ -25,6 +25,11 @@ def facing(solid: Solid) -> Solid:
     return solid.turn(0, np.pi / 2)
 
 
+def laid(solid: Solid, x: float = 0.0, z: float = 0.0) -> Solid:
+    """Return a solid that stands on z = 0 laid down along +x from ``x`` at height ``z``."""
+    return solid.turn(1, np.pi / 2).move(x=x, z=z)
+
+
 def lobe(solid: Solid, count: int, depth: float) -> Solid:
     """Return a solid about z with ``count`` lobes: its radius swells and sinks by ``depth``."""
 

@@ -75,7 +75,7 @@ _MADE_OF: Mapping[str, str] = {
     "lantern thimble needle pin safety_pin crochet_hook bobbin nail_clippers "
     "eyelash_curler bobby_pin shaving_foam hairspray earring brooch cufflink tie_clip "
     "pocket_watch crown pendant iron coffee_pod portafilter cocktail_shaker jigger "
-    "ice_tongs hip_flask bottle_cap beer_can energy_drink",
+    "ice_tongs hip_flask bottle_cap beer_can energy_drink laptop_stand",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
     "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
@@ -120,7 +120,8 @@ _MADE_OF: Mapping[str, str] = {
     "snowman mask balloon skull lighter button bead shampoo conditioner body_lotion "
     "sunscreen mouthwash hand_cream face_wash deodorant bleach mascara eyeliner "
     "eyeshadow_palette blusher dental_floss hair_clip hair_roller bucket laundry_basket "
-    "dustpan hair_straightener curling_iron milk_frother",
+    "dustpan hair_straightener curling_iron milk_frother ring_light laser_pointer "
+    "headphone_stand cable_reel",
     "paper": "open_box napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup "
     "egg_carton envelope binder folded_map book notebook box sticky_notes paper_stack "
     "playing_cards open_book photo_print map fries chips_can cream_cheese flour_bag "
@@ -164,7 +165,9 @@ _MADE_OF: Mapping[str, str] = {
     "blood_pressure_monitor sewing_machine synthesizer drum_pad record_player radio "
     "boombox clock_radio smart_speaker projector retro_television graphics_card "
     "forehead_thermometer electric_shaver waffle_iron air_fryer slow_cooker toaster_oven "
-    "food_processor hand_mixer coffee_machine",
+    "food_processor hand_mixer coffee_machine television game_console drone power_bank "
+    "usb_hub power_supply e_reader scanner graphics_tablet security_camera label_maker "
+    "docking_station",
     "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
     "blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
     "whiteboard_eraser band_aid tea_cosy oven_mitt pot_holder tea_towel apron bib diaper "
@@ -212,38 +215,39 @@ ASSEMBLED = frozenset(
      "bandage_roll", "banknotes", "baseball_glove", "basket", "basketball", "battery", "bauble",
      "belt", "bird_feeder", "bolt", "bonsai", "bookend", "boomerang", "bouquet", "bow",
      "bowl_of_cereal", "boxing_glove", "bracelet", "bracket", "breadboard", "bunsen_burner",
-     "cable", "cactus", "calendar", "caliper", "candelabra", "candle", "candlestick", "cap",
-     "carnation", "chain", "charger", "checkers_set", "cherries", "chess_board",
-     "christmas_tree", "circuit_board", "clothes_hanger", "coconut", "coffee_grinder", "coins",
-     "compass", "cooling_rack", "coral", "cotton_ball", "cotton_swab", "crayon_box", "crowbar",
-     "daisy", "dart", "dish_rack", "dog_collar", "dominoes", "drawing_compass", "dried_flower",
-     "dropper", "drumstick", "duster", "dustpan", "earring", "egg_cup", "eyeglasses",
-     "face_mask", "feather", "fern", "figurine", "film_roll", "folded_map", "gavel", "glue_gun",
-     "grapefruit", "greeting_card", "hacksaw", "hair_clip", "hand_fork", "hand_plane",
-     "hand_rake", "handbag", "headband", "herb_pot", "hex_key", "hip_flask", "ice_tongs",
-     "incense_holder", "inhaler", "ink_pad", "ivy", "jewelry_box", "juice_box", "jumper_wire",
-     "kettlebell", "keys", "kitchen_timer", "kite", "kiwi", "knife_block", "lab_tripod", "ladle",
-     "lantern", "lavender", "leaf", "leash", "led", "letter", "light_bulb", "lily", "lollipop",
-     "loofah", "mallet", "mandoline", "map", "maraca", "marbles", "mascara", "mask",
-     "measuring_spoon", "medal", "menorah", "micropipette", "molecule_model", "nail",
-     "napkin_holder", "napkin_ring", "necklace", "needle", "newtons_cradle", "noodles", "nut",
-     "oil_can", "orchid", "padlock", "paint_roller", "papaya", "paper_clip", "paper_clips",
-     "paper_towel_roll", "pegboard", "pencil_holder", "pencil_set", "pencil_sharpener",
-     "pendant", "photo_print", "picture_frame", "pill_bottle", "pin", "pine_cone",
-     "pipe_fitting", "pipe_wrench", "pocket_watch", "poker_chips", "pompom", "popcorn",
-     "potato_masher", "potted_plant", "price_tag", "propeller", "push_pin", "putty_knife",
-     "radio", "reflex_hammer", "resistor", "retort_stand", "ribbon", "ring", "rope", "rose",
-     "rubber_band", "safety_pin", "sandpaper", "saxophone", "screw", "secateurs", "sensor",
-     "servo", "shuttlecock", "skewer", "skipping_rope", "slingshot", "soap_bar", "soccer_ball",
-     "socket_wrench", "soup_spoon", "spice_rack", "spinning_top", "spring", "standing_mirror",
-     "staple_gun", "stethoscope", "stopwatch", "straw", "straw_holder", "succulent", "sunflower",
-     "sushi_rolls", "takeaway_box", "taper_candle", "tea_bag", "tea_box", "tea_strainer",
-     "telescope", "tennis_racket", "terrarium", "thumbtacks", "tin_snips", "toast_rack",
-     "tomato_can", "tongs", "toothpicks", "tower_of_hanoi", "toy_airplane", "toy_boat",
-     "toy_giraffe", "toy_helicopter", "toy_horse", "toy_unicorn", "toy_zebra", "triangle",
-     "tripod", "trivet", "trumpet", "tulip", "tweezers", "twig", "umbrella", "valve", "vase",
-     "vise", "wall_hook", "wash_bottle", "whistle", "whiteboard", "wine_rack", "wire_cutters",
-     "wire_stripper", "wreath", "wristwatch", "xylophone", "yo_yo"}
+     "cable", "cable_reel", "cactus", "calendar", "caliper", "candelabra", "candle",
+     "candlestick", "cap", "carnation", "chain", "charger", "checkers_set", "cherries",
+     "chess_board", "christmas_tree", "circuit_board", "clothes_hanger", "coconut",
+     "coffee_grinder", "coins", "compass", "cooling_rack", "coral", "cotton_ball", "cotton_swab",
+     "crayon_box", "crowbar", "daisy", "dart", "dish_rack", "dog_collar", "dominoes",
+     "drawing_compass", "dried_flower", "dropper", "drumstick", "duster", "dustpan", "earring",
+     "egg_cup", "eyeglasses", "face_mask", "feather", "fern", "figurine", "film_roll",
+     "folded_map", "gavel", "glue_gun", "grapefruit", "greeting_card", "hacksaw", "hair_clip",
+     "hand_fork", "hand_plane", "hand_rake", "handbag", "headband", "headphone_stand",
+     "herb_pot", "hex_key", "hip_flask", "ice_tongs", "incense_holder", "inhaler", "ink_pad",
+     "ivy", "jewelry_box", "juice_box", "jumper_wire", "kettlebell", "keys", "kitchen_timer",
+     "kite", "kiwi", "knife_block", "lab_tripod", "ladle", "lantern", "laptop_stand", "lavender",
+     "leaf", "leash", "led", "letter", "light_bulb", "lily", "lollipop", "loofah", "mallet",
+     "mandoline", "map", "maraca", "marbles", "mascara", "mask", "measuring_spoon", "medal",
+     "menorah", "micropipette", "molecule_model", "nail", "napkin_holder", "napkin_ring",
+     "necklace", "needle", "newtons_cradle", "noodles", "nut", "oil_can", "orchid", "padlock",
+     "paint_roller", "papaya", "paper_clip", "paper_clips", "paper_towel_roll", "pegboard",
+     "pencil_holder", "pencil_set", "pencil_sharpener", "pendant", "photo_print",
+     "picture_frame", "pill_bottle", "pin", "pine_cone", "pipe_fitting", "pipe_wrench",
+     "pocket_watch", "poker_chips", "pompom", "popcorn", "potato_masher", "potted_plant",
+     "price_tag", "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
+     "retort_stand", "ribbon", "ring", "ring_light", "rope", "rose", "rubber_band", "safety_pin",
+     "sandpaper", "saxophone", "screw", "secateurs", "sensor", "servo", "shuttlecock", "skewer",
+     "skipping_rope", "slingshot", "soap_bar", "soccer_ball", "socket_wrench", "soup_spoon",
+     "spice_rack", "spinning_top", "spring", "standing_mirror", "staple_gun", "stethoscope",
+     "stopwatch", "straw", "straw_holder", "succulent", "sunflower", "sushi_rolls",
+     "takeaway_box", "taper_candle", "tea_bag", "tea_box", "tea_strainer", "telescope",
+     "tennis_racket", "terrarium", "thumbtacks", "tin_snips", "toast_rack", "tomato_can",
+     "tongs", "toothpicks", "tower_of_hanoi", "toy_airplane", "toy_boat", "toy_giraffe",
+     "toy_helicopter", "toy_horse", "toy_unicorn", "toy_zebra", "triangle", "tripod", "trivet",
+     "trumpet", "tulip", "tweezers", "twig", "umbrella", "valve", "vase", "vise", "wall_hook",
+     "wash_bottle", "whistle", "whiteboard", "wine_rack", "wire_cutters", "wire_stripper",
+     "wreath", "wristwatch", "xylophone", "yo_yo"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 

@@ -232,7 +232,7 @@ CATEGORIES = (
              "raspberry pi board", "printed circuit board"), ("lab", "workbench"), ("flat",),
              ("green", "blue"), state="lying flat"),
     Category("oscilloscope", oscilloscope, (0.31, 0.155, 0.21), 3.2, ("digital oscilloscope",
-             "signal generator", "function generator", "power supply", "bench power supply"),
+             "signal generator", "function generator"),
              ("lab", "workbench"), ("big", "screen"), ("gray", "white")),
     Category("battery", battery, (0.0242, 0.0209, 0.0506), 0.05, ("aa battery", "aaa battery",
              "batteries", "9v battery", "d battery", "alkaline battery"), ("workbench", "office"),

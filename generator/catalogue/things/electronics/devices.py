@@ -218,7 +218,7 @@ def power_strip(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("printer", printer, (0.4, 0.45, 0.26), 4.5, ("inkjet printer", "scanner", "copier"),
+    Category("printer", printer, (0.4, 0.45, 0.26), 4.5, ("inkjet printer", "copier"),
              ("office",), ("big",), ("white", "black")),
     Category("router", router, (0.21, 0.15, 0.155), 0.4,
              ("wifi router", "wi-fi router", "modem", "wireless router", "access point"),

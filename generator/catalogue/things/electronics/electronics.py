@@ -247,7 +247,7 @@ CATEGORIES = (
         monitor,
         (0.54, 0.19, 0.42),
         4.0,
-        ("computer monitor", "display", "screen", "computer", "tv", "television"),
+        ("computer monitor", "display", "screen", "computer"),
         ("office",),
         ("big", "tall", "screen"),
         ("black", "silver"),

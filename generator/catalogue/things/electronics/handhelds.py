@@ -80,7 +80,7 @@ CATEGORIES = (
         tablet,
         (0.15, 0.21, 0.0083),
         0.4,
-        ("e-reader", "ereader", "ipad", "kindle", "tablet computer"),
+        ("ipad", "tablet computer"),
         ("office", "coffee", "living"),
         ("flat", "screen"),
         ("black", "silver"),

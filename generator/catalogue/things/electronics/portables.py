@@ -166,8 +166,8 @@ CATEGORIES = (
              ("watch", "wrist watch", "smartwatch", "smart watch", "hand watch"),
              ("vanity", "office"), (), ("brown", "black"), state="lying, strap closed"),
     Category("handheld_console", handheld_console, (0.235, 0.1, 0.0225), 0.4,
-             ("game console", "handheld game", "portable console", "nintendo switch",
-              "gaming console", "handheld game console"), ("gaming", "toys"), ("flat",),
+             ("handheld game", "portable console", "nintendo switch",
+              "handheld game console"), ("gaming", "toys"), ("flat",),
              ("red", "black"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

@@ -199,7 +199,7 @@ CATEGORIES = (
              ("first aid box", "first-aid kit", "first-aid box", "medical kit", "medicine box",
               "medkit"), ("medical",), ("big",), ("red", "white")),
     Category("pill_bottle", pill_bottle, (0.055, 0.065, 0.094), 0.06,
-             ("pills", "pill container", "vitamins", "medicine", "bottle of pills",
+             ("pill container", "vitamins", "medicine", "bottle of pills",
               "prescription bottle", "tablets"), ("medical", "vanity"), (), ("orange", "white")),
     Category("thermos", thermos, (0.08, 0.076, 0.245), 0.6,
              ("vacuum flask", "thermos flask", "thermos bottle", "insulated bottle",

@@ -194,7 +194,8 @@ def metronome(look: Look) -> Shape:
 CATEGORIES = (
     Category("violin", violin, (0.53, 0.195, 0.07), 0.42, ("fiddle", "viola"), ("living",),
              ("big",), ("bronze",), state="lying flat"),
-    Category("ukulele", ukulele, (0.448, 0.175, 0.0718), 0.45, ("uke",), ("living",), ("big",), ("wooden",),
+    Category("ukulele", ukulele, (0.448, 0.175, 0.0718), 0.45, ("uke",), ("living",), ("big",),
+        ("wooden",),
              state="lying flat"),
     Category("metronome", metronome, (0.133, 0.118, 0.218), 0.45, ("wooden metronome",),
              ("living",), ("tall",), ("wooden", "black")),

@@ -100,7 +100,8 @@ def slingshot(look: Look) -> Shape:
     band = [tube(smooth(np.array([(s * 0.038, 0.068, 0.021), (s * 0.025, 0.03, 0.015),
                                   (s * 0.008, -0.005, 0.022)]) * k, 4), 0.0035 * k, 6)
             for s in (-1, 1)]  # fmt: skip
-    ties = [torus(0.0095 * k, 0.0022 * k, 16, 6).turn(0, np.pi / 2).move(s * 0.038 * k, 0.066 * k, z)
+    ties = [torus(0.0095 * k, 0.0022 * k, 16, 6).turn(0, np.pi / 2).move(s * 0.038 * k, 0.066 * k,
+        z)
             for s in (-1, 1)]  # fmt: skip
     patch = block(0.026 * k, 0.016 * k, 0.004, 0.004).move(0, -0.006 * k, 0.0195 * k)
     return shape([(join(stem), wood), (join([*band, *ties]), textures.plain((176, 52, 44))),
@@ -160,7 +161,8 @@ def shuttlecock(look: Look) -> Shape:
     return shape([(skirt, image), (cork, textures.speckles(look.rng, (238, 230, 210), 5, 32)),
                   (band, textures.plain(look.own_color("red", "green", "blue")))],
                  [*ring_parts([(0.0325 * k, 0), (0.0123 * k, 0.062 * k)],
-                              [(0.011 * k, 0.062 * k), (0.031 * k, 0)], 8), hull_of(cork)])  # fmt: skip
+                              [(0.011 * k, 0.062 * k), (0.031 * k, 0)], 8),
+                                  hull_of(cork)])  # fmt: skip
 
 
 def ping_pong_ball(look: Look) -> Shape:

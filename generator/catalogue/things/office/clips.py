@@ -145,7 +145,8 @@ def thumbtacks(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("paper_clips", paper_clips, (0.0768, 0.0844, 0.00257), 0.004, ("pile of paper clips",), ("office",), ("flat",),
+    Category("paper_clips", paper_clips, (0.0768, 0.0844, 0.00257), 0.004,
+        ("pile of paper clips",), ("office",), ("flat",),
              ("silver",), state="lying flat"),
     Category("binder_clip", binder_clip, (0.0323, 0.0335, 0.0483), 0.015, ("bulldog clip",
              "foldback clip", "fold back clip", "document clip"), ("office",), (), ("black",)),
