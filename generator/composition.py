@@ -5,14 +5,15 @@ Fast; objects are placed without overlap.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from .errors import InputError, SceneError, require_seed
 from .language.planner import plan_scene
 from .layout import build_models, lay_out
 from .layout.checking import check_relations, correct_supports, observe
-from .method.assembly import AssemblyConfig, assemble
-from .scene import Provenance, RelationOutcome, Report, Scene, ScenePlan
+from .method.assembly import AssemblyConfig, Rested, bring_to_rest, finish
+from .scene import Model, Provenance, RelationOutcome, Report, Scene, ScenePlan
 from .scene.provenance import scene_name, versions
 
 ATTEMPTS = 6
@@ -32,8 +33,8 @@ def compose(
 
     The same text and seed give the same scene. A layout whose objects do not come to rest soundly
     is replaced by another one, and so is one at rest in which not every relation of the plan holds;
-    of those the one with most is taken, with a warning for each that does not hold. What each thing
-    stands on is what it rests on.
+    of those the one with most is taken, with a warning for each that does not hold; only it is
+    judged. What each thing stands on is what it rests on.
 
     Raises:
         InputError: the text cannot be planned, or the seed is not a whole number in range.
@@ -47,25 +48,24 @@ def compose(
     models = build_models(plan, seed)
     failures: tuple[str, ...] = ()
     best: Scene | None = None
+    waiting: list[tuple[int, int, Rested]] = []
     for attempt in range(ATTEMPTS):
-        layout, table = lay_out(plan, models, seed + 7919 * attempt)
-        provenance = Provenance(
-            "compose", seed, plan.prompt, backends={"planner": "embedded"}, versions=versions(),
-            warnings=tuple(dict.fromkeys([*plan.warnings, *layout.warnings])),
-        )  # fmt: skip
-        scene = assemble(
-            models, layout.placements, table, table.size, provenance=provenance,
-            name=name or scene_name(plan.prompt), config=config,
-            plan=replace(plan, table=replace(plan.table, size=tuple(map(float, table.size)))),
-        )  # fmt: skip
-        assert scene.report is not None
-        if not scene.report.passed:
-            failures = scene.report.failures
-            continue
-        scene = _record_relations(scene, scene.report)
-        if best is None or len(_list_unmet(scene)) < len(_list_unmet(best)):
-            best = scene
-        if not _list_unmet(best) or attempt + 1 >= _FULFILLED:
+        rested = _rest_layout(plan, models, seed + 7919 * attempt, seed, name, config)
+        waiting.append((_count_unmet(rested.scene), attempt, rested))
+        enough = attempt + 1 >= _FULFILLED
+        for unmet, _, rested in sorted(waiting, key=lambda each: each[:2]):
+            if unmet and (not enough or (best and len(_list_unmet(best)) <= unmet)):
+                break  # to judge a layout costs more than to try another
+            scene = finish(rested, config)
+            waiting = [each for each in waiting if each[2] is not rested]
+            assert scene.report is not None
+            if not scene.report.passed:
+                failures = scene.report.failures
+                continue
+            scene = _record_relations(scene, scene.report)
+            if best is None or len(_list_unmet(scene)) < len(_list_unmet(best)):
+                best = scene
+        if best is not None and (enough or not _list_unmet(best)):
             break
     if best is not None:
         told = tuple(_warning(outcome, best) for outcome in _list_unmet(best))
@@ -76,6 +76,34 @@ def compose(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
         f"{'; '.join(failures)}. Try another seed, or fewer stacked things."
     )
+
+
+def _rest_layout(
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    layout_seed: int,
+    seed: int,
+    name: str | None,
+    config: AssemblyConfig | None,
+) -> Rested:
+    """Return one layout of a plan at rest, not judged yet."""
+    layout, table = lay_out(plan, models, layout_seed)
+    provenance = Provenance(
+        "compose", seed, plan.prompt, backends={"planner": "embedded"}, versions=versions(),
+        warnings=tuple(dict.fromkeys([*plan.warnings, *layout.warnings])),
+    )  # fmt: skip
+    return bring_to_rest(
+        models, layout.placements, table, table.size, provenance=provenance,
+        name=name or scene_name(plan.prompt), config=config,
+        plan=replace(plan, table=replace(plan.table, size=tuple(map(float, table.size)))),
+    )  # fmt: skip
+
+
+def _count_unmet(scene: Scene) -> int:
+    """Return how many relations of its plan do not hold in a scene at rest."""
+    if scene.plan is None:
+        return 0
+    return sum(not outcome.holds for outcome in check_relations(scene.plan, observe(scene)))
 
 
 def _record_relations(scene: Scene, report: Report) -> Scene:

@@ -71,6 +71,22 @@ class AssemblyConfig:
         require(self, "attempts", minimum=1, integer=True)
 
 
+@dataclass(frozen=True, eq=False)
+class Rested:
+    """A scene at rest that is not judged yet (:func:`finish`).
+
+    wanted: everything where it was asked to be; arranged: free of overlaps; scene: at rest.
+    stuck, unstable, dropped: names of what has no free place, would not stand, was left out.
+    """
+
+    wanted: Scene
+    arranged: Scene
+    scene: Scene
+    stuck: tuple[str, ...] = ()
+    unstable: tuple[str, ...] = ()
+    dropped: frozenset[str] = frozenset()
+
+
 def assemble(
     models: Mapping[str, Model],
     placements: Sequence[Placement],
@@ -85,7 +101,34 @@ def assemble(
 ) -> Scene:
     """Return a scene of canonical models at their placements, settled, with its report.
 
-    The report may have failed; publishing checks it.
+    The report may have failed; publishing checks it. The arguments are those of
+    :func:`bring_to_rest`.
+
+    Raises:
+        InputError: a placement without a model, or on something that is not there.
+        SceneError: a mesh has no convex parts and cannot be decomposed.
+    """
+    config = config or AssemblyConfig()
+    rested = bring_to_rest(
+        models, placements, table_model, table_scale, provenance=provenance, name=name,
+        config=config, view=view, plan=plan,
+    )  # fmt: skip
+    return finish(rested, config)
+
+
+def bring_to_rest(
+    models: Mapping[str, Model],
+    placements: Sequence[Placement],
+    table_model: Model,
+    table_scale: Float[np.ndarray, "3"],
+    *,
+    provenance: Provenance,
+    name: str,
+    config: AssemblyConfig | None = None,
+    view: View | None = None,
+    plan: ScenePlan | None = None,
+) -> Rested:
+    """Return canonical models at their placements as a scene at rest.
 
     Args:
         models: canonical models by object name.
@@ -116,7 +159,7 @@ def assemble(
     if dropped:
         scene, arranged = _without(scene, dropped), _without(arranged, dropped)
         rested, unstable = rest(arranged, config)
-    return _record(scene, arranged, rested, stuck, unstable, dropped, config)
+    return Rested(scene, arranged, rested, stuck, unstable, frozenset(dropped))
 
 
 def reassemble(
@@ -131,7 +174,7 @@ def reassemble(
     config = config or AssemblyConfig()
     rested, unstable = rest(arranged, config, fresh)
     rested = _keep_unmoved(arranged, rested, fresh)
-    scene = _record(wanted, arranged, rested, (), unstable, set(), config, fresh)
+    scene = finish(Rested(wanted, arranged, rested, unstable=unstable), config, fresh)
     if scene.report is None or arranged.report is None:
         return scene
     return scene.replace(report=replace(scene.report, dropped=arranged.report.dropped))
@@ -276,9 +319,9 @@ def _steady(
     """Return the scene at rest with a foot under what topples as the gate leans."""
     if not config.limits.lean:
         return rested
-    inside = (o.name for o in rested.objects if o.placement.inside)
-    known = {*_list_footed(arranged, rested), *inside}
-    down = _only(set(find_toppling(rested, config.limits, config.topple)) - known, may)
+    standing = {o.name for o in rested.objects if not o.placement.inside}
+    asked = _only(standing - {*_list_footed(arranged, rested)}, may)
+    down = find_toppling(rested, config.limits, config.topple, asked)
     objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)
     return rested.replace(objects=objects) if down else rested
 
@@ -296,23 +339,17 @@ def _without(scene: Scene, names: set[str]) -> Scene:
     return scene.replace(objects=tuple(kept))
 
 
-def _record(
-    wanted: Scene,
-    arranged: Scene,
-    rested: Scene,
-    stuck: Sequence[str],
-    unstable: Sequence[str],
-    dropped: set[str],
-    config: AssemblyConfig,
-    may: Collection[str] | None = None,
+def finish(
+    rested: Rested, config: AssemblyConfig | None = None, may: Collection[str] | None = None
 ) -> Scene:
     """Judge the scene; until it passes, put what topples on feet (if it ``may``) and shake it."""
-    poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
+    config = config or AssemblyConfig()
+    wanted, arranged, scene = rested.wanted, rested.arranged, rested.scene
+    poses = [[o.pose for o in each.objects] for each in (wanted, arranged)]
     moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
     report = Report(
-        0.0, 0.0, 0.0, moved=float(max(moved, default=0.0)), dropped=tuple(sorted(dropped))
+        0.0, 0.0, 0.0, moved=float(max(moved, default=0.0)), dropped=tuple(sorted(rested.dropped))
     )
-    scene = rested
     for _ in range(config.attempts):
         settling = shift_distances(poses[1], [o.pose for o in scene.objects])
         report = replace(report, settling=float(settling.max(initial=0.0)))
@@ -325,11 +362,11 @@ def _record(
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (
-        *(f"{name} has no free place on the table" for name in stuck),
-        *(f"{name} would not stand" for name in unstable),
+        *(f"{name} has no free place on the table" for name in rested.stuck),
+        *(f"{name} would not stand" for name in rested.unstable),
         *(f"{name} stands on a weighted foot that the model does not have"
           for name in _list_footed(arranged, scene)),
-        *(f"{name} was left out" for name in sorted(dropped)),
+        *(f"{name} was left out" for name in sorted(rested.dropped)),
     )  # fmt: skip
     provenance = replace(scene.provenance, warnings=scene.provenance.warnings + warnings)
     return scene.replace(report=report, provenance=provenance)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -47,6 +47,8 @@ class GateLimits:
 PerObject = Float[np.ndarray, "n"]
 
 _STRIDE = 0.25  # seconds between two looks
+_NOISE = 5e-3  # of the limits: motion between two looks so small is not compared
+_LOST = 2.0  # times the limits: what has moved so far as gravity leans is not watched on
 _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
 
 
@@ -101,39 +103,66 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
 def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:
     """Simulate ``limits.seconds``; return how far each object moved and turned.
 
-    What creeps evenly is not watched to the end: once two looks in a row show no object moving or
-    turning faster than before, and going on so would use up at most half of the limits, that
-    forecast is returned. Once the simulation has broken down the figures say nothing.
+    What creeps evenly is not watched to the end (:func:`_watch`): its forecast is returned. Once
+    the simulation has broken down the figures say nothing.
     """
-    start = simulation.poses
     bounds = np.array([limits.drift, limits.tilt])
-    last = np.zeros((len(start), 2))
-    gone, calm = last, 0
-    looks = max(1, round(limits.seconds / _STRIDE))
-    begin = simulation.time
+    return _watch(simulation, limits.seconds, bounds, _NOISE * bounds)
+
+
+def _watch(
+    simulation: Simulation,
+    seconds: float,
+    bounds: Float[np.ndarray, "2"],
+    noise: Float[np.ndarray, "2"],
+    lost: float = np.inf,
+) -> tuple[PerObject, PerObject]:
+    """Simulate until it is clear how far each object will have moved and turned in ``seconds``.
+
+    That is so once two looks in a row show no object moving or turning faster than in the looks
+    before (by more than ``noise``), and going on at twice its pace would keep each within
+    ``bounds``; and once one has moved by ``lost`` times the bounds.
+    """
+    start, begin = simulation.poses, simulation.time
+    looks = max(1, round(seconds / _STRIDE))
+    gone = np.zeros((len(start), 2))
+    steps: list[np.ndarray] = []
+    calm = 0
     for k in range(looks):  # what topples speeds up, and is watched to the end
-        before = gone
-        simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
+        before, earlier, left = gone, steps, looks - 1 - k
+        simulation.run(begin + seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:
             break
         now = simulation.poses
         gone = np.stack([shift_distances(start, now), turn_angles(start, now)], axis=1)
-        step = np.abs(gone - before)
-        steady = (step <= np.maximum(1.05 * last, 1e-3 * bounds)).all()
-        forecast = gone + step * (looks - 1 - k)
-        calm = calm + 1 if k > 0 and steady and (forecast <= bounds / 2).all() else 0
-        last = step
+        steps = [*earlier[-2:], np.abs(gone - before)]
+        pace = np.max(steps, axis=0)
+        calm = calm + 1 if earlier and _even(steps[-1], earlier, noise) else 0
+        if (gone + 2 * pace * left > bounds).any():
+            calm = 0
         if calm == 2:
-            return forecast[:, 0], forecast[:, 1]
+            gone = gone + pace * left
+        if calm == 2 or (gone > lost * bounds).any():
+            break
     return gone[:, 0], gone[:, 1]
+
+
+def _even(
+    step: Float[np.ndarray, "n 2"],
+    earlier: Sequence[Float[np.ndarray, "n 2"]],
+    noise: Float[np.ndarray, "2"],
+) -> bool:
+    """Whether a look shows nothing faster than the looks before it, up to the noise."""
+    return bool((step <= np.maximum(1.05 * np.max(earlier, axis=0), noise)).all())
 
 
 def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[str]]:
     """Return how far anything moves as gravity leans, the least time simulated, and failures."""
     worst, shortest = 0.0, limits.seconds
+    bounds = np.array([limits.drift, limits.tilt])
     for side in range(4):
         with _leaning_to(side, simulation, limits):
-            drift, tilt = watch(simulation, limits)
+            drift, tilt = _watch(simulation, limits.seconds, bounds, _NOISE * bounds, _LOST)
         worst = max(worst, float(drift.max(initial=0.0)))
         shortest = min(shortest, simulation.time)
         if failures := _moving(simulation, drift, tilt, limits, " on a leaning table"):
@@ -141,15 +170,28 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
     return worst, shortest, []
 
 
-def find_toppling(scene: Scene, limits: GateLimits, angle: float) -> tuple[str, ...]:
-    """Return what topples (``has_toppled`` by ``angle``, radians) as gravity leans to any side."""
+def find_toppling(
+    scene: Scene, limits: GateLimits, angle: float, among: Collection[str] | None = None
+) -> tuple[str, ...]:
+    """Return what topples (``has_toppled`` by ``angle``, radians) as gravity leans to any side.
+
+    ``among`` names what is asked about; None is everything. What lies as still, or creeps as
+    evenly, as :func:`watch` demands is not simulated to the end.
+    """
+    asked = {o.name for o in scene.objects if among is None or o.name in among}
+    if not asked:
+        return ()
     simulation = Simulation(scene)
+    bounds = np.array([np.inf, angle])
+    noise = _NOISE * np.array([limits.drift, limits.tilt])
     down: set[str] = set()
     for side in range(4):
         with _leaning_to(side, simulation, limits):
-            simulation.run(limits.seconds)
+            _watch(simulation, limits.seconds, bounds, noise)
         pairs = zip(scene.objects, simulation.poses, strict=True)
-        down |= {o.name for o, pose in pairs if has_toppled(o, pose, angle)}
+        down |= {o.name for o, pose in pairs if o.name in asked and has_toppled(o, pose, angle)}
+        if down == asked:
+            break
     return tuple(sorted(down))
 
 
@@ -171,9 +213,9 @@ def _moving(
             f"{names[k]} moved beyond all bounds{where}: the simulation broke down" for k in broken
         ]
     return [
-        *(f"{n} moved {1e3 * d:.1f} mm in {limits.seconds:g} s{where}"
+        *(f"{n} moved {1e3 * d:.1f} mm in {simulation.time:.3g} s{where}"
           for n, d in zip(names, drift, strict=True) if d > limits.drift),
-        *(f"{n} turned {np.rad2deg(t):.1f}° in {limits.seconds:g} s{where}"
+        *(f"{n} turned {np.rad2deg(t):.1f}° in {simulation.time:.3g} s{where}"
           for n, t in zip(names, tilt, strict=True) if t > limits.tilt),
     ]  # fmt: skip
 
