@@ -11,7 +11,7 @@ from dataclasses import replace
 from .errors import InputError, SceneError, require_seed
 from .language.planner import plan_scene
 from .layout import build_models, lay_out
-from .layout.checking import check_relations, correct_supports, observe
+from .layout.checking import Rest, check_relations, correct_supports, observe
 from .method.assembly import AssemblyConfig, Rested, bring_to_rest, finish
 from .scene import Model, Provenance, RelationOutcome, Report, Scene, ScenePlan
 from .scene.provenance import scene_name, versions
@@ -33,8 +33,8 @@ def compose(
 
     The same text and seed give the same scene. A layout whose objects do not come to rest soundly
     is replaced by another one, and so is one at rest in which not every relation of the plan holds;
-    of those the one with most is taken, with a warning for each that does not hold; only it is
-    judged. What each thing stands on is what it rests on.
+    of those the one with most is judged first, and taken with a warning for each that does not
+    hold. What each thing stands on is what it rests on.
 
     Raises:
         InputError: the text cannot be planned, or the seed is not a whole number in range.
@@ -48,12 +48,14 @@ def compose(
     models = build_models(plan, seed)
     failures: tuple[str, ...] = ()
     best: Scene | None = None
-    waiting: list[tuple[int, int, Rested]] = []
+    waiting: list[tuple[int, int, Rested, Rest]] = []
     for attempt in range(ATTEMPTS):
         rested = _rest_layout(plan, models, seed + 7919 * attempt, seed, name, config)
-        waiting.append((_count_unmet(rested.scene), attempt, rested))
+        seen = observe(rested.scene)
+        unmet = sum(not outcome.holds for outcome in check_relations(plan, seen))
+        waiting.append((unmet, attempt, rested, seen))
         enough = attempt + 1 >= _FULFILLED
-        for unmet, _, rested in sorted(waiting, key=lambda each: each[:2]):
+        for unmet, _, rested, seen in sorted(waiting, key=lambda each: each[:2]):
             if unmet and (not enough or (best and len(_list_unmet(best)) <= unmet)):
                 break  # to judge a layout costs more than to try another
             scene = finish(rested, config)
@@ -62,7 +64,9 @@ def compose(
             if not scene.report.passed:
                 failures = scene.report.failures
                 continue
-            scene = _record_relations(scene, scene.report)
+            same = scene.objects is rested.scene.objects
+            rest = replace(seen, scene=scene) if same else observe(scene)
+            scene = _record_relations(rest, scene.report)
             if best is None or len(_list_unmet(scene)) < len(_list_unmet(best)):
                 best = scene
         if best is not None and (enough or not _list_unmet(best)):
@@ -99,17 +103,10 @@ def _rest_layout(
     )  # fmt: skip
 
 
-def _count_unmet(scene: Scene) -> int:
-    """Return how many relations of its plan do not hold in a scene at rest."""
-    if scene.plan is None:
-        return 0
-    return sum(not outcome.holds for outcome in check_relations(scene.plan, observe(scene)))
-
-
-def _record_relations(scene: Scene, report: Report) -> Scene:
+def _record_relations(rest: Rest, report: Report) -> Scene:
     """Return a scene at rest with its plan's relations in the report and its true supports."""
-    rest = observe(scene)
-    outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
+    plan = rest.scene.plan
+    outcomes = () if plan is None else check_relations(plan, rest)
     return correct_supports(rest).replace(report=replace(report, relations=outcomes))
 
 

@@ -16,16 +16,16 @@ from jaxtyping import Float
 
 from ..errors import InputError, choices, require
 from ..geometry import convex_outline, yaw_quaternion
+from ..physics.footing import on_foot
 from ..physics.gate import GateLimits, find_fallen, find_toppling, judge
-from ..physics.inertia import MassProperties, body_mass, box_mass, join_bodies
-from ..physics.parts import body_parts, lowest, model_parts
+from ..physics.inertia import body_mass
+from ..physics.parts import body_parts, model_parts
 from ..physics.seating import carry, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
 from ..physics.simulation import Simulation, shift_distances, turn_angles
 from ..scene import (
     TABLE,
-    ConvexPart,
     Model,
     Object,
     Placement,
@@ -39,7 +39,6 @@ from ..scene import (
 )
 
 _SHAKE = 1.5  # in leans of the gate
-_FOOT = 0.25, 0.75  # the least and the largest share of its weight that a thing has in its foot
 _STAYS = 1e-4, 1e-3  # metres, radians: what moves less as a scene settles again has not moved
 
 
@@ -205,35 +204,15 @@ def rest(
     """
     footed: set[str] = set()
     while True:
-        poses = settle(scene, config.settle_seconds)
-        down = _find_toppled(scene, poses, config.topple)
+        simulation = Simulation(scene)
+        poses = settle(scene, config.settle_seconds, simulation=simulation)
+        down = _find_toppled(simulation, poses, config.topple)
         able = _only(down, may)
         if able <= footed or len(footed) >= len(scene.objects):
             return scene.replace(objects=with_poses(scene.objects, poses)), tuple(sorted(down))
         footed |= able
         objects = tuple(on_foot(o) if o.name in able else o for o in scene.objects)
         scene = scene.replace(objects=objects)
-
-
-def on_foot(thing: Object) -> Object:
-    """Return the object with a flat box under it that has a share of its weight.
-
-    The foot spans the object's box and is a thirtieth of its height, 2 mm at least. It has a
-    quarter of the weight, or as much (up to three) as draws the whole's centre down to a third of
-    the height; its own lies so that the whole's is over the middle, as far as the foot reaches.
-    """
-    height = float(thing.scale[2])
-    size = np.array([*thing.scale[:2], max(2e-3, height / 30)])
-    middle = np.array([0.0, 0.0, lowest(thing) + size[2] / 2])
-    rise = float(thing.com[2] - middle[2])
-    needed = 1 - (height / 3 - size[2] / 2) / rise if rise > 0 else 0.0
-    share = float(np.clip(needed, *_FOOT))
-    aside = np.clip((1 - 1 / share) * (thing.com * [1, 1, 0]), -size / 2, size / 2)
-    rest = MassProperties((1 - share) * thing.mass, thing.com, (1 - share) * thing.inertia)
-    whole = join_bodies((rest, box_mass(share * thing.mass, middle + aside, size)))
-    corners = middle + size * (np.indices((2, 2, 2)).reshape(3, 8).T - 0.5)
-    parts = (*thing.parts, ConvexPart(corners, "box"))
-    return replace(thing, parts=parts, com=whole.com, inertia=whole.inertia)
 
 
 # ------------------------------------------------------------------------------------------ bodies
@@ -277,25 +256,28 @@ def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]
 # -------------------------------------------------------------------------------------- the scene
 
 
-def _find_toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
+def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -> set[str]:
     """Return things that lean too far though they should stand, and things that left the table."""
-    simulation = Simulation(scene)
     simulation.place(poses)
     simulation.contacts()
     gone = set(find_fallen(simulation))
     return {
         o.name
-        for k, (o, pose) in enumerate(zip(scene.objects, poses, strict=True))
+        for k, (o, pose) in enumerate(zip(simulation.scene.objects, poses, strict=True))
         if k in gone or (not o.placement.inside and has_toppled(o, pose, limit))
     }
 
 
 def _again(scene: Scene, config: AssemblyConfig) -> Scene:
     """Settle a scene further, shaken by more than the gate's lean unless that topples a thing."""
-    down = _find_toppled(scene, [o.pose for o in scene.objects], config.topple)
+    simulation, start = Simulation(scene), [o.pose for o in scene.objects]
+    down, poses = _find_toppled(simulation, start, config.topple), start
     for shake in (_SHAKE * config.limits.lean, 0.0):
-        poses = settle(scene, config.settle_seconds, config.settle_seconds / 4, shake)
-        if _find_toppled(scene, poses, config.topple) <= down:
+        simulation.place(start)
+        poses = settle(
+            scene, config.settle_seconds, config.settle_seconds / 4, shake, simulation=simulation
+        )
+        if _find_toppled(simulation, poses, config.topple) <= down:
             break
     return scene.replace(objects=with_poses(scene.objects, poses))
 

@@ -7,11 +7,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from ..errors import require
 from ..geometry import inside_margin
-from ..scene import Report, Scene
+from ..scene import Pose, Report, Scene
 from .settling import has_toppled
 from .simulation import ON_FLOOR, ON_TABLE, Simulation, find_supported, shift_distances, turn_angles
 
@@ -45,9 +45,15 @@ class GateLimits:
 
 
 PerObject = Float[np.ndarray, "n"]
+PerKind = Float[np.ndarray, "2"]
+"""Of drift and tilt: metres, radians."""
+
+Motion = Float[np.ndarray, "n 2"]
+"""Metres and radians of each object."""
 
 _STRIDE = 0.25  # seconds between two looks
-_NOISE = 5e-3  # of the limits: motion between two looks so small is not compared
+_SMALL = 5e-3  # of the limits: motion between two looks that may be a tremble in place
+_TINY = 0.4  # of that: motion that is one
 _LOST = 2.0  # times the limits: what has moved so far as gravity leans is not watched on
 _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
 
@@ -106,40 +112,38 @@ def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObj
     What creeps evenly is not watched to the end (:func:`_watch`): its forecast is returned. Once
     the simulation has broken down the figures say nothing.
     """
-    bounds = np.array([limits.drift, limits.tilt])
-    return _watch(simulation, limits.seconds, bounds, _NOISE * bounds)
+    return _watch(simulation, limits, np.array([limits.drift, limits.tilt]))
 
 
 def _watch(
-    simulation: Simulation,
-    seconds: float,
-    bounds: Float[np.ndarray, "2"],
-    noise: Float[np.ndarray, "2"],
-    lost: float = np.inf,
+    simulation: Simulation, limits: GateLimits, bounds: PerKind, lost: float = np.inf
 ) -> tuple[PerObject, PerObject]:
-    """Simulate until it is clear how far each object will have moved and turned in ``seconds``.
+    """Simulate until it is clear how far each object will have moved and turned in the end.
 
     That is so once two looks in a row show no object moving or turning faster than in the looks
-    before (by more than ``noise``), and going on at twice its pace would keep each within
-    ``bounds``; and once one has moved by ``lost`` times the bounds.
+    before, and going on at twice its pace would keep each within ``bounds``, as would going on to
+    speed up by what it has since the last look (:func:`_speeds_up`); and once one has moved by
+    ``lost`` times the bounds.
     """
-    start, begin = simulation.poses, simulation.time
-    looks = max(1, round(seconds / _STRIDE))
+    begin = simulation.time
+    start = now = simulation.poses
+    small = _SMALL * np.array([limits.drift, limits.tilt])
+    looks = max(1, round(limits.seconds / _STRIDE))
     gone = np.zeros((len(start), 2))
-    steps: list[np.ndarray] = []
+    steps: list[Motion] = []
     calm = 0
     for k in range(looks):  # what topples speeds up, and is watched to the end
-        before, earlier, left = gone, steps, looks - 1 - k
-        simulation.run(begin + seconds * (k + 1) / looks - simulation.time)
+        earlier, left = steps, looks - 1 - k
+        simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:
             break
-        now = simulation.poses
-        gone = np.stack([shift_distances(start, now), turn_angles(start, now)], axis=1)
-        steps = [*earlier[-2:], np.abs(gone - before)]
+        last, now = now, simulation.poses
+        gone = _motion(start, now)
+        steps = [*earlier[-2:], _motion(last, now)]
         pace = np.max(steps, axis=0)
-        calm = calm + 1 if earlier and _even(steps[-1], earlier, noise) else 0
-        if (gone + 2 * pace * left > bounds).any():
-            calm = 0
+        even = steps[-1] <= np.maximum(1.05 * np.max(earlier, axis=0, initial=0.0), small)
+        even &= (gone + 2 * pace * left <= bounds) & ~_speeds_up(steps, gone, left, bounds, small)
+        calm = calm + 1 if earlier and even.all() else 0
         if calm == 2:
             gone = gone + pace * left
         if calm == 2 or (gone > lost * bounds).any():
@@ -147,13 +151,19 @@ def _watch(
     return gone[:, 0], gone[:, 1]
 
 
-def _even(
-    step: Float[np.ndarray, "n 2"],
-    earlier: Sequence[Float[np.ndarray, "n 2"]],
-    noise: Float[np.ndarray, "2"],
-) -> bool:
-    """Whether a look shows nothing faster than the looks before it, up to the noise."""
-    return bool((step <= np.maximum(1.05 * np.max(earlier, axis=0), noise)).all())
+def _motion(before: Sequence[Pose], after: Sequence[Pose]) -> Motion:
+    return np.stack([shift_distances(before, after), turn_angles(before, after)], axis=1)
+
+
+def _speeds_up(
+    steps: Sequence[Motion], gone: Motion, left: int, bounds: PerKind, small: PerKind
+) -> Bool[np.ndarray, "n 2"]:
+    """Whether motion would leave the bounds if each look's grew on as that of the last two did."""
+    if len(steps) < 2:
+        return np.zeros(gone.shape, bool)
+    growth = np.clip(steps[-1] / np.maximum(steps[-2], 1e-12), 1.0001, 10.0)
+    forecast = gone + steps[-1] * growth * (growth**left - 1) / (growth - 1)
+    return (growth > 1.05) & (steps[-1] > _TINY * small) & (forecast > bounds)
 
 
 def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[str]]:
@@ -162,7 +172,7 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
     bounds = np.array([limits.drift, limits.tilt])
     for side in range(4):
         with _leaning_to(side, simulation, limits):
-            drift, tilt = _watch(simulation, limits.seconds, bounds, _NOISE * bounds, _LOST)
+            drift, tilt = _watch(simulation, limits, bounds, _LOST)
         worst = max(worst, float(drift.max(initial=0.0)))
         shortest = min(shortest, simulation.time)
         if failures := _moving(simulation, drift, tilt, limits, " on a leaning table"):
@@ -183,11 +193,10 @@ def find_toppling(
         return ()
     simulation = Simulation(scene)
     bounds = np.array([np.inf, angle])
-    noise = _NOISE * np.array([limits.drift, limits.tilt])
     down: set[str] = set()
     for side in range(4):
         with _leaning_to(side, simulation, limits):
-            _watch(simulation, limits.seconds, bounds, noise)
+            _watch(simulation, limits, bounds)
         pairs = zip(scene.objects, simulation.poses, strict=True)
         down |= {o.name for o, pose in pairs if o.name in asked and has_toppled(o, pose, angle)}
         if down == asked:

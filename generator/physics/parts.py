@@ -76,7 +76,7 @@ def _digest(parts: Sequence[ConvexPart], vertices: Vertices, faces: Faces) -> by
     digest = hashlib.sha256(str([(p.kind, p.axis, len(p.vertices)) for p in parts]).encode())
     for array in (*(p.vertices for p in parts), vertices, faces):
         digest.update(f"{array.shape}{array.dtype}".encode())
-        digest.update(np.ascontiguousarray(array))
+        digest.update(array.tobytes())
     return digest.digest()
 
 

@@ -20,7 +20,11 @@ _SLOW = 5 * _STILL  # the same with soft friction, which creeps some thirty time
 
 
 def settle(
-    scene: Scene, seconds: float, minimum: float = 0.0, shake: float = 0.0
+    scene: Scene,
+    seconds: float,
+    minimum: float = 0.0,
+    shake: float = 0.0,
+    simulation: Simulation | None = None,
 ) -> tuple[Pose, ...]:
     """Simulate until everything rests, from ``minimum`` to ``seconds`` long; return the poses.
 
@@ -32,9 +36,10 @@ def settle(
     What touches creeps, and faster with softer friction: for up to half of the time friction is
     soft, so that a heap of fruit comes in two seconds to where it would creep in a minute; then it
     is as it is in the scene. A tremble in place is no motion. Where the simulation breaks down, the
-    scene's own poses are returned, for the gate to say at what.
+    scene's own poses are returned, for the gate to say at what. ``simulation`` is one of the scene
+    at its own poses, if there is one already.
     """
-    simulation = Simulation(scene)
+    simulation = simulation or Simulation(scene)
     option = simulation.model.opt
     firm, fine = option.impratio, option.timestep
     for side in range(4 if shake else 0):
