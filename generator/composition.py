@@ -5,14 +5,22 @@ Fast; objects are placed without overlap.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from .errors import InputError, SceneError, require_seed
 from .language.planner import plan_scene
 from .layout import build_models, lay_out
-from .layout.checking import describe_unmet, list_unmet, record_relations
-from .method.assembly import AssemblyConfig, assemble
-from .scene import Density, Provenance, Scene, ScenePlan
+from .layout.checking import (
+    Rest,
+    check_relations,
+    describe_unmet,
+    list_unmet,
+    observe,
+    record_relations,
+)
+from .method.assembly import AssemblyConfig, Rested, bring_to_rest, finish
+from .scene import Density, Model, Provenance, Scene, ScenePlan
 from .scene.provenance import scene_name, versions
 
 ATTEMPTS = 6
@@ -33,9 +41,9 @@ def compose(
 
     The same text and seed give the same scene. A layout whose objects do not come to rest soundly
     is replaced by another one, and so is one at rest in which not every relation of the plan holds;
-    of those the one with most is taken, with a warning for each that does not hold. What each thing
-    stands on is what it rests on. ``density`` says how full the table is ("sparse", "normal",
-    "dense"); None takes it from the text.
+    of those the one with most is judged first, and taken with a warning for each that does not
+    hold. What each thing stands on is what it rests on. ``density`` says how full the table is
+    ("sparse", "normal", "dense"); None takes it from the text.
 
     Raises:
         InputError: the text cannot be planned, or the seed is not a whole number in range.
@@ -51,25 +59,28 @@ def compose(
     models = build_models(plan, seed)
     failures: tuple[str, ...] = ()
     best: Scene | None = None
+    waiting: list[tuple[int, int, Rested, Rest]] = []
     for attempt in range(ATTEMPTS):
-        layout, table = lay_out(plan, models, seed + 7919 * attempt)
-        provenance = Provenance(
-            "compose", seed, plan.prompt, backends={"planner": "embedded"}, versions=versions(),
-            warnings=tuple(dict.fromkeys([*plan.warnings, *layout.warnings])),
-        )  # fmt: skip
-        scene = assemble(
-            models, layout.placements, table, table.size, provenance=provenance,
-            name=name or scene_name(plan.prompt), config=config,
-            plan=replace(plan, table=replace(plan.table, size=tuple(map(float, table.size)))),
-        )  # fmt: skip
-        assert scene.report is not None
-        if not scene.report.passed:
-            failures = scene.report.failures
-            continue
-        scene = record_relations(scene)
-        if best is None or len(list_unmet(scene)) < len(list_unmet(best)):
-            best = scene
-        if not list_unmet(best) or attempt + 1 >= _FULFILLED:
+        rested = _rest_layout(plan, models, seed + 7919 * attempt, seed, name, config)
+        seen = observe(rested.scene)
+        unmet = sum(not outcome.holds for outcome in check_relations(plan, seen))
+        waiting.append((unmet, attempt, rested, seen))
+        enough = attempt + 1 >= _FULFILLED
+        for unmet, _, rested, seen in sorted(waiting, key=lambda each: each[:2]):
+            if unmet and (not enough or (best and len(list_unmet(best)) <= unmet)):
+                break  # to judge a layout costs more than to try another
+            scene = finish(rested, config)
+            waiting = [each for each in waiting if each[2] is not rested]
+            assert scene.report is not None
+            if not scene.report.passed:
+                failures = scene.report.failures
+                continue
+            same = scene.objects is rested.scene.objects
+            rest = replace(seen, scene=scene) if same else observe(scene)
+            scene = record_relations(scene, rest)
+            if best is None or len(list_unmet(scene)) < len(list_unmet(best)):
+                best = scene
+        if best is not None and (enough or not list_unmet(best)):
             break
     if best is not None:
         told = tuple(describe_unmet(outcome, best) for outcome in list_unmet(best))
@@ -80,3 +91,24 @@ def compose(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
         f"{'; '.join(failures)}. Try another seed, or fewer stacked things."
     )
+
+
+def _rest_layout(
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    layout_seed: int,
+    seed: int,
+    name: str | None,
+    config: AssemblyConfig | None,
+) -> Rested:
+    """Return one layout of a plan at rest, not judged yet."""
+    layout, table = lay_out(plan, models, layout_seed)
+    provenance = Provenance(
+        "compose", seed, plan.prompt, backends={"planner": "embedded"}, versions=versions(),
+        warnings=tuple(dict.fromkeys([*plan.warnings, *layout.warnings])),
+    )  # fmt: skip
+    return bring_to_rest(
+        models, layout.placements, table, table.size, provenance=provenance,
+        name=name or scene_name(plan.prompt), config=config,
+        plan=replace(plan, table=replace(plan.table, size=tuple(map(float, table.size)))),
+    )  # fmt: skip

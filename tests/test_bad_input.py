@@ -347,7 +347,7 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
     assert left_over(store) == []
 
 
-@pytest.mark.parametrize("name", ["plan_scene", "build_models", "lay_out", "assemble"])
+@pytest.mark.parametrize("name", ["plan_scene", "build_models", "lay_out", "bring_to_rest"])
 def test_an_interrupt_in_any_step_of_compose_leaves_nothing(
     name: str, store: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:

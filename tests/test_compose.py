@@ -1,11 +1,13 @@
 """Composed scenes: sound, complete, repeatable."""
 
+import dataclasses
 import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from generator import composition
 from generator.composition import compose
 from generator.errors import InputError
 from generator.physics.simulation import Simulation, shift_distances
@@ -65,6 +67,37 @@ def test_asked_relations_hold_after_settling() -> None:
         assert at["apple_1"][2] > plate[2]
         assert at["mug_1"][0] < plate[0] - 0.1
         assert at["book_1"][1] > plate[1] + 0.1
+
+
+@pytest.mark.parametrize(("held", "laid_out", "judged"), [(0, 1, 1), (2, 3, 1), (9, 3, 1)])
+def test_a_layout_in_which_all_holds_is_judged_at_once_and_another_only_if_it_is_the_best(
+    held: int, laid_out: int, judged: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Relations hold in the layout of number ``held``, and in none of the first three."""
+    made: list[str] = []
+    rest, finish = composition.bring_to_rest, composition.finish
+    checking = composition.check_relations
+    numbers: dict[int, int] = {}
+
+    def resting(*args, **options):
+        made.append("layout")
+        return rest(*args, **options)
+
+    def judging(*args):
+        made.append("judged")
+        return finish(*args)
+
+    def relations(plan, seen):
+        number = numbers.setdefault(id(seen.scene.objects), len(numbers))
+        outcomes = checking(plan, seen)
+        return tuple(dataclasses.replace(o, holds=number == held) for o in outcomes)
+
+    monkeypatch.setattr(composition, "bring_to_rest", resting)
+    monkeypatch.setattr(composition, "finish", judging)
+    monkeypatch.setattr(composition, "check_relations", relations)
+    scene = compose("a mug to the left of a book", 1)
+    assert (made.count("layout"), made.count("judged")) == (laid_out, judged)
+    assert any("is not" in told for told in scene.provenance.warnings) == (held == 9)
 
 
 def test_same_text_and_seed_give_the_same_scene() -> None:

@@ -109,3 +109,14 @@ def test_convex_outline_and_margin() -> None:
     assert np.allclose(margins, [0.5, 0.1, -0.2])
     with pytest.raises(InputError):
         g.convex_outline(np.array([[0, 0], [1, 1]]))
+
+
+def test_inner_points_change_no_outline() -> None:
+    rng = np.random.default_rng(0)
+    points = rng.normal(size=(400, 2))
+    outline = g.convex_outline(points)
+    assert (g.inside_margin(points, outline) > -1e-8).all()
+    np.testing.assert_array_equal(g.convex_outline(outline), outline)
+    square = np.array(np.meshgrid(np.arange(9.0), np.arange(9.0))).reshape(2, -1).T
+    assert g.convex_outline(square).tolist() == [[0, 0], [8, 0], [8, 8], [0, 8]]
+    assert len(g.convex_outline(np.column_stack([np.arange(50.0), np.zeros(50)]))) == 2

@@ -83,14 +83,15 @@ def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
     return tuple(out)
 
 
-def record_relations(scene: Scene) -> Scene:
+def record_relations(scene: Scene, rest: Rest | None = None) -> Scene:
     """Return a settled scene with its plan's relations in its report and its true supports.
 
-    A scene without a report is returned as it is.
+    ``rest`` is what the scene shows, if that has been observed already. A scene without a report is
+    returned as it is.
     """
     if scene.report is None:
         return scene
-    rest = observe(scene)
+    rest = observe(scene) if rest is None else rest
     outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
     return correct_supports(rest).replace(report=replace(scene.report, relations=outcomes))
 

@@ -16,16 +16,16 @@ from jaxtyping import Float
 
 from ..errors import InputError, choices, require
 from ..geometry import convex_outline, yaw_quaternion
+from ..physics.footing import on_foot
 from ..physics.gate import GateLimits, find_fallen, find_toppling, judge
-from ..physics.inertia import MassProperties, body_mass, box_mass, join_bodies
-from ..physics.parts import body_parts, lowest, model_parts
+from ..physics.inertia import body_mass
+from ..physics.parts import body_parts, model_parts
 from ..physics.seating import carry, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
 from ..physics.simulation import Simulation, shift_distances, turn_angles
 from ..scene import (
     TABLE,
-    ConvexPart,
     Model,
     Object,
     Placement,
@@ -39,7 +39,6 @@ from ..scene import (
 )
 
 _SHAKE = 1.5  # in leans of the gate
-_FOOT = 0.25, 0.75  # the least and the largest share of its weight that a thing has in its foot
 _STAYS = 1e-4, 1e-3  # metres, radians: what moves less as a scene settles again has not moved
 
 
@@ -71,6 +70,22 @@ class AssemblyConfig:
         require(self, "attempts", minimum=1, integer=True)
 
 
+@dataclass(frozen=True, eq=False)
+class Rested:
+    """A scene at rest that is not judged yet (:func:`finish`).
+
+    wanted: everything where it was asked to be; arranged: free of overlaps; scene: at rest.
+    stuck, unstable, dropped: names of what has no free place, would not stand, was left out.
+    """
+
+    wanted: Scene
+    arranged: Scene
+    scene: Scene
+    stuck: tuple[str, ...] = ()
+    unstable: tuple[str, ...] = ()
+    dropped: frozenset[str] = frozenset()
+
+
 def assemble(
     models: Mapping[str, Model],
     placements: Sequence[Placement],
@@ -85,7 +100,34 @@ def assemble(
 ) -> Scene:
     """Return a scene of canonical models at their placements, settled, with its report.
 
-    The report may have failed; publishing checks it.
+    The report may have failed; publishing checks it. The arguments are those of
+    :func:`bring_to_rest`.
+
+    Raises:
+        InputError: a placement without a model, or on something that is not there.
+        SceneError: a mesh has no convex parts and cannot be decomposed.
+    """
+    config = config or AssemblyConfig()
+    rested = bring_to_rest(
+        models, placements, table_model, table_scale, provenance=provenance, name=name,
+        config=config, view=view, plan=plan,
+    )  # fmt: skip
+    return finish(rested, config)
+
+
+def bring_to_rest(
+    models: Mapping[str, Model],
+    placements: Sequence[Placement],
+    table_model: Model,
+    table_scale: Float[np.ndarray, "3"],
+    *,
+    provenance: Provenance,
+    name: str,
+    config: AssemblyConfig | None = None,
+    view: View | None = None,
+    plan: ScenePlan | None = None,
+) -> Rested:
+    """Return canonical models at their placements as a scene at rest.
 
     Args:
         models: canonical models by object name.
@@ -116,7 +158,7 @@ def assemble(
     if dropped:
         scene, arranged = _without(scene, dropped), _without(arranged, dropped)
         rested, unstable = rest(arranged, config)
-    return _record(scene, arranged, rested, stuck, unstable, dropped, config)
+    return Rested(scene, arranged, rested, stuck, unstable, frozenset(dropped))
 
 
 def reassemble(
@@ -131,7 +173,7 @@ def reassemble(
     config = config or AssemblyConfig()
     rested, unstable = rest(arranged, config, fresh)
     rested = _keep_unmoved(arranged, rested, fresh)
-    scene = _record(wanted, arranged, rested, (), unstable, set(), config, fresh)
+    scene = finish(Rested(wanted, arranged, rested, unstable=unstable), config, fresh)
     if scene.report is None or arranged.report is None:
         return scene
     return scene.replace(report=replace(scene.report, dropped=arranged.report.dropped))
@@ -162,35 +204,15 @@ def rest(
     """
     footed: set[str] = set()
     while True:
-        poses = settle(scene, config.settle_seconds)
-        down = _find_toppled(scene, poses, config.topple)
+        simulation = Simulation(scene)
+        poses = settle(scene, config.settle_seconds, simulation=simulation)
+        down = _find_toppled(simulation, poses, config.topple)
         able = _only(down, may)
         if able <= footed or len(footed) >= len(scene.objects):
             return scene.replace(objects=with_poses(scene.objects, poses)), tuple(sorted(down))
         footed |= able
         objects = tuple(on_foot(o) if o.name in able else o for o in scene.objects)
         scene = scene.replace(objects=objects)
-
-
-def on_foot(thing: Object) -> Object:
-    """Return the object with a flat box under it that has a share of its weight.
-
-    The foot spans the object's box and is a thirtieth of its height, 2 mm at least. It has a
-    quarter of the weight, or as much (up to three) as draws the whole's centre down to a third of
-    the height; its own lies so that the whole's is over the middle, as far as the foot reaches.
-    """
-    height = float(thing.scale[2])
-    size = np.array([*thing.scale[:2], max(2e-3, height / 30)])
-    middle = np.array([0.0, 0.0, lowest(thing) + size[2] / 2])
-    rise = float(thing.com[2] - middle[2])
-    needed = 1 - (height / 3 - size[2] / 2) / rise if rise > 0 else 0.0
-    share = float(np.clip(needed, *_FOOT))
-    aside = np.clip((1 - 1 / share) * (thing.com * [1, 1, 0]), -size / 2, size / 2)
-    rest = MassProperties((1 - share) * thing.mass, thing.com, (1 - share) * thing.inertia)
-    whole = join_bodies((rest, box_mass(share * thing.mass, middle + aside, size)))
-    corners = middle + size * (np.indices((2, 2, 2)).reshape(3, 8).T - 0.5)
-    parts = (*thing.parts, ConvexPart(corners, "box"))
-    return replace(thing, parts=parts, com=whole.com, inertia=whole.inertia)
 
 
 # ------------------------------------------------------------------------------------------ bodies
@@ -234,25 +256,28 @@ def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]
 # -------------------------------------------------------------------------------------- the scene
 
 
-def _find_toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
+def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -> set[str]:
     """Return things that lean too far though they should stand, and things that left the table."""
-    simulation = Simulation(scene)
     simulation.place(poses)
     simulation.contacts()
     gone = set(find_fallen(simulation))
     return {
         o.name
-        for k, (o, pose) in enumerate(zip(scene.objects, poses, strict=True))
+        for k, (o, pose) in enumerate(zip(simulation.scene.objects, poses, strict=True))
         if k in gone or (not o.placement.inside and has_toppled(o, pose, limit))
     }
 
 
 def _again(scene: Scene, config: AssemblyConfig) -> Scene:
     """Settle a scene further, shaken by more than the gate's lean unless that topples a thing."""
-    down = _find_toppled(scene, [o.pose for o in scene.objects], config.topple)
+    simulation, start = Simulation(scene), [o.pose for o in scene.objects]
+    down, poses = _find_toppled(simulation, start, config.topple), start
     for shake in (_SHAKE * config.limits.lean, 0.0):
-        poses = settle(scene, config.settle_seconds, config.settle_seconds / 4, shake)
-        if _find_toppled(scene, poses, config.topple) <= down:
+        simulation.place(start)
+        poses = settle(
+            scene, config.settle_seconds, config.settle_seconds / 4, shake, simulation=simulation
+        )
+        if _find_toppled(simulation, poses, config.topple) <= down:
             break
     return scene.replace(objects=with_poses(scene.objects, poses))
 
@@ -276,9 +301,9 @@ def _steady(
     """Return the scene at rest with a foot under what topples as the gate leans."""
     if not config.limits.lean:
         return rested
-    inside = (o.name for o in rested.objects if o.placement.inside)
-    known = {*_list_footed(arranged, rested), *inside}
-    down = _only(set(find_toppling(rested, config.limits, config.topple)) - known, may)
+    standing = {o.name for o in rested.objects if not o.placement.inside}
+    asked = _only(standing - {*_list_footed(arranged, rested)}, may)
+    down = find_toppling(rested, config.limits, config.topple, asked)
     objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)
     return rested.replace(objects=objects) if down else rested
 
@@ -296,23 +321,17 @@ def _without(scene: Scene, names: set[str]) -> Scene:
     return scene.replace(objects=tuple(kept))
 
 
-def _record(
-    wanted: Scene,
-    arranged: Scene,
-    rested: Scene,
-    stuck: Sequence[str],
-    unstable: Sequence[str],
-    dropped: set[str],
-    config: AssemblyConfig,
-    may: Collection[str] | None = None,
+def finish(
+    rested: Rested, config: AssemblyConfig | None = None, may: Collection[str] | None = None
 ) -> Scene:
     """Judge the scene; until it passes, put what topples on feet (if it ``may``) and shake it."""
-    poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
+    config = config or AssemblyConfig()
+    wanted, arranged, scene = rested.wanted, rested.arranged, rested.scene
+    poses = [[o.pose for o in each.objects] for each in (wanted, arranged)]
     moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
     report = Report(
-        0.0, 0.0, 0.0, moved=float(max(moved, default=0.0)), dropped=tuple(sorted(dropped))
+        0.0, 0.0, 0.0, moved=float(max(moved, default=0.0)), dropped=tuple(sorted(rested.dropped))
     )
-    scene = rested
     for _ in range(config.attempts):
         settling = shift_distances(poses[1], [o.pose for o in scene.objects])
         report = replace(report, settling=float(settling.max(initial=0.0)))
@@ -325,11 +344,11 @@ def _record(
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (
-        *(f"{name} has no free place on the table" for name in stuck),
-        *(f"{name} would not stand" for name in unstable),
+        *(f"{name} has no free place on the table" for name in rested.stuck),
+        *(f"{name} would not stand" for name in rested.unstable),
         *(f"{name} stands on a weighted foot that the model does not have"
           for name in _list_footed(arranged, scene)),
-        *(f"{name} was left out" for name in sorted(dropped)),
+        *(f"{name} was left out" for name in sorted(rested.dropped)),
     )  # fmt: skip
     provenance = replace(scene.provenance, warnings=scene.provenance.warnings + warnings)
     return scene.replace(report=report, provenance=provenance)

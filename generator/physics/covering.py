@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -175,8 +176,14 @@ def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
         return (np.linalg.norm((points - middle) / half, axis=1) - 1) * float(half.min())
     if kind == "box":
         return (np.abs(points - middle) - half).max(1)
-    hull = ConvexHull(part.vertices)
-    return (points @ hull.equations[:, :3].T + hull.equations[:, 3]).max(1)
+    planes = _planes(part)
+    return (points @ planes[:, :3].T + planes[:, 3]).max(1)
+
+
+@lru_cache(maxsize=1024)
+def _planes(part: ConvexPart) -> Float[np.ndarray, "k 4"]:
+    """Return the planes of a hull's faces: outward normal and offset, metres."""
+    return ConvexHull(part.vertices).equations
 
 
 def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from ..errors import require
 from ..geometry import inside_margin
-from ..scene import Report, Scene
+from ..scene import Pose, Report, Scene
 from .settling import has_toppled
 from .simulation import ON_FLOOR, ON_TABLE, Simulation, find_supported, shift_distances, turn_angles
 
@@ -45,8 +45,16 @@ class GateLimits:
 
 
 PerObject = Float[np.ndarray, "n"]
+PerKind = Float[np.ndarray, "2"]
+"""Of drift and tilt: metres, radians."""
+
+Motion = Float[np.ndarray, "n 2"]
+"""Metres and radians of each object."""
 
 _STRIDE = 0.25  # seconds between two looks
+_SMALL = 5e-3  # of the limits: motion between two looks that may be a tremble in place
+_TINY = 0.4  # of that: motion that is one
+_LOST = 2.0  # times the limits: what has moved so far as gravity leans is not watched on
 _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
 
 
@@ -101,39 +109,70 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
 def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:
     """Simulate ``limits.seconds``; return how far each object moved and turned.
 
-    What creeps evenly is not watched to the end: once two looks in a row show no object moving or
-    turning faster than before, and going on so would use up at most half of the limits, that
-    forecast is returned. Once the simulation has broken down the figures say nothing.
+    What creeps evenly is not watched to the end (:func:`_watch`): its forecast is returned. Once
+    the simulation has broken down the figures say nothing.
     """
-    start = simulation.poses
-    bounds = np.array([limits.drift, limits.tilt])
-    last = np.zeros((len(start), 2))
-    gone, calm = last, 0
-    looks = max(1, round(limits.seconds / _STRIDE))
+    return _watch(simulation, limits, np.array([limits.drift, limits.tilt]))
+
+
+def _watch(
+    simulation: Simulation, limits: GateLimits, bounds: PerKind, lost: float = np.inf
+) -> tuple[PerObject, PerObject]:
+    """Simulate until it is clear how far each object will have moved and turned in the end.
+
+    That is so once two looks in a row show no object moving or turning faster than in the looks
+    before, and going on at twice its pace would keep each within ``bounds``, as would going on to
+    speed up by what it has since the last look (:func:`_speeds_up`); and once one has moved by
+    ``lost`` times the bounds.
+    """
     begin = simulation.time
+    start = now = simulation.poses
+    small = _SMALL * np.array([limits.drift, limits.tilt])
+    looks = max(1, round(limits.seconds / _STRIDE))
+    gone = np.zeros((len(start), 2))
+    steps: list[Motion] = []
+    calm = 0
     for k in range(looks):  # what topples speeds up, and is watched to the end
-        before = gone
+        earlier, left = steps, looks - 1 - k
         simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:
             break
-        now = simulation.poses
-        gone = np.stack([shift_distances(start, now), turn_angles(start, now)], axis=1)
-        step = np.abs(gone - before)
-        steady = (step <= np.maximum(1.05 * last, 1e-3 * bounds)).all()
-        forecast = gone + step * (looks - 1 - k)
-        calm = calm + 1 if k > 0 and steady and (forecast <= bounds / 2).all() else 0
-        last = step
+        last, now = now, simulation.poses
+        gone = _motion(start, now)
+        steps = [*earlier[-2:], _motion(last, now)]
+        pace = np.max(steps, axis=0)
+        even = steps[-1] <= np.maximum(1.05 * np.max(earlier, axis=0, initial=0.0), small)
+        even &= (gone + 2 * pace * left <= bounds) & ~_speeds_up(steps, gone, left, bounds, small)
+        calm = calm + 1 if earlier and even.all() else 0
         if calm == 2:
-            return forecast[:, 0], forecast[:, 1]
+            gone = gone + pace * left
+        if calm == 2 or (gone > lost * bounds).any():
+            break
     return gone[:, 0], gone[:, 1]
+
+
+def _motion(before: Sequence[Pose], after: Sequence[Pose]) -> Motion:
+    return np.stack([shift_distances(before, after), turn_angles(before, after)], axis=1)
+
+
+def _speeds_up(
+    steps: Sequence[Motion], gone: Motion, left: int, bounds: PerKind, small: PerKind
+) -> Bool[np.ndarray, "n 2"]:
+    """Whether motion would leave the bounds if each look's grew on as that of the last two did."""
+    if len(steps) < 2:
+        return np.zeros(gone.shape, bool)
+    growth = np.clip(steps[-1] / np.maximum(steps[-2], 1e-12), 1.0001, 10.0)
+    forecast = gone + steps[-1] * growth * (growth**left - 1) / (growth - 1)
+    return (growth > 1.05) & (steps[-1] > _TINY * small) & (forecast > bounds)
 
 
 def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[str]]:
     """Return how far anything moves as gravity leans, the least time simulated, and failures."""
     worst, shortest = 0.0, limits.seconds
+    bounds = np.array([limits.drift, limits.tilt])
     for side in range(4):
         with _leaning_to(side, simulation, limits):
-            drift, tilt = watch(simulation, limits)
+            drift, tilt = _watch(simulation, limits, bounds, _LOST)
         worst = max(worst, float(drift.max(initial=0.0)))
         shortest = min(shortest, simulation.time)
         if failures := _moving(simulation, drift, tilt, limits, " on a leaning table"):
@@ -141,15 +180,27 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
     return worst, shortest, []
 
 
-def find_toppling(scene: Scene, limits: GateLimits, angle: float) -> tuple[str, ...]:
-    """Return what topples (``has_toppled`` by ``angle``, radians) as gravity leans to any side."""
+def find_toppling(
+    scene: Scene, limits: GateLimits, angle: float, among: Collection[str] | None = None
+) -> tuple[str, ...]:
+    """Return what topples (``has_toppled`` by ``angle``, radians) as gravity leans to any side.
+
+    ``among`` names what is asked about; None is everything. What lies as still, or creeps as
+    evenly, as :func:`watch` demands is not simulated to the end.
+    """
+    asked = {o.name for o in scene.objects if among is None or o.name in among}
+    if not asked:
+        return ()
     simulation = Simulation(scene)
+    bounds = np.array([np.inf, angle])
     down: set[str] = set()
     for side in range(4):
         with _leaning_to(side, simulation, limits):
-            simulation.run(limits.seconds)
+            _watch(simulation, limits, bounds)
         pairs = zip(scene.objects, simulation.poses, strict=True)
-        down |= {o.name for o, pose in pairs if has_toppled(o, pose, angle)}
+        down |= {o.name for o, pose in pairs if o.name in asked and has_toppled(o, pose, angle)}
+        if down == asked:
+            break
     return tuple(sorted(down))
 
 
@@ -171,9 +222,9 @@ def _moving(
             f"{names[k]} moved beyond all bounds{where}: the simulation broke down" for k in broken
         ]
     return [
-        *(f"{n} moved {1e3 * d:.1f} mm in {limits.seconds:g} s{where}"
+        *(f"{n} moved {1e3 * d:.1f} mm in {simulation.time:.3g} s{where}"
           for n, d in zip(names, drift, strict=True) if d > limits.drift),
-        *(f"{n} turned {np.rad2deg(t):.1f}° in {limits.seconds:g} s{where}"
+        *(f"{n} turned {np.rad2deg(t):.1f}° in {simulation.time:.3g} s{where}"
           for n, t in zip(names, tilt, strict=True) if t > limits.tilt),
     ]  # fmt: skip
 

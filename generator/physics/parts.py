@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 from jaxtyping import Float
 
 from ..geometry import convex_outline, inside_margin, quaternion_matrix
 from ..scene import ConvexPart, Model, Object, Pose
+from ..scene.triangles import Faces, Vertices
 from .covering import covering
 
 THINNEST = 4e-4
@@ -54,7 +57,33 @@ def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart,
         SceneError: the mesh has no parts and cannot be decomposed.
     """
     vertices = model.mesh.vertices.astype(np.float64) * scale
-    covered = covering(model_parts(model, scale), vertices, model.mesh.faces)
+    parts = model_parts(model, scale)
+    return _cover(_Shape(_digest(parts, vertices, model.mesh.faces), parts, vertices,
+                         model.mesh.faces))  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Shape:
+    """Convex parts and the mesh that they are to cover, in metres; equal by its digest."""
+
+    digest: bytes
+    parts: tuple[ConvexPart, ...] = field(compare=False)
+    vertices: Vertices = field(compare=False)
+    faces: Faces = field(compare=False)
+
+
+def _digest(parts: Sequence[ConvexPart], vertices: Vertices, faces: Faces) -> bytes:
+    digest = hashlib.sha256(str([(p.kind, p.axis, len(p.vertices)) for p in parts]).encode())
+    for array in (*(p.vertices for p in parts), vertices, faces):
+        digest.update(f"{array.shape}{array.dtype}".encode())
+        digest.update(array.tobytes())
+    return digest.digest()
+
+
+@lru_cache(maxsize=128)
+def _cover(shape: _Shape) -> tuple[ConvexPart, ...]:
+    """Return the parts grown to hold their mesh. Things that look alike share them."""
+    covered = covering(shape.parts, shape.vertices, shape.faces)
     return on_base([scale_part(part, np.ones(3)) for part in covered])
 
 

@@ -15,6 +15,7 @@ from .separation import TOLERANCE, ancestry, off_table, with_poses
 from .simulation import ON_TABLE, Simulation
 
 _GOLDEN = np.pi * (3 - np.sqrt(5))
+_AWAY = np.array([20.0, 0.0, 20.0])  # metres, where the first of those waits that are not there yet
 _GAP = 2e-4  # objects start this far above what they stand on, metres
 
 
@@ -34,9 +35,20 @@ def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
     """
     chains = ancestry(scene.objects)
     order = sorted(range(len(chains)), key=lambda i: (len(chains[i]), i))
+    loads = {
+        i for i in order
+        if len(chains[i]) > 1 and (names is None or scene.objects[i].name in names)
+    }  # fmt: skip
+    if not loads:
+        return scene
+    simulation = Simulation(scene)
+    simulation.positions[:] = _AWAY * (1 + np.arange(len(order)))[:, None]
+    present: set[int] = {ON_TABLE}
     for i in order:
-        if len(chains[i]) > 1 and (names is None or scene.objects[i].name in names):
-            scene = _seat(scene, i, chains)
+        if i in loads:
+            scene = _seat(scene, i, chains[i][1], simulation, present)
+        simulation.positions[i] = scene.objects[i].pose.position
+        present.add(i)
     return scene
 
 
@@ -109,15 +121,11 @@ def spiral(radius: float, spacing: float) -> Iterator[Float[np.ndarray, "2"]]:
         yield spacing * np.sqrt(k) * np.array([np.cos(k * _GOLDEN), np.sin(k * _GOLDEN)])
 
 
-def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
-    thing = scene.objects[index]
-    support = scene.objects[chains[index][1]]
-    settled = [
-        scene.objects[k] for k in range(len(chains))
-        if (len(chains[k]), k) < (len(chains[index]), index)
-    ]  # fmt: skip
-    loose = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in [*settled, thing])
-    simulation = Simulation(scene.replace(objects=loose))
+def _seat(
+    scene: Scene, index: int, below: int, simulation: Simulation, present: Collection[int]
+) -> Scene:
+    """Return the scene with a thing let down onto ``below`` among those that are ``present``."""
+    thing, support = scene.objects[index], scene.objects[below]
     rim = support.pose.position[2] + highest(support)
     reach = float(np.min(support.scale[:2])) / 2
     deep = min(highest(support) - lowest(support), 0.1)  # how far anything could go into it
@@ -125,7 +133,8 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     best: tuple[float, np.ndarray] | None = None
     for offset in spiral(reach, reach / 5):
         xy = thing.pose.position[:2] + offset
-        z = _lower(simulation, xy, rim - lowest(thing) + 0.002, highest(support) - lowest(support))
+        top, fall = rim - lowest(thing) + 0.002, highest(support) - lowest(support)
+        z = _lower(simulation, index, present, xy, top, fall)
         if z is None:
             continue
         bottom = z + lowest(thing)
@@ -140,13 +149,19 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     return scene.replace(objects=with_poses(scene.objects, poses))
 
 
-def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> float | None:
-    """Let the last object down at ``xy`` until it touches; None if it is not even free on top."""
-    last = len(simulation.scene.objects) - 1
+def _lower(
+    simulation: Simulation,
+    index: int,
+    present: Collection[int],
+    xy: np.ndarray,
+    top: float,
+    fall: float,
+) -> float | None:
+    """Let an object down at ``xy`` until it touches; None if it is not even free on top."""
 
     def free(z: float) -> bool:
-        simulation.positions[last] = [*xy, z]
-        return _depth(simulation, last, range(ON_TABLE, last)) <= 1e-6
+        simulation.positions[index] = [*xy, z]
+        return _depth(simulation, index, present) <= 1e-6
 
     if not free(top):
         return None

@@ -3,40 +3,69 @@
 from __future__ import annotations
 
 import numpy as np
+from jaxtyping import Float
 
 from ..geometry import quaternion_matrix
 from ..scene import Object, Pose, Scene
-from .simulation import Simulation
+from .simulation import Simulation, shift_distances, turn_angles
 
-_CHUNK = 0.1
+_CHUNK = 0.1  # seconds between two looks
 _SHAKE = 0.5
 _DAMPING = 3.0
-_STILL = np.array([2e-4, 2e-3])  # m/s, rad/s: a twentieth of what the gate lets pass
+_SOFT = 0.3  # the friction's stiffness (impratio) while things find their places
+_COARSE = 4e-3  # seconds, the time step meanwhile
+_FIRM = 0.5  # seconds at most until everything holds with the scene's own settings
+_STILL = np.array([2e-4, 2e-3])  # m/s, rad/s: a fifth of what the gate lets pass
+_SLOW = 5 * _STILL  # the same with soft friction, which creeps some thirty times as fast
 
 
 def settle(
-    scene: Scene, seconds: float, minimum: float = 0.0, shake: float = 0.0
+    scene: Scene,
+    seconds: float,
+    minimum: float = 0.0,
+    shake: float = 0.0,
+    simulation: Simulation | None = None,
 ) -> tuple[Pose, ...]:
     """Simulate until everything rests, from ``minimum`` to ``seconds`` long; return the poses.
 
     Before that, gravity leans by ``shake`` (radians) to each of four sides in turn: a brush that
     stands free in a mug falls against its rim, where it stays. Free motion dies out at 3 per second
     meanwhile, so that round things stop, but for the last tenth of a second: what is returned holds
-    by itself. Where the simulation breaks down, the scene's own poses are returned, for the gate to
-    say at what.
+    by itself.
+
+    What touches creeps, and faster with softer friction: for up to half of the time friction is
+    soft, so that a heap of fruit comes in two seconds to where it would creep in a minute; then it
+    is as it is in the scene. A tremble in place is no motion. Where the simulation breaks down, the
+    scene's own poses are returned, for the gate to say at what. ``simulation`` is one of the scene
+    at its own poses, if there is one already.
     """
-    simulation = Simulation(scene)
+    simulation = simulation or Simulation(scene)
+    option = simulation.model.opt
+    firm, fine = option.impratio, option.timestep
     for side in range(4 if shake else 0):
-        with simulation.conditions(shake, side * np.pi / 2, simulation.model.opt.timestep):
+        with simulation.conditions(shake, side * np.pi / 2, fine):
             simulation.run(_SHAKE)
-    still = 0
-    for k in range(max(1, round(seconds / _CHUNK))):
-        simulation.run(_CHUNK, _DAMPING)
-        still = still + 1 if (simulation.speeds() < _STILL).all() else 0
-        if still >= 3 and (k + 1) * _CHUNK >= minimum:
-            break
+    option.impratio, option.timestep = _SOFT, _COARSE
+    _calm(simulation, min(minimum, seconds / 2), seconds / 2, 3, _SLOW)
+    option.impratio, option.timestep = firm, fine
+    _calm(simulation, 0.0, min(_FIRM, seconds / 2), 2, _STILL)
     simulation.run(_CHUNK)
     return tuple(o.pose for o in scene.objects) if simulation.diverged else simulation.poses
+
+
+def _calm(
+    simulation: Simulation, minimum: float, seconds: float, looks: int, pace: Float[np.ndarray, "2"]
+) -> None:
+    """Simulate until in so many looks nothing has moved on faster than ``pace`` (m/s, rad/s)."""
+    still, now = 0, simulation.poses
+    for k in range(max(1, round(seconds / _CHUNK))):
+        before = now
+        simulation.run(_CHUNK, _DAMPING)
+        now = simulation.poses
+        gone = np.stack([shift_distances(before, now), turn_angles(before, now)], axis=1)
+        still = still + 1 if (gone <= _CHUNK * pace).all() else 0
+        if still >= looks and (k + 1) * _CHUNK >= minimum:
+            return
 
 
 def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:

@@ -33,6 +33,15 @@ def test_what_is_drawn_lies_within_the_parts(key: str) -> None:
         assert out.max() < 1e-3
 
 
+def test_things_that_look_alike_share_their_parts() -> None:
+    one, same, other = build("egg", 0), build("egg", 0), build("lemon", 0)
+    assert one.mesh is not same.mesh
+    parts = body_parts(one, one.size)
+    assert body_parts(same, same.size) is parts
+    assert body_parts(same, 1.1 * same.size) is not parts
+    assert body_parts(other, other.size) is not parts
+
+
 def test_an_exact_part_stays_as_it_is() -> None:
     vertices = corners([-0.05] * 3, [0.05] * 3)
     part = ConvexPart(vertices, "box")

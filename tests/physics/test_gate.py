@@ -7,7 +7,7 @@ import pytest
 from toy import toy_object, toy_scene, toy_table
 
 from generator.errors import InputError
-from generator.physics.gate import GateLimits, judge, reach, watch
+from generator.physics.gate import GateLimits, find_toppling, judge, reach, watch
 from generator.physics.simulation import Simulation
 from generator.scene import ConvexPart, Object, Pose, Scene, names_in
 
@@ -158,6 +158,62 @@ def test_the_report_says_how_much_was_simulated_and_how_much_is_forecast() -> No
     assert 0.5 < still.simulated < 2.0
     dropped = judge(toy_scene((cube("a_1", 0, z=0.03),)), GateLimits(seconds=1.5))
     assert (dropped.seconds, dropped.simulated) == (1.5, 1.5)
+
+
+def test_what_trembles_in_place_is_not_watched_to_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    place, tremble = Simulation.run, np.random.default_rng(0)
+
+    def run(self: Simulation, seconds: float, damping: float = 0.0) -> None:
+        place(self, seconds, damping)
+        self.positions[0, :2] = tremble.uniform(-4e-6, 4e-6, 2)
+
+    monkeypatch.setattr(Simulation, "run", run)
+    report = judge(toy_scene((cube("a_1", 0),)))
+    assert report.passed
+    assert report.simulated is not None
+    assert report.simulated < 1.5
+
+
+def pushing(monkeypatch: pytest.MonkeyPatch, offset) -> None:
+    """Put a thing ``offset(t)`` metres to the side of where a look at time t finds it."""
+    step = Simulation.run
+
+    def run(self: Simulation, seconds: float, damping: float = 0.0) -> None:
+        before = self.time
+        step(self, seconds, damping)
+        self.positions[0, 0] += offset(self.time) - offset(before)
+
+    monkeypatch.setattr(Simulation, "run", run)
+
+
+def test_an_even_creep_is_watched_until_twice_its_pace_is_within_the_limits(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pushing(monkeypatch, lambda t: 4e-4 * t)  # 2 mm in 5 s
+    report = judge(toy_scene((cube("a_1", 0),)))
+    assert report.passed
+    assert report.simulated is not None
+    assert report.simulated < 1.5
+    assert report.drift == pytest.approx(2e-3, rel=0.05)
+
+
+@pytest.mark.parametrize("offset", [lambda t: 2e-5 * (3.2**t), lambda t: 1.1e-3 * t])
+def test_what_speeds_up_or_creeps_too_far_is_watched_to_the_end(
+    offset, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pushing(monkeypatch, offset)
+    report = judge(toy_scene((cube("a_1", 0),)))
+    assert report.simulated == 5.0
+    assert "a_1 moved" in "; ".join(report.failures)
+
+
+def test_toppling_is_looked_for_among_what_is_asked() -> None:
+    tall = toy_object("tall_1", (0.008, 0.008, 0.3), (0, 0))
+    scene = toy_scene((tall, cube("a_1", 0.2)))
+    angle = float(np.deg2rad(30.0))
+    assert find_toppling(scene, GateLimits(), angle) == ("tall_1",)
+    assert find_toppling(scene, GateLimits(), angle, {"a_1"}) == ()
+    assert find_toppling(scene, GateLimits(), angle, ()) == ()
 
 
 @pytest.mark.parametrize(

@@ -75,6 +75,10 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/certificates.py": Smoke(
         "--bundles coffee-square --starts 1 --out {out}", _table("certificates"), codes=(0, 1)
     ),
+    "benchmarks/compose_speed.py": Smoke(
+        "--texts {out}/texts.json --beside {root} --out {out}", ("compose_speed.md",),
+        "| import |", _texts,
+    ),
     "benchmarks/concurrency.py": Smoke("--seconds 2 --out {out}", ("concurrency.md",)),
     "benchmarks/efficiency.py": Smoke(
         "--cases 1 --out {out}", (*_table("efficiency_cpu"), "efficiency_cpu.png")
