@@ -84,7 +84,8 @@ NEVER_OBJECTS = PARTS | TABLE_NOUNS
 
 def _forms(words: tuple[str, ...]) -> tuple[str, ...]:
     """Return the ways to read a noun: as written, last word singular, first word singular."""
-    last = (*words[:-1], singular(words[-1]))
+    cut = words[-1] in PLURAL_ONLY
+    last = (*words[:-1], words[-1][:-1] if cut else singular(words[-1]))
     first = (singular(words[0]), *words[1:])
     both = (singular(words[0]), *last[1:]) if len(words) > 1 else last
     return tuple(dict.fromkeys(" ".join(form) for form in (words, last, first, both)))
@@ -99,8 +100,11 @@ def category_of(words: tuple[str, ...]) -> str | None:
 def is_plural(words: tuple[str, ...]) -> bool:
     """Tell whether a noun stands for several things ("mugs", not "scissors" or "glass")."""
     written = " ".join(words)
-    if written in _index() and written != "dice":
-        return False
+    index = _index()
+    single = " ".join((*words[:-1], singular(words[-1])))
+    if written in index and written != "dice":
+        named = CATEGORIES[index[written]].noun == written  # "grapes" are one thing
+        return not named and single != written and index.get(single) == index[written]
     return any(singular(word) != word for word in (words[0], words[-1]))
 
 

@@ -166,7 +166,7 @@ class Interpreter(CarryReader):
         if places[0].each or (isinstance(places[0].target, Noun) and places[0].target.each):
             self._attach(places[0], self._context.parallel or [], other)
             return
-        listed = len(nouns) > 2
+        listed = any(not noun.post for noun in nouns[:-2])
         drafts = found[-1]
         assert isinstance(drafts, list)
         for kind, target in list(drafts[0].relations):

@@ -50,7 +50,8 @@ class Relater:
             flat = [d.category in CUTLERY for d in target]
             kind = "behind" if all(flat) else kind  # "the glass above the knife"
         if isinstance(place.target, Zone):
-            self._zone(place.target, group, loose=kind == "beside")
+            if kind != "aside" or not self._put_aside(place.target, group):
+                self._zone(place.target, group, loose=kind in ("beside", "aside"))
             return
         if target == TABLE:
             if kind == "under":
@@ -110,6 +111,26 @@ class Relater:
         one, share = group[0], len(group)
         for _ in range(len(targets) * share - len(group) if share < len(targets) else 0):
             group.append(self.reading.add(one.noun, one.category, one.attributes))
+
+    def _put_aside(self, zone: Zone, group: Group) -> bool:
+        """Put things "to the left" of what stands in the middle, or of what the sentence is about.
+
+        Return whether there is such a thing.
+        """
+        if self._seated is not None or not zone.x or zone.y:
+            return False
+        context = self._context
+        middle = [d for d in self.reading.objects if ("center", TABLE) in d.relations]
+        for base in (middle[:1], context.topic, context.earlier):
+            if not isinstance(base, list) or len(base) != 1 or base[0] in group:
+                continue
+            kind = "left_of" if zone.x < 0 else "right_of"
+            if any(to in group for _, to in base[0].relations):
+                continue
+            link(kind, group, base, self.reading.warnings)
+            self._side = kind, base
+            return True
+        return False
 
     def _zone(self, zone: Zone, group: Group, *, loose: bool) -> None:
         """Put a group into a part of the table, or beside what was just spoken of."""

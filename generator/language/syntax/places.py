@@ -34,7 +34,8 @@ class PlaceReader(Cursor):
             self.i = found.end
             if not found.of:
                 table = None if found.table is None else read_noun(self.tokens, found.table[0])[0]
-                return Location("beside" if found.loose else "at", found.zone, table=table)
+                kind = "aside" if found.aside else "beside" if found.loose else "at"
+                return Location(kind, found.zone, table=table)
             self.i += 1
             target = self._target(nested=False)
             if target is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..parsing.vocabulary import TABLE_NOUNS
 from . import function_words as fw
@@ -33,6 +33,7 @@ class FoundZone:
         end: the token after it.
         of: whether "of" follows, so that it may be a part of something else than the table.
         table: the tokens that name the table, first and end, where they do.
+        aside: "to the left".
         loose: "on the left", without "side", "corner" or "of the table": perhaps of a thing.
     """
 
@@ -40,6 +41,7 @@ class FoundZone:
     end: int
     of: bool = False
     loose: bool = False
+    aside: bool = False
     table: tuple[int, int] | None = None
 
 
@@ -71,7 +73,9 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
         i += 1
     owned = _text(tokens, i) in TABLE_NOUNS and _tag(tokens, i + 1) == "possessive"
     i += 2 * owned
-    return _sides(tokens, i, heading=heading, owned=owned)
+    found = _sides(tokens, i, heading=heading, owned=owned)
+    aside = found is not None and found.loose and _text(tokens, start) == "to"
+    return replace(found, aside=True) if found is not None and aside else found
 
 
 def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> FoundZone | None:
