@@ -24,7 +24,9 @@ from .things.electronics import (
     peripherals,
     portables,
 )
+from .things.festive import candlelight, characters, christmas, party, seasons
 from .things.food import bakery, food, fruit, groceries, meals, orchard, pantry, produce, sweets
+from .things.grooming import bath, hair, makeup, shaving, toiletries
 from .things.home import (
     decor,
     dressing,
@@ -53,6 +55,8 @@ from .things.kitchen import (
 from .things.lab import checkup, clinic, lab
 from .things.larder import boxes, condiments, packs, preserves
 from .things.leisure import games, instruments, leisure, maps, optics, sports, toys
+from .things.nature import finds, flowers, gardening, greenery
+from .things.nursery import animals, baby, dinosaurs, play, vehicles
 from .things.office import (
     clips,
     desk,
@@ -64,7 +68,10 @@ from .things.office import (
     supplies,
     writing,
 )
+from .things.sewing import cloths, notions
 from .things.tools import benchwork, craft, fasteners, hardware, tools, workbench
+from .things.travel import papers
+from .things.upkeep import chores, pets
 from .things.wardrobe import (
     bags,
     bathroom,
@@ -75,12 +82,6 @@ from .things.wardrobe import (
     jewelry,
     trinkets,
 )
-from .things.festive import candlelight, characters, christmas, party, seasons
-from .things.grooming import bath, hair, makeup, shaving, toiletries
-from .things.nature import finds, flowers, gardening, greenery
-from .things.nursery import animals, baby, dinosaurs, play, vehicles
-from .things.sewing import cloths, notions
-from .things.upkeep import chores, pets
 
 _DRAWN_BY_THEME = (
     *(cups, dining, cutlery, brewing, cooking, bottles, pantry, food, bakery),
@@ -143,6 +144,7 @@ _ON_REQUEST = (
     makeup,
     shaving,
     toiletries,
+    papers,
     animals,
     baby,
     dinosaurs,

@@ -81,14 +81,15 @@ _MADE_OF: Mapping[str, str] = {
     "fertilizer_bag christmas_tree santa snowman mask balloon skull lighter button bead "
     "shampoo conditioner body_lotion sunscreen mouthwash hand_cream face_wash deodorant "
     "bleach mascara eyeliner eyeshadow_palette blusher dental_floss hair_clip hair_roller "
-    "bucket laundry_basket dustpan hair_straightener curling_iron",
+    "bucket laundry_basket dustpan hair_straightener curling_iron travel_adapter",
     "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup "
     "egg_carton envelope binder folded_map book notebook box sticky_notes paper_stack "
     "playing_cards open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag "
     "rice_bag pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder "
     "calendar gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter "
     "banknotes price_tag jigsaw_piece jigsaw_puzzle leaf feather party_hat party_popper "
-    "christmas_cracker wrapping_paper gift_tag matchbox toilet_roll tissue_pack",
+    "christmas_cracker wrapping_paper gift_tag matchbox toilet_roll tissue_pack passport "
+    "boarding_pass ticket postcard greeting_card",
     "wax": "candle soap_bar taper_candle bath_bomb",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant "
     "donut cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
@@ -97,7 +98,7 @@ _MADE_OF: Mapping[str, str] = {
     "rose tulip daisy sunflower lily carnation lavender orchid dried_flower flower_bulb "
     "gingerbread_house jack_o_lantern pumpkin birthday_cake easter_egg",
     "leather": "wallet ring_box american_football baseball handbag purse clutch suitcase belt "
-    "boot sandal high_heel glasses_case dog_collar",
+    "boot sandal high_heel glasses_case dog_collar luggage_tag",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset "
     "microphone desk_fan power_strip hard_drive action_camera handheld_console hair_dryer "
     "calculator laptop monitor keyboard computer_mouse smartphone tablet headphones speaker "
@@ -112,7 +113,7 @@ _MADE_OF: Mapping[str, str] = {
     "rug table_runner tablecloth fabric_square felt_sheet doily quilt mannequin makeup_bag "
     "powder_puff cotton_ball cotton_swab cotton_pad loofah rolled_towel washcloth hair_tie "
     "headband t_shirt shirt sweater jeans sock glove mitten beanie tie bow_tie backpack "
-    "duffel_bag umbrella slipper leash cat_toy duster",
+    "duffel_bag umbrella slipper leash cat_toy duster travel_pillow eye_mask",
     "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball "
     "shoe stethoscope rubber_glove",
 }
@@ -159,7 +160,7 @@ ASSEMBLED = frozenset(
      "menorah", "lantern", "incense_holder", "taper_candle", "umbrella", "earring", "pendant",
      "pocket_watch", "dog_collar", "leash", "safety_pin", "needle", "pin", "clothes_hanger",
      "hair_clip", "headband", "duster", "mascara", "belt", "backpack", "handbag", "dustpan",
-     "cotton_swab", "loofah", "pompom"}
+     "cotton_swab", "loofah", "pompom", "greeting_card", "luggage_tag", "eye_mask"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 
