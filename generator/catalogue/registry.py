@@ -68,6 +68,7 @@ from .things.office import (
     supplies,
     writing,
 )
+from .things.parlour import keepers
 from .things.sewing import cloths, notions
 from .things.tools import benchwork, craft, fasteners, hardware, tools, workbench
 from .things.travel import papers
@@ -152,6 +153,7 @@ _ON_REQUEST = (
     vehicles,
     chores,
     pets,
+    keepers,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

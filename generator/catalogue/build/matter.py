@@ -39,7 +39,7 @@ _MADE_OF: Mapping[str, str] = {
     "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
     "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter plant_pot "
     "cactus succulent ice_cream sink frog bird fern ivy bonsai herb_pot oil_burner "
-    "trinket_dish soap_dish dog_bone",
+    "trinket_dish soap_dish dog_bone piggy_bank",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass "
     "salt_shaker pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug "
@@ -56,7 +56,7 @@ _MADE_OF: Mapping[str, str] = {
     "razor ink_pad hole_punch usb_stick hand_fork hand_rake secateurs bird_cage star "
     "tea_light candelabra menorah lantern thimble needle pin safety_pin crochet_hook bobbin "
     "tweezers nail_clippers eyelash_curler bobby_pin shaving_foam hairspray earring brooch "
-    "cufflink tie_clip pocket_watch crown pendant iron",
+    "cufflink tie_clip pocket_watch crown pendant iron eiffel_tower",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
     "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
@@ -64,8 +64,8 @@ _MADE_OF: Mapping[str, str] = {
     "jewelry_box toothpicks toy_boat train_track skittle twig driftwood pine_cone acorn crate "
     "birdhouse terrarium bird_feeder nutcracker wreath nest snow_globe easter_basket "
     "incense_holder match dreidel knitting_needle makeup_brush shaving_brush scrub_brush "
-    "clothes_peg clothes_hanger",
-    "stone": "sculpture pebble rock seashell starfish coral",
+    "clothes_peg clothes_hanger treasure_chest wooden_box music_box smoking_pipe mantel_clock",
+    "stone": "sculpture pebble rock seashell starfish coral crystal",
     "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
     "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser "
     "tape_measure utility_knife stapler building_brick toy_car toy_robot toy_train "
@@ -89,14 +89,14 @@ _MADE_OF: Mapping[str, str] = {
     "calendar gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter "
     "banknotes price_tag jigsaw_piece jigsaw_puzzle leaf feather party_hat party_popper "
     "christmas_cracker wrapping_paper gift_tag matchbox toilet_roll tissue_pack passport "
-    "boarding_pass ticket postcard greeting_card",
+    "boarding_pass ticket postcard greeting_card photo_album folding_fan cigarette",
     "wax": "candle soap_bar taper_candle bath_bomb",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant "
     "donut cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
     "avocado onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes "
     "cookie chocolate_bar gourd peach plum mango kiwi eggplant cherries steak sushi_rolls "
     "rose tulip daisy sunflower lily carnation lavender orchid dried_flower flower_bulb "
-    "gingerbread_house jack_o_lantern pumpkin birthday_cake easter_egg",
+    "gingerbread_house jack_o_lantern pumpkin birthday_cake easter_egg cigar",
     "leather": "wallet ring_box american_football baseball handbag purse clutch suitcase belt "
     "boot sandal high_heel glasses_case dog_collar luggage_tag",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset "
@@ -135,7 +135,8 @@ HOLLOW = frozenset(
      "stacking_cups", "desk_caddy", "food_container", "paper_bag", "gift_bag", "cabinet",
      "drawer_box", "candlestick", "violin", "ukulele",
      "crate", "nest", "beach_ball", "bird_cage", "birdhouse", "easter_basket", "trinket_dish",
-     "soap_dish", "bucket", "laundry_basket", "crown", "party_hat", "witch_hat"}
+     "soap_dish", "bucket", "laundry_basket", "crown", "party_hat", "witch_hat", "piggy_bank",
+     "wooden_box"}
 )  # fmt: skip
 """Things that are walls around air."""
 
@@ -160,7 +161,8 @@ ASSEMBLED = frozenset(
      "menorah", "lantern", "incense_holder", "taper_candle", "umbrella", "earring", "pendant",
      "pocket_watch", "dog_collar", "leash", "safety_pin", "needle", "pin", "clothes_hanger",
      "hair_clip", "headband", "duster", "mascara", "belt", "backpack", "handbag", "dustpan",
-     "cotton_swab", "loofah", "pompom", "greeting_card", "luggage_tag", "eye_mask"}
+     "cotton_swab", "loofah", "pompom", "greeting_card", "luggage_tag", "eye_mask", "folding_fan",
+     "eiffel_tower", "smoking_pipe"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 
