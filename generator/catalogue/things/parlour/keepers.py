@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from ...build.category import Category
@@ -305,7 +307,7 @@ def eiffel_tower(look: Look) -> Shape:
         for r, z in ((0.036, 0.036), (0.02, 0.08), (0.008, 0.155))
     ]
     rungs = []
-    for (r, z), (q, w) in zip(levels[1:4], levels[2:5], strict=True):
+    for (r, z), (q, w) in itertools.pairwise(levels[1:5]):
         for s in (-1, 1):
             for t in (-1, 1):
                 e, f = 0.93 * r - 0.004, 0.93 * q - 0.003
