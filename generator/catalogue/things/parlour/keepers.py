@@ -288,20 +288,11 @@ def eiffel_tower(look: Look) -> Shape:
         (0.006, 0.16),
         (0.003, 0.185),
     ]
-    legs: list[Solid] = []
-    for sx in (-1, 1):
-        for sy in (-1, 1):
-            legs.append(
-                rod(
-                    [
-                        (sx * (r - 0.006 * (r > 0.01)), sy * (r - 0.006 * (r > 0.01)), z)
-                        for r, z in levels
-                    ],
-                    [0.006, 0.005, 0.004, 0.003, 0.002, 0.0016],
-                    4,
-                    3,
-                )
-            )
+    slim = [0.006, 0.005, 0.004, 0.003, 0.002, 0.0016]
+    line = [(r - 0.006 * (r > 0.01), z) for r, z in levels]
+    legs = [
+        rod([(sx * r, sy * r, z) for r, z in line], slim, 4, 3) for sx in (-1, 1) for sy in (-1, 1)
+    ]
     decks = [
         box(2 * r, 2 * r, 0.005).move(z=z)
         for r, z in ((0.036, 0.036), (0.02, 0.08), (0.008, 0.155))
