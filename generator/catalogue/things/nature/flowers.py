@@ -143,7 +143,11 @@ def stemmed(
         crown = np.concatenate([s.vertices for s, _ in pieces[: len(bloom)]])
         x = stalk.vertices[:, 0]
         rest = stalk.move(-0.5 * length - middle).turn(2, np.pi).vertices
-        parts = [above(crown), above(rest[x < 0.1]), above(rest[x > 0.08])]
+        crown = above(crown)
+        crown[crown[:, 2] < 0.5 * crown[:, 2].max(), 2] = 0.0
+        tail = above(rest[x > 0.08])
+        tail[tail[:, 2] < 0.003, 2] = 0.0
+        parts = [crown, above(rest[x < 0.1]), tail]
         return shape(pieces, [hull_part(p) for p in parts])
 
     return made

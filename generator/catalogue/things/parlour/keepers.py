@@ -249,9 +249,18 @@ def pipe(look: Look) -> Shape:
     stem = rod([(0.012, 0, 0.008), (0.05, 0, 0.012), (0.075, 0, 0.02)], [0.008, 0.006, 0.005], 10)
     bit = rod([(0.073, 0, 0.0195), (0.11, 0, 0.03), (0.135, 0, 0.031)], [0.0052, 0.004, 0.003], 10)
     foot = cylinder(0.0105, 0.004, 16)
-    return settled([(join([bowl, stem, foot]), look.surface(color, "wood")),
-                    (ash, textures.plain((70, 56, 46))), (bit, textures.plain((34, 32, 32)))],
-                   join([bowl, foot]), stem, bit, factor=look.between(0.9, 1.15))  # fmt: skip
+    return settled(
+        [
+            (join([bowl, stem, foot]), look.surface(color, "wood")),
+            (ash, textures.plain((70, 56, 46))),
+            (bit, textures.plain((34, 32, 32))),
+        ],
+        join([bowl, foot]),
+        stem,
+        bit,
+        factor=look.between(0.9, 1.15),
+        foot=0.3,
+    )
 
 
 def mantel_clock(look: Look) -> Shape:
