@@ -125,6 +125,7 @@ from .things.office import (
     supplies,
     writing,
 )
+from .things.parlour import keepers
 from .things.sewing import cloths, notions
 from .things.tools import (
     benchwork,
@@ -138,6 +139,7 @@ from .things.tools import (
     tools,
     workbench,
 )
+from .things.travel import papers
 from .things.upkeep import chores, pets
 from .things.wardrobe import bags, bathroom, clothes, footwear, garments, gifts, jewelry, trinkets
 
@@ -258,6 +260,8 @@ _ON_REQUEST = (
     apparatus,
     surgery,
     cards,
+    papers,
+    keepers,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

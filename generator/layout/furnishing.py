@@ -36,9 +36,12 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     """
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
+    holding = {r.target for o in plan.objects for r in o.relations if r.kind == "in"}
     for planned in plan.objects:
         kind = (planned.category, planned.noun, str(sorted(planned.attributes.items())))
         number = seeds.setdefault(kind, len(seeds))
+        if planned.category == "vase" and planned.name in holding:  # without flowers of its own
+            planned = replace(planned, attributes={"state": "empty", **planned.attributes})
         built = _build(planned, plan.style, seed * 1009 + number)
         models[planned.name] = pose(built, planned.attributes.get("posture", ""))
     by_name = {o.name: o for o in plan.objects}

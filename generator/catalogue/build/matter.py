@@ -42,7 +42,7 @@ _MADE_OF: Mapping[str, str] = {
     "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip "
     "gravy_boat butter_dish tureen serving_platter cloche egg_cup baking_dish pie_dish "
     "tagine sake_bottle sake_cup chopstick_rest cookie_jar storage_jar frog bird fern ivy "
-    "bonsai herb_pot oil_burner trinket_dish soap_dish dog_bone honey_pot",
+    "bonsai herb_pot oil_burner trinket_dish soap_dish dog_bone honey_pot piggy_bank",
     "glass": "open_jar glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker "
     "flask petri_dish reagent_bottle perfume_bottle nail_polish hourglass "
     "magnifying_glass salt_shaker pepper_shaker cream_jar carafe cocktail_glass "
@@ -75,7 +75,7 @@ _MADE_OF: Mapping[str, str] = {
     "lantern thimble needle pin safety_pin crochet_hook bobbin nail_clippers "
     "eyelash_curler bobby_pin shaving_foam hairspray earring brooch cufflink tie_clip "
     "pocket_watch crown pendant iron coffee_pod portafilter cocktail_shaker jigger "
-    "ice_tongs hip_flask bottle_cap beer_can energy_drink laptop_stand",
+    "ice_tongs hip_flask bottle_cap beer_can energy_drink laptop_stand eiffel_tower",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
     "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
@@ -92,8 +92,9 @@ _MADE_OF: Mapping[str, str] = {
     "toy_boat train_track skittle twig driftwood pine_cone acorn birdhouse terrarium "
     "bird_feeder nutcracker wreath nest snow_globe easter_basket incense_holder match "
     "dreidel knitting_needle makeup_brush shaving_brush scrub_brush clothes_peg "
-    "clothes_hanger muddler cork pepper_mill",
-    "stone": "sculpture pebble rock seashell starfish coral",
+    "clothes_hanger muddler cork pepper_mill treasure_chest wooden_box music_box "
+    "smoking_pipe mantel_clock",
+    "stone": "sculpture pebble rock seashell starfish coral crystal",
     "plastic": "tool_caddy open_suitcase open_lunch_box pen_cup paint_bottle spray_bottle "
     "wipes_canister screw_box pipette_box pill_bottle soap_dispenser glue_stick marker "
     "pen ruler desk_tray tape_roll tape_dispenser tape_measure utility_knife stapler "
@@ -121,7 +122,7 @@ _MADE_OF: Mapping[str, str] = {
     "sunscreen mouthwash hand_cream face_wash deodorant bleach mascara eyeliner "
     "eyeshadow_palette blusher dental_floss hair_clip hair_roller bucket laundry_basket "
     "dustpan hair_straightener curling_iron milk_frother ring_light laser_pointer "
-    "headphone_stand cable_reel",
+    "headphone_stand cable_reel travel_adapter",
     "paper": "open_box napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup "
     "egg_carton envelope binder folded_map book notebook box sticky_notes paper_stack "
     "playing_cards open_book photo_print map fries chips_can cream_cheese flour_bag "
@@ -132,7 +133,8 @@ _MADE_OF: Mapping[str, str] = {
     "index_card postcard greeting_card dictionary textbook atlas cookbook chewing_gum "
     "tea_bag pizza_box takeaway_box foil_roll cling_film paper_towel_roll paper_plate "
     "jigsaw_piece leaf feather party_hat party_popper christmas_cracker wrapping_paper "
-    "gift_tag matchbox toilet_roll tissue_pack beer_mat instant_noodles juice_box oats",
+    "gift_tag matchbox toilet_roll tissue_pack beer_mat instant_noodles juice_box oats "
+    "passport boarding_pass ticket photo_album folding_fan cigarette",
     "wax": "candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
@@ -151,10 +153,10 @@ _MADE_OF: Mapping[str, str] = {
     "sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
     "cashew pistachio chestnut acorn olive pickle sugar_cube rose tulip daisy sunflower "
     "lily carnation lavender orchid dried_flower flower_bulb gingerbread_house "
-    "jack_o_lantern birthday_cake easter_egg",
+    "jack_o_lantern birthday_cake easter_egg cigar",
     "leather": "wallet ring_box american_football baseball dice_cup volleyball cricket_ball "
     "rugby_ball baseball_glove boxing_glove handbag purse clutch suitcase belt boot "
-    "sandal high_heel glasses_case dog_collar",
+    "sandal high_heel glasses_case dog_collar luggage_tag",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset microphone "
     "desk_fan power_strip hard_drive action_camera handheld_console hair_dryer calculator "
     "laptop monitor keyboard computer_mouse smartphone tablet headphones speaker "
@@ -176,7 +178,7 @@ _MADE_OF: Mapping[str, str] = {
     "fabric_square felt_sheet doily quilt mannequin makeup_bag powder_puff cotton_pad "
     "loofah rolled_towel washcloth hair_tie headband t_shirt shirt sweater jeans sock "
     "glove mitten beanie tie bow_tie backpack duffel_bag umbrella slipper leash cat_toy "
-    "duster",
+    "duster travel_pillow eye_mask",
     "rubber": "mousepad wrist_rest ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
     "stethoscope foam_brick hockey_puck yoga_block rubber_band rubber_glove",
 }
@@ -199,14 +201,15 @@ HOLLOW = frozenset(
      "loaf_tin", "lunch_box", "matryoshka", "measuring_cup", "mixing_bowl", "muffin_tin", "mug",
      "nest", "open_box", "open_jar", "open_lunch_box", "open_suitcase", "paint_tray", "pan",
      "paper_bag", "paper_plate", "party_hat", "pen_cup", "pencil_case", "pencil_holder",
-     "pet_bowl", "petri_dish", "pie_dish", "ping_pong_ball", "pint_glass", "pitcher",
-     "plant_pot", "plastic_cup", "plate", "pot", "ramekin", "roasting_tin", "rubber_duck",
-     "sake_bottle", "sake_cup", "saucer", "serving_bowl", "serving_platter", "shot_glass",
-     "sieve", "soap_dish", "soccer_ball", "soup", "stacking_cups", "sugar_bowl", "tagine",
-     "tambourine", "tea_cosy", "teacup", "teapot", "tennis_ball", "test_tube_rack", "thermos",
-     "tool_caddy", "toolbox", "toothbrush_cup", "tray", "trinket_dish", "trophy", "tube_stand",
-     "tureen", "ukulele", "vase", "violin", "volleyball", "waste_bin", "watering_can",
-     "weighing_boat", "whiskey_glass", "wine_glass", "witch_hat", "wok"}
+     "pet_bowl", "petri_dish", "pie_dish", "piggy_bank", "ping_pong_ball", "pint_glass",
+     "pitcher", "plant_pot", "plastic_cup", "plate", "pot", "ramekin", "roasting_tin",
+     "rubber_duck", "sake_bottle", "sake_cup", "saucer", "serving_bowl", "serving_platter",
+     "shot_glass", "sieve", "soap_dish", "soccer_ball", "soup", "stacking_cups", "sugar_bowl",
+     "tagine", "tambourine", "tea_cosy", "teacup", "teapot", "tennis_ball", "test_tube_rack",
+     "thermos", "tool_caddy", "toolbox", "toothbrush_cup", "tray", "trinket_dish", "trophy",
+     "tube_stand", "tureen", "ukulele", "vase", "violin", "volleyball", "waste_bin",
+     "watering_can", "weighing_boat", "whiskey_glass", "wine_glass", "witch_hat", "wok",
+     "wooden_box"}
 )  # fmt: skip
 """Things that are walls around air."""
 
@@ -221,24 +224,25 @@ ASSEMBLED = frozenset(
      "coffee_grinder", "coins", "compass", "cooling_rack", "coral", "cotton_ball", "cotton_swab",
      "crayon_box", "crowbar", "daisy", "dart", "dish_rack", "dog_collar", "dominoes",
      "drawing_compass", "dried_flower", "dropper", "drumstick", "duster", "dustpan", "earring",
-     "egg_cup", "eyeglasses", "face_mask", "feather", "fern", "figurine", "film_roll",
-     "folded_map", "gavel", "glue_gun", "grapefruit", "greeting_card", "hacksaw", "hair_clip",
-     "hand_fork", "hand_plane", "hand_rake", "handbag", "headband", "headphone_stand",
-     "herb_pot", "hex_key", "hip_flask", "ice_tongs", "incense_holder", "inhaler", "ink_pad",
-     "ivy", "jewelry_box", "juice_box", "jumper_wire", "kettlebell", "keys", "kitchen_timer",
-     "kite", "kiwi", "knife_block", "lab_tripod", "ladle", "lantern", "laptop_stand", "lavender",
-     "leaf", "leash", "led", "letter", "light_bulb", "lily", "lollipop", "loofah", "mallet",
-     "mandoline", "map", "maraca", "marbles", "mascara", "mask", "measuring_spoon", "medal",
-     "menorah", "micropipette", "molecule_model", "nail", "napkin_holder", "napkin_ring",
-     "necklace", "needle", "newtons_cradle", "noodles", "nut", "oil_can", "orchid", "padlock",
-     "paint_roller", "papaya", "paper_clip", "paper_clips", "paper_towel_roll", "pegboard",
-     "pencil_holder", "pencil_set", "pencil_sharpener", "pendant", "photo_print",
-     "picture_frame", "pill_bottle", "pin", "pine_cone", "pipe_fitting", "pipe_wrench",
-     "pocket_watch", "poker_chips", "pompom", "popcorn", "potato_masher", "potted_plant",
-     "price_tag", "propeller", "push_pin", "putty_knife", "radio", "reflex_hammer", "resistor",
-     "retort_stand", "ribbon", "ring", "ring_light", "rope", "rose", "rubber_band", "safety_pin",
-     "sandpaper", "saxophone", "screw", "secateurs", "sensor", "servo", "shuttlecock", "skewer",
-     "skipping_rope", "slingshot", "soap_bar", "soccer_ball", "socket_wrench", "soup_spoon",
+     "egg_cup", "eiffel_tower", "eye_mask", "eyeglasses", "face_mask", "feather", "fern",
+     "figurine", "film_roll", "folded_map", "folding_fan", "gavel", "glue_gun", "grapefruit",
+     "greeting_card", "hacksaw", "hair_clip", "hand_fork", "hand_plane", "hand_rake", "handbag",
+     "headband", "headphone_stand", "herb_pot", "hex_key", "hip_flask", "ice_tongs",
+     "incense_holder", "inhaler", "ink_pad", "ivy", "jewelry_box", "juice_box", "jumper_wire",
+     "kettlebell", "keys", "kitchen_timer", "kite", "kiwi", "knife_block", "lab_tripod", "ladle",
+     "lantern", "laptop_stand", "lavender", "leaf", "leash", "led", "letter", "light_bulb",
+     "lily", "lollipop", "loofah", "luggage_tag", "mallet", "mandoline", "map", "maraca",
+     "marbles", "mascara", "mask", "measuring_spoon", "medal", "menorah", "micropipette",
+     "molecule_model", "nail", "napkin_holder", "napkin_ring", "necklace", "needle",
+     "newtons_cradle", "noodles", "nut", "oil_can", "orchid", "padlock", "paint_roller",
+     "papaya", "paper_clip", "paper_clips", "paper_towel_roll", "pegboard", "pencil_holder",
+     "pencil_set", "pencil_sharpener", "pendant", "photo_print", "picture_frame", "pill_bottle",
+     "pin", "pine_cone", "pipe_fitting", "pipe_wrench", "pocket_watch", "poker_chips", "pompom",
+     "popcorn", "potato_masher", "potted_plant", "price_tag", "propeller", "push_pin",
+     "putty_knife", "radio", "reflex_hammer", "resistor", "retort_stand", "ribbon", "ring",
+     "ring_light", "rope", "rose", "rubber_band", "safety_pin", "sandpaper", "saxophone",
+     "screw", "secateurs", "sensor", "servo", "shuttlecock", "skewer", "skipping_rope",
+     "slingshot", "smoking_pipe", "soap_bar", "soccer_ball", "socket_wrench", "soup_spoon",
      "spice_rack", "spinning_top", "spring", "standing_mirror", "staple_gun", "stethoscope",
      "stopwatch", "straw", "straw_holder", "succulent", "sunflower", "sushi_rolls",
      "takeaway_box", "taper_candle", "tea_bag", "tea_box", "tea_strainer", "telescope",

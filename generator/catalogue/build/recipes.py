@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from jaxtyping import Float
 
 from ..surfaces.textures import Tile, speckles
 from .collision import hull_part
@@ -20,14 +21,25 @@ Pieces = list[tuple[Solid, Tile]]
 Point = tuple[float, float, float]
 
 
-def settled(pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0) -> Shape:
+def settled(
+    pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0, foot: float = 0.0
+) -> Shape:
     """Return a shape of pieces whose convex parts are the hulls of ``bodies`` (else all pieces).
 
-    What lies under z = 0 is pressed flat there, so that round things get a foot.
+    What lies under z = 0 is pressed flat there, so that round things get a foot. ``foot`` sets the
+    lowest share of each part that is near the ground down on it: what is round and lies stays.
     """
     solids = bodies or tuple(solid for solid, _ in pieces)
-    parts = [hull_part(above(solid.vertices)) for solid in solids]
+    low = max(min(float(solid.bounds[0, 2]) for solid, _ in pieces), 0.0)
+    parts = [hull_part(_set_down(above(solid.vertices), low, foot)) for solid in solids]
     return shape(pieces, parts, opacity).scale(factor)
+
+
+def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.ndarray:
+    """Return points, the lowest ``share`` of the height above ``low`` moved down to it."""
+    made = points.copy()
+    made[made[:, 2] < low + share * (made[:, 2].max() - low), 2] = low
+    return made
 
 
 def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) -> Solid:

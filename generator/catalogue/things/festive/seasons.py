@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import cylinder_part, flat_foot, hull_part, ring_parts
+from ...build.collision import cylinder_part, flat_foot, ring_parts
 from ...build.forms import above, lobe
 from ...build.hollow import open_vessel
 from ...build.recipes import Pieces, ball, rod, settled, standing_plate
@@ -154,25 +154,31 @@ def skull(look: Look) -> Shape:
 
 
 def easter_basket(look: Look) -> Shape:
-    """A small round basket with a high handle, open above."""
+    """A small round basket, open above, its handle folded down behind."""
     r, h = look.between(0.07, 0.09), look.between(0.065, 0.08)
     color = look.color("tan", "brown", "white", "pink", "sky", "bronze", "mint")
     body, _ = open_vessel([(0.8 * r, 0), (0.93 * r, 0.5 * h), (r, h)], 0.006, 0.006)
     rim = torus(0.98 * r, 0.006, 32, 8).move(z=h)
-    grip = rod([(-0.98 * r, 0, h), (-0.85 * r, 0, h + 0.75 * r), (0, 0, h + 1.25 * r),
-                (0.85 * r, 0, h + 0.75 * r), (0.98 * r, 0, h)], 0.006, 8)  # fmt: skip
+    grip = rod(
+        [
+            (-1.04 * r, 0, h),
+            (-0.85 * r, 0.75 * r, h - 0.004),
+            (0, 1.16 * r, h - 0.008),
+            (0.85 * r, 0.75 * r, h - 0.004),
+            (1.04 * r, 0, h),
+        ],
+        0.006,
+        8,
+    )
     loops = [
         ball(0.034, 0.01, 0.024, (-0.97 * r + 0.006 * s, s * 0.018, h - 0.004), 8) for s in (-1, 1)
     ]
     weave = textures.basketwork(look.rng, color, 14)
     knot = textures.plain(look.own_color("pink", "yellow", "lavender", "red"))
-    p = grip.vertices
-    arc = [hull_part(p[(p[:, 0] < -0.3 * r)]), hull_part(p[np.abs(p[:, 0]) < 0.4 * r]),
-           hull_part(p[(p[:, 0] > 0.3 * r)])]  # fmt: skip
     wall = ring_parts([(0.8 * r, 0), (0.93 * r, 0.5 * h), (r, h)],
                       [(r - 0.006, h), (0.8 * r - 0.006, 0.006)], 14)  # fmt: skip
     return shape([(body, weave), (join([rim, grip]), textures.plain(tint_color(color, 0.85))),
-                  (join(loops), knot)], [*wall, cylinder_part(0.78 * r, 0.006), *arc])  # fmt: skip
+                  (join(loops), knot)], [*wall, cylinder_part(0.78 * r, 0.006)])  # fmt: skip
 
 
 CATEGORIES = (
@@ -188,7 +194,7 @@ CATEGORIES = (
              "mini pumpkin"), ("living", "kitchen"), ("round",), ("orange",)),
     Category("skull", skull, (0.083, 0.11, 0.11), 0.35, ("human skull", "skull decoration",
              "halloween skull", "decorative skull", "plastic skull"), ("living",), (), ("ivory",)),
-    Category("easter_basket", easter_basket, (0.165, 0.165, 0.175), 0.25, ("egg basket",
+    Category("easter_basket", easter_basket, (0.189, 0.183, 0.0791), 0.25, ("egg basket",
              "picnic basket", "gift basket", "basket with a handle", "flower basket"),
              ("living",), ("container", "round"), ("tan",)),
 )  # fmt: skip

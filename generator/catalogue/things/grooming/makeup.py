@@ -61,6 +61,7 @@ def eyeliner(look: Look) -> Shape:
         stick,
         wood,
         factor=look.between(0.95, 1.1),
+        foot=0.4,
     )
 
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import itertools
-
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import box_part, hull_of, hull_part
+from ...build.collision import bowl_parts, box_part, cylinder_part, hull_of
 from ...build.outlines import rectangle, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, loft, torus, tube
@@ -48,19 +46,11 @@ def vase(look: Look) -> Shape:
     )
     glaze = textures.fit(glaze_tile(look, color), 128, 128)
     pieces = [(body, glaze)]
-    levels = [0, 4, 9, 13]
-    parts = [
-        hull_part(_between(body, a * h / 13, b * h / 13)) for a, b in itertools.pairwise(levels)
-    ]
-    if look.chance(0.45):
+    within = np.column_stack([np.maximum(outer[:, 0] - wall, 0.006), np.maximum(outer[:, 1], wall)])
+    parts = [*bowl_parts(outer, within, 13), cylinder_part(float(outer[0, 0]), 2 * wall)]
+    if look.chance(0.45) and look.attributes.get("state") != "empty":
         pieces += _flowers(look, float(outer[-1, 0]), h)
     return shape(pieces, parts)
-
-
-def _between(body: Solid, low: float, high: float) -> np.ndarray:
-    """Return a body's vertices between two heights."""
-    z = body.vertices[:, 2]
-    return body.vertices[(z >= low - 1e-6) & (z <= high + 1e-6)]
 
 
 def _flowers(look: Look, mouth: float, h: float) -> list[tuple[Solid, textures.Tile]]:
@@ -142,7 +132,7 @@ CATEGORIES = (
         0.6,
         ("flower vase", "flowers", "flower", "vase of flowers"),
         ("living", "dining", "office"),
-        ("tall", "round"),
+        ("container", "tall", "round"),
         ("white", "teal", "navy"),
     ),
     Category(

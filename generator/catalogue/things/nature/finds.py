@@ -145,9 +145,9 @@ def twig(look: Look) -> Shape:
         ]
         pieces.append((join(leaves), textures.plain(look.own_color("green", "olive", "sage"))))
     x = main.vertices[:, 0]
-    return shape(pieces, [hull_part(above(main.vertices[x < 0.05 * h])),
-                          hull_part(above(main.vertices[x > -0.05 * h])),
-                          hull_part(above(join(forks).vertices))])  # fmt: skip
+    return shape(pieces, [flat_foot(above(main.vertices[x < 0.05 * h]), 0.4),
+                          flat_foot(above(main.vertices[x > -0.05 * h]), 0.4),
+                          flat_foot(above(join(forks).vertices), 0.4)])  # fmt: skip
 
 
 def feather(look: Look) -> Shape:

@@ -118,12 +118,12 @@ def stemmed(
     head: Head, colors: tuple[str, ...], long: float, *, leaves: int = 2, nod: float = 0.5,
     leaf: tuple[float, float] = (0.06, 0.018), stem: RGB = (84, 126, 64),
 ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return the shape of a cut flower that lies on the table, its blossom to the left."""
+    """Return the shape of a cut flower that lies on the table, its blossom to the right."""
 
     def made(look: Look) -> Shape:
         color = look.color(*colors)
-        length = long * look.between(0.85, 1.15)
-        blossom = [(s.scale(1.35, 1.35, 1.35), t) for s, t in head(look, color)]
+        length = 0.88 * long * look.between(0.9, 1.1)
+        blossom = [(s.scale(1.15, 1.15, 1.15), t) for s, t in head(look, color)]
         low = min(float(s.turn(1, -np.pi / 2 + nod).bounds[0, 2]) for s, _ in blossom)
         up = max(0.003, -low)
         bloom = [(s.turn(1, -np.pi / 2 + nod).move(0, 0, up), t) for s, t in blossom]
@@ -133,17 +133,21 @@ def stemmed(
         green = textures.plain(stem)
         pieces: Pieces = [*bloom, (stalk, green)]
         blades = [blade([(0, 0, 0.003), (0.5 * leaf[0], 0.004, 0.01), (leaf[0], 0.012, 0.004)],
-                        leaf[1], thick=0.15).turn(2, (-1) ** k * 0.55 + np.pi)
+                        leaf[1], thick=0.15).turn(2, (-1) ** k * 0.25 + np.pi)
                   .move(0.4 * length + 0.25 * length * k / max(leaves, 1), 0, 0)
                   for k in range(leaves)]  # fmt: skip
         if blades:
             pieces.append((join(blades), textures.plain(tint_color(stem, 0.85))))
         middle = float(np.mean([s.bounds.mean(0)[0] for s, _ in bloom]))
-        pieces = [(s.move(-0.5 * length - middle), t) for s, t in pieces]
+        pieces = [(s.move(-0.5 * length - middle).turn(2, np.pi), t) for s, t in pieces]
         crown = np.concatenate([s.vertices for s, _ in pieces[: len(bloom)]])
         x = stalk.vertices[:, 0]
-        rest = stalk.move(-0.5 * length - middle).vertices
-        parts = [above(crown), above(rest[x < 0.1]), above(rest[x > 0.08])]
+        rest = stalk.move(-0.5 * length - middle).turn(2, np.pi).vertices
+        crown = above(crown)
+        crown[crown[:, 2] < 0.5 * crown[:, 2].max(), 2] = 0.0
+        tail = above(rest[x > 0.08])
+        tail[tail[:, 2] < 0.003, 2] = 0.0
+        parts = [crown, above(rest[x < 0.1]), tail]
         return shape(pieces, [hull_part(p) for p in parts])
 
     return made
@@ -162,7 +166,7 @@ CATEGORIES = (
     _row(
         "rose",
         stemmed(_rose, ("red", "pink", "white", "yellow", "crimson"), 0.23),
-        (0.273, 0.075, 0.056),
+        (0.227, 0.0504, 0.0509),
         0.02,
         ("red rose", "cut rose", "single rose", "rose stem"),
         ("red", "pink"),
@@ -172,7 +176,7 @@ CATEGORIES = (
         stemmed(
             _tulip, ("red", "yellow", "pink", "purple", "orange", "white"), 0.22, leaf=(0.12, 0.02)
         ),
-        (0.272, 0.126, 0.0539),
+        (0.222, 0.062, 0.0459),
         0.02,
         ("tulip flower", "tulip stem"),
         ("red", "yellow"),
@@ -180,7 +184,7 @@ CATEGORIES = (
     _row(
         "daisy",
         stemmed(_daisy, ("white", "white", "pink", "yellow"), 0.18, nod=0.8, leaf=(0.04, 0.012)),
-        (0.198, 0.0625, 0.0446),
+        (0.169, 0.0532, 0.038),
         0.006,
         ("daisy flower", "marguerite", "chamomile", "daisies", "gerbera", "aster"),
         ("white",),
@@ -188,7 +192,7 @@ CATEGORIES = (
     _row(
         "sunflower",
         stemmed(_sunflower, ("yellow", "gold", "amber"), 0.27, nod=0.9, leaf=(0.08, 0.04)),
-        (0.334, 0.124, 0.0813),
+        (0.268, 0.105, 0.0692),
         0.06,
         ("sun flower",),
         ("yellow",),
@@ -196,7 +200,7 @@ CATEGORIES = (
     _row(
         "lily",
         stemmed(_lily, ("white", "pink", "orange", "yellow"), 0.24, nod=0.4),
-        (0.311, 0.132, 0.139),
+        (0.253, 0.112, 0.119),
         0.02,
         ("lily flower", "lilies", "amaryllis"),
         ("white", "pink"),
@@ -211,7 +215,7 @@ CATEGORIES = (
             leaf=(0.07, 0.006),
             stem=(110, 146, 110),
         ),
-        (0.254, 0.0785, 0.0594),
+        (0.205, 0.0559, 0.0506),
         0.012,
         ("peony", "chrysanthemum", "carnation flower", "dahlia"),
         ("pink", "red"),
@@ -226,7 +230,7 @@ CATEGORIES = (
             leaf=(0.04, 0.004),
             stem=(120, 140, 110),
         ),
-        (0.296, 0.0434, 0.0269),
+        (0.243, 0.032, 0.0229),
         0.004,
         ("lavender sprig", "sprig of lavender", "lavender stem", "lavender flower"),
         ("purple",),
@@ -234,7 +238,7 @@ CATEGORIES = (
     _row(
         "orchid",
         stemmed(_orchid, ("pink", "white", "purple", "magenta"), 0.22, leaves=0, nod=0.25),
-        (0.256, 0.0689, 0.0722),
+        (0.205, 0.0587, 0.0615),
         0.02,
         ("orchid stem", "orchid flower"),
         ("pink", "white"),
@@ -250,7 +254,7 @@ CATEGORIES = (
             leaf=(0.06, 0.006),
             stem=(190, 160, 100),
         ),
-        (0.299, 0.058, 0.0323),
+        (0.246, 0.0405, 0.0276),
         0.004,
         ("ear of wheat", "wheat", "dried grass", "wheat stalk", "pampas grass", "wheat ear"),
         ("tan",),

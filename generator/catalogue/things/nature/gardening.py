@@ -213,7 +213,7 @@ def garden_hose_nozzle(look: Look) -> Shape:
     dark = textures.plain((52, 54, 58))
     pieces: Pieces = [(join([barrel, grip]), skin), (join([head, joint, lever]), dark)]
     return settled(pieces, join([barrel, head]), join([grip, joint]), lever,
-                   factor=look.between(0.9, 1.1))  # fmt: skip
+                   factor=look.between(0.9, 1.1), foot=0.3)  # fmt: skip
 
 
 def flower_bulb(look: Look) -> Shape:

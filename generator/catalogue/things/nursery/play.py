@@ -112,7 +112,7 @@ def mask(look: Look) -> Shape:
     pieces: Pieces = [(face, gold), (trim, textures.speckles(look.rng, color, 5)),
                       (join(rims), gold), (join(eyes), textures.plain((26, 24, 28))),
                       (gem, textures.plain((200, 40, 70)))]  # fmt: skip
-    return settled(pieces, face, factor=look.between(0.88, 1.12))
+    return settled(pieces, face, factor=look.between(0.88, 1.12), foot=0.25)
 
 
 def jigsaw_piece(look: Look) -> Shape:

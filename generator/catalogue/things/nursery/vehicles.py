@@ -40,8 +40,13 @@ def _windows(
 
 def _lorry(look: Look, kind: str) -> Shape:
     """A lorry that drives to the left: a cab and what it carries."""
-    color = look.color(*{"fire": ("red",), "dump": ("yellow", "orange", "green"),
-                         "box": ("red", "blue", "green", "yellow", "orange")}[kind])  # fmt: skip
+    color = look.color(
+        *{
+            "fire": ("red", "crimson", "yellow", "maroon"),
+            "dump": ("yellow", "orange", "green"),
+            "box": ("red", "blue", "green", "yellow", "orange"),
+        }[kind]
+    )
     other = look.own_color("yellow", "white", "gray", "blue", "orange", "silver")
     paint, second = textures.speckles(look.rng, color, 4), textures.speckles(look.rng, other, 4)
     bed = box(0.17, 0.05, 0.014).move(z=0.014)
@@ -87,7 +92,7 @@ def _lorry(look: Look, kind: str) -> Shape:
     pieces += _wheels([(-0.06, 0.016, 0.016), (0.025, 0.016, 0.016), (0.062, 0.016, 0.016)], 0.026)
     base = box_part(0.16, 0.062, 0.03)
     made = shape(pieces, [base, *[hull_of(s) for s in hulls]])
-    return made.scale(look.between(0.9, 1.1))
+    return made.scale(look.between(0.84, 1.14))
 
 
 def truck(look: Look) -> Shape:

@@ -80,9 +80,7 @@ def pillow_shape(look: Look) -> Shape:
     return settled([(body, cloth)], body)
 
 
-def _flat(
-    look: Look, x: float, y: float, thick: float, tile: Tile, fringe: float, color: RGB
-) -> Shape:
+def _flat(x: float, y: float, thick: float, tile: Tile, fringe: float, color: RGB) -> Shape:
     """Return a flat cloth, threads hanging from its short ends where ``fringe`` is positive."""
     sheet = block(x, y, thick, 0.004)
     pieces: Pieces = [(sheet, tile)]

@@ -71,7 +71,7 @@ def pin(look: Look) -> Shape:
     shaft = straight((-long / 2, 0, 0.0007), (long / 2, 0, 0.0019), [0.0002, 0.0005], 6)
     head = ball(0.004, 0.004, 0.004, (long / 2, 0, 0.0018), 12)
     return settled([(shaft, textures.plain(STEEL)), (head, textures.speckles(look.rng, color, 3))],
-                   shaft, head, factor=look.between(0.9, 1.4))  # fmt: skip
+                   shaft, head, factor=look.between(0.9, 1.4), foot=0.5)  # fmt: skip
 
 
 def safety_pin(look: Look) -> Shape:
@@ -115,8 +115,15 @@ def crochet_hook(look: Look) -> Shape:
                 (-0.955 * h, 0.004, 0.0038)], [0.0018, 0.0017, 0.0014, 0.0007], 8)  # fmt: skip
     grip = rod([(-0.12 * h, 0, 0.004), (0.2 * h, 0, 0.004), (0.7 * h, 0, 0.004), (h, 0, 0.004)],
                [0.003, 0.0044, 0.0044, 0.003], 12)  # fmt: skip
-    return settled([(join([shaft, hook]), textures.brushed_metal(look.rng, STEEL)),
-                    (grip, look.surface(color, "plastic"))], join([shaft, hook]), grip)  # fmt: skip
+    return settled(
+        [
+            (join([shaft, hook]), textures.brushed_metal(look.rng, STEEL)),
+            (grip, look.surface(color, "plastic")),
+        ],
+        join([shaft, hook]),
+        grip,
+        foot=0.4,
+    )
 
 
 def pin_cushion(look: Look) -> Shape:

@@ -221,7 +221,7 @@ def umbrella(look: Look) -> Shape:
     ribs = textures.stripes([color, tint_color(color, 0.75)], 8, upright=True, side=64)
     pieces: Pieces = [(cloth, ribs), (shaft, textures.plain((70, 72, 76))), (crook, wood),
                       (band, textures.plain(tint_color(color, 0.6)))]  # fmt: skip
-    return settled(pieces, cloth, crook, factor=look.between(0.85, 1.1))
+    return settled(pieces, cloth, crook, factor=look.between(0.85, 1.1), foot=0.3)
 
 
 def sunglasses_case(look: Look) -> Shape:

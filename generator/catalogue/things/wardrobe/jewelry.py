@@ -209,7 +209,7 @@ def bracelet(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("jewelry_box", jewelry_box, (0.185, 0.18, 0.19), 0.7, ("jewellery box", "jewel box",
-             "jewelry case", "music box", "trinket box", "jewellery case"), ("vanity",), ("big",),
+             "jewelry case", "trinket box", "jewellery case"), ("vanity",), ("big",),
              ("brown", "pink"), state="standing open"),
     Category("ring", ring, (0.0226, 0.0263, 0.0072), 0.006, ("finger ring", "wedding ring",
              "engagement ring", "gold ring", "diamond ring", "wedding band"), ("vanity",),

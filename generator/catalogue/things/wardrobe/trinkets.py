@@ -79,7 +79,7 @@ def brooch(look: Look) -> Shape:
 
 
 def cufflink(look: Look) -> Shape:
-    """A cufflink lying on its face side: a post with a bar, and a disc with a stone."""
+    """A cufflink standing on its bar: a post, and a disc with a stone above."""
     color = look.color("silver", "gold", "black", "copper")
     k = look.between(0.9, 1.25)
     face = (cylinder(0.0085, 0.004, 22, bevel=0.0008) if look.chance(0.5) else
@@ -87,12 +87,12 @@ def cufflink(look: Look) -> Shape:
     stone = cylinder(0.0062, 0.0012, 18).move(z=0.0035)
     post = straight((0, 0, -0.012), (0, 0, 0.001), 0.0017, 8)
     bar = straight((-0.0075, 0, -0.0125), (0.0075, 0, -0.0125), 0.0026, 10)
-    whole = [(s.turn(0, np.pi / 2 - 0.0).move(z=0.0085), t) for s, t in (
+    whole = [(s.turn(0, 0.12), t) for s, t in (
         (join([face, post, bar]), _gold(look, color)), (stone, textures.plain(look.own_color(
             "black", "navy", "red", "green", "white"))))]  # fmt: skip
     low = min(float(s.bounds[0, 2]) for s, _ in whole)
     whole = [(s.move(z=-low - 0.0004), t) for s, t in whole]
-    return settled(whole, whole[0][0], factor=k)
+    return settled(whole, whole[0][0], factor=k, foot=0.3)
 
 
 def tie_clip(look: Look) -> Shape:
@@ -211,7 +211,7 @@ CATEGORIES = (
     Category("brooch", brooch, (0.052, 0.052, 0.0125), 0.02, ("cameo", "pin badge", "badge",
              "broach", "flower brooch", "lapel pin"), ("vanity",), (), ("gold", "silver"),
              state="lying"),
-    Category("cufflink", cufflink, (0.017, 0.022, 0.017), 0.008, ("cuff link",), ("vanity",), (),
+    Category("cufflink", cufflink, (0.0169, 0.0172, 0.0211), 0.008, ("cuff link",), ("vanity",), (),
              ("silver", "gold"), state="lying"),
     Category("tie_clip", tie_clip, (0.059, 0.007, 0.0065), 0.008, ("tie pin", "tie bar",
              "tie clasp"), ("vanity",), (), ("silver", "gold"), state="lying"),
