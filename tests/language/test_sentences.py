@@ -96,7 +96,7 @@ def test_what_is_no_thing_is_not_understood(text: str, phrase: str) -> None:
     ("text", "family"),
     [
         ("a bicycle", "vehicle"), ("a zither", "stringed"), ("a flugelhorn", "rod"),
-        ("a dishwasher", "appliance"), ("a bun", "bread"), ("a pomegranate", "fruit"),
+        ("a dishwasher", "appliance"), ("a challah", "bread"), ("a guava", "fruit"),
         ("a waistcoat", "cloth"), ("a seismograph", "device"),
     ],
 )  # fmt: skip
@@ -108,7 +108,7 @@ def test_a_strange_thing_has_the_family_of_its_kind(text: str, family: str) -> N
 @pytest.mark.parametrize(
     ("text", "warning"),
     [
-        ("a grapefruit", "The catalogue has no 'grapefruit'; it is shown as 'orange'."),
+        ("a shallot", "The catalogue has no 'shallot'; it is shown as 'onion'."),
         ("a zither on a desk", "The catalogue has no 'zither'; a plain shape"),
         ("2 moniters and a keybord", "Read 'moniters' as 'monitors'."),
     ],
@@ -167,7 +167,7 @@ def test_cutlery_at_each_plate() -> None:
 
 def test_a_breakfast_is_laid_for_each() -> None:
     text = "breakfast for three: a bowl of cereal, a glass of orange juice and a banana"
-    assert counts(text) == {"bowl": 3, "glass": 3, "banana": 3}
+    assert counts(text) == {"bowl_of_cereal": 3, "glass": 3, "banana": 3}
 
 
 def test_the_top_bowl_is_the_upper_one() -> None:

@@ -18,6 +18,7 @@ IRREGULAR: Mapping[str, str] = MappingProxyType(
         "cookies": "cookie", "shelves": "shelf", "children": "child", "lenses": "lens",
         "movies": "movie", "pies": "pie", "brownies": "brownie", "axes": "axe",
         "smoothies": "smoothie", "dies": "die", "glasses": "glass", "halves": "half",
+        "men": "man", "chilies": "chili", "chillies": "chilli",
         "vases": "vase", "cases": "case", "bases": "base", "roses": "rose", "houses": "house",
     }
 )  # fmt: skip
