@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, ring_parts
 from ...build.hollow import open_vessel
 from ...build.outlines import smooth
-from ...build.settled import lifted, settle, stretched
+from ...build.settled import lift_parts, settle, stretch_parts
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import textures
@@ -45,8 +45,8 @@ def gravy_boat(look: Look) -> Shape:
                        (1.2 * r, 0, 0.32 * h)], 5), 0.0042, 8)  # fmt: skip
     lug = box_part(0.6 * r, 0.009, 0.5 * h, (1.6 * r, 0, 0.42 * h))
     return shape([(body.bend(lip), tile), (foot.scale(1.35, 1, 1), plain), (ear, plain)],
-                 [*stretched(parts, 1.33, 0.98), *stretched([cylinder_part(0.78 * r, 0.014)],
-                  1.35, 1), lug])  # fmt: skip
+                 [*stretch_parts(parts, 1.33, 0.98),
+                  *stretch_parts([cylinder_part(0.78 * r, 0.014)], 1.35, 1), lug])  # fmt: skip
 
 
 def butter_dish(look: Look) -> Shape:
@@ -99,7 +99,7 @@ def serving_platter(look: Look) -> Shape:
     shade = textures.plain(tint_color(color, 0.72))
     pieces = [(dish, plain), (line.scale(x, y, h), textures.plain(tone)),
               (well.scale(x, y, h), shade)]  # fmt: skip
-    inner = stretched([cylinder_part(0.37, 0.44 * h)], x, y)
+    inner = stretch_parts([cylinder_part(0.37, 0.44 * h)], x, y)
     wall = ring_parts([(0.37, 0.02 * h), (0.5, 0.94 * h)], [(0.495, h), (0.36, 0.5 * h)],
                       stretch=(x, y))  # fmt: skip
     return shape(pieces, [*inner, *wall])
@@ -143,7 +143,7 @@ def egg_cup(look: Look) -> Shape:
     foot = lathe([(0, 0), (0.85 * r, 0), (0.8 * r, 0.06 * h), (0.3 * r, 0.2 * h),
                   (0.3 * r, 0.38 * h), (0.42 * r, 0.47 * h), (0, 0.47 * h)], 26)  # fmt: skip
     pieces = [(cup.move(z=0.45 * h), tile), (foot, plain)]
-    made = [*lifted(parts, 0.45 * h), cylinder_part(0.84 * r, 0.08 * h),
+    made = [*lift_parts(parts, 0.45 * h), cylinder_part(0.84 * r, 0.08 * h),
             cylinder_part(0.3 * r, 0.42 * h, (0, 0, 0.06 * h))]  # fmt: skip
     return shape(pieces, made)
 
