@@ -14,6 +14,18 @@ from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
 from .things.bar import barista, glassware, mixing, openers
+from .things.cookery import (
+    blades,
+    gadgetry,
+    machines,
+    ovenware,
+    paperware,
+    serving,
+    spoons,
+    stands,
+    storage,
+    teatime,
+)
 from .things.electronics import (
     circuits,
     components,
@@ -30,32 +42,11 @@ from .things.electronics import (
     portables,
     stands,
 )
+from .things.fare import bowls, confections, dishes, meats, pastries, seafood, snacks, sushi
 from .things.festive import candlelight, characters, christmas, party, seasons
-from .things.food import (
-    bakery,
-    berries,
-    bowls,
-    confections,
-    dishes,
-    exotic,
-    food,
-    fruit,
-    greens,
-    groceries,
-    meals,
-    meats,
-    nuts,
-    orchard,
-    pantry,
-    pastries,
-    produce,
-    roots,
-    seafood,
-    snacks,
-    sushi,
-    sweets,
-)
+from .things.food import bakery, food, fruit, groceries, meals, orchard, pantry, produce, sweets
 from .things.grooming import bath, hair, makeup, shaving, toiletries
+from .things.harvest import berries, exotic, greens, nuts, roots
 from .things.home import (
     decor,
     dressing,
@@ -73,22 +64,13 @@ from .things.home import (
 from .things.kitchen import (
     appliances,
     bakeware,
-    blades,
     bottles,
     brewing,
     cooking,
     cups,
     cutlery,
     dining,
-    gadgetry,
-    machines,
-    ovenware,
-    paperware,
     racks,
-    serving,
-    spoons,
-    storage,
-    teatime,
     utensils,
 )
 from .things.lab import apparatus, checkup, clinic, firstaid, glass, lab, surgery

@@ -97,6 +97,9 @@ def _is_long(model: Model) -> bool:
 _FULL = 0.85
 """Share of the length of what carries them beyond which two things do not lie side by side."""
 
+_SLENDER = 2.5
+"""From this height to width on, upright things in a vessel may be close to each other."""
+
 _OVERHANG = 0.35
 """Share of a thing's underside that may be beyond what it stands on."""
 
@@ -127,11 +130,14 @@ def _resting_cost(
     shape = shapes[planned.name]
     siblings = [place for place in state.places.values() if place.on == support]
     mouth = _FULL * float(np.ptp(shapes[support].outline, axis=0).max())
+    slender = shape.height > _SLENDER * 2 * float(shape.half.max())
+    slack = 1.5 * float(shape.half.min()) if slender else 0.0  # stems lean past each other
     for place in siblings:
         both = 2 * float(shape.half.min() + shapes[place.name].half.min())
         full = both > mouth and not _rolls(planned)
         if not full:  # what has no room beside another lies on it
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
+            room = room + slack
             cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
     return cost.reshape(nx, ny)
 

@@ -100,7 +100,7 @@ def crockery(r: float, h: float, *, deep: bool = True) -> Solid:
     return lathe([(0, 0), *side, (0, floor)], 32)
 
 
-def served(
+def serve(
     look: Look,
     dish: Solid,
     glaze: Tile,
@@ -111,11 +111,11 @@ def served(
     return shape([(dish, glaze), *food], [hull_above(dish), hull_above(*(s for s, _ in food))])
 
 
-def stretched(parts: Iterable[ConvexPart], x: float, y: float) -> tuple[ConvexPart, ...]:
+def stretch_parts(parts: Iterable[ConvexPart], x: float, y: float) -> tuple[ConvexPart, ...]:
     """Return collision parts stretched along x and y, as their solid is."""
     return tuple(ConvexPart(p.vertices * np.array([x, y, 1.0])) for p in parts)
 
 
-def lifted(parts: Iterable[ConvexPart], z: float) -> tuple[ConvexPart, ...]:
+def lift_parts(parts: Iterable[ConvexPart], z: float) -> tuple[ConvexPart, ...]:
     """Return collision parts raised by ``z``."""
     return tuple(ConvexPart(p.vertices + np.array([0, 0, z]), p.kind, p.axis) for p in parts)

@@ -20,7 +20,8 @@ IRREGULAR: Mapping[str, str] = MappingProxyType(
         "halves": "half", "kiwis": "kiwi", "skis": "ski", "taxis": "taxi", "zucchinis": "zucchini",
         "geese": "goose", "feet": "foot", "teeth": "tooth", "scarves": "scarf", "wolves": "wolf",
         "calves": "calf", "hooves": "hoof", "elves": "elf", "menus": "menu", "quizzes": "quiz",
-        "canvases": "canvas",
+        "canvases": "canvas", "men": "man", "women": "woman", "chilies": "chili",
+        "chillies": "chilli",
     }
 )  # fmt: skip
 

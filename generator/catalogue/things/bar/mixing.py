@@ -114,7 +114,6 @@ def _open_glass(look: Look, side: list[tuple[float, float]], wall: float, bottom
         low = side[0][0] - wall
         fill = lathe([(0, bottom), (low, bottom), (at, level), (0, level)], 26)
         pieces.append((fill, textures.plain(drink)))
-        parts = (*parts, hull_of(fill))
     return shape(pieces, parts, opacity=0.7)
 
 
@@ -228,7 +227,7 @@ def energy_drink(look: Look) -> Shape:
 
 def beer_mat(look: Look) -> Shape:
     """A printed mat of pulpboard, round or square."""
-    x, h = look.between(0.09, 0.105), look.between(0.0014, 0.002)
+    x, h = look.between(0.09, 0.105), look.between(0.003, 0.004)
     color = look.color("red", "green", "navy", "gold", "white", "maroon")
     face = prints.canvas(128, 128, (244, 240, 228))
     prints.disc(face, 0.5, 0.5, 0.44, color)
@@ -311,7 +310,7 @@ CATEGORIES = (
              "lager can", "tin of beer"), _B, ("round", "tall"), ("green", "gold")),
     Category("energy_drink", energy_drink, (0.0526, 0.0526, 0.144), 0.27, ("energy drink can",
              "slim can", "can of energy drink"), ("office",), ("round", "tall"), ("blue", "black")),
-    Category("beer_mat", beer_mat, (0.0993, 0.0993, 0.00174), 0.006, ("beermat", "beer coaster",
+    Category("beer_mat", beer_mat, (0.0993, 0.0993, 0.00356), 0.02, ("beermat", "beer coaster",
              "paper coaster"), _B, ("flat", "support"), ("red",), state="lying flat"),
     Category("whiskey_bottle", whiskey_bottle, (0.0807, 0.0807, 0.274), 1.1, ("whisky bottle",
              "rum bottle", "vodka bottle", "gin bottle", "bottle of whiskey", "liquor bottle",

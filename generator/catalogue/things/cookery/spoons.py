@@ -13,7 +13,7 @@ from ...build.solids import Solid, block, cylinder, join, lathe, loft, prism, sw
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-from .cutlery import spoon
+from ..kitchen.cutlery import spoon
 
 GRIPS = ("black", "red", "teal", "wooden", "white", "navy", "sage", "silver")
 

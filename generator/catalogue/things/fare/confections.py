@@ -236,7 +236,7 @@ def licorice(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("candy", candy, (0.0499, 0.0239, 0.0179), 0.008, ("sweet", "wrapped candy",
+    Category("candy", candy, (0.0499, 0.0239, 0.0179), 0.008, ("sweets", "wrapped candy",
              "hard candy", "boiled sweet", "wrapped sweet", "toffee", "bonbon", "caramel",
              "candy wrapper"), ("coffee", "living"), ("edible",), ("red", "yellow", "green"),
              state="lying flat"),

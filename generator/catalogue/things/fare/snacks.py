@@ -14,7 +14,7 @@ from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe,
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from .food import skin
+from ..food.food import skin
 
 DOUGH: RGB = (240, 226, 192)
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import hull_of
-from ...build.settled import hull_above, limb, scatter, served
+from ...build.settled import hull_above, limb, scatter, serve
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import textures
@@ -33,7 +33,7 @@ def mashed_potatoes(look: Look) -> Shape:
     cream = textures.speckles(look.rng, look.pick([(246, 230, 168), (244, 224, 150)]), 8)
     herbs = scatter(look, 0.6 * r, 14, (0.004, 0.006), 1.02 * h, dome=0.26 * h,
                     stretch=(1, 0.6, 0.4))  # fmt: skip
-    return served(
+    return serve(
         look,
         dish,
         tile,
@@ -58,7 +58,7 @@ def bowl_of_rice(look: Look) -> Shape:
     seeds = scatter(look, 0.3 * r, 8, (0.004, 0.005), 1.34 * h, stretch=(1, 0.7, 0.5))
     food = [(heap, white), (grains, textures.plain((252, 250, 244))),
             (seeds, textures.plain((46, 42, 42)))]  # fmt: skip
-    made = served(look, dish, tile, food)
+    made = serve(look, dish, tile, food)
     return made.scale(k)
 
 
@@ -83,7 +83,7 @@ def bowl_of_cereal(look: Look) -> Shape:
         (milk, textures.plain((250, 249, 244))),
         (bits, textures.spots(look.rng, tone, tint_color(tone, 0.75), 0.2)),
     ]
-    made = served(look, dish, tile, food)
+    made = serve(look, dish, tile, food)
     return shape([*((p.solid, p.tile) for p in made.pieces), (join(spoon), steel)],
                  [*made.parts, hull_of(*spoon)])  # fmt: skip
 
@@ -100,7 +100,7 @@ def oatmeal(look: Look) -> Shape:
     food = [(porridge, oats), (berries.move(0.3 * r, 0), textures.plain(
         look.own_color("navy", "crimson", "purple"))),
             (join(rounds), textures.plain((248, 232, 180)))]  # fmt: skip
-    return served(look, dish, tile, food)
+    return serve(look, dish, tile, food)
 
 
 def dip(look: Look) -> Shape:
@@ -120,7 +120,7 @@ def dip(look: Look) -> Shape:
         (swirl, smooth_),
         (join(chips), textures.spots(look.rng, (238, 196, 96), (206, 150, 60), 0.2)),
     ]
-    made = served(look, dish, tile, food[:2])
+    made = serve(look, dish, tile, food[:2])
     return shape([*((p.solid, p.tile) for p in made.pieces), food[2]],
                  [*made.parts, hull_above(*chips)]).scale(0.75)  # fmt: skip
 

@@ -78,7 +78,7 @@ def sugar_cube(look: Look) -> Shape:
 
 def ice_cube(look: Look) -> Shape:
     """A clear cube of ice, its middle milky."""
-    x = look.between(0.026, 0.032)
+    x = look.between(0.021, 0.0255)
     color = look.color("clear", "sky", "clear", "white")
     tile = textures.gradient(tint_color(color, 1.05), tint_color(color, 1.5), look.rng, 10)
     body = block(x, x, 0.94 * x, 0.18 * x, 0.12 * x)
@@ -175,7 +175,7 @@ CATEGORIES = (
              "tea sachet"), ("tea",), ("flat",), ("cream",), state="lying flat"),
     Category("sugar_cube", sugar_cube, (0.0155, 0.0155, 0.0134), 0.004, ("cube of sugar",
              "lump of sugar", "sugar lump"), ("coffee", "tea"), ("edible",), ("white",)),
-    Category("ice_cube", ice_cube, (0.0288, 0.0288, 0.0271), 0.02, ("ice", "cube of ice",
+    Category("ice_cube", ice_cube, (0.0231, 0.0231, 0.0217), 0.011, ("ice", "cube of ice",
              "block of ice", "lump of ice"), ("dining",), (), ("clear",)),
     Category("ice_cube_tray", ice_cube_tray, (0.253, 0.0837, 0.0305), 0.12, ("ice tray",
              "ice cube mould", "ice cube mold"), ("kitchen",), (), ("sky", "white")),

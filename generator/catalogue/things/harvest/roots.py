@@ -12,7 +12,7 @@ from ...build.solids import Solid, cylinder, join, lathe
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from .food import skin
+from ..food.food import skin
 
 GREEN: RGB = (92, 150, 62)
 

@@ -8,13 +8,13 @@ from ...build.category import Category
 from ...build.collision import hull_of
 from ...build.forms import speck, spread
 from ...build.outlines import ellipse, smooth
-from ...build.settled import crockery, hull_above, limb, rod, served, settle
+from ...build.settled import crockery, hull_above, limb, rod, serve, settle
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, ellipsoid, join, lathe, loft, prism, torus
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from .food import skin
+from ..food.food import skin
 
 ROAST: RGB = (178, 104, 46)
 BONE: RGB = (240, 230, 208)
@@ -95,7 +95,7 @@ def roast_chicken(look: Look) -> Shape:
     meat = _roast(look)
     dish = textures.plain(look.own_color("white", "cream", "sky"))
     leaf = textures.speckles(look.rng, (110, 156, 66), 14)
-    return served(look, plate, dish, [(bird, meat), (join(ends), textures.plain(BONE)),
+    return serve(look, plate, dish, [(bird, meat), (join(ends), textures.plain(BONE)),
                                       (join(greens), leaf)]).scale(k)  # fmt: skip
 
 

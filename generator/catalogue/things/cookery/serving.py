@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, ring_parts
 from ...build.hollow import open_vessel
 from ...build.outlines import smooth
-from ...build.settled import lifted, settle, stretched
+from ...build.settled import lift_parts, settle, stretch_parts
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import textures
@@ -45,8 +45,8 @@ def gravy_boat(look: Look) -> Shape:
                        (1.2 * r, 0, 0.32 * h)], 5), 0.0042, 8)  # fmt: skip
     lug = box_part(0.6 * r, 0.009, 0.5 * h, (1.6 * r, 0, 0.42 * h))
     return shape([(body.bend(lip), tile), (foot.scale(1.35, 1, 1), plain), (ear, plain)],
-                 [*stretched(parts, 1.33, 0.98), *stretched([cylinder_part(0.78 * r, 0.014)],
-                  1.35, 1), lug])  # fmt: skip
+                 [*stretch_parts(parts, 1.33, 0.98),
+                  *stretch_parts([cylinder_part(0.78 * r, 0.014)], 1.35, 1), lug])  # fmt: skip
 
 
 def butter_dish(look: Look) -> Shape:
@@ -99,7 +99,7 @@ def serving_platter(look: Look) -> Shape:
     shade = textures.plain(tint_color(color, 0.72))
     pieces = [(dish, plain), (line.scale(x, y, h), textures.plain(tone)),
               (well.scale(x, y, h), shade)]  # fmt: skip
-    inner = stretched([cylinder_part(0.37, 0.44 * h)], x, y)
+    inner = stretch_parts([cylinder_part(0.37, 0.44 * h)], x, y)
     wall = ring_parts([(0.37, 0.02 * h), (0.5, 0.94 * h)], [(0.495, h), (0.36, 0.5 * h)],
                       stretch=(x, y))  # fmt: skip
     return shape(pieces, [*inner, *wall])
@@ -135,21 +135,16 @@ def cloche(look: Look) -> Shape:
 
 
 def egg_cup(look: Look) -> Shape:
-    """An egg cup on its foot, often with an egg in it."""
-    r, h = look.between(0.023, 0.027), look.between(0.05, 0.062)
+    """An egg cup on its foot."""
+    r, h = look.between(0.031, 0.034), look.between(0.054, 0.064)
     tile, plain = _china(look, "white", "yellow", "sky", "red", "mint", "wooden", "pink")
     side = [(0.42 * r, 0.45 * h), (0.8 * r, 0.58 * h), (0.97 * r, 0.8 * h), (r, h)]
     cup, parts = open_vessel([(a, z - 0.45 * h) for a, z in side], 0.003, 0.004)
     foot = lathe([(0, 0), (0.85 * r, 0), (0.8 * r, 0.06 * h), (0.3 * r, 0.2 * h),
                   (0.3 * r, 0.38 * h), (0.42 * r, 0.47 * h), (0, 0.47 * h)], 26)  # fmt: skip
     pieces = [(cup.move(z=0.45 * h), tile), (foot, plain)]
-    made = [*lifted(parts, 0.45 * h), cylinder_part(0.84 * r, 0.08 * h),
+    made = [*lift_parts(parts, 0.45 * h), cylinder_part(0.84 * r, 0.08 * h),
             cylinder_part(0.3 * r, 0.42 * h, (0, 0, 0.06 * h))]  # fmt: skip
-    if look.chance(0.6):
-        egg = ellipsoid(1.72 * r, 1.72 * r, 2.35 * r, 22, 14).move(z=h + 0.42 * r)
-        pieces.append((egg, textures.speckles(look.rng, look.own_color("cream", "tan", "white"),
-                                              4)))  # fmt: skip
-        made.append(hull_of(egg))
     return shape(pieces, made)
 
 
@@ -250,8 +245,8 @@ CATEGORIES = (
     Category("cloche", cloche, (0.287, 0.287, 0.161), 0.9, ("food cover", "cake dome", "dome cover",
              "serving dome", "food dome", "cheese dome"), ("dining",), ("big", "round", "tall"),
              ("silver",)),
-    Category("egg_cup", egg_cup, (0.0506, 0.0506, 0.0893), 0.1, ("eggcup", "egg holder",
-             "egg stand"), ("breakfast",), ("round",), ("white", "yellow")),
+    Category("egg_cup", egg_cup, (0.0655, 0.0655, 0.0613), 0.1, ("eggcup", "egg holder",
+             "egg stand"), ("breakfast",), ("container", "round"), ("white", "yellow")),
     Category("napkin_ring", napkin_ring, (0.102, 0.044, 0.0331), 0.04, ("serviette ring",
              "napkin band"), ("dining",), (), ("silver", "gold")),
     Category("toast_rack", toast_rack, (0.159, 0.0853, 0.124), 0.3, ("toast holder",),

@@ -13,7 +13,7 @@ from ...build.solids import ellipsoid, join, lathe, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from .food import skin
+from ..food.food import skin
 
 GREEN: RGB = (92, 150, 62)
 

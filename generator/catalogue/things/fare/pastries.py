@@ -14,7 +14,7 @@ from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism,
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from .food import skin
+from ..food.food import skin
 
 CRUST: RGB = (196, 136, 72)
 DARK: RGB = (150, 94, 46)

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import hull_of
-from ...build.settled import Pieces, crockery, scatter, served
+from ...build.settled import Pieces, crockery, scatter, serve
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, tube
 from ...surfaces import textures
@@ -67,7 +67,7 @@ def noodles(look: Look) -> Shape:
     food = [(bed, textures.spots(look.rng, tone, tint_color(tone, 0.7), 0.25)),
             (nest, textures.plain(tint_color(tone, 1.08))),
             (greens, textures.speckles(look.rng, GREEN, 16))]  # fmt: skip
-    made = served(look, dish, tile, food)
+    made = serve(look, dish, tile, food)
     wood = look.own_color("wooden", "maroon", "black")
     both = join(sticks)
     return shape([*((p.solid, p.tile) for p in made.pieces), (both, textures.plain(wood))],
@@ -93,7 +93,7 @@ def ramen(look: Look) -> Shape:
         (join(meat), textures.spots(look.rng, (206, 140, 110), (240, 214, 190), 0.3)),
         (onion.move(-0.15 * r, -0.4 * r), textures.plain((120, 190, 80))),
     ]  # fmt: skip
-    return served(look, dish, tile, food)
+    return serve(look, dish, tile, food)
 
 
 def salad(look: Look) -> Shape:
@@ -121,7 +121,7 @@ def salad(look: Look) -> Shape:
             (join(red), textures.speckles(look.rng, (208, 46, 36), 6)),
             (join(discs), textures.stack((textures.plain((66, 120, 60)), 1),
                                          (textures.plain((206, 224, 160)), 2)))]  # fmt: skip
-    return served(look, dish, tile, food)
+    return serve(look, dish, tile, food)
 
 
 def spaghetti(look: Look) -> Shape:
@@ -138,7 +138,7 @@ def spaghetti(look: Look) -> Shape:
             (sauce, textures.spots(look.rng, tone, tint_color(tone, 0.7), 0.2)),
             (top, textures.spots(look.rng, (118, 68, 40), (80, 46, 28), 0.2)),
             (leaf, textures.plain((60, 130, 56)))]  # fmt: skip
-    return served(look, dish, tile, food)
+    return serve(look, dish, tile, food)
 
 
 def _curry(look: Look, tone: RGB, rice: bool) -> Pieces:
@@ -170,7 +170,7 @@ def curry(look: Look) -> Shape:
     r, h, dish, tile = filled_bowl(look)
     tone = look.pick([(206, 130, 34), (176, 72, 30), (120, 140, 60), (220, 150, 50)])
     food = [(s.scale(r, r, h), t) for s, t in _curry(look, tone, True)]
-    return served(look, dish, tile, food)
+    return serve(look, dish, tile, food)
 
 
 def stew(look: Look) -> Shape:
@@ -179,7 +179,7 @@ def stew(look: Look) -> Shape:
     food = [(s.scale(r, r, h), t) for s, t in _curry(look, (134, 70, 34), False)]
     carrots = scatter(look, 0.6 * r, 6, (0.016, 0.02), 0.84 * h, stretch=(1, 1, 0.6))
     food.append((carrots.turn(2, 0.8), textures.plain((232, 124, 40))))
-    return served(look, dish, tile, food)
+    return serve(look, dish, tile, food)
 
 
 CATEGORIES = (

@@ -1,0 +1,1 @@
+"""Tools, tableware and machines of a kitchen beyond the everyday ones."""

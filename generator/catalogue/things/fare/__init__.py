@@ -1,0 +1,1 @@
+"""Bread, sweets, meat, seafood and dishes ready to eat."""

@@ -1,0 +1,1 @@
+"""Fruit, vegetables, herbs and nuts by the piece."""
