@@ -84,7 +84,7 @@ def open_jar(look: Look) -> Shape:
 
 def empty_vase(look: Look) -> Shape:
     """A vase with nothing in it."""
-    r, h = look.between(0.06, 0.068), look.between(0.17, 0.21)
+    r, h = look.between(0.06, 0.068), look.between(0.13, 0.15)
     t = np.linspace(0, 1, 8)
     swell = 0.62 + 0.38 * np.sin(np.pi * (0.12 + 0.72 * t))
     color = look.color("white", "teal", "terracotta", "navy", "cream", "sage", "mustard", "pink")
@@ -113,6 +113,6 @@ CATEGORIES = (
              ("office", "craft"), ("container", "round"), ("black", "white")),
     Category("open_jar", open_jar, (0.097, 0.097, 0.13), 0.3, ("jar without a lid",), ("kitchen",),
              ("container", "round"), ("clear",)),
-    Category("empty_vase", empty_vase, (0.128, 0.128, 0.19), 0.7, ("vase for flowers",),
+    Category("empty_vase", empty_vase, (0.128, 0.128, 0.14), 0.6, ("vase for flowers",),
              ("living",), ("container", "round", "tall"), ("white", "teal")),
 )  # fmt: skip
