@@ -116,7 +116,7 @@ def laptop_stand(look: Look) -> Shape:
     tile = look.surface(color, "metal")
     x, y, h, t = 0.26 * k, 0.22 * k, 0.11 * k, 0.006
     plate = block(x, y, t, 0.012).move(z=h - t)
-    foot = block(0.8 * x, 0.9 * y, t, 0.012)
+    foot = block(x, y, t, 0.012)
     sides = [
         box(t, 0.7 * y, h - 2 * t + 0.001).move(s * 0.32 * x, 0.0, t - 0.0005) for s in (-1, 1)
     ]
@@ -214,7 +214,7 @@ CATEGORIES = (
     Category("headphone_stand", headphone_stand, (0.125, 0.125, 0.25), 0.5, ("headphone holder",
              "headset stand", "headphones stand", "headphones holder", "headset holder"),
              ("office",), ("tall",), ("black", "wooden")),
-    Category("laptop_stand", laptop_stand, (0.252, 0.2135, 0.108), 1.1, ("laptop riser",
+    Category("laptop_stand", laptop_stand, (0.252, 0.2135, 0.108), 1.6, ("laptop riser",
              "notebook stand", "laptop holder", "monitor riser", "computer stand",
              "monitor stand", "laptop platform"), ("office",), ("support", "big"), ("silver",)),
     Category("docking_station", docking_station, (0.196, 0.0795, 0.0278), 0.35, ("dock",
