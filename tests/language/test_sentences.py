@@ -201,7 +201,7 @@ def test_things_scattered_around_another_are_near_it() -> None:
     ("text", "expected"),
     [
         ("a big red apple next to a small green one", {"apple": 2}),
-        ("a vase of tulips", {"vase": 1}),
+        ("a vase of tulips", {"vase": 1, "tulip": 2}),
         ("a first aid kit", {"first_aid_kit": 1}),
         ("I don't want any plates, just a cup", {"mug": 1}),
         ("a cup of tea with milk", {"mug": 1}),

@@ -258,7 +258,7 @@ CATEGORIES = (
              ("sticky tape dispenser", "scotch tape dispenser", "adhesive tape dispenser"),
              ("office", "craft"), (), ("black", "teal")),
     Category("envelope", envelope, (0.193, 0.117, 0.003), 0.02,
-             ("mail"), ("office",), ("flat",),
+             ("mail",), ("office",), ("flat",),
              ("white", "cream"), state="lying flat"),
     Category("clipboard", clipboard, (0.225, 0.32, 0.0165), 0.28, ("clip board", "checklist"),
              ("office", "medical"), ("flat", "big"), ("brown",), state="lying flat"),
