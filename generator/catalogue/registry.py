@@ -17,12 +17,12 @@ from .things.bar import barista, glassware, mixing, openers
 from .things.cookery import (
     blades,
     gadgetry,
+    holders,
     machines,
     ovenware,
     paperware,
     serving,
     spoons,
-    stands,
     storage,
     teatime,
 )
@@ -244,6 +244,7 @@ _ON_REQUEST = (
     cards,
     papers,
     keepers,
+    holders,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

@@ -89,13 +89,14 @@ _MADE_OF: Mapping[str, str] = {
     "clarinet drum tambourine drumstick maraca mallet putty_knife plank wood_block dowel "
     "tube_stand abacus gavel toy_piano serving_bowl lazy_susan wooden_spoon salad_servers "
     "honey_dipper pastry_brush trivet knife_block bamboo_steamer crate spice_rack skewer "
-    "toy_boat train_track skittle twig driftwood pine_cone acorn birdhouse terrarium "
+    "toy_boat train_track twig driftwood pine_cone acorn birdhouse terrarium "
     "bird_feeder nutcracker wreath nest snow_globe easter_basket incense_holder match "
     "dreidel knitting_needle makeup_brush shaving_brush scrub_brush clothes_peg "
     "clothes_hanger muddler cork pepper_mill treasure_chest wooden_box music_box "
     "smoking_pipe mantel_clock",
     "stone": "sculpture pebble rock seashell starfish coral crystal",
-    "plastic": "tool_caddy open_suitcase open_lunch_box pen_cup paint_bottle spray_bottle "
+    "plastic": "tool_caddy open_suitcase open_lunch_box pen_cup paint_bottle "
+    "spray_bottle "
     "wipes_canister screw_box pipette_box pill_bottle soap_dispenser glue_stick marker "
     "pen ruler desk_tray tape_roll tape_dispenser tape_measure utility_knife stapler "
     "building_brick toy_car toy_robot toy_train stacking_rings puzzle_cube die lipstick "
@@ -132,7 +133,7 @@ _MADE_OF: Mapping[str, str] = {
     "board_game dartboard sheet_music record_sleeve sandpaper glove_box business_card "
     "index_card postcard greeting_card dictionary textbook atlas cookbook chewing_gum "
     "tea_bag pizza_box takeaway_box foil_roll cling_film paper_towel_roll paper_plate "
-    "jigsaw_piece leaf feather party_hat party_popper christmas_cracker wrapping_paper "
+    "leaf feather party_hat party_popper christmas_cracker wrapping_paper "
     "gift_tag matchbox toilet_roll tissue_pack beer_mat instant_noodles juice_box oats "
     "passport boarding_pass ticket photo_album folding_fan cigarette",
     "wax": "candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb",

@@ -172,8 +172,6 @@ def mandoline(look: Look) -> Shape:
 
 _K = ("kitchen",)
 CATEGORIES = (
-    Category("funnel", funnel, (0.132, 0.109, 0.108), 0.06, ("kitchen funnel",), _K, (), ("silver",
-             "red")),
     Category("sieve", sieve, (0.35, 0.164, 0.0563), 0.18, ("strainer", "mesh strainer",
              "flour sifter", "sifter", "fine mesh sieve", "mesh sieve"), _K, ("container", "big"),
              ("silver", "black")),

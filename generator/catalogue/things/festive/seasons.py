@@ -190,8 +190,6 @@ CATEGORIES = (
     Category("jack_o_lantern", jack_o_lantern, (0.13, 0.135, 0.12), 0.5, ("carved pumpkin",
              "halloween pumpkin", "jack-o-lantern", "jack o'lantern", "pumpkin lantern"),
              ("living",), ("round",), ("orange",)),
-    Category("pumpkin", pumpkin, (0.13, 0.13, 0.11), 0.8, ("orange pumpkin", "small pumpkin",
-             "mini pumpkin"), ("living", "kitchen"), ("round",), ("orange",)),
     Category("skull", skull, (0.083, 0.11, 0.11), 0.35, ("human skull", "skull decoration",
              "halloween skull", "decorative skull", "plastic skull"), ("living",), (), ("ivory",)),
     Category("easter_basket", easter_basket, (0.189, 0.183, 0.0791), 0.25, ("egg basket",

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import box_part, cylinder_part, flat_foot, hull_of, resting_ball
+from ...build.collision import box_part, cylinder_part, flat_foot, hull_of
 from ...build.forms import laid
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
@@ -137,31 +137,6 @@ def gauze_pad(look: Look) -> Shape:
     return shape([(join(solids), cloth)], [hull_of(*solids)])
 
 
-def cotton_swab(look: Look) -> Shape:
-    """One cotton bud lying."""
-    k = look.between(0.95, 1.15)
-    color = look.color("blue", "white", "pink", "wooden", "green")
-    r = 0.0028 * k
-    stick = laid(cylinder(0.0012 * k, 0.07 * k, 10), -0.035 * k, r)
-    buds = [ellipsoid(0.016 * k, 2 * r, 2 * r, 16, 10).move(s * 0.034 * k, 0, r) for s in (-1, 1)]
-    return shape([(stick, textures.plain(color)), (join(buds), textures.speckles(
-                  look.rng, (246, 246, 244), 5, 32))],
-                 [hull_of(stick), *(flat_foot(b.vertices, 0.2) for b in buds)])  # fmt: skip
-
-
-def cotton_ball(look: Look) -> Shape:
-    """A fluffy ball of cotton wool."""
-    d = look.between(0.026, 0.034)
-    color = look.color("white", "white", "pink", "sky")
-    puffs = [ellipsoid(d, d, 0.9 * d, 18, 10).move(z=0.45 * d)]
-    for n in range(9):
-        a, s = n * 2.4, 0.55 * d
-        puffs.append(ellipsoid(s, s, s, 10, 6).move(0.26 * d * np.cos(a), 0.26 * d * np.sin(a),
-                                                    d * (0.36 + 0.035 * n)))  # fmt: skip
-    return shape([(join(puffs), textures.speckles(look.rng, color, 7, 48))],
-                 [resting_ball(1.04 * d, 1.04 * d, 0.9 * d)])  # fmt: skip
-
-
 CATEGORIES = (
     Category("pill", pill, (0.0185, 0.0105, 0.0078), 0.001, ("capsule", "tablet pill",
              "medicine pill", "vitamin", "vitamin pill", "painkiller", "aspirin",
@@ -188,9 +163,5 @@ CATEGORIES = (
     Category("gauze_pad", gauze_pad, (0.0745, 0.0743, 0.0125), 0.012, ("gauze", "gauze swab",
              "gauze square", "sterile gauze", "wound dressing"), ("medical",),
              ("flat",), ("white",)),
-    Category("cotton_swab", cotton_swab, (0.088, 0.0059, 0.0059), 0.001, ("cotton bud", "q-tip",
-             "q tip", "ear bud", "ear swab"), ("medical",), (), ("blue", "white"), 0.6),
-    Category("cotton_ball", cotton_ball, (0.0325, 0.0325, 0.029), 0.002, ("cotton wool",
-             "cotton wool ball", "cotton pad", "cotton"), ("medical",), ("round",), ("white",)),
 )  # fmt: skip
 """The module's categories."""

@@ -46,29 +46,6 @@ def scalpel(look: Look) -> Shape:
                  [hull_of(handle), hull_of(blade)])  # fmt: skip
 
 
-def tweezers(look: Look) -> Shape:
-    """Tweezers lying: two arms joined at one end."""
-    k = look.between(0.9, 1.1)
-    color = look.color("silver", "silver", "black", "pink", "gold", "blue")
-    arms, hulls = [], []
-    for s in (-1, 1):
-        t = np.linspace(0, 1, 9)
-        mid = s * (0.0012 + 0.009 * np.sin(np.pi * t**0.8) ** 0.9)
-        wide = 0.0045 * (1 - 0.78 * t**2)
-        rings = [np.column_stack([np.full(4, -0.055 + 0.11 * u), m + np.array([-1, 1, 1, -1]) *
-                                  0.0008, 0.0046 + np.array([-1, -1, 1, 1]) * w])
-                 for u, m, w in zip(t, mid, wide, strict=True)]  # fmt: skip
-        arm = loft(np.stack(rings) * k, rectangle(1, 1),
-                   profile=np.column_stack([t, 0 * t]))  # fmt: skip
-        arms.append(arm)
-        hulls.append(hull_of(arm))
-    low = min(float(a.bounds[0, 2]) for a in arms)
-    arms = [a.move(z=-low) for a in arms]
-    end = box(0.01 * k, 0.004 * k, 0.009 * k).move(x=-0.053 * k, z=0.0001)
-    return shape([(join([*arms, end]), look.surface(color, "metal"))],
-                 [*(hull_of(a) for a in arms), hull_of(end)])  # fmt: skip
-
-
 def kidney_dish(look: Look) -> Shape:
     """A kidney-shaped steel dish, open."""
     k = look.between(0.88, 1.06)
@@ -240,9 +217,6 @@ def oximeter(look: Look) -> Shape:
 CATEGORIES = (
     Category("scalpel", scalpel, (0.149, 0.0115, 0.0046), 0.02, ("surgical knife",
              "lancet", "surgical scalpel"), ("medical",), ("flat",), ("silver",), None,
-             "lying flat"),
-    Category("tweezers", tweezers, (0.113, 0.022, 0.0092), 0.02, ("forceps", "pair of tweezers",
-             "tweezer", "surgical forceps", "pincette"), ("medical",), (), ("silver",), None,
              "lying flat"),
     Category("kidney_dish", kidney_dish, (0.213, 0.12, 0.033), 0.15, ("emesis basin",
              "kidney bowl", "kidney tray", "instrument tray", "surgical tray", "medical tray"),

@@ -224,26 +224,6 @@ def juice_box(look: Look) -> Shape:
                  [box_part(x, y, h), hull_of(pipe)])  # fmt: skip
 
 
-def baby_bottle(look: Look) -> Shape:
-    """A feeding bottle of milk with its teat."""
-    r, h = look.between(0.027, 0.031), look.between(0.16, 0.18)
-    color = look.color("sky", "pink", "yellow", "mint", "white", "lavender")
-    milk = textures.plain((250, 248, 240))
-    marks = prints.canvas(128, 96, (250, 248, 240))
-    for k in range(7):
-        prints.fill(marks, 0.46, 0.1 + 0.12 * k, 0.08 if k % 2 else 0.05, 0.02, (90, 110, 140))
-    tile = textures.stack((milk, 8), (marks, 62), (textures.plain(CLEAR), 30), side=160)
-    body = lathe([(0, 0), (0.95 * r, 0), (r, 0.02 * h), (0.86 * r, 0.3 * h), (r, 0.56 * h),
-                  (0.9 * r, 0.64 * h), (0, 0.64 * h)], 30)  # fmt: skip
-    ring = cylinder(1.04 * r, 0.12 * h, 30, bevel=0.002).move(z=0.63 * h)
-    teat = lathe([(0, 0.75 * h), (0.75 * r, 0.75 * h), (0.6 * r, 0.82 * h), (0.26 * r, 0.88 * h),
-                  (0.24 * r, 0.94 * h), (0.12 * r, h), (0, h)], 26)  # fmt: skip
-    return shape([(body, tile), (ring, look.surface(color, "plastic")),
-                  (teat, textures.plain((232, 206, 160)))],
-                 [hull_of(body), cylinder_part(1.04 * r, 0.12 * h, (0, 0, 0.63 * h)),
-                  hull_of(teat)])  # fmt: skip
-
-
 def oats_canister(look: Look) -> Shape:
     """A round cardboard tub of oats with a plastic lid."""
     r, h = look.between(0.05, 0.06), look.between(0.16, 0.19)
@@ -285,9 +265,6 @@ CATEGORIES = (
     Category("juice_box", juice_box, (0.0607, 0.0397, 0.157), 0.22, ("juice pack", "drink box",
              "box of juice", "juice carton with straw", "apple juice box", "juice pouch"),
              ("kitchen",), ("tall",), ("orange",)),
-    Category("baby_bottle", baby_bottle, (0.0589, 0.0592, 0.173), 0.25, ("feeding bottle",
-             "milk bottle for babies", "nursing bottle", "sippy cup"), ("living",), ("tall",
-             "round"), ("sky", "pink")),
     Category("oats", oats_canister, (0.112, 0.112, 0.174), 0.55, ("oats canister", "rolled oats",
              "tub of oats", "box of oats", "oats box", "bag of oats"), _K, ("round", "tall"),
              ("blue",)),

@@ -275,8 +275,6 @@ CATEGORIES = (
              "piece of rock"), ("living",), (), ("gray",)),
     Category("pine_cone", pine_cone, (0.053, 0.053, 0.078), 0.03, ("pinecone", "fir cone",
              "conifer cone"), ("living",), (), ("brown",)),
-    Category("acorn", acorn, (0.048, 0.021, 0.018), 0.006, (), ("living",), (), ("brown",),
-             state="lying"),
     Category("leaf", leaf, (0.103, 0.0641, 0.005), 0.002, ("autumn leaf", "maple leaf", "oak leaf",
              "fallen leaf", "dry leaf", "fall leaf", "green leaf"), ("living",), (), ("orange",
              "red"), state="lying flat"),

@@ -279,8 +279,5 @@ CATEGORIES = (
              ("green", "yellow"), state="lying"),
     Category("flower_bulb", flower_bulb, (0.046, 0.046, 0.06), 0.03, ("tulip bulb",
              "daffodil bulb", "plant bulb"), ("living",), (), ("brown",)),
-    Category("crate", crate, (0.23, 0.16, 0.105), 0.6, ("wooden crate", "fruit crate",
-             "vegetable crate", "small crate", "planter box", "wood crate", "garden crate"),
-             ("living", "kitchen"), ("container", "big"), ("wooden",)),
 )  # fmt: skip
 """The module's categories."""

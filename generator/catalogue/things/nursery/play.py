@@ -5,14 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import box_part, flat_foot
-from ...build.outlines import arc, ellipse, smooth
+from ...build.collision import flat_foot
+from ...build.outlines import ellipse, smooth
 from ...build.recipes import Pieces, ball, rod, settled, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, prism
-from ...surfaces import prints, textures
-from ...surfaces.artwork import landscape
-from ...surfaces.colors import readable_on, tint_color
+from ...surfaces import textures
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
 SKIN = ((244, 206, 178), (226, 176, 140), (150, 100, 70))
@@ -115,56 +114,6 @@ def mask(look: Look) -> Shape:
     return settled(pieces, face, factor=look.between(0.88, 1.12), foot=0.25)
 
 
-def jigsaw_piece(look: Look) -> Shape:
-    """One piece of a jigsaw puzzle, with knobs and hollows, a bit of the picture on it."""
-    side = look.between(0.03, 0.045)
-    picture = look.color("blue", "green", "red", "yellow", "orange", "purple")
-    points: list[np.ndarray] = []
-    for k in range(4):
-        a = k * np.pi / 2
-        out = (k + int(look.chance(0.5))) % 2 == 0
-        turn = 0.6 if out else -0.6
-        knob = arc(
-            (0, -0.62 if out else -0.38),
-            0.13,
-            np.pi / 2 + turn if out else turn - np.pi / 2,
-            5 * np.pi / 2 - turn if out else -5 * np.pi / 2 - turn,
-            10,
-        )
-        edge = np.concatenate([[(-0.5, -0.5)], knob])
-        spin = np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]])
-        points.append(edge @ spin.T)
-    outline = np.concatenate(points) * side
-    image = textures.noise(look.rng, 64, 64, (3, 3), 2)[..., None] * 60 + np.array(picture)
-    tile = np.clip(image, 0, 255).astype(np.uint8)
-    body = prism(outline, 0, 0.0032)
-    top = prism(outline * 0.98, 0.003, 0.0036)
-    return shape([(body, textures.plain((206, 196, 176))), (top, tile)],
-                 [box_part(side, side, 0.0036)])  # fmt: skip
-
-
-def puzzle_box(look: Look) -> Shape:
-    """A box with a jigsaw puzzle, its picture cut into pieces on the lid."""
-    x, y, h = look.between(0.2, 0.25), look.between(0.15, 0.18), look.between(0.04, 0.05)
-    color = look.color("blue", "red", "green", "yellow", "purple", "orange")
-    image = prints.canvas(192, 136, color)
-    picture = textures.fit(landscape(look.rng, 172, 92), 92, 172).copy()
-    for n in range(1, 7):
-        prints.stroke(picture, [(n / 7, 0), (n / 7, 1)], 0.01, (60, 60, 60))
-        for m in range(4):
-            prints.disc(picture, n / 7 + 0.02, (m + 0.5) / 4, 0.04, (60, 60, 60), 0.03)
-    for m in range(1, 4):
-        prints.stroke(picture, [(0, m / 4), (1, m / 4)], 0.01, (60, 60, 60))
-    image[34:126, 10:182] = picture
-    prints.write(image, look.pick(["PUZZLE", "JIGSAW 500", "PUZZLE 1000"]), 0.5, 0.13, 0.14,
-                 readable_on(color), bold=True)  # fmt: skip
-    body = box(x - 0.004, y - 0.004, h - 0.004)
-    lid = box(x, y, 0.8 * h).move(z=0.2 * h - 0.0005)
-    top = box(x, y, 0.0006).move(z=h - 0.0005)
-    return shape([(body, textures.plain((206, 196, 176))), (lid, textures.plain(color)),
-                  (top, image)], [box_part(x, y, h)])  # fmt: skip
-
-
 def toy_spade(look: Look) -> Shape:
     """A child's sand spade lying flat, its blade to the left."""
     color = look.color("red", "blue", "yellow", "green", "orange", "pink")
@@ -214,19 +163,10 @@ CATEGORIES = (
     Category("mask", mask, (0.198, 0.084, 0.042), 0.06, ("carnival mask", "venetian mask",
              "theatre mask", "theater mask", "masquerade mask", "party mask", "face mask"),
              ("toys", "living"), (), ("gold", "red"), state="lying flat"),
-    Category("jigsaw_piece", jigsaw_piece, (0.045, 0.045, 0.0036), 0.004, ("puzzle piece",
-             "jigsaw puzzle piece", "piece of a puzzle"), ("toys",), ("flat",), ("blue",),
-             state="lying flat"),
-    Category("jigsaw_puzzle", puzzle_box, (0.225, 0.165, 0.045), 0.5, ("puzzle", "puzzle box",
-             "jigsaw", "jigsaw box", "jigsaw puzzle box", "boxed puzzle", "board game box"),
-             ("toys",), ("support",), ("blue", "red"), state="lying flat"),
     Category("toy_spade", toy_spade, (0.225, 0.065, 0.02), 0.06, ("sand spade", "spade",
              "beach spade", "sand shovel", "toy shovel", "plastic shovel", "beach shovel"),
              ("toys",), (), ("red", "blue"), state="lying flat"),
     Category("beach_ball", beach_ball, (0.19, 0.19, 0.19), 0.09, ("inflatable ball",
              "inflatable beach ball"), ("toys",), ("round", "big"), ("red", "blue")),
-    Category("skittle", skittle, (0.048, 0.048, 0.125), 0.08, ("bowling pin", "ninepin",
-             "toy bowling pin", "wooden skittle", "tenpin"), ("toys",), ("tall",), ("white",
-             "red")),
 )  # fmt: skip
 """The module's categories."""

@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, hull_part
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, rod, settled
+from ...build.recipes import rod, settled
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, loft, prism, tube
 from ...surfaces import prints, textures
@@ -99,29 +99,6 @@ def postcard(look: Look) -> Shape:
     word = look.pick(["GREETINGS", "HELLO", "PARIS", "HOLIDAY"])
     prints.write(image[8:40], word, 0.5, 0.5, 0.8, (250, 250, 246), bold=True)
     return _slip(look, 0.148, 0.105, image, (240, 238, 232))
-
-
-def greeting_card(look: Look) -> Shape:
-    """A folded greeting card that stands open like a tent."""
-    color = look.color("pink", "sky", "yellow", "mint", "lavender", "white", "red")
-    x, h = look.between(0.1, 0.125), look.between(0.135, 0.16)
-    image = prints.canvas(96, 128, color)
-    ink = readable_on(color)
-    prints.write(
-        image, look.pick(["HAPPY", "THANK", "LOVE", "HELLO"]), 0.5, 0.2, 0.15, ink, bold=True
-    )
-    hue = look.own_color("red", "orange", "purple", "teal")
-    prints.disc(image, 0.37, 0.56, 0.12, hue)
-    prints.disc(image, 0.63, 0.56, 0.12, hue)
-    prints.polygon(image, [(0.22, 0.6), (0.78, 0.6), (0.5, 0.88)], hue)
-    lean = 0.24
-    leaf = box(x, 0.0012, h)
-    front = leaf.turn(0, -lean).move(0, -h * np.sin(lean), 0)
-    back = leaf.turn(0, lean).move(0, h * np.sin(lean), 0)
-    face = box(x - 0.002, 0.0006, h - 0.002).move(0, -0.0009, 0.001).turn(0, -lean)
-    face = face.move(0, -h * np.sin(lean), 0)
-    pieces: Pieces = [(join([front, back]), textures.plain(tint_color(color, 1.1))), (face, image)]
-    return settled(pieces, front, back)
 
 
 def luggage_tag(look: Look) -> Shape:
@@ -249,11 +226,6 @@ CATEGORIES = (
     Category("ticket", ticket, (0.103, 0.045, 0.0016), 0.002, ("cinema ticket", "movie ticket",
              "train ticket", "concert ticket", "raffle ticket", "theatre ticket", "bus ticket"),
              ("living",), ("flat",), ("red", "yellow"), state="lying flat"),
-    Category("postcard", postcard, (0.152, 0.108, 0.00145), 0.006, ("picture postcard",
-             "post card"), ("living", "office"), ("flat",), ("sky",), state="lying flat"),
-    Category("greeting_card", greeting_card, (0.112, 0.074, 0.143), 0.02, ("birthday card",
-             "christmas card", "thank you card", "valentine card", "invitation", "card",
-             "get well card"), ("living", "office"), (), ("pink", "sky"), state="standing open"),
     Category("luggage_tag", luggage_tag, (0.165, 0.0619, 0.00802), 0.02, ("baggage tag",
              "suitcase tag", "bag tag"), ("living",), ("flat",), ("brown", "red"),
              state="lying flat"),
