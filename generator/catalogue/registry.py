@@ -14,6 +14,7 @@ from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
 from .things.bar import barista, glassware, mixing, openers
+from .things.circuits import circuits, components, parts
 from .things.cookery import (
     blades,
     gadgetry,
@@ -27,8 +28,6 @@ from .things.cookery import (
     teatime,
 )
 from .things.electronics import (
-    circuits,
-    components,
     counter,
     desktop,
     devices,
@@ -36,7 +35,6 @@ from .things.electronics import (
     gadgets,
     handhelds,
     media,
-    parts,
     peripherals,
     players,
     portables,
@@ -76,22 +74,17 @@ from .things.kitchen import (
 from .things.lab import apparatus, checkup, clinic, firstaid, glass, lab, surgery
 from .things.larder import boxes, condiments, jars, packs, preserves
 from .things.leisure import (
-    balls,
     blocks,
     boardgames,
     gamepieces,
     games,
-    instruments,
     leisure,
     maps,
-    music,
     optics,
-    percussion,
     playthings,
-    sports,
-    sportsgear,
     toys,
 )
+from .things.music import instruments, music, percussion
 from .things.nature import finds, flowers, gardening, greenery
 from .things.nursery import animals, baby, dinosaurs, play, vehicles
 from .things.office import (
@@ -109,6 +102,7 @@ from .things.office import (
 )
 from .things.parlour import keepers
 from .things.sewing import cloths, notions
+from .things.sports import balls, sports, sportsgear
 from .things.tools import (
     benchwork,
     craft,

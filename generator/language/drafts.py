@@ -156,7 +156,7 @@ _CARRIERS = frozenset(
         "pot",
         "tray",
         "tool_caddy",
-        "pen_cup",
+        "empty_pencil_holder",
         "open_suitcase",
         "open_lunch_box",
         "open_jar",

@@ -25,7 +25,7 @@ def facing(solid: Solid) -> Solid:
     return solid.turn(0, np.pi / 2)
 
 
-def laid(solid: Solid, x: float = 0.0, z: float = 0.0) -> Solid:
+def lay_down(solid: Solid, x: float = 0.0, z: float = 0.0) -> Solid:
     """Return a solid that stands on z = 0 laid down along +x from ``x`` at height ``z``."""
     return solid.turn(1, np.pi / 2).move(x=x, z=z)
 
@@ -63,7 +63,7 @@ def speck(image: Tile, rng: np.random.Generator, color: RGB, count: int, side: i
     for _ in range(count):
         row, column = rng.integers(0, h - side), rng.integers(0, w - side)
         made[row : row + side, column : column + side] = np.array(color, np.uint8)
-    return made
+    return make
 
 
 def wrap(

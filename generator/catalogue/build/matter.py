@@ -95,7 +95,7 @@ _MADE_OF: Mapping[str, str] = {
     "clothes_hanger muddler cork pepper_mill treasure_chest wooden_box music_box "
     "smoking_pipe mantel_clock",
     "stone": "sculpture pebble rock seashell starfish coral crystal",
-    "plastic": "tool_caddy open_suitcase open_lunch_box pen_cup paint_bottle "
+    "plastic": "tool_caddy open_suitcase open_lunch_box empty_pencil_holder paint_bottle "
     "spray_bottle "
     "wipes_canister screw_box pipette_box pill_bottle soap_dispenser glue_stick marker "
     "pen ruler desk_tray tape_roll tape_dispenser tape_measure utility_knife stapler "
@@ -171,8 +171,8 @@ _MADE_OF: Mapping[str, str] = {
     "food_processor hand_mixer coffee_machine television game_console drone power_bank "
     "usb_hub power_supply e_reader scanner graphics_tablet security_camera label_maker "
     "docking_station",
-    "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
-    "blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
+    "fabric": "canvas cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case "
+    "placemat hat blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
     "whiteboard_eraser band_aid tea_cosy oven_mitt pot_holder tea_towel apron bib diaper "
     "baby_shoes doll puppet garden_glove stocking witch_hat bow ribbon pin_cushion "
     "embroidery_hoop zipper pompom yarn_skein cushion pillow rug table_runner tablecloth "
@@ -201,7 +201,7 @@ HOLLOW = frozenset(
      "hollow_cylinder", "ice_bucket", "jigger", "kettle", "kidney_dish", "laundry_basket",
      "loaf_tin", "lunch_box", "matryoshka", "measuring_cup", "mixing_bowl", "muffin_tin", "mug",
      "nest", "open_box", "open_jar", "open_lunch_box", "open_suitcase", "paint_tray", "pan",
-     "paper_bag", "paper_plate", "party_hat", "pen_cup", "pencil_case", "pencil_holder",
+     "paper_bag", "paper_plate", "party_hat", "empty_pencil_holder", "pencil_case", "pencil_holder",
      "pet_bowl", "petri_dish", "pie_dish", "piggy_bank", "ping_pong_ball", "pint_glass",
      "pitcher", "plant_pot", "plastic_cup", "plate", "pot", "ramekin", "roasting_tin",
      "rubber_duck", "sake_bottle", "sake_cup", "saucer", "serving_bowl", "serving_platter",

@@ -21,7 +21,7 @@ Pieces = list[tuple[Solid, Tile]]
 Point = tuple[float, float, float]
 
 
-def settled(
+def put_down(
     pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0, foot: float = 0.0
 ) -> Shape:
     """Return a shape of pieces whose convex parts are the hulls of ``bodies`` (else all pieces).
@@ -39,7 +39,7 @@ def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.
     """Return points, the lowest ``share`` of the height above ``low`` moved down to it."""
     made = points.copy()
     made[made[:, 2] < low + share * (made[:, 2].max() - low), 2] = low
-    return made
+    return make
 
 
 def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) -> Solid:

@@ -329,6 +329,20 @@ SYNONYMS = _pairs(
     remote: remote control, tv remote
     coaster: drink coaster, beer mat
     cookie: biscuit
+    placemat: mat, table mat
+    cutting mat: desk mat, work mat, craft mat, antistatic mat, anti static mat, static mat
+    cash register: till
+    yarn ball: twine, string, ball of twine, ball of string
+    headphones: ear defenders, earmuffs, ear muffs, ear defender
+    blister pack: paracetamol, ibuprofen, painkillers, tablets of medicine, antibiotics
+    tape dispenser: tape gun, packing tape gun
+    price tag: label, tag
+    paper stack: handout, worksheet, leaflet, flyer, form
+    magazine: brochure, catalogue, catalog, booklet
+    rolling pin: roller
+    phone stand: stand, tablet stand
+    dish rack: rack, drying rack, plate rack
+    toy train: locomotive, engine, train engine, wagon, train car, railway carriage
     controller: game controller, gamepad, joystick
     """
 )  # fmt: skip
@@ -350,7 +364,7 @@ OPENED: Mapping[str, str] = MappingProxyType(
         "box": "open_box",
         "vase": "empty_vase",
         "jar": "open_jar",
-        "pencil_holder": "pen_cup",
+        "pencil_holder": "empty_pencil_holder",
         "toolbox": "tool_caddy",
         "tool_kit": "tool_caddy",
         "suitcase": "open_suitcase",

@@ -112,8 +112,8 @@ def _is_filled(post: Carry, owner: Group, items: Sequence[Noun]) -> bool:
         return False
     if post.how == "hold" or post.back == "in":
         return True
-    places = [place for place in items[-1].post if isinstance(place, Location)]
-    if any(place.kind not in ("in",) for place in places) or post.back is not None:
+    places = [p for p in items[-1].post if isinstance(p, Location) and isinstance(p.target, Noun)]
+    if any(place.kind != "in" for place in places) or post.back is not None:
         return False
     known = [item for item in items if item.category is not None]
     vessel = CATEGORIES[category]

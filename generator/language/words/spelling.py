@@ -64,7 +64,8 @@ def _nearest(word: str, themes: set[str]) -> str | None:
             distance = OSA.distance(word, form, score_cutoff=limit)
             if distance <= limit:
                 first = form[0] != word[0]
-                ranked.append((distance, first, -_count_shared(candidate, themes), form))
+                known = candidate not in _SHAPES
+                ranked.append((distance, first, known, -_count_shared(candidate, themes), form))
     return min(ranked)[-1] if ranked else None
 
 

@@ -23,7 +23,7 @@ WORDS = ("COLA", "FIZZ", "LIME", "ORANGE", "TONIC", "CHERRY", "BERRY", "ROOT")
 def _stem_profile(
     side: list[tuple[float, float]], foot: float, wet: tuple[RGB, float], clear: textures.Tile
 ) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a stemmed glass whose cup has the outside ``side``, filled to a share of it."""
+    """Return a on_stem glass whose cup has the outside ``side``, filled to a share of it."""
     (low, cup), (rim, h) = side[0], side[-1]
     outer = np.array(side)
     inner = np.column_stack([np.maximum(outer[:, 0] - 0.0022, 0.001), outer[:, 1] + 0.003])[::-1]
@@ -79,7 +79,7 @@ def cocktail_glass(look: Look) -> Shape:
 
 
 def champagne_flute(look: Look) -> Shape:
-    """A tall, slim stemmed glass, often with sparkling wine."""
+    """A tall, slim on_stem glass, often with sparkling wine."""
     r, h = look.between(0.024, 0.029), look.between(0.2, 0.24)
     color = look.color("clear", "clear", "sky", "pink", "amber", "mint")
     cup = look.between(0.36, 0.42) * h

@@ -8,11 +8,9 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, hull_part, ring_parts
 from ...build.forms import facing, lobe
 from ...build.outlines import smooth
-from ...build.settled import hull_above, limb
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, loft, prism, tube
 from ...surfaces import prints, textures
-from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
 GRIPS = ("black", "red", "teal", "white", "navy", "sage", "gray")
@@ -144,31 +142,6 @@ def kitchen_timer(look: Look) -> Shape:
     return shape([(join([low, high]), skin), (ring, scale)], [hull_of(low, high)])
 
 
-def nutcracker(look: Look) -> Shape:
-    """A pair of hinged nutcrackers lying, teeth in their jaws."""
-    long = look.between(0.15, 0.175)
-    color = look.color("silver", "silver", "gold", "copper", "black")
-    skin = look.surface(color, "metal")
-    arms = []
-    for s in (-1, 1):
-        path = [
-            (-0.46 * long, s * 0.007, 0.006),
-            (-0.34 * long, s * 0.0165, 0.006),
-            (-0.16 * long, s * 0.0125, 0.006),
-            (0.1 * long, s * 0.017, 0.006),
-            (0.46 * long, s * 0.028, 0.006),
-            (0.5 * long, s * 0.03, 0.006),
-        ]
-        arms.append(limb(path, [0.0055, 0.0062, 0.005, 0.0058, 0.0062, 0.004], 10))
-    hinge = cylinder(0.0085, 0.013, 18, bevel=0.001).move(-0.49 * long)
-    bar = block(0.01, 0.022, 0.008, 0.003).move(-0.47 * long, 0, 0.0025)
-    teeth = [box(0.002, 0.004, 0.011).move((-0.36 + 0.03 * k) * long, s * 0.0105, 0.0007)
-             for k in range(5) for s in (-1, 1)]  # fmt: skip
-    return shape([(join([*arms, hinge, bar]), skin),
-                  (join(teeth), textures.plain(tint_color(color, 0.7)))],
-                 [*(hull_above(a) for a in arms), hull_of(hinge, bar)])  # fmt: skip
-
-
 def trivet(look: Look) -> Shape:
     """A trivet to put hot pots on: a lattice of bars, or a ring with spokes."""
     x, h = look.between(0.16, 0.2), look.between(0.012, 0.016)
@@ -232,10 +205,8 @@ CATEGORIES = (
     Category("cookie_cutter", cookie_cutter, (0.0761, 0.0725, 0.0243), 0.025, ("biscuit cutter",
              "pastry cutter", "cookie stamp"), _K, ("flat",), ("silver", "red"),
              state="lying flat"),
-    Category("kitchen_timer", kitchen_timer, (0.0679, 0.0618, 0.0714), 0.1, ("egg timer", "timer",
+    Category("kitchen_timer", kitchen_timer, (0.0679, 0.0618, 0.0714), 0.1, ("egg timer",
              "cooking timer"), _K, (), ("red", "white")),
-    Category("nutcracker", nutcracker, (0.175, 0.0696, 0.013), 0.2, ("nut cracker",
-             "lobster cracker"), _K, (), ("silver",), state="lying flat"),
     Category("trivet", trivet, (0.182, 0.182, 0.0135), 0.4, ("pot stand", "hot pad",
              "hot plate stand", "pan stand"), _K, ("support", "flat"), ("black", "wooden"),
              state="lying flat"),

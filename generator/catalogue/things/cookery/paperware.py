@@ -246,7 +246,7 @@ CATEGORIES = (
              _K, (), ("green",), state="lying flat"),
     Category("paper_towel_roll", paper_towel_roll, (0.126, 0.136, 0.26), 0.3, ("paper towel",
              "kitchen roll", "roll of paper towels", "kitchen paper", "paper towel holder",
-             "toilet paper", "roll of paper", "toilet roll", "paper roll", "kitchen towel roll"),
+             "toilet paper", "roll of paper", "paper roll", "kitchen towel roll"),
              _K, ("tall", "round"), ("white",)),
     Category("paper_plate", paper_plate, (0.223, 0.223, 0.0163), 0.012, ("disposable plate",
              "plastic plate", "party plate"), ("dining",), ("support", "flat", "round"), ("white",),

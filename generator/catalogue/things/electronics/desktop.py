@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, hull_of
-from ...build.forms import facing, laid
+from ...build.forms import facing, lay_down
 from ...build.outlines import ellipse, rectangle, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, tube
@@ -223,8 +223,9 @@ def graphics_tablet(look: Look) -> Shape:
     keys = [block(0.02 * k, 0.014 * k, 0.0016, 0.003).move(-0.43 * x, (n - 2.5) * 0.02 * k,
         h - 0.0006)
             for n in range(6)]  # fmt: skip
-    pen = laid(lathe(np.array([(0, 0), (0.0008, 0), (0.0048, 0.018), (0.0058, 0.05), (0.005, 0.15),
-                               (0, 0.152)]) * k, 16), -0.07 * k, h + 0.0058 * k)  # fmt: skip
+    pen = lay_down(lathe(np.array([(0, 0), (0.0008, 0), (0.0048, 0.018), (0.0058, 0.05),
+                               (0.005, 0.15), (0, 0.152)]) * k, 16), -0.07 * k,
+                                   h + 0.0058 * k)  # fmt: skip
     pen = pen.turn(2, 0.5).move(x=0.06 * x)
     return shape([(block(x, y, h, 0.01, 0.002), look.surface(color, "plastic")),
                   (box(0.78 * x, 0.86 * y, 0.0005).move(x=0.05 * x, z=h - 0.0002), area),

@@ -24,7 +24,7 @@ def _disc(
 ) -> Callable[[Look], Shape]:  # fmt: skip
     """A disc with a hole lying flat, a print on it."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.99, 1.01)
         color = look.color(*palette)
         r = radius * k
@@ -37,7 +37,7 @@ def _disc(
         return shape([(rim, textures.plain(tint_color(color, 0.8))), (face, draw(look, color))],
                      ring_parts([(r, 0), (r, thick)], [(hole, thick), (hole, 0)], 10))  # fmt: skip
 
-    return made
+    return make
 
 
 def grooves(look: Look, color: RGB) -> textures.Tile:
@@ -109,7 +109,7 @@ def floppy_disk(look: Look) -> Shape:
 def _sleeve(x: float, y: float, h: float, spine: bool) -> Callable[[Look], Shape]:
     """A flat case or sleeve with a printed front, lying."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.98, 1.02)
         color = look.color("red", "blue", "black", "orange", "teal", "purple", "yellow", "green")
         front = prints.cover(look.rng, look.pick(["MIX", "LIVE", "SONGS", "ECHO", "BLUE", "GOLD"]),
@@ -123,7 +123,7 @@ def _sleeve(x: float, y: float, h: float, spine: bool) -> Callable[[Look], Shape
                            textures.plain((56, 56, 60))))  # fmt: skip
         return shape(pieces, [box_part(a, b, h)])
 
-    return made
+    return make
 
 
 def game_cartridge(look: Look) -> Shape:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, flat_foot, hull_of, ring_parts
-from ...build.forms import above, facing, laid, side_view
+from ...build.forms import above, facing, lay_down, side_view
 from ...build.outlines import ellipse, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, prism, torus, tube
@@ -82,10 +82,10 @@ def laser_pointer(look: Look) -> Shape:
     color = look.color("silver", "black", "black", "gold", "red", "blue")
     body = lathe(np.array([(0, 0), (0.0045, 0), (0.0062, 0.006), (0.0066, 0.03), (0.0066, 0.128),
                            (0.0055, 0.135), (0, 0.135)]) * k, 20)  # fmt: skip
-    body = laid(body, -0.0675 * k, 0.0066 * k)
-    tip = laid(cylinder(0.0025 * k, 0.002, 12), -0.0675 * k - 0.0014, 0.0066 * k)
+    body = lay_down(body, -0.0675 * k, 0.0066 * k)
+    tip = lay_down(cylinder(0.0025 * k, 0.002, 12), -0.0675 * k - 0.0014, 0.0066 * k)
     knob = block(0.011 * k, 0.0055 * k, 0.0025 * k, 0.002).move(x=-0.02 * k, z=0.0124 * k)
-    rings = [laid(torus(0.0066 * k, 0.0006, 18, 5), x * k, 0.0066 * k) for x in (0.01, 0.05)]
+    rings = [lay_down(torus(0.0066 * k, 0.0006, 18, 5), x * k, 0.0066 * k) for x in (0.01, 0.05)]
     return shape([(body, look.surface(color, "metal")), (tip, textures.plain((250, 50, 50))),
                   (join([knob, *rings]), textures.plain((160, 162, 168)
                       if sum(color) < 300 else DARK))],

@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.hollow import open_vessel
 from ...build.outlines import rectangle, smooth
-from ...build.recipes import Pieces, ball, rod, settled, straight
+from ...build.recipes import Pieces, ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, open_box, prism, sweep, torus
 from ...surfaces import prints, textures
@@ -50,7 +50,7 @@ def taper(look: Look) -> Shape:
     ]
     if look.chance(0.5):
         pieces.append((ball(0.009, 0.009, 0.022, (0, 0, h + 0.042), 10), FLAME))
-    return settled(pieces, foot, stick)
+    return put_down(pieces, foot, stick)
 
 
 def votive(look: Look) -> Shape:
@@ -70,10 +70,10 @@ def votive(look: Look) -> Shape:
         (wick, WICK),
         (flame, FLAME),
     ]
-    return settled(pieces, cup)
+    return put_down(pieces, cup)
 
 
-def _branched(look: Look, arms: int, candles: bool) -> Shape:
+def _branch(look: Look, arms: int, candles: bool) -> Shape:
     """A stand with ``arms`` lights in one plane, the middle one on the stem."""
     color = look.color("gold", "silver", "black", "brass", "bronze")
     metal = look.surface(color, "metal")
@@ -101,18 +101,20 @@ def _branched(look: Look, arms: int, candles: bool) -> Shape:
                   for x, up in zip(places, raised, strict=True)]  # fmt: skip
         pieces += [(join(sticks), textures.plain(look.own_color("white", "cream", "red", "blue"))),
                    (join(flames), FLAME)]  # fmt: skip
-        return settled(pieces, foot, join(solids[1:]), join(sticks), factor=look.between(0.9, 1.15))
-    return settled(pieces, foot, join(solids[1:]), factor=look.between(0.9, 1.15))
+        return put_down(
+            pieces, foot, join(solids[1:]), join(sticks), factor=look.between(0.9, 1.15)
+        )
+    return put_down(pieces, foot, join(solids[1:]), factor=look.between(0.9, 1.15))
 
 
 def candelabra(look: Look) -> Shape:
     """A candelabra with three or five candles."""
-    return _branched(look, look.pick([3, 5]), True)
+    return _branch(look, look.pick([3, 5]), True)
 
 
 def menorah(look: Look) -> Shape:
     """A menorah with nine candles."""
-    return _branched(look, 9, True)
+    return _branch(look, 9, True)
 
 
 def lantern(look: Look) -> Shape:
@@ -180,7 +182,7 @@ def oil_burner(look: Look) -> Shape:
     pieces: Pieces = [(join([pot, dish]), look.surface(color, "ceramic")),
                       (arch, textures.plain((60, 40, 30))), (flame, FLAME),
                       (oil, textures.plain((226, 196, 110)))]  # fmt: skip
-    return settled(pieces, pot, dish)
+    return put_down(pieces, pot, dish)
 
 
 def lighter(look: Look) -> Shape:
@@ -195,7 +197,7 @@ def lighter(look: Look) -> Shape:
                       (hood, textures.brushed_metal(look.rng, (196, 198, 204))),
                       (join([slot, wheel]), textures.plain((66, 66, 70))),
                       (key, textures.plain(tint_color(color, 0.6)))]  # fmt: skip
-    return settled(pieces, body, hood, factor=look.between(0.92, 1.12))
+    return put_down(pieces, body, hood, factor=look.between(0.92, 1.12))
 
 
 def matchbox(look: Look) -> Shape:
@@ -240,7 +242,7 @@ def match(look: Look) -> Shape:
     long = look.between(0.045, 0.07)
     stick = box(long, 0.0024, 0.0024)
     head = ball(0.006, 0.0042, 0.004, (-long / 2 + 0.001, 0, 0.0015), 10)
-    return settled(
+    return put_down(
         [(stick, textures.wood(look.rng, (226, 196, 140))), (head, textures.plain(color))],
         stick,
         head,
@@ -263,7 +265,7 @@ def dreidel(look: Look) -> Shape:
     pieces = [(s.turn(1, np.pi / 2).move(z=0.015), t) for s, t in pieces]
     cube_ = cube.turn(1, np.pi / 2).move(z=0.015)
     rest = [s.turn(1, np.pi / 2).move(z=0.015) for s in (tip, stem)]
-    return settled(pieces, cube_, *rest, factor=look.between(0.85, 1.3))
+    return put_down(pieces, cube_, *rest, factor=look.between(0.85, 1.3))
 
 
 def ring_dish(look: Look) -> Shape:

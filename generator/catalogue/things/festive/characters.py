@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.recipes import Pieces, ball, rod, settled
+from ...build.recipes import Pieces, ball, put_down, rod
 from ...build.shape import Shape
 from ...build.solids import Solid, box, cylinder, join, lathe, torus
 from ...surfaces import textures
@@ -53,7 +53,7 @@ def santa(look: Look) -> Shape:
     pieces += [(head, skin), (beard, white), (nose, textures.plain((226, 130, 110))),
                (join(eyes), DARK), (join([brim, bob, *cuffs]), white), (join([hat, *arms]), red),
                (sack, textures.fabric(look.rng, (150, 108, 70)))]  # fmt: skip
-    return settled(pieces, coat, sack, join([head, brim, hat]), factor=look.between(0.9, 1.2))
+    return put_down(pieces, coat, sack, join([head, brim, hat]), factor=look.between(0.9, 1.2))
 
 
 def snowman(look: Look) -> Shape:
@@ -78,7 +78,7 @@ def snowman(look: Look) -> Shape:
     pieces: Pieces = [(join([low, mid, head]), snow), (join([brim, crown, *coal]), DARK),
                       (join([band, scarf, tail]), knit), (nose, textures.plain((236, 130, 40))),
                       (join(arms), textures.plain((96, 68, 46)))]  # fmt: skip
-    return settled(pieces, low, mid, join([head, brim, crown]), factor=look.between(0.85, 1.2))
+    return put_down(pieces, low, mid, join([head, brim, crown]), factor=look.between(0.85, 1.2))
 
 
 def nutcracker(look: Look) -> Shape:
@@ -112,7 +112,7 @@ def nutcracker(look: Look) -> Shape:
         (head, skin),
         (join(eyes), DARK),
     ]
-    return settled(pieces, foot, join(legs), join([chest, *arms]), join([head, hat]),
+    return put_down(pieces, foot, join(legs), join([chest, *arms]), join([head, hat]),
                    factor=look.between(0.9, 1.25))  # fmt: skip
 
 

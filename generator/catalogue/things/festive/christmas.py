@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import hull_of, hull_part
 from ...build.forms import side_view
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, pad, rod, settled, standing_plate, straight
+from ...build.recipes import Pieces, ball, pad, put_down, rod, standing_plate, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, prism, torus
 from ...surfaces import textures
@@ -63,7 +63,7 @@ def christmas_tree(look: Look) -> Shape:
         (star, textures.plain((240, 196, 70))),
     ]
     pieces += [(join(balls[k]), textures.plain(hues[k])) for k in range(3)]
-    return settled(pieces, pot, tiers[0], join(tiers[1:]), star)
+    return put_down(pieces, pot, tiers[0], join(tiers[1:]), star)
 
 
 def bauble(look: Look) -> Shape:
@@ -86,7 +86,7 @@ def bauble(look: Look) -> Shape:
              (torus(0.006, 0.0012, 14, 6).turn(0, np.pi / 2).move(z=0.49 * d + 0.014),
               textures.plain((190, 160, 96)))]  # fmt: skip
     pieces = [(s.turn(1, lean).move(z=0.484 * d), t) for s, t in parts]
-    return settled(pieces, pieces[0][0], pieces[1][0])
+    return put_down(pieces, pieces[0][0], pieces[1][0])
 
 
 def star(look: Look) -> Shape:
@@ -104,7 +104,7 @@ def star(look: Look) -> Shape:
 
     lit = join([f.bend(peak) for f in faces[::2]])
     shade = join([f.bend(peak) for f in faces[1::2]])
-    return settled(
+    return put_down(
         [
             (low, look.surface(color, "metal")),
             (lit, textures.plain(tint_color(color, 1.2))),
@@ -137,7 +137,7 @@ def stocking(look: Look) -> Shape:
                       (loop, textures.plain(color))]  # fmt: skip
     leg = body.vertices[body.vertices[:, 1] > -0.05]
     foot = body.vertices[body.vertices[:, 1] < -0.02]
-    made = settled(pieces, body, cuff)
+    made = put_down(pieces, body, cuff)
     parts = (hull_part(leg), hull_part(foot), hull_of(cuff))
     return Shape(made.pieces, parts).scale(look.between(0.85, 1.1))
 
@@ -215,7 +215,7 @@ def gingerbread_house(look: Look) -> Shape:
                       (door, textures.plain((110, 60, 40))),
                       (join(panes), textures.plain((250, 214, 110)))]  # fmt: skip
     pieces += [(join(d), t) for d, t in zip(drops, tints, strict=True)]
-    return settled(pieces, base, walls, *slabs, factor=k)
+    return put_down(pieces, base, walls, *slabs, factor=k)
 
 
 CATEGORIES = (
@@ -226,7 +226,7 @@ CATEGORIES = (
              "christmas bauble", "christmas ball", "tree ornament", "christmas tree ornament",
              "glass bauble", "christmas decoration"), ("living",), ("round",), ("red", "gold")),
     Category("star", star, (0.12, 0.113, 0.022), 0.06, ("gold star", "christmas star",
-             "wooden star", "tree topper", "star ornament", "paper star"), ("living",), ("flat",),
+             "tree topper", "star ornament", "paper star"), ("living",), ("flat",),
              ("gold",), state="lying flat"),
     Category("stocking", stocking, (0.15, 0.22, 0.026), 0.08, ("christmas stocking",
              "xmas stocking", "holiday stocking"), ("living",), (), ("red",),

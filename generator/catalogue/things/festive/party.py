@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, flat_foot, hull_of, hull_part
 from ...build.forms import above, lobe
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, rod, settled, straight
+from ...build.recipes import Pieces, ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, join, lathe, loft, prism, torus
 from ...surfaces import prints, textures
@@ -29,7 +29,7 @@ def party_hat(look: Look) -> Shape:
     tuft = [ball(0.022, 0.009, 0.009, (0.008, 0, 0), 8).turn(1, 0.5 * n).turn(2, 1.3 * n).move(z=h)
             for n in range(10)]  # fmt: skip
     other = textures.plain(look.own_color(*GAY))
-    return settled([(cone, paper), (frill, other), (join(tuft), other)], cone, join(tuft))
+    return put_down([(cone, paper), (frill, other), (join(tuft), other)], cone, join(tuft))
 
 
 def balloon(look: Look) -> Shape:
@@ -49,7 +49,7 @@ def balloon(look: Look) -> Shape:
                       (stick, textures.plain((244, 244, 240))),
                       (weight, textures.speckles(look.rng, look.own_color("silver", "gold", "red",
                                                                           "blue"), 5))]  # fmt: skip
-    return settled(pieces, weight, stick, body)
+    return put_down(pieces, weight, stick, body)
 
 
 def party_popper(look: Look) -> Shape:
@@ -62,7 +62,7 @@ def party_popper(look: Look) -> Shape:
     string = rod([(0, 0, 0.078), (0.006, 0, 0.09), (0.02, 0, 0.082), (0.026, 0, 0.062)], 0.0013, 6)
     pieces: Pieces = [(join([body, neck]), paper), (rim, textures.plain((240, 220, 130))),
                       (string, textures.plain((250, 250, 246)))]  # fmt: skip
-    return settled(pieces, join([body, rim]), neck, factor=look.between(0.9, 1.2))
+    return put_down(pieces, join([body, rim]), neck, factor=look.between(0.9, 1.2))
 
 
 def cracker(look: Look) -> Shape:
@@ -109,7 +109,7 @@ def bow(look: Look) -> Shape:
             loops.append(loop.move(z=0.012 + 0.002 * n))
     pad_ = cylinder(0.012, 0.004, 16)
     sheen = textures.stripes([color, tint_color(color, 1.25), color], 2, side=32)
-    return settled([(join([*loops, pad_]), sheen)], factor=look.between(0.85, 1.2))
+    return put_down([(join([*loops, pad_]), sheen)], factor=look.between(0.85, 1.2))
 
 
 def ribbon(look: Look) -> Shape:
@@ -130,7 +130,7 @@ def ribbon(look: Look) -> Shape:
     tail = loft(np.stack([np.array([[x, y - 0.0006, 0], [x, y + 0.0006, 0], [x, y + 0.0006, wide],
                                     [x, y - 0.0006, wide]]) for x, y, _ in curve]),
                 np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]))  # fmt: skip
-    return settled(
+    return put_down(
         [(join([coil, tail]), sheen), (core, textures.plain((244, 240, 230)))], coil, tail
     )
 
@@ -149,7 +149,7 @@ def gift_tag(look: Look) -> Shape:
     eye = torus(0.0035, 0.0012, 14, 6).move(-0.027, 0, 0.0016)
     string = rod([(-0.027, 0, 0.002), (-0.045, 0.008, 0.0018), (-0.06, -0.004, 0.0012),
                   (-0.044, -0.01, 0.0014), (-0.028, -0.001, 0.0022)], 0.0008, 5)  # fmt: skip
-    return settled(
+    return put_down(
         [
             (card, textures.plain(color)),
             (face, image),

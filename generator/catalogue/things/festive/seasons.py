@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import cylinder_part, flat_foot, ring_parts
 from ...build.forms import above, lobe
 from ...build.hollow import open_vessel
-from ...build.recipes import Pieces, ball, rod, settled, standing_plate
+from ...build.recipes import Pieces, ball, put_down, rod, standing_plate
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, refine, torus
 from ...surfaces import prints, textures
@@ -31,7 +31,7 @@ def witch_hat(look: Look) -> Shape:
     buckle = box(0.026, 0.004, 0.02).move(0, -0.054, 0.008)
     inner = box(0.016, 0.004, 0.011).move(0, -0.0551, 0.0125)
     hue = textures.plain(look.own_color("purple", "orange", "green", "red"))
-    return settled(
+    return put_down(
         [
             (join([brim, cone]), cloth),
             (band, hue),
@@ -115,7 +115,7 @@ def jack_o_lantern(look: Look) -> Shape:
     )
     glow = textures.plain(look.pick([(30, 22, 18), (250, 206, 80)]))
     skin = textures.stripes([color, tint_color(color, 0.88)], 10, upright=True, side=96)
-    return settled([(body, skin), (stem, textures.plain((110, 120, 60))),
+    return put_down([(body, skin), (stem, textures.plain((110, 120, 60))),
                     (join([*eyes, nose, grin]), glow)], body, stem)  # fmt: skip
 
 
@@ -128,7 +128,7 @@ def pumpkin(look: Look) -> Shape:
     stem = rod([(0, 0, top - 0.006), (0.003, 0, top + 0.012), (0.014, 0, top + 0.024)],
                [0.011, 0.007, 0.009], 8)  # fmt: skip
     skin = textures.stripes([color, tint_color(color, 0.85), color], 10, upright=True, side=120)
-    return settled([(body, skin), (stem, textures.plain((120, 124, 66)))], body, stem)
+    return put_down([(body, skin), (stem, textures.plain((120, 124, 66)))], body, stem)
 
 
 def skull(look: Look) -> Shape:
@@ -150,7 +150,7 @@ def skull(look: Look) -> Shape:
     pieces: Pieces = [(join([brain, face, *cheeks, jaw, back]), bone),
                       (join([*eyes, nose, gap]), hollow),
                       (join(teeth), textures.plain(tint_color(color, 1.2)))]  # fmt: skip
-    return settled(pieces, brain, join([face, jaw]), back, factor=look.between(0.8, 1.1))
+    return put_down(pieces, brain, join([face, jaw]), back, factor=look.between(0.8, 1.1))
 
 
 def easter_basket(look: Look) -> Shape:
@@ -188,7 +188,7 @@ CATEGORIES = (
              "decorated egg", "chocolate egg", "coloured egg", "dyed egg"), ("living",),
              ("round",), ("pink", "sky"), state="lying"),
     Category("jack_o_lantern", jack_o_lantern, (0.13, 0.135, 0.12), 0.5, ("carved pumpkin",
-             "halloween pumpkin", "jack-o-lantern", "jack o'lantern", "pumpkin lantern"),
+             "jack-o-lantern", "jack o'lantern", "pumpkin lantern"),
              ("living",), ("round",), ("orange",)),
     Category("skull", skull, (0.083, 0.11, 0.11), 0.35, ("human skull", "skull decoration",
              "halloween skull", "decorative skull", "plastic skull"), ("living",), (), ("ivory",)),

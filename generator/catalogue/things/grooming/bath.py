@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import cylinder_part, frame_parts
 from ...build.outlines import rectangle
-from ...build.recipes import ball, pad, rod, settled
+from ...build.recipes import ball, pad, put_down, rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, ellipsoid, join, lathe, loft, torus
 from ...surfaces import prints, textures
@@ -62,7 +62,7 @@ def loofah(look: Look) -> Shape:
     net = prints.mesh_holes(color, tint_color(color, 0.75), 16, 16)
     body = join([*ruffles, core])
     body = body.move(z=-float(body.bounds[0, 2]) - 0.004)
-    return settled([(body, net), (cord.move(z=0.46 * d), textures.plain((246, 246, 244)))], body)
+    return put_down([(body, net), (cord.move(z=0.46 * d), textures.plain((246, 246, 244)))], body)
 
 
 def soap_dish(look: Look) -> Shape:
@@ -92,7 +92,7 @@ def tissue_pack(look: Look) -> Shape:
     prints.write(image, look.pick(["TISSUES", "SOFT"]), 0.27, 0.22, 0.24, readable_on(color), True)
     top = box(0.94 * x, 0.88 * y, 0.0008).move(z=h - 0.0004)
     tip = ellipsoid(0.05, 0.012, 0.03, 8, 5).move(0.008, 0, h + 0.006)
-    return settled([(body, textures.plain(tint_color(color, 0.92))), (top, image),
+    return put_down([(body, textures.plain(tint_color(color, 0.92))), (top, image),
                     (tip, textures.plain((250, 250, 248)))], body, tip)  # fmt: skip
 
 
@@ -110,7 +110,7 @@ def floss(look: Look) -> Shape:
         0.0008,
         5,
     )
-    return settled(
+    return put_down(
         [
             (body, look.surface(color, "plastic")),
             (lid, textures.plain(tint_color(color, 0.8))),
@@ -129,7 +129,7 @@ CATEGORIES = (
         toilet_roll,
         (0.106, 0.106, 0.099),
         0.12,
-        ("toilet paper", "roll of toilet paper", "toilet paper roll", "loo roll"),
+        ("roll of toilet paper", "toilet paper roll", "loo roll"),
         ("vanity",),
         ("round",),
         ("white",),

@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import hull_part, ring_parts
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, rod, settled, straight
+from ...build.recipes import Pieces, ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, loft, tube
 from ...surfaces import prints, textures
@@ -38,7 +38,7 @@ def hair_clip(look: Look) -> Shape:
         (join([*teeth, *bars, *wings]), skin),
         (spring, textures.plain((200, 202, 206))),
     ]
-    return settled(pieces, join([*teeth, *bars]), join(wings), factor=k)
+    return put_down(pieces, join([*teeth, *bars]), join(wings), factor=k)
 
 
 def scrunchie(look: Look) -> Shape:
@@ -100,7 +100,7 @@ def bobby_pin(look: Look) -> Shape:
         ball(0.003, 0.003, 0.0026, (x, y, 0.0011), 8)
         for x, y in ((0.026, 0.0022), (0.028, -0.0012))
     ]
-    return settled([(join([wire, *tips]), look.surface(color, "metal"))],
+    return put_down([(join([wire, *tips]), look.surface(color, "metal"))],
                    factor=look.between(0.85, 1.3))  # fmt: skip
 
 
@@ -116,7 +116,7 @@ def hair_roller(look: Look) -> Shape:
     whole = [(s.turn(1, np.pi / 2).move(z=1.08 * r), t) for s, t in (
         (body, prints.mesh_holes(color, tint_color(color, 0.4), 10, 14)),
         (join(rims), textures.plain(tint_color(color, 0.85))))]  # fmt: skip
-    return settled(whole, join([s for s, _ in whole]))
+    return put_down(whole, join([s for s, _ in whole]))
 
 
 def _cord(x: float, z: float) -> Solid:
@@ -148,7 +148,7 @@ def curling_iron(look: Look) -> Shape:
     dark = textures.plain((46, 46, 50))
     pieces: Pieces = [(join([rod_, clip]), metal), (join([tip, ring, _cord(0.118, 0.015)]), dark),
                       (grip, look.surface(color, "plastic"))]  # fmt: skip
-    return settled(pieces, rod_, grip, factor=look.between(0.85, 1.05))
+    return put_down(pieces, rod_, grip, factor=look.between(0.85, 1.05))
 
 
 def straightener(look: Look) -> Shape:
@@ -166,13 +166,13 @@ def straightener(look: Look) -> Shape:
     pieces: Pieces = [(join([low, up]), look.surface(color, "plastic")),
                       (join(plates), textures.brushed_metal(look.rng, (190, 160, 130))),
                       (join([hinge, knob, _cord(0.12, 0.01)]), dark)]  # fmt: skip
-    return settled(pieces, low, up, factor=look.between(0.9, 1.08))
+    return put_down(pieces, low, up, factor=look.between(0.9, 1.08))
 
 
 CATEGORIES = (
     Category("hair_clip", hair_clip, (0.06, 0.05, 0.05), 0.015, ("claw clip", "hairclip",
              "hair claw", "barrette", "hair slide"), ("vanity",), (), ("pink", "black")),
-    Category("hair_tie", scrunchie, (0.0872, 0.0858, 0.0254), 0.006, ("scrunchie", "hair band",
+    Category("hair_tie", scrunchie, (0.0872, 0.0858, 0.0254), 0.006, ("scrunchie",
              "hair elastic", "hair scrunchie", "hair bobble"),
              ("vanity",), ("flat",), ("pink", "black"), state="lying flat"),
     Category("headband", headband, (0.15, 0.105, 0.02), 0.03, ("hairband", "alice band",

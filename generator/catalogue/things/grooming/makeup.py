@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.outlines import rectangle, smooth
-from ...build.recipes import Pieces, rod, settled, straight
+from ...build.recipes import Pieces, put_down, rod, straight
 from ...build.shape import Shape
 from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, loft, sweep, torus
 from ...surfaces import textures
@@ -38,7 +38,7 @@ def mascara(look: Look) -> Shape:
     core = straight((-0.046, y, 0.98 * r), (-0.018, y, 0.98 * r), 0.0022, 6)
     pieces: Pieces = [(join([case, cap]), look.surface(color, "plastic")), (neck, _metal(look)),
                       (join([wand, core, *bristles]), textures.plain((40, 38, 42)))]  # fmt: skip
-    return settled(pieces, join([case, neck]), cap, join([wand, core]))
+    return put_down(pieces, join([case, neck]), cap, join([wand, core]))
 
 
 def eyeliner(look: Look) -> Shape:
@@ -51,7 +51,7 @@ def eyeliner(look: Look) -> Shape:
     wood = straight((-0.92 * h, 0, r), (-0.715 * h, 0, r), [0.0014, r], 12)
     tip = straight((-h, 0, r), (-0.915 * h, 0, r), [0.0003, 0.0014], 10)
     ring = straight((0.84 * h, 0, r), (0.88 * h, 0, r), 1.04 * r, 12)
-    return settled(
+    return put_down(
         [
             (stick, look.surface(color, "plastic")),
             (wood, textures.plain((222, 186, 140))),
@@ -93,7 +93,7 @@ def eyeshadow_palette(look: Look) -> Shape:
     glass = glass.turn(0, 1.25).move(y=y / 2 - 0.003, z=t - 0.002)
     sky = textures.gradient((170, 192, 206), (228, 238, 244), look.rng)
     case = look.surface(color, "plastic")
-    return settled([(tray, case), *pans, (lid, case), (glass, sky)], tray, lid)
+    return put_down([(tray, case), *pans, (lid, case), (glass, sky)], tray, lid)
 
 
 def blusher(look: Look) -> Shape:
@@ -108,7 +108,7 @@ def blusher(look: Look) -> Shape:
     lid = lid.move(z=-float(lid.bounds[0, 2]))
     made = textures.speckles(look.rng, powder, 6)
     case = look.surface(color, "plastic")
-    return settled([(base, case), (pan, made), (swirl, textures.plain(tint_color(powder, 0.9))),
+    return put_down([(base, case), (pan, made), (swirl, textures.plain(tint_color(powder, 0.9))),
                     (lid, case)], base, lid)  # fmt: skip
 
 
@@ -125,7 +125,8 @@ def makeup_brush(look: Look) -> Shape:
     head = head.turn(1, -np.pi / 2).move(-0.41 * h, 0, 0.92 * wide)
     hair = textures.scratches(look.rng, look.pick([(60, 44, 36), (206, 170, 130), (236, 220, 206)]),
                               (150, 110, 90), 90)  # fmt: skip
-    return settled([(handle, look.surface(color, "plastic")), (collar, _metal(look)), (head, hair)],
+    return put_down([(handle, look.surface(color, "plastic")), (collar, _metal(look)), (head,
+        hair)],
                    head, collar, handle)  # fmt: skip
 
 
@@ -136,7 +137,7 @@ def powder_puff(look: Look) -> Shape:
     body = lathe([(0, 0), (0.9 * r, 0), (r, 0.22 * r), (0.92 * r, 0.42 * r), (0, 0.48 * r)], 28)
     band = box(1.9 * r, 0.014, 0.002).move(z=0.47 * r)
     fluff = textures.scratches(look.rng, color, tint_color(color, 0.9), 120)
-    return settled([(body, fluff), (band, textures.plain(tint_color(color, 0.75)))], body)
+    return put_down([(body, fluff), (band, textures.plain(tint_color(color, 0.75)))], body)
 
 
 def makeup_bag(look: Look) -> Shape:
@@ -159,7 +160,7 @@ def makeup_bag(look: Look) -> Shape:
         0, np.pi / 2
     )
     pull = pull.turn(1, 0.7).move(0.4 * x, -0.006, h - 0.004)
-    return settled([(body, cloth), (join([zip_, pull]), _metal(look))], body)
+    return put_down([(body, cloth), (join([zip_, pull]), _metal(look))], body)
 
 
 def tweezers(look: Look) -> Shape:
@@ -173,7 +174,7 @@ def tweezers(look: Look) -> Shape:
                        (-h, s * 0.0016, 0.0045)], 4)  # fmt: skip
         wide = np.interp(np.linspace(0, 1, len(path)), [0, 0.5, 0.85, 1], [1.0, 1.0, 0.7, 0.35])
         arms.append(_strip(path, wide))
-    return settled([(join(arms), look.surface(color, "metal"))], *arms)
+    return put_down([(join(arms), look.surface(color, "metal"))], *arms)
 
 
 def _strip(path: np.ndarray, wide: np.ndarray) -> Solid:
@@ -191,7 +192,7 @@ def nail_clippers(look: Look) -> Shape:
     mid = block(0.055, 0.011, 0.002, 0.003).turn(1, 0.08).move(-0.002, 0, 0.006)
     lever = block(0.05, 0.01, 0.0026, 0.004).turn(1, -0.06).move(0.004, 0, 0.0112)
     post = cylinder(0.003, 0.016, 12).move(-0.017)
-    return settled([(join([low, jaws, mid, post]), steel), (lever, look.surface(color, "metal"))],
+    return put_down([(join([low, jaws, mid, post]), steel), (lever, look.surface(color, "metal"))],
                    join([low, jaws]), join([mid, lever, post]), factor=k)  # fmt: skip
 
 
@@ -212,7 +213,7 @@ def eyelash_curler(look: Look) -> Shape:
     rubber = rod(
         [(-0.0335, -0.013, 0.0052), (-0.038, 0, 0.0052), (-0.0335, 0.013, 0.0052)], 0.0018, 6
     )
-    return settled([(join([*rings, *stems, *arch, *posts]), metal),
+    return put_down([(join([*rings, *stems, *arch, *posts]), metal),
                     (rubber, textures.plain((40, 40, 44)))], join(rings), join(stems),
                    join([*arch, *posts]), factor=look.between(0.95, 1.15))  # fmt: skip
 
@@ -226,7 +227,7 @@ def bath_bomb(look: Look) -> Shape:
     skin = textures.spots(
         look.rng, color, look.own_color("white", "purple", "yellow", "pink"), 0.14
     )
-    return settled([(body, skin), (seam, textures.plain(tint_color(color, 0.9)))], body)
+    return put_down([(body, skin), (seam, textures.plain(tint_color(color, 0.9)))], body)
 
 
 CATEGORIES = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.recipes import Pieces, ball, pad, rod, settled, straight
+from ...build.recipes import Pieces, ball, pad, put_down, rod, straight
 from ...build.shape import Shape
 from ...build.solids import block, box, cylinder, join, lathe
 from ...surfaces import prints, textures
@@ -23,7 +23,7 @@ def cotton_ball(look: Look) -> Shape:
              0.27 * d * np.sin(2.4 * k) * np.sqrt(1 - z * z), 0.22 * d * z), 8)
              for k, z in enumerate(np.linspace(-0.9, 0.9, 14))]  # fmt: skip
     body = join(puffs).move(z=0.36 * d)
-    return settled([(body, textures.spots(look.rng, color, tint_color(color, 0.93), 0.3))], body)
+    return put_down([(body, textures.spots(look.rng, color, tint_color(color, 0.93), 0.3))], body)
 
 
 def cotton_swab(look: Look) -> Shape:
@@ -33,7 +33,7 @@ def cotton_swab(look: Look) -> Shape:
     r = 0.0012
     stick = straight((-long / 2, 0, 0.0026), (long / 2, 0, 0.0026), r, 8)
     buds = [ball(0.0135, 0.006, 0.006, (s * (long / 2 - 0.004), 0, 0.0027), 12) for s in (-1, 1)]
-    return settled([(stick, textures.plain(color)), (join(buds), textures.plain((250, 250, 248)))],
+    return put_down([(stick, textures.plain(color)), (join(buds), textures.plain((250, 250, 248)))],
                    stick, *buds)  # fmt: skip
 
 
@@ -44,7 +44,7 @@ def cotton_pad(look: Look) -> Shape:
     body = lathe(
         [(0, 0), (r, 0.0005), (r, 0.002), (0.88 * r, 0.0035), (0.8 * r, 0.0055), (0, 0.006)], 30
     )
-    return settled(
+    return put_down(
         [
             (
                 body,
@@ -77,7 +77,8 @@ def shaving_brush(look: Look) -> Shape:
     bristle = textures.stack(
         (textures.plain((60, 52, 48)), 0.5), (textures.plain((226, 212, 190)), 0.5)
     )
-    return settled([(handle, look.surface(color, "wood")), (collar, textures.plain((206, 172, 96))),
+    return put_down([(handle, look.surface(color, "wood")), (collar, textures.plain((206, 172,
+        96))),
                     (hair, bristle)], handle, hair, factor=look.between(0.9, 1.15))  # fmt: skip
 
 
@@ -96,7 +97,7 @@ def electric_shaver(look: Look) -> Shape:
     switch = block(0.02, 0.012, 0.004, 0.005).move(0.012, 0, 0.0375)
     stripe = block(0.05, 0.008, 0.002, 0.003).move(0.05, 0, 0.0345)
     grip = textures.plain((52, 54, 60))
-    return settled(
+    return put_down(
         [
             (body, look.surface(color, "plastic")),
             (head, grip),
@@ -128,7 +129,7 @@ def _roll(look: Look, long: float, r: float, words: tuple[str, ...]) -> Shape:
     terry = textures.spots(look.rng, color, tint_color(color, 0.9), 0.4)
     pieces: Pieces = [(join([roll, flap]), terry), (ends[0], spiral), (ends[1], spiral),
                       (join(bands), textures.plain(tint_color(color, 0.82)))]  # fmt: skip
-    return settled(pieces, roll, flap)
+    return put_down(pieces, roll, flap)
 
 
 def rolled_towel(look: Look) -> Shape:
@@ -154,7 +155,7 @@ def washcloth(look: Look) -> Shape:
         0.0016,
         6,
     )
-    return settled(
+    return put_down(
         [(join(layers), terry), (join([stripe, loop]), textures.plain(tint_color(color, 0.75)))],
         join(layers),
     )
@@ -246,8 +247,6 @@ CATEGORIES = (
             "face towel",
             "wash rag",
             "folded cloth",
-            "dishcloth",
-            "dish cloth",
             "rag",
         ),
         ("vanity",),

@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of
 from ...build.outlines import rectangle
-from ...build.recipes import Pieces, rod, settled, straight
+from ...build.recipes import Pieces, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, loft
 from ...surfaces import labels, textures
@@ -67,7 +67,7 @@ def _bottle(
     else:
         top = block(0.6 * x, 0.7 * y, 0.022, 0.45 * y, 0.002).move(z=h - 0.004)
     pieces.append((top, textures.plain(lid)))
-    return settled(pieces, body, top)
+    return put_down(pieces, body, top)
 
 
 def _tube(look: Look, words: tuple[str, ...], colors: tuple[str, ...], h: float) -> Shape:
@@ -96,7 +96,7 @@ def _tube(look: Look, words: tuple[str, ...], colors: tuple[str, ...], h: float)
                           (label.vertices[:, 2] - low) / np.ptp(label.vertices[:, 2])])  # fmt: skip
     label = Solid(label.vertices, label.faces, np.clip(uv, 0, 1))
     lid = look.pick([(246, 246, 244), tint_color(color, 0.55), (206, 172, 96)])
-    return settled([(body, look.surface(color, "plastic")), (cap, textures.plain(lid)),
+    return put_down([(body, look.surface(color, "plastic")), (cap, textures.plain(lid)),
                     (label, _front(look, words, color))], cap, body)  # fmt: skip
 
 
@@ -168,7 +168,7 @@ def aftershave(look: Look) -> Shape:
     metal = textures.brushed_metal(
         look.rng, look.pick([(200, 202, 206), (70, 70, 76), (206, 172, 96)])
     )
-    return settled(
+    return put_down(
         [
             (body, textures.gradient(tint_color(color, 0.8), tint_color(color, 1.3), look.rng)),
             (join([neck, cap]), metal),
@@ -212,7 +212,7 @@ def deodorant(look: Look) -> Shape:
     foot = block(0.05, 0.027, 0.008, 0.013)
     label = box(0.034, 0.001, 0.4 * h).move(0, -0.0162, 0.1 * h)
     lid = look.pick([tint_color(color, 0.5), (246, 246, 244), tint_color(color, 1.4)])
-    return settled(
+    return put_down(
         [
             (join([lower, foot]), look.surface(color, "plastic")),
             (upper, textures.plain(lid)),
@@ -231,7 +231,7 @@ def foundation(look: Look) -> Shape:
     cap = cylinder(0.38 * x, 0.034, 22, bevel=0.001).move(z=h - 0.002)
     label = box(0.8 * x, 0.001, 0.2 * h).move(0, -x / 2, 0.4 * h)
     lid = textures.plain(look.pick([(36, 36, 40), (206, 172, 96), (240, 240, 238)]))
-    return settled(
+    return put_down(
         [(body, textures.plain(color)), (cap, lid), (label, textures.plain((40, 36, 34)))],
         body,
         cap,
@@ -262,7 +262,7 @@ def cleanser(look: Look) -> Shape:
         (cap, textures.plain(hue)),
         (label, image),
     ]
-    return settled(pieces, body, grip, cap, factor=k)
+    return put_down(pieces, body, grip, cap, factor=k)
 
 
 CATEGORIES = (

@@ -199,7 +199,7 @@ CATEGORIES = (
     Category("coconut", coconut, (0.108, 0.108, 0.0862), 0.5, ("coconut half", "half coconut"), _K,
              ("round", "edible"), ("brown",)),
     Category("pumpkin", pumpkin, (0.219, 0.209, 0.151), 1.2, ("halloween pumpkin",
-             "jack o lantern"), _K, ("round", "edible", "big"), ("orange",)),
+             ), _K, ("round", "edible", "big"), ("orange",)),
     Category("papaya", papaya, (0.173, 0.0948, 0.062), 0.5, ("pawpaw", "half papaya"), _K,
              ("edible",), ("yellow",), state="lying flat"),
     Category("dragon_fruit", dragon_fruit, (0.14, 0.113, 0.0763), 0.35, ("dragonfruit", "pitaya",

@@ -48,7 +48,7 @@ def _case(
 ) -> Callable[[Look], Shape]:
     """Return the shape of a case whose lid stands open at the back."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.95, 1.05)
         x, y, h = (float(v) * k for v in size)
         outside = look.surface(look.color(*colors), "plastic")
@@ -62,7 +62,7 @@ def _case(
                  box_part(x, 0.28 * h, 0.85 * y + 0.1 * h, (0, y / 2 + 0.14 * h, 0))]  # fmt: skip
         return shape(pieces, parts)
 
-    return made
+    return make
 
 
 def pen_cup(look: Look) -> Shape:
@@ -109,7 +109,8 @@ CATEGORIES = (
                                      ("white",)),
              (0.2, 0.18, 0.14), 0.3, ("open lunchbox", "open food container"), ("kitchen",),
              ("container",), ("sky", "mint")),
-    Category("pen_cup", pen_cup, (0.08, 0.08, 0.098), 0.12, ("empty pencil holder",),
+    Category("empty_pencil_holder", pen_cup, (0.08, 0.08, 0.098), 0.12, ("empty pen holder",
+             "empty pen cup"),
              ("office", "craft"), ("container", "round"), ("black", "white")),
     Category("open_jar", open_jar, (0.097, 0.097, 0.13), 0.3, ("jar without a lid",), ("kitchen",),
              ("container", "round"), ("clear",)),

@@ -144,7 +144,7 @@ def glass(look: Look) -> Shape:
 
 
 def wine_glass(look: Look) -> Shape:
-    """A stemmed glass: tulip, balloon, flute or coupe; some hold wine."""
+    """A on_stem glass: tulip, balloon, flute or coupe; some hold wine."""
     r, h, wall = look.between(0.034, 0.044), look.between(0.175, 0.22), 0.0022
     kind = look.pick(["tulip", "tulip", "balloon", "flute", "cone"])
     r = {"flute": 0.84 * r, "balloon": 1.05 * r}.get(kind, r)

@@ -7,7 +7,7 @@ import numpy as np
 from ....scene import ConvexPart
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, resting_ball
-from ...build.forms import above, laid
+from ...build.forms import above, lay_down
 from ...build.shape import Shape, shape
 from ...build.solids import (
     Solid,
@@ -38,8 +38,8 @@ def bunsen_burner(look: Look) -> Shape:
                              (0.0092, 0.14), (0.0065, 0.14), (0.0065, 0.136), (0, 0.136)]) * k,
                                  22)  # fmt: skip
     collar = cylinder(0.0108 * k, 0.02 * k, 22).move(z=0.032 * k)
-    inlet = laid(cylinder(0.0048 * k, 0.05 * k, 14), 0.005 * k, 0.03 * k)
-    knob = laid(cylinder(0.009 * k, 0.008 * k, 12), -0.03 * k, 0.03 * k)
+    inlet = lay_down(cylinder(0.0048 * k, 0.05 * k, 14), 0.005 * k, 0.03 * k)
+    knob = lay_down(cylinder(0.009 * k, 0.008 * k, 12), -0.03 * k, 0.03 * k)
     spots = [box(0.006 * k, 0.001, 0.009 * k).move(y=-0.0106 * k, z=0.037 * k)]
     brass = textures.brushed_metal(look.rng, (204, 170, 96))
     steel = textures.brushed_metal(look.rng, STEEL)
@@ -87,7 +87,7 @@ def retort_stand(look: Look) -> Shape:
     glass = lathe(np.array([(0, 0.07), (0.0015, 0.07), (0.002, 0.09), (0.0085, 0.105),
                             (0.0085, 0.4), (0.0105, 0.404), (0, 0.404)]) * k, 20)  # fmt: skip
     glass = glass.move(y=-0.022 * k)
-    tap = laid(cylinder(0.003 * k, 0.03 * k, 10), -0.015 * k, 0.096 * k).move(y=-0.022 * k)
+    tap = lay_down(cylinder(0.003 * k, 0.03 * k, 10), -0.015 * k, 0.096 * k).move(y=-0.022 * k)
     liquid = look.own_color(*LIQUIDS)
     fill = textures.stack((textures.plain(tint_color(liquid, 1.1)), 0.6), (marks(GLASS), 0.4))
     steel = textures.brushed_metal(look.rng, STEEL)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, flat_foot, hull_of
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
 from ...build.solids import (
@@ -37,7 +37,7 @@ def pill(look: Look) -> Shape:
         z = np.where(a < 0, r, long - r) + r * np.sin(a)
         profile = np.column_stack([r * np.cos(a), z])
         profile[[0, -1], 0] = 0
-        body = laid(lathe(profile, 20, v=list(z / long)), -long / 2, r)
+        body = lay_down(lathe(profile, 20, v=list(z / long)), -long / 2, r)
         tile = textures.stack((textures.plain(color), 1), (textures.plain(look.own_color(
             "white", "cream", "yellow", "sky")), 1))  # fmt: skip
         return shape([(body, tile)], [flat_foot(body.vertices, 0.2)])
@@ -92,7 +92,7 @@ def _bottle(
 ) -> Callable[[Look], Shape]:
     """A medicine bottle with a label; its cap is a "screw" one, or a "drop"per or "swab" lid."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.92, 1.1)
         color = look.color(*glass)
         r, h = radius * k, height * k
@@ -111,7 +111,7 @@ def _bottle(
         return shape([(body, look.surface(color, "plastic")), (band, label),
                       (join(lid), textures.plain(lid_tone))], hulls)  # fmt: skip
 
-    return made
+    return make
 
 
 def band_aid(look: Look) -> Shape:

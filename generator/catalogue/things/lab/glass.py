@@ -7,7 +7,7 @@ import numpy as np
 from ....scene import ConvexPart
 from ...build.category import Category
 from ...build.collision import cylinder_part, flat_foot, hull_of, ring_parts
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.hollow import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import (
@@ -46,10 +46,10 @@ def test_tube(look: Look) -> Shape:
         (1.18 * r, long),
                   (0, long)], 22, v=[0, *np.linspace(0.01, 0.07, 5), 0.96, 0.97, 0.99,
                       1])  # fmt: skip
-    body = laid(body, -long / 2, 1.18 * r)
+    body = lay_down(body, -long / 2, 1.18 * r)
     share = look.between(0.4, 0.7)
     tile = textures.stack((textures.plain(color), share), (textures.plain(GLASS), 1 - share))
-    cork = laid(cylinder(r, 0.018 * k, 16, top=1.2 * r), long / 2 - 0.006 * k, 1.18 * r)
+    cork = lay_down(cylinder(r, 0.018 * k, 16, top=1.2 * r), long / 2 - 0.006 * k, 1.18 * r)
     stop = textures.speckles(look.rng, look.own_color("tan", "black", "red", "white"), 6, 32)
     low = min(float(s.bounds[0, 2]) for s in (body, cork))
     body, cork = body.move(z=-low), cork.move(z=-low)
@@ -162,7 +162,7 @@ def micropipette(look: Look) -> Shape:
     knob = lathe(np.array([(0, 0.208), (0.004, 0.208), (0.004, 0.222), (0.0075, 0.224),
                            (0.0075, 0.234), (0, 0.236)]) * k, 18)  # fmt: skip
     hook = box(0.006 * k, 0.03 * k, 0.01 * k).move(y=0.02 * k, z=0.194 * k)
-    solids = [laid(s, -0.118 * k, 0.015 * k) for s in (grip, shaft, tip, knob, hook)]
+    solids = [lay_down(s, -0.118 * k, 0.015 * k) for s in (grip, shaft, tip, knob, hook)]
     lean = np.arctan2(0.0145, 0.19) * 0.95
     solids = [s.move(x=-0.08 * k, z=-0.015 * k).turn(1, lean) for s in solids]
     low = min(float(s.bounds[0, 2]) for s in solids)

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, flat_foot, hull_of
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.outlines import rectangle, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import (
@@ -161,8 +161,9 @@ def reflex_hammer(look: Look) -> Shape:
     head = prism(np.array([(0.075, -0.03), (0.1, 0.0), (0.075, 0.03), (0.068, 0.0)]) * k, 0, 2 * z)
     head = prism(np.array([(0.066, -0.012), (0.098, -0.026), (0.102, 0.0), (0.098, 0.026),
                            (0.066, 0.012)]) * k, 0, 2 * z, 0.003)  # fmt: skip
-    rod = laid(cylinder(0.0028 * k, 0.1 * k, 12), -0.03 * k, z)
-    grip = laid(lathe(np.array([(0, 0), (0.005, 0), (0.006, 0.01), (0.0045, 0.07), (0, 0.072)]) * k,
+    rod = lay_down(cylinder(0.0028 * k, 0.1 * k, 12), -0.03 * k, z)
+    grip = lay_down(lathe(np.array([(0, 0), (0.005, 0), (0.006, 0.01), (0.0045, 0.07), (0,
+        0.072)]) * k,
                       16), -0.1 * k, z)  # fmt: skip
     lean = np.arctan2(z - 0.006 * k, 0.16 * k)
     solids = [s.move(x=-0.08 * k, z=-z).turn(1, -lean).move(x=0.08 * k, z=z)
@@ -185,7 +186,7 @@ def forehead_thermometer(look: Look) -> Shape:
                 0, h, 0.004)  # fmt: skip
     grip = prism(np.array([(-0.038, -0.008), (-0.052, -0.095), (-0.022, -0.102), (-0.002, -0.008)])
                  * k, 0.08 * h, 0.92 * h, 0.003)  # fmt: skip
-    lens = laid(cylinder(0.0125 * k, 0.008 * k, 20), 0.052 * k, h / 2).move(y=0.005 * k)
+    lens = lay_down(cylinder(0.0125 * k, 0.008 * k, 20), 0.052 * k, h / 2).move(y=0.005 * k)
     trigger = box(0.012 * k, 0.02 * k, 0.5 * h).move(-0.004 * k, -0.028 * k, 0.25 * h)
     shown = prints.canvas(64, 40, (130, 210, 150))
     prints.write(shown, f"{look.between(36.2, 38.4):.1f}", 0.5, 0.5, 0.6, (20, 40, 26), bold=True)
@@ -224,7 +225,7 @@ CATEGORIES = (
     Category("inhaler", inhaler, (0.0736, 0.0911, 0.0243), 0.04, ("asthma inhaler", "puffer",
              "asthma spray"), ("medical",), (), ("blue",)),
     Category("face_mask", face_mask, (0.228, 0.093, 0.011), 0.005, ("surgical mask",
-             "medical mask", "dust mask", "mask", "facemask", "disposable mask"),
+             "medical mask", "dust mask", "facemask", "disposable mask"),
              ("medical",), ("flat",), ("blue", "white"), 0.6),
     Category("glove_box", glove_box, (0.215, 0.117, 0.099), 0.3, ("box of gloves",
              "box of disposable gloves", "box of latex gloves", "glove dispenser"), ("medical",),

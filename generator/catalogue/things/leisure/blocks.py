@@ -23,20 +23,20 @@ Made = tuple[list[Solid], list[Solid]]
 """What is drawn, and the solids whose hulls it collides with."""
 
 
-def _painted(
+def _paint(
     make: Callable[[float], Made],
     palette: tuple[str, ...] = PAINTS,
     default: tuple[str, ...] = ("plastic", "wood"),
 ) -> Callable[[Look], Shape]:
     """Return a block's shape function from ``make``, which takes a scale."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
         drawn, hulls = make(k)
         tile = look.surface(look.color(*palette), look.pick(default))
         return shape([(s, tile) for s in drawn], [hull_of(s) for s in hulls])
 
-    return made
+    return make
 
 
 def _same(*solids: Solid) -> Made:
@@ -113,7 +113,7 @@ def _heart(k: float) -> Made:
 def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
     """A ring or a length of tube with a round section."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
         a, b, h = outer * k, inner * k, height * k
         c = min(0.3 * h, 0.3 * (a - b))
@@ -125,7 +125,7 @@ def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
             ring_parts([(a - c, 0), (a, c), (a, h - c), (a - c, h)], [(b, h), (b, 0)], 10),
         )
 
-    return made
+    return make
 
 
 def sphere(look: Look) -> Shape:
@@ -222,46 +222,46 @@ def tumbling_tower(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("cube", _painted(lambda k: _same(block(0.05 * k, 0.05 * k, 0.05 * k, 0.0015, 0.001))),
+    Category("cube", _paint(lambda k: _same(block(0.05 * k, 0.05 * k, 0.05 * k, 0.0015, 0.001))),
              (0.05, 0.05, 0.05), 0.09, ("plain cube", "colored cube", "coloured cube",
              "cube block", "cubic block"), ("toys",), (), ("red", "blue", "green", "yellow")),
-    Category("cuboid", _painted(lambda k: _same(block(0.08 * k, 0.04 * k, 0.03 * k, 0.0015,
+    Category("cuboid", _paint(lambda k: _same(block(0.08 * k, 0.04 * k, 0.03 * k, 0.0015,
              0.001))), (0.08, 0.04, 0.03), 0.07, ("rectangular block", "rectangular prism",
              "block brick", "cuboid block", "long block"), ("toys",), (), ("red", "blue")),
-    Category("cylinder", _painted(lambda k: _same(cylinder(0.022 * k, 0.055 * k, 32,
+    Category("cylinder", _paint(lambda k: _same(cylinder(0.022 * k, 0.055 * k, 32,
              bevel=0.001))), (0.044, 0.044, 0.055), 0.06, ("cylinder block",
              "cylindrical block", "round block"), ("toys",), ("round",), ("red", "blue")),
     Category("sphere", sphere, (0.05, 0.05, 0.05), 0.06, ("orb", "plain ball"), ("toys",),
              ("round",), ("red", "blue")),
-    Category("cone", _painted(_cone), (0.052, 0.052, 0.06), 0.035, ("cone block",), ("toys",),
+    Category("cone", _paint(_cone), (0.052, 0.052, 0.06), 0.035, ("cone block",), ("toys",),
              ("round",), ("orange", "red")),
-    Category("pyramid", _painted(_pyramid), (0.0566, 0.0566, 0.05), 0.04, ("pyramid block",
+    Category("pyramid", _paint(_pyramid), (0.0566, 0.0566, 0.05), 0.04, ("pyramid block",
              "square pyramid"), ("toys",), (), ("yellow", "red")),
-    Category("wedge", _painted(_slope), (0.06, 0.04, 0.04), 0.035, ("wedge block", "ramp block",
+    Category("wedge", _paint(_slope), (0.06, 0.04, 0.04), 0.035, ("wedge block", "ramp block",
              "ramp"), ("toys",), (), ("green", "blue")),
-    Category("triangular_prism", _painted(_roof), (0.05, 0.06, 0.0433), 0.045,
+    Category("triangular_prism", _paint(_roof), (0.05, 0.06, 0.0433), 0.045,
              ("triangle block", "triangular block", "roof block", "triangle prism"), ("toys",),
              (), ("red", "green")),
-    Category("hexagonal_prism", _painted(lambda k: _polygon(6, 0.027 * k, 0.04 * k)),
+    Category("hexagonal_prism", _paint(lambda k: _polygon(6, 0.027 * k, 0.04 * k)),
              (0.054, 0.0468, 0.04), 0.05, ("hexagon block", "hexagonal block", "hex block",
              "hexagon prism", "hexagon"), ("toys",), (), ("purple", "yellow")),
-    Category("half_cylinder", _painted(_half_round), (0.06, 0.04, 0.03), 0.04,
+    Category("half_cylinder", _paint(_half_round), (0.06, 0.04, 0.03), 0.04,
              ("semicircle block", "half round block", "half circle block", "semi cylinder"),
              ("toys",), (), ("blue", "red")),
-    Category("arch_block", _painted(_arch), (0.08, 0.03, 0.04), 0.045, ("arch", "bridge block",
+    Category("arch_block", _paint(_arch), (0.08, 0.03, 0.04), 0.045, ("arch", "bridge block",
              "arch shaped block", "toy bridge", "wooden arch"), ("toys",), (), ("red", "blue")),
-    Category("l_block", _painted(_cells((0, 0), (1, 0), (2, 0), (2, 1))), (0.075, 0.05, 0.025),
+    Category("l_block", _paint(_cells((0, 0), (1, 0), (2, 0), (2, 1))), (0.075, 0.05, 0.025),
              0.04, ("l shaped block", "l piece", "l-block", "l-shaped block", "tetris block",
              "tetris piece"), ("toys",), (), ("orange", "blue")),
-    Category("t_block", _painted(_cells((0, 0), (1, 0), (2, 0), (1, 1))), (0.075, 0.05, 0.025),
+    Category("t_block", _paint(_cells((0, 0), (1, 0), (2, 0), (1, 1))), (0.075, 0.05, 0.025),
              0.04, ("t shaped block", "t piece", "t-block", "t-shaped block"), ("toys",), (),
              ("purple", "red")),
-    Category("cross_block", _painted(_cells((0, 1), (1, 1), (2, 1), (1, 0), (1, 2))),
+    Category("cross_block", _paint(_cells((0, 1), (1, 1), (2, 1), (1, 0), (1, 2))),
              (0.075, 0.075, 0.025), 0.05, ("plus block", "cross shaped block", "plus sign block"),
              ("toys",), (), ("red", "green")),
-    Category("star_block", _painted(_star), (0.065, 0.0615, 0.02), 0.03, ("star",
-             "star shaped block", "wooden star", "star piece"), ("toys",), (), ("yellow",)),
-    Category("heart_block", _painted(_heart), (0.0576, 0.052, 0.02), 0.03, ("heart",
+    Category("star_block", _paint(_star), (0.065, 0.0615, 0.02), 0.03, ("star shaped block",
+             "wooden star", "star piece"), ("toys",), (), ("yellow",)),
+    Category("heart_block", _paint(_heart), (0.0576, 0.052, 0.02), 0.03, ("heart",
              "heart shaped block", "wooden heart"), ("toys",), (), ("red", "pink")),
     Category("torus", _ring(0.036, 0.018, 0.018), (0.072, 0.072, 0.018), 0.035, ("ring block",
              "toroid", "toy ring", "wooden ring", "plastic ring", "rubber ring"), ("toys",),
@@ -269,10 +269,10 @@ CATEGORIES = (
     Category("hollow_cylinder", _ring(0.022, 0.016, 0.07), (0.044, 0.044, 0.07), 0.035,
              ("tube", "hollow tube", "cardboard tube", "plastic tube"), ("toys",), ("round",),
              ("blue", "red")),
-    Category("peg", _painted(lambda k: _same(cylinder(0.009 * k, 0.05 * k, 20, bevel=0.001))),
+    Category("peg", _paint(lambda k: _same(cylinder(0.009 * k, 0.05 * k, 20, bevel=0.001))),
              (0.018, 0.018, 0.05), 0.01, ("round peg", "wooden peg", "cylindrical peg"),
              ("toys",), ("round",), ("red", "blue")),
-    Category("square_peg", _painted(lambda k: _same(block(0.018 * k, 0.018 * k, 0.05 * k, 0.001,
+    Category("square_peg", _paint(lambda k: _same(block(0.018 * k, 0.018 * k, 0.05 * k, 0.001,
              0.001))), (0.018, 0.018, 0.05), 0.012, ("cuboid peg", "square stick"), ("toys",), (),
              ("red", "blue")),
     Category("foam_brick", foam_brick, (0.078, 0.052, 0.05), 0.028, ("foam block", "foam cube"),
@@ -287,7 +287,7 @@ CATEGORIES = (
     Category("tumbling_tower", tumbling_tower, (0.08, 0.08, 0.24), 0.75, ("jenga",
              "jenga tower", "block tower", "tower of blocks", "stacking tower",
              "jenga block tower"), ("games",), ("tall",), ("wooden",)),
-    Category("jenga_block", _painted(lambda k: _same(box(0.075 * k, 0.025 * k, 0.015 * k)),
+    Category("jenga_block", _paint(lambda k: _same(box(0.075 * k, 0.025 * k, 0.015 * k)),
              WOODEN, ("wood",)), (0.075, 0.025, 0.015), 0.018, ("jenga piece", "wooden bar",
              "plank block"), ("games",), ("flat",), ("wooden",)),
 )  # fmt: skip

@@ -21,7 +21,7 @@ Print = Callable[[Look, RGB], textures.Tile]
 def _board(side: float, draw: Print, palette: tuple[str, ...]) -> Callable[[Look], Shape]:
     """A flat square board with a print and a rim; its men are drawn by ``draw`` too."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06) * side
         color = look.color(*palette)
         body = block(k, k, 0.012, 0.004, 0.001)
@@ -29,7 +29,7 @@ def _board(side: float, draw: Print, palette: tuple[str, ...]) -> Callable[[Look
         wood = look.surface(tint_color(color, 0.8), "wood")
         return shape([(body, wood), (face, draw(look, color))], [box_part(k, k, 0.0122)])
 
-    return made
+    return make
 
 
 def _squares(look: Look, color: RGB) -> textures.Tile:
@@ -161,7 +161,7 @@ def _snakes(look: Look, color: RGB) -> textures.Tile:
 def _game_box(titles: tuple[str, ...], puzzle: bool) -> Callable[[Look], Shape]:
     """A flat lidded box with a big picture and a title."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         x, y, h = look.between(0.24, 0.29), look.between(0.2, 0.24), look.between(0.045, 0.06)
         color = look.color("blue", "red", "green", "orange", "purple", "teal", "yellow")
         cover = prints.landscape(look.rng, 192, 160) if puzzle else prints.artwork(
@@ -183,7 +183,7 @@ def _game_box(titles: tuple[str, ...], puzzle: bool) -> Callable[[Look], Shape]:
              (box(x, y, 0.0006).move(z=h - 0.0003), cover)],
             [box_part(x, y, h)])  # fmt: skip
 
-    return made
+    return make
 
 
 def dartboard(look: Look) -> Shape:

@@ -23,7 +23,7 @@ PIECES = ("red", "blue", "green", "yellow", "black", "white", "orange", "purple"
 def _disc_piece(r: float, h: float, palette: tuple[str, ...]) -> Callable[[Look], Shape]:
     """A turned disc with a raised rim: a draughtsman or a counter."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.9, 1.1)
         a, b = r * k, h * k
         body = lathe([(0, 0), (0.94 * a, 0), (a, 0.2 * b), (a, 0.8 * b), (0.94 * a, b),
@@ -32,7 +32,7 @@ def _disc_piece(r: float, h: float, palette: tuple[str, ...]) -> Callable[[Look]
         tile = look.surface(look.color(*palette), look.pick(["plastic", "wood"]))
         return shape([(body, tile)], [cylinder_part(a, b)])
 
-    return made
+    return make
 
 
 def go_stone(look: Look) -> Shape:
@@ -48,7 +48,7 @@ def _tile_piece(
 ) -> Callable[[Look], Shape]:
     """A tile lying face up, ``draw`` on its face; with ``back``, a coloured underside."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.95, 1.08)
         color = look.color(*palette)
         a, b, c = x * k, y * k, h * k
@@ -60,7 +60,7 @@ def _tile_piece(
             pieces.append((under, textures.plain(look.own_color("green", "blue", "orange"))))
         return shape(pieces, [box_part(a, b, c)])
 
-    return made
+    return make
 
 
 def _letter(look: Look, color: RGB) -> textures.Tile:

@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import flat_foot, hull_part
 from ...build.forms import above, lobe
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, rod, settled
+from ...build.recipes import Pieces, ball, put_down, rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, cylinder, ellipsoid, join, lathe, loft, prism, tube
 from ...surfaces import textures
@@ -67,7 +67,7 @@ def pine_cone(look: Look) -> Shape:
         )
     core = lathe([(0, 0), (0.36 * wide, 0), (0.4 * wide, 0.3 * tall), (0.05 * wide, 0.97 * tall),
                   (0, 0.97 * tall)], 12)  # fmt: skip
-    return settled(
+    return put_down(
         [
             (join(scales), textures.speckles(look.rng, color, 16)),
             (core, textures.plain(tint_color(color, 0.5))),
@@ -84,7 +84,7 @@ def acorn(look: Look) -> Shape:
     tip = cylinder(0.0016, 0.006, 6, top=0.0006).turn(1, -np.pi / 2).move(-0.018, 0, 0.0075)
     stalk = rod([(0.013, 0, 0.008), (0.019, 0.001, 0.009), (0.024, 0.003, 0.01)], 0.0014, 6)
     knots = textures.basketwork(look.rng, tint_color(color, 0.7), 14)
-    return settled([(join([nut, tip]), textures.speckles(look.rng, color, 8)), (cap, knots),
+    return put_down([(join([nut, tip]), textures.speckles(look.rng, color, 8)), (cap, knots),
                     (stalk, textures.plain(tint_color(color, 0.5)))], nut, cap,
                    factor=look.between(0.85, 1.25))  # fmt: skip
 
@@ -117,7 +117,7 @@ def leaf(look: Look) -> Shape:
     stalk = rod([(-0.028, 0, 0.0015), (-0.045, 0.002, 0.0014), (-0.06, 0.006, 0.0014)], 0.0011, 6)
     skin = textures.speckles(look.rng, color, 16)
     ribs = textures.plain(tint_color(color, 0.6))
-    return settled([(body, skin), (join([*veins, stalk]), ribs)], body, stalk,
+    return put_down([(body, skin), (join([*veins, stalk]), ribs)], body, stalk,
                    factor=look.between(0.8, 1.3))  # fmt: skip
 
 
@@ -166,7 +166,7 @@ def feather(look: Look) -> Shape:
     quill = rod([(-0.5 * long, 0, 0.0035), (-0.2 * long, 0, 0.0026), (0.1 * long, 0, 0.0018),
                  (0.46 * long, 0, 0.0036)], [0.0012, 0.0012, 0.0009, 0.0004], 6)  # fmt: skip
     barbs = textures.stripes([color, tint_color(color, 0.86)], 22, upright=True, side=96)
-    return settled([(vane, barbs), (quill, textures.plain((240, 232, 214)))], vane, quill)
+    return put_down([(vane, barbs), (quill, textures.plain((240, 232, 214)))], vane, quill)
 
 
 def seashell(look: Look) -> Shape:
@@ -189,7 +189,7 @@ def seashell(look: Look) -> Shape:
         fan = loft(np.stack(rings), section)
         hinge = ball(0.03, 0.012, 0.01, (0, -0.036, 0.004), 10)
         tile = textures.stripes([color, other], 16, upright=True, side=128)
-        return settled([(fan, tile), (hinge, textures.plain(other))], fan, hinge,
+        return put_down([(fan, tile), (hinge, textures.plain(other))], fan, hinge,
                        factor=look.between(0.85, 1.2))  # fmt: skip
     t = np.linspace(0, 1, 60)
     a = 2 * np.pi * 3.2 * t
@@ -199,7 +199,7 @@ def seashell(look: Look) -> Shape:
     lip = ball(0.036, 0.03, 0.04, (-0.034, 0.008, 0.018), 14)
     mouth = ball(0.02, 0.014, 0.026, (-0.046, -0.003, 0.018), 10)
     tile = textures.stripes([color, other, color], 8, side=96)
-    return settled([(coil, tile), (lip, textures.speckles(look.rng, color, 6)),
+    return put_down([(coil, tile), (lip, textures.speckles(look.rng, color, 6)),
                     (mouth, textures.plain((240, 190, 170)))], coil, lip,
                    factor=look.between(0.85, 1.2))  # fmt: skip
 
@@ -218,7 +218,7 @@ def starfish(look: Look) -> Shape:
     dots = [ball(0.045, 0.045, 0.03, (d * np.cos(w), d * np.sin(w), 0.16 - 0.2 * d), 6)
             for w in 2 * np.pi * np.arange(5) / 5 for d in (0.14, 0.24, 0.34)]  # fmt: skip
     skin = textures.spots(look.rng, color, tint_color(color, 1.4), 0.1)
-    return settled([(body, skin), (join(dots), textures.plain(tint_color(color, 1.5)))], body,
+    return put_down([(body, skin), (join(dots), textures.plain(tint_color(color, 1.5)))], body,
                    factor=look.between(0.09, 0.15))  # fmt: skip
 
 
@@ -236,7 +236,7 @@ def coral(look: Look) -> Shape:
         branches.append(ball(0.011, 0.011, 0.011, tuple(tip), 8))
     foot = lobe(cylinder(0.036, 0.014, 16, top=0.02), 5, 0.15)
     skin = textures.spots(look.rng, color, tint_color(color, 1.4), 0.25)
-    return settled(
+    return put_down(
         [(join(branches), skin), (foot, textures.speckles(look.rng, (196, 188, 172), 12))],
         foot,
         join(branches),
@@ -278,19 +278,19 @@ CATEGORIES = (
     Category("leaf", leaf, (0.103, 0.0641, 0.005), 0.002, ("autumn leaf", "maple leaf", "oak leaf",
              "fallen leaf", "dry leaf", "fall leaf", "green leaf"), ("living",), (), ("orange",
              "red"), state="lying flat"),
-    Category("twig", twig, (0.27, 0.055, 0.01), 0.015, ("branch", "stick", "small branch",
-             "wooden stick", "olive branch", "eucalyptus branch", "sprig"), ("living",), (),
+    Category("twig", twig, (0.27, 0.055, 0.01), 0.015, ("branch", "small branch",
+             "olive branch", "eucalyptus branch", "sprig"), ("living",), (),
              ("brown",), state="lying flat"),
     Category("feather", feather, (0.17, 0.031, 0.012), 0.001, ("bird feather", "quill",
              "plume"), ("living",), (), ("white", "gray"), state="lying flat"),
-    Category("seashell", seashell, (0.125, 0.08, 0.035), 0.03, ("shell", "sea shell", "scallop",
-             "conch", "clam shell", "cockle", "scallop shell", "sea snail shell"), ("living",), (),
+    Category("seashell", seashell, (0.125, 0.08, 0.035), 0.03, ("shell", "sea shell", "conch",
+             "clam shell", "scallop shell", "sea snail shell"), ("living",), (),
              ("cream", "pink"), state="lying"),
     Category("starfish", starfish, (0.11, 0.115, 0.021), 0.04, ("sea star", "dried starfish"),
              ("living",), (), ("orange",), state="lying flat"),
     Category("coral", coral, (0.085, 0.085, 0.135), 0.2, ("piece of coral", "coral branch",
              "red coral"), ("living",), ("tall",), ("coral",)),
     Category("driftwood", driftwood, (0.25, 0.085, 0.04), 0.12, ("piece of driftwood",
-             "drift wood", "piece of wood", "log"), ("living",), (), ("gray",), state="lying"),
+             "drift wood", "log"), ("living",), (), ("gray",), state="lying"),
 )  # fmt: skip
 """The module's categories."""

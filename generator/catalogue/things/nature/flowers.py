@@ -114,13 +114,13 @@ def _wheat(look: Look, color: RGB) -> Pieces:
     return [(join([*grains, *awns]), textures.speckles(look.rng, color, 14))]
 
 
-def stemmed(
+def on_stem(
     head: Head, colors: tuple[str, ...], long: float, *, leaves: int = 2, nod: float = 0.5,
     leaf: tuple[float, float] = (0.06, 0.018), stem: RGB = (84, 126, 64),
 ) -> Callable[[Look], Shape]:  # fmt: skip
     """Return the shape of a cut flower that lies on the table, its blossom to the right."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         color = look.color(*colors)
         length = 0.88 * long * look.between(0.9, 1.1)
         blossom = [(s.scale(1.15, 1.15, 1.15), t) for s, t in head(look, color)]
@@ -150,7 +150,7 @@ def stemmed(
         parts = [crown, above(rest[x < 0.1]), tail]
         return shape(pieces, [hull_part(p) for p in parts])
 
-    return made
+    return make
 
 
 def _row(
@@ -165,7 +165,7 @@ _PASTEL = ("white", "pink", "yellow", "purple", "orange")
 CATEGORIES = (
     _row(
         "rose",
-        stemmed(_rose, ("red", "pink", "white", "yellow", "crimson"), 0.23),
+        on_stem(_rose, ("red", "pink", "white", "yellow", "crimson"), 0.23),
         (0.227, 0.0504, 0.0509),
         0.02,
         ("red rose", "cut rose", "single rose", "rose stem"),
@@ -173,7 +173,7 @@ CATEGORIES = (
     ),
     _row(
         "tulip",
-        stemmed(
+        on_stem(
             _tulip, ("red", "yellow", "pink", "purple", "orange", "white"), 0.22, leaf=(0.12, 0.02)
         ),
         (0.222, 0.062, 0.0459),
@@ -183,7 +183,7 @@ CATEGORIES = (
     ),
     _row(
         "daisy",
-        stemmed(_daisy, ("white", "white", "pink", "yellow"), 0.18, nod=0.8, leaf=(0.04, 0.012)),
+        on_stem(_daisy, ("white", "white", "pink", "yellow"), 0.18, nod=0.8, leaf=(0.04, 0.012)),
         (0.169, 0.0532, 0.038),
         0.006,
         ("daisy flower", "marguerite", "chamomile", "daisies", "gerbera", "aster"),
@@ -191,7 +191,7 @@ CATEGORIES = (
     ),
     _row(
         "sunflower",
-        stemmed(_sunflower, ("yellow", "gold", "amber"), 0.27, nod=0.9, leaf=(0.08, 0.04)),
+        on_stem(_sunflower, ("yellow", "gold", "amber"), 0.27, nod=0.9, leaf=(0.08, 0.04)),
         (0.268, 0.105, 0.0692),
         0.06,
         ("sun flower",),
@@ -199,7 +199,7 @@ CATEGORIES = (
     ),
     _row(
         "lily",
-        stemmed(_lily, ("white", "pink", "orange", "yellow"), 0.24, nod=0.4),
+        on_stem(_lily, ("white", "pink", "orange", "yellow"), 0.24, nod=0.4),
         (0.253, 0.112, 0.119),
         0.02,
         ("lily flower", "lilies", "amaryllis"),
@@ -207,7 +207,7 @@ CATEGORIES = (
     ),
     _row(
         "carnation",
-        stemmed(
+        on_stem(
             _carnation,
             ("pink", "red", "white", "crimson"),
             0.22,
@@ -222,7 +222,7 @@ CATEGORIES = (
     ),
     _row(
         "lavender",
-        stemmed(
+        on_stem(
             _lavender,
             ("purple", "violet", "lavender", "indigo"),
             0.19,
@@ -237,7 +237,7 @@ CATEGORIES = (
     ),
     _row(
         "orchid",
-        stemmed(_orchid, ("pink", "white", "purple", "magenta"), 0.22, leaves=0, nod=0.25),
+        on_stem(_orchid, ("pink", "white", "purple", "magenta"), 0.22, leaves=0, nod=0.25),
         (0.205, 0.0587, 0.0615),
         0.02,
         ("orchid stem", "orchid flower"),
@@ -245,7 +245,7 @@ CATEGORIES = (
     ),
     _row(
         "dried_flower",
-        stemmed(
+        on_stem(
             _wheat,
             ("tan", "gold", "beige", "amber", "coral"),
             0.2,

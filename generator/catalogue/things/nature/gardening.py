@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, frame_parts, hull_of, hull_part
 from ...build.outlines import rectangle
-from ...build.recipes import Pieces, ball, pad, rod, settled, straight
+from ...build.recipes import Pieces, ball, pad, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, join, lathe, loft, open_box, prism
 from ...surfaces import prints, textures
@@ -46,7 +46,7 @@ def _hand_tool(look: Look, kind: str) -> Shape:
         ]
         bar = join([straight((-0.07, -0.03, 0.024), (-0.07, 0.03, 0.024), 0.0035), *fan])
     pieces: Pieces = [(grip, handle), (join([neck, bar, *tines]), steel)]
-    return settled(pieces, grip, neck, join([bar, *tines]), factor=look.between(0.9, 1.12))
+    return put_down(pieces, grip, neck, join([bar, *tines]), factor=look.between(0.9, 1.12))
 
 
 def hand_fork(look: Look) -> Shape:
@@ -83,7 +83,7 @@ def secateurs(look: Look) -> Shape:
     )
     pieces: Pieces = [(join([blade, pin, coil]), steel), (hook, textures.plain((70, 72, 78))),
                       (join(grips), skin)]  # fmt: skip
-    return settled(pieces, join([hook, blade, pin]), *grips, factor=look.between(0.9, 1.1))
+    return put_down(pieces, join([hook, blade, pin]), *grips, factor=look.between(0.9, 1.1))
 
 
 def hand_shape(look: Look, colors: tuple[str, ...], cuff: float, *, knit: bool) -> Shape:
@@ -99,7 +99,7 @@ def hand_shape(look: Look, colors: tuple[str, ...], cuff: float, *, knit: bool) 
     sleeve = pad(cuff, 0.1, 0.023, 0.01, soft=0.4).move(0.06 + cuff / 2)
     other = textures.plain(tint_color(color, 0.65))
     pieces: Pieces = [(join([palm, *fingers, thumb]), skin), (sleeve, other)]
-    return settled(pieces, palm, join(fingers), thumb, sleeve, factor=k)
+    return put_down(pieces, palm, join(fingers), thumb, sleeve, factor=k)
 
 
 def garden_glove(look: Look) -> Shape:
@@ -166,7 +166,7 @@ def plant_label(look: Look) -> Shape:
         bold=True,
     )
     face = box(0.075, 0.015, 0.0005).move(0.015, 0, 0.002)
-    return settled([(body, look.surface(color, "plastic")), (face, sign)], body,
+    return put_down([(body, look.surface(color, "plastic")), (face, sign)], body,
                    factor=look.between(0.85, 1.25))  # fmt: skip
 
 
@@ -212,7 +212,7 @@ def garden_hose_nozzle(look: Look) -> Shape:
     skin = textures.speckles(look.rng, color, 4)
     dark = textures.plain((52, 54, 58))
     pieces: Pieces = [(join([barrel, grip]), skin), (join([head, joint, lever]), dark)]
-    return settled(pieces, join([barrel, head]), join([grip, joint]), lever,
+    return put_down(pieces, join([barrel, head]), join([grip, joint]), lever,
                    factor=look.between(0.9, 1.1), foot=0.3)  # fmt: skip
 
 
@@ -225,7 +225,7 @@ def flower_bulb(look: Look) -> Shape:
     roots = [rod([(0.006, 0, 0.004), (0.014, 0, 0.002), (0.021, 0.003, 0.001)], 0.0009, 5)
              .turn(2, 0.7 * k) for k in range(9)]  # fmt: skip
     skin = textures.stripes([color, tint_color(color, 0.82), color], 9, upright=True, side=96)
-    return settled([(body, skin), (tip, textures.plain((110, 160, 80))),
+    return put_down([(body, skin), (tip, textures.plain((110, 160, 80))),
                     (join(roots), textures.plain((226, 208, 176)))], body,
                    factor=look.between(0.85, 1.2))  # fmt: skip
 

@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of, hull_part, ring_parts
 from ...build.forms import blade, side_view
 from ...build.hollow import open_vessel
-from ...build.recipes import Pieces, ball, rod, settled, straight
+from ...build.recipes import Pieces, ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import textures
@@ -17,7 +17,7 @@ from ...surfaces.look import Look
 from ..home.plants import planter
 
 
-def _potted(look: Look, plant: Pieces, r: float, h: float) -> Shape:
+def _in_pot(look: Look, plant: Pieces, r: float, h: float) -> Shape:
     """Return a plant in a pot of radius ``r`` and height ``h``; plants grow from z = 0.88 h."""
     pieces = planter(look, r, h)
     crown = join([solid for solid, _ in plant])
@@ -42,7 +42,7 @@ def fern(look: Look) -> Shape:
                 leaf = ellipsoid(wide, 0.009, 0.0015, 4, 4).turn(2, s * 1.1)
                 leaves.append(leaf.move(path[n, 0] + 0.2 * wide, s * 0.42 * wide, path[n, 2])
                               .turn(2, turn))  # fmt: skip
-    return _potted(look, [(join(leaves), textures.plain(green))], r, h)
+    return _in_pot(look, [(join(leaves), textures.plain(green))], r, h)
 
 
 def ivy(look: Look) -> Shape:
@@ -63,7 +63,7 @@ def ivy(look: Look) -> Shape:
             leaf = ellipsoid(0.026, 0.022, 0.0028, 5, 4).turn(1, 0.7 if n > 2 else -0.2)
             leaves.append(leaf.turn(2, a + look.between(-0.7, 0.7)).move(*p))
     tile = textures.spots(look.rng, green, tint_color(green, 1.5), 0.2)
-    return _potted(look, [(join(leaves), tile), (join(vines), textures.plain((110, 96, 60)))], r, h)
+    return _in_pot(look, [(join(leaves), tile), (join(vines), textures.plain((110, 96, 60)))], r, h)
 
 
 def bonsai(look: Look) -> Shape:
@@ -93,7 +93,7 @@ def bonsai(look: Look) -> Shape:
         (join([trunk, *arms]), textures.scratches(look.rng, (110, 80, 56), (70, 50, 36), 70)),
         (join(clouds), textures.spots(look.rng, green, tint_color(green, 1.3), 0.3)),
     ]
-    return settled(pieces, join([dish.move(z=0.006), *feet]), trunk, join(clouds),
+    return put_down(pieces, join([dish.move(z=0.006), *feet]), trunk, join(clouds),
                    factor=look.between(0.9, 1.15))  # fmt: skip
 
 
@@ -112,7 +112,7 @@ def herb_pot(look: Look) -> Shape:
                       (0.035 * np.cos(k), 0.035 * np.sin(k), h + 0.05), 0.0018, 5)
              for k in range(7)]  # fmt: skip
     tile = textures.speckles(look.rng, green, 12)
-    return _potted(
+    return _in_pot(
         look, [(join(leaves), tile), (join(stems), textures.plain(tint_color(green, 0.7)))], r, h
     )
 
@@ -200,7 +200,7 @@ def birdhouse(look: Look) -> Shape:
         (hole, textures.plain((30, 26, 24))),
         (join([rim, perch, floor]), textures.wood(look.rng, tint_color(color, 0.8))),
     ]
-    return settled(pieces, walls, floor, *roof)
+    return put_down(pieces, walls, floor, *roof)
 
 
 def nest(look: Look) -> Shape:
@@ -236,7 +236,7 @@ def bird_feeder(look: Look) -> Shape:
     skin = look.surface(color, "metal")
     pieces: Pieces = [(join([tray, roof]), skin), (join([seeds, pipe]), grain),
                       (join([*ports, hook]), textures.plain((52, 52, 56)))]  # fmt: skip
-    return settled(pieces, tray, pipe, roof, factor=look.between(0.9, 1.15))
+    return put_down(pieces, tray, pipe, roof, factor=look.between(0.9, 1.15))
 
 
 def bird_cage(look: Look) -> Shape:
@@ -270,7 +270,7 @@ def bird_cage(look: Look) -> Shape:
     beak = cylinder(0.005, 0.01, 8, top=0.0006).turn(0, np.pi / 2).move(0, -0.014, 0.36 * h + 0.05)
     pieces: Pieces = [(join([base, *bars, *hoops, ring]), wire), (join(bird), hue),
                       (join([perch, beak]), textures.wood(look.rng, (190, 144, 94)))]  # fmt: skip
-    return settled(pieces, base, join(bars))
+    return put_down(pieces, base, join(bars))
 
 
 CATEGORIES = (
@@ -280,15 +280,15 @@ CATEGORIES = (
              "hanging plant", "string of hearts"), ("living",), (), ("green",)),
     Category("bonsai", bonsai, (0.185, 0.105, 0.175), 0.8, ("bonsai tree", "bonsai plant"),
              ("living", "office"), (), ("terracotta",)),
-    Category("herb_pot", herb_pot, (0.14, 0.14, 0.16), 0.5, ("basil", "basil plant",
-             "potted basil", "mint plant", "herb", "potted herb", "parsley", "rosemary",
-             "pot of basil", "pot of herbs", "pot of mint"), ("kitchen", "living"), ("tall",),
+    Category("herb_pot", herb_pot, (0.14, 0.14, 0.16), 0.5, ("basil plant",
+             "potted basil", "mint plant", "potted herb", "pot of basil", "pot of herbs",
+                 "pot of mint"), ("kitchen", "living"), ("tall",),
              ("terracotta",)),
     Category("wreath", wreath, (0.27, 0.28, 0.055), 0.25, ("christmas wreath", "door wreath",
              "leaf wreath", "laurel wreath", "flower wreath", "garland"), ("living",), ("big",),
              ("green",), state="lying flat"),
     Category("terrarium", terrarium, (0.135, 0.135, 0.165), 0.8, ("plant terrarium",
-             "glass terrarium", "cloche", "glass dome"), ("living",), ("tall", "round"),
+             "glass terrarium", "glass dome"), ("living",), ("tall", "round"),
              ("wooden",)),
     Category("birdhouse", birdhouse, (0.125, 0.145, 0.16), 0.45, ("bird house", "nest box",
              "nesting box", "bird box"), ("living",), ("tall",), ("wooden", "blue")),

@@ -112,10 +112,10 @@ def _coat(look: Look, beast: Beast, color: tuple[float, float, float]) -> Tile:
 def beast_shape(key: str) -> Callable[[Look], Shape]:
     """Return the shape function of an animal."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         return _beast(look, BEASTS[key])
 
-    return made
+    return make
 
 
 def _beast(look: Look, b: Beast) -> Shape:
@@ -207,7 +207,7 @@ def _extras(
                       (x - 0.24, s * 0.13, hz - 0.18)], [0.035, 0.028, 0.01], 6)
                  for s in (-1, 1)]  # fmt: skip
         made += [(join([nose, *ears]), grey), (join(flaps), grey), (join(tusks), pale)]
-    return made
+    return make
 
 
 def _row(key: str, size: tuple[float, float, float], mass: float, *aliases: str) -> Category:

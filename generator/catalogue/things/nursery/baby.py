@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part
 from ...build.outlines import ellipse
-from ...build.recipes import Pieces, ball, pad, rod, settled, straight
+from ...build.recipes import Pieces, ball, pad, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import block, cylinder, join, lathe, prism, torus
 from ...surfaces import prints, textures
@@ -27,7 +27,7 @@ def rattle(look: Look) -> Shape:
     ring = torus(0.02, 0.006, 22, 8).move(0.064, 0, 0.0058)
     pieces: Pieces = [(head, textures.speckles(look.rng, color, 4)), (band, other), (ring, other),
                       (grip, textures.plain((246, 244, 238)))]  # fmt: skip
-    return settled(pieces, head, grip, ring, factor=look.between(0.9, 1.12))
+    return put_down(pieces, head, grip, ring, factor=look.between(0.9, 1.12))
 
 
 def pacifier(look: Look) -> Shape:
@@ -44,7 +44,7 @@ def pacifier(look: Look) -> Shape:
     pieces: Pieces = [(shield, textures.speckles(look.rng, color, 4)),
                       (join([knob, ring]), textures.plain(tint_color(color, 1.4))),
                       (teat, textures.plain((232, 206, 160)))]  # fmt: skip
-    return settled(pieces, join([shield, knob]), ring, teat, factor=look.between(0.95, 1.15))
+    return put_down(pieces, join([shield, knob]), ring, teat, factor=look.between(0.95, 1.15))
 
 
 def baby_bottle(look: Look) -> Shape:
@@ -64,7 +64,7 @@ def baby_bottle(look: Look) -> Shape:
         (marks, textures.plain(color)),
         (teat, textures.plain((232, 206, 160))),
     ]
-    return settled(pieces, join([milk, top]), ring, teat)
+    return put_down(pieces, join([milk, top]), ring, teat)
 
 
 def bib(look: Look) -> Shape:
@@ -125,7 +125,7 @@ def diaper(look: Look) -> Shape:
     tapes = [block(0.03, 0.02, 0.0016, 0.006).move(s * 0.066, 0.032, 0.0292) for s in (-1, 1)]
     pieces: Pieces = [(join(pads), cloth), (band, image), (join(tapes), textures.plain((240, 240,
                       236)))]  # fmt: skip
-    return settled(pieces, join(pads), factor=look.between(0.9, 1.15))
+    return put_down(pieces, join(pads), factor=look.between(0.9, 1.15))
 
 
 def baby_shoes(look: Look) -> Shape:
@@ -143,7 +143,7 @@ def baby_shoes(look: Look) -> Shape:
         loops = [ball(0.016, 0.006, 0.01, (s * 0.032 + t * 0.008, -0.012, 0.047), 8)
                  for t in (-1, 1)]  # fmt: skip
         bows += [*loops, ball(0.007, 0.007, 0.007, (s * 0.032, -0.014, 0.047), 8)]
-    return settled([(join(shoes), knit), (join(bows), bow)], *hulls, factor=look.between(0.9, 1.1))
+    return put_down([(join(shoes), knit), (join(bows), bow)], *hulls, factor=look.between(0.9, 1.1))
 
 
 def doll(look: Look) -> Shape:
@@ -174,7 +174,7 @@ def doll(look: Look) -> Shape:
                       (join([mouth, *cheeks]), textures.plain((220, 96, 96))),
                       (collar, textures.plain((250, 248, 244))),
                       (join(shoes), textures.plain(tint_color(color, 0.55)))]  # fmt: skip
-    return settled(pieces, gown, join([*legs, *shoes]), join([head, cap]), *arms,
+    return put_down(pieces, gown, join([*legs, *shoes]), join([head, cap]), *arms,
                    factor=look.between(1.0, 1.35))  # fmt: skip
 
 

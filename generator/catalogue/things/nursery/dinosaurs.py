@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.recipes import Pieces, ball, rod, settled, straight
+from ...build.recipes import Pieces, ball, put_down, rod, straight
 from ...build.shape import Shape
 from ...build.solids import cylinder, join, prism
 from ...surfaces import textures
@@ -51,7 +51,7 @@ def dinosaur(look: Look) -> Shape:
         plates.append(cylinder(0.007, 0.012, 4, top=0.0006).scale(1, 0.4, 1).move(x, 0, z - 0.004))
     pieces: Pieces = [(body, skin), (neck, skin), (head, skin), (tail, skin), (legs, skin),
                       (join(plates), pale), (eyes, DARK)]  # fmt: skip
-    return settled(pieces, body, head, tail, legs, factor=k)
+    return put_down(pieces, body, head, tail, legs, factor=k)
 
 
 def dragon(look: Look) -> Shape:
@@ -86,7 +86,7 @@ def dragon(look: Look) -> Shape:
         (join(wings), belly),
         (eyes, DARK),
     ]
-    return settled(pieces, join([body, *feet]), join([neck, head]), tail, *wings,
+    return put_down(pieces, join([body, *feet]), join([neck, head]), tail, *wings,
                    factor=look.between(0.95, 1.2))  # fmt: skip
 
 
@@ -106,7 +106,7 @@ def frog(look: Look) -> Shape:
     mouth = ball(0.032, 0.05, 0.003, (-0.033, 0, 0.036), 14)
     pieces: Pieces = [(join([body, head, *bulges, *legs, *feet, *arms]), skin),
                       (mouth, pale), (join(pupils), DARK)]  # fmt: skip
-    return settled(pieces, join([body, *legs, *feet]), join([head, *bulges]),
+    return put_down(pieces, join([body, *legs, *feet]), join([head, *bulges]),
                    factor=look.between(0.9, 1.2))  # fmt: skip
 
 
@@ -128,7 +128,7 @@ def bird(look: Look) -> Shape:
     pieces: Pieces = [(body, skin), (breast, chest), (head, skin), (tail, wing),
                       (join(wings), wing), (join([beak, foot]), textures.plain((226, 150, 50))),
                       (join(eyes), DARK)]  # fmt: skip
-    return settled(pieces, body, foot, head, beak, tail, factor=look.between(0.9, 1.15))
+    return put_down(pieces, body, foot, head, beak, tail, factor=look.between(0.9, 1.15))
 
 
 CATEGORIES = (

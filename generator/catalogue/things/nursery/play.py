@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import flat_foot
 from ...build.outlines import ellipse, smooth
-from ...build.recipes import Pieces, ball, rod, settled, straight
+from ...build.recipes import Pieces, ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, prism
 from ...surfaces import textures
@@ -39,7 +39,7 @@ def toy_soldier(look: Look) -> Shape:
                       (join(legs), textures.plain((60, 64, 90)) if not plain else coat),
                       (join([chest, *arms]), coat), (head, skin), (join([hat, gun]), dark),
                       (join(belts), pale)]  # fmt: skip
-    return settled(pieces, base, join([*legs, chest]), join([head, hat]), join([*arms, gun]),
+    return put_down(pieces, base, join([*legs, chest]), join([head, hat]), join([*arms, gun]),
                    factor=look.between(0.85, 1.15))  # fmt: skip
 
 
@@ -65,7 +65,7 @@ def puppet(look: Look) -> Shape:
                       (join([nose, mouth]), textures.plain((214, 60, 56))), (hat, other),
                       (join([tip, *buttons]), textures.plain((250, 246, 236))),
                       (join(eyes), textures.plain((34, 32, 34)))]  # fmt: skip
-    return settled(pieces, gown, *arms, join([head, hat]), factor=look.between(0.9, 1.1))
+    return put_down(pieces, gown, *arms, join([head, hat]), factor=look.between(0.9, 1.1))
 
 
 def mask(look: Look) -> Shape:
@@ -111,7 +111,7 @@ def mask(look: Look) -> Shape:
     pieces: Pieces = [(face, gold), (trim, textures.speckles(look.rng, color, 5)),
                       (join(rims), gold), (join(eyes), textures.plain((26, 24, 28))),
                       (gem, textures.plain((200, 40, 70)))]  # fmt: skip
-    return settled(pieces, face, factor=look.between(0.88, 1.12), foot=0.25)
+    return put_down(pieces, face, factor=look.between(0.88, 1.12), foot=0.25)
 
 
 def toy_spade(look: Look) -> Shape:
@@ -126,7 +126,7 @@ def toy_spade(look: Look) -> Shape:
     grip = straight((0.092, -0.028, 0.0075), (0.092, 0.028, 0.0075), 0.0075, 10)
     paint = textures.speckles(look.rng, color, 4)
     pieces: Pieces = [(join([blade, shaft, grip]), paint)]
-    return settled(pieces, blade, shaft, grip, factor=look.between(0.85, 1.12))
+    return put_down(pieces, blade, shaft, grip, factor=look.between(0.85, 1.12))
 
 
 def beach_ball(look: Look) -> Shape:
@@ -151,7 +151,7 @@ def skittle(look: Look) -> Shape:
     tile = textures.stack((textures.plain(color), 0.68), (textures.plain(stripe), 0.05),
                           (textures.plain(color), 0.04), (textures.plain(stripe), 0.05),
                           (textures.plain(color), 0.2))  # fmt: skip
-    return settled([(body, tile)], body, factor=look.between(0.85, 1.25))
+    return put_down([(body, tile)], body, factor=look.between(0.85, 1.25))
 
 
 CATEGORIES = (
@@ -161,7 +161,7 @@ CATEGORIES = (
     Category("puppet", puppet, (0.175, 0.106, 0.24), 0.12, ("hand puppet", "glove puppet",
              "marionette", "finger puppet"), ("toys",), ("tall",), ("red", "green")),
     Category("mask", mask, (0.198, 0.084, 0.042), 0.06, ("carnival mask", "venetian mask",
-             "theatre mask", "theater mask", "masquerade mask", "party mask", "face mask"),
+             "theatre mask", "theater mask", "masquerade mask", "party mask",),
              ("toys", "living"), (), ("gold", "red"), state="lying flat"),
     Category("toy_spade", toy_spade, (0.225, 0.065, 0.02), 0.06, ("sand spade", "spade",
              "beach spade", "sand shovel", "toy shovel", "plastic shovel", "beach shovel"),

@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, hull_of
 from ...build.forms import side_view
-from ...build.recipes import Pieces, ball, settled, straight
+from ...build.recipes import Pieces, ball, put_down, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, loft, prism
 from ...surfaces import textures
@@ -172,7 +172,7 @@ def boat(look: Look) -> Shape:
             [(-0.018, 0.058), (-0.018, 0.145), (-0.075, 0.058)][::1])]  # fmt: skip
         cloth = textures.stripes([(246, 244, 238), look.own_color("white", "red", "navy")], 4)
         pieces += [(mast, wood), (join(sails), cloth)]
-        return settled(pieces, hull, join([mast, *sails]), factor=look.between(0.9, 1.1))
+        return put_down(pieces, hull, join([mast, *sails]), factor=look.between(0.9, 1.1))
     cabin = block(0.06, 0.036, 0.03, 0.004, 0.002).move(0.015, 0, 0.041)
     holes = _windows(-0.003, 0.052, 0.018, 0.01, 0.01, 3, 0.018)
     funnel = cylinder(0.01, 0.035, 16).move(0.022, 0, 0.07)
@@ -183,7 +183,7 @@ def boat(look: Look) -> Shape:
         (funnel, textures.plain(look.own_color("red", "yellow"))),
         (band, TYRE),
     ]
-    return settled(pieces, hull, cabin, funnel, factor=look.between(0.9, 1.1))
+    return put_down(pieces, hull, cabin, funnel, factor=look.between(0.9, 1.1))
 
 
 def rocket(look: Look) -> Shape:
@@ -210,7 +210,7 @@ def rocket(look: Look) -> Shape:
         (join([jet, *rims]), textures.plain((110, 112, 118))),
         (join(eyes), GLASS),
     ]
-    return settled(pieces, body, nose, join(fins), factor=look.between(0.9, 1.1))
+    return put_down(pieces, body, nose, join(fins), factor=look.between(0.9, 1.1))
 
 
 def helicopter(look: Look) -> Shape:
@@ -230,7 +230,7 @@ def helicopter(look: Look) -> Shape:
     grey = textures.plain((74, 76, 82))
     pieces: Pieces = [(join([body, boom, fin]), paint), (dome, GLASS),
                       (join([mast, *blades, *skids, *struts]), grey)]  # fmt: skip
-    return settled(pieces, join([*skids, *struts]), body, join([boom, fin]), join(blades),
+    return put_down(pieces, join([*skids, *struts]), body, join([boom, fin]), join(blades),
                    factor=look.between(0.9, 1.1))  # fmt: skip
 
 
@@ -260,7 +260,7 @@ def train_track(look: Look) -> Shape:
     ruts = [strip(s * 0.0125, 0.006, 0.0118, 0.0006) for s in (-1, 1)]
     knob = join([box(0.012, 0.005, 0.012).move(long / 2 + 0.005), cylinder(0.006, 0.012, 14).move(
         long / 2 + 0.014)]).bend(bow)  # fmt: skip
-    return settled([(join([bed, knob]), wood), (join(ruts), groove)], bed)
+    return put_down([(join([bed, knob]), wood), (join(ruts), groove)], bed)
 
 
 CATEGORIES = (

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, flat_foot, hull_of
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.outlines import arc
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, tube
@@ -25,7 +25,7 @@ def _card(
 ) -> Callable[[Look], Shape]:
     """A flat card lying, or a small pile of them; ``draw`` prints its face."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.98, 1.03)
         color = look.color(*palette)
         a, b = x * k, y * k
@@ -36,7 +36,7 @@ def _card(
         face = block(0.995 * a, 0.995 * b, 0.0004, 0.03 * a).move(z=tall - 0.0002)
         return shape([(body, edge), (face, draw(look, color))], [box_part(a, b, tall)])
 
-    return made
+    return make
 
 
 def _bank(look: Look, color: RGB) -> textures.Tile:
@@ -77,7 +77,7 @@ def _business(look: Look, color: RGB) -> textures.Tile:
     return image
 
 
-def _ruled(look: Look, color: RGB) -> textures.Tile:
+def _rule_lines(look: Look, color: RGB) -> textures.Tile:
     image = prints.canvas(160, 96, color)
     for n in range(8):
         prints.fill(image, 0, 0.2 + 0.1 * n, 1, 0.012, (150, 180, 220) if n else (220, 100, 100))
@@ -168,7 +168,7 @@ def board_eraser(look: Look) -> Shape:
 def _stick(radius: float, long: float, palette: tuple[str, ...], square: bool) -> Callable:
     """A stick of chalk, pastel or charcoal lying."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.85, 1.1)
         color = look.color(*palette)
         r, n = radius * k, long * k * look.between(0.8, 1.1)
@@ -177,11 +177,11 @@ def _stick(radius: float, long: float, palette: tuple[str, ...], square: bool) -
         if square:
             body = box(n, 1.8 * r, 1.8 * r)
             return shape([(body, dust)], [hull_of(body)])
-        body = laid(cylinder(r, n, 20, top=0.88 * r), -n / 2, r)
+        body = lay_down(cylinder(r, n, 20, top=0.88 * r), -n / 2, r)
         body = body.move(z=-float(body.bounds[0, 2]))
         return shape([(body, dust)], [flat_foot(body.vertices, 0.12)])
 
-    return made
+    return make
 
 
 def highlighter(look: Look) -> Shape:
@@ -238,13 +238,13 @@ CATEGORIES = (
              "gold", "gray")), (0.0856, 0.054, 0.0012), 0.005, ("bank card", "debit card",
              "payment card", "gift card", "atm card"), ("office",), ("flat",), ("navy", "black")),
     Category("id_card", _card(0.0856, 0.054, 0.0011, _identity, ("blue", "red", "green", "navy")),
-             (0.0856, 0.054, 0.0012), 0.005, ("identity card", "badge", "id badge",
+             (0.0856, 0.054, 0.0012), 0.005, ("identity card", "id badge",
              "student card", "name badge", "driving licence", "membership card",
              "driver's license", "library card"), ("office",), ("flat",), ("blue",)),
     Category("business_card", _card(0.086, 0.052, 0.0009, _business, ("white", "cream", "black",
              "white")), (0.086, 0.052, 0.001), 0.0015, ("visiting card", "name card",
              "calling card"), ("office",), ("flat",), ("white",)),
-    Category("index_card", _card(0.127, 0.076, 0.0009, _ruled, ("white", "cream", "yellow",
+    Category("index_card", _card(0.127, 0.076, 0.0009, _rule_lines, ("white", "cream", "yellow",
              "white")), (0.127, 0.076, 0.001), 0.003, ("flash card", "flashcard", "note card",
              "record card", "cue card", "recipe card"), ("office",), ("flat",), ("white",)),
     Category("postcard", _card(0.148, 0.105, 0.0009, _postcard, ("white", "cream")),

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, hull_of
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.outlines import arc, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, loft, prism, torus, tube
@@ -77,7 +77,7 @@ def drawing_compass(look: Look) -> Shape:
                  [0.13 * k * np.cos(spread), 0.13 * k * np.sin(spread), z]], 0.0032 * k,
                      8)  # fmt: skip
     hub = cylinder(0.0095 * k, 2 * z, 20)
-    knob = laid(cylinder(0.0036 * k, 0.018 * k, 12), -0.024 * k, z)
+    knob = lay_down(cylinder(0.0036 * k, 0.018 * k, 12), -0.024 * k, z)
     bow = tube(smooth([(0.05 * k, -0.05 * k * np.tan(spread), 2 * z), (0.05 * k, 0, 2.5 * z),
                        (0.05 * k, 0.05 * k * np.tan(spread), 2 * z)], 3), 0.0012 * k,
                            6)  # fmt: skip
@@ -107,7 +107,7 @@ def abacus(look: Look) -> Shape:
         for m in range(9):
             u = -x / 2 + t + (0.009 + 0.0158 * m) * k + (0.0 if m < left else 0.046 * k)
             beads.append(
-                laid(cylinder(0.0125 * k, 0.0145 * k, 10, bevel=0.003 * k), u - 0.007 * k, z)
+                lay_down(cylinder(0.0125 * k, 0.0145 * k, 10, bevel=0.003 * k), u - 0.007 * k, z)
             )
         pieces.append((join(beads), textures.plain(tone)))
     pieces.append((join(rods), textures.plain((190, 192, 196))))
@@ -118,7 +118,7 @@ def abacus(look: Look) -> Shape:
 def _thick_book(titles: tuple[str, ...], size: tuple[float, float, float]) -> Callable[..., Shape]:
     """A thick hardcover lying, a title across its cover."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
         x, y, h = (v * k for v in size)
         color = look.color("navy", "red", "green", "maroon", "blue", "black", "teal", "orange")
@@ -153,7 +153,7 @@ def _thick_book(titles: tuple[str, ...], size: tuple[float, float, float]) -> Ca
                       (box(0.99 * x, 0.99 * y, 0.0005).move(z=h - 0.0002), front)],
                      [box_part(x, y, h)])  # fmt: skip
 
-    return made
+    return make
 
 
 def rubber_band(look: Look) -> Shape:
@@ -223,7 +223,7 @@ CATEGORIES = (
              (0.19, 0.24, 0.024), 0.8, ("cookery book", "cook book", "baking book"),
              ("kitchen",), ("support", "flat"), ("orange", "teal")),
     Category("rubber_band", rubber_band, (0.058, 0.0405, 0.0028), 0.001, ("elastic band",
-             "elastic", "hair tie", "hair band"), ("office",), ("flat",), ("tan", "red")),
+             "elastic", "hair band"), ("office",), ("flat",), ("tan", "red")),
     Category("gavel", gavel, (0.235, 0.095, 0.065), 0.3, ("judge gavel", "judge hammer",
              "auction hammer", "judge's gavel"), ("office",), (), ("brown",)),
 )  # fmt: skip

@@ -10,7 +10,7 @@ from ...build.category import Category
 from ...build.collision import frame_parts
 from ...build.forms import spread
 from ...build.hollow import open_vessel
-from ...build.recipes import ball, leather, rod, settled, straight
+from ...build.recipes import ball, leather, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, open_box, prism, torus
 from ...surfaces import prints, textures
@@ -37,7 +37,7 @@ def piggy_bank(look: Look) -> Shape:
                0.003, 7)  # fmt: skip
     slot = box(0.034, 0.005, 0.004).move(0.004, 0, 0.0982)
     dark = textures.plain((44, 34, 36))
-    return settled(
+    return put_down(
         [(join([body, snout, *ears, *legs, tail]), skin), (join([*holes, *eyes, slot]), dark)],
         body,
         join(legs),
@@ -67,7 +67,7 @@ def treasure_chest(look: Look) -> Shape:
     lock = box(0.022, 0.006, 0.026).move(0, -y / 2 - 0.002, h - 0.018)
     hole = box(0.004, 0.002, 0.009).move(0, -y / 2 - 0.0055, h - 0.012)
     metal = textures.brushed_metal(look.rng, look.pick([BRASS, (96, 98, 104)]))
-    return settled([(join([chest, lid]), wood), (join([*bands, rim, lock]), metal),
+    return put_down([(join([chest, lid]), wood), (join([*bands, rim, lock]), metal),
                     (hole, textures.plain((30, 28, 28)))], chest, lid, factor=k)  # fmt: skip
 
 
@@ -94,7 +94,7 @@ def photo_album(look: Look) -> Shape:
     photo = box(0.45 * x, 0.36 * y, 0.0008).move(0.01, 0.0, h + 0.0003)
     band = box(0.012, y + 0.001, h + 0.0008).move(-0.36 * x)
     hide = leather(look.rng, color)
-    return settled(
+    return put_down(
         [
             (pages, prints.pages(look.rng)),
             (join([*covers, spine]), hide),
@@ -130,7 +130,7 @@ def folding_fan(look: Look) -> Shape:
     for j in range(5):
         prints.disc(image, 0.15 + 0.175 * j, 0.5 + 0.16 * (-1) ** j, 0.1, ink)
         prints.disc(image, 0.15 + 0.175 * j, 0.5 + 0.16 * (-1) ** j, 0.04, color)
-    return settled(
+    return put_down(
         [
             (leaf, image),
             (join(sticks), textures.wood(look.rng, (110, 74, 48))),
@@ -156,7 +156,7 @@ def music_box(look: Look) -> Shape:
     crank = join([straight((0.044, 0.008, 0.03), (0.062, 0.008, 0.03), 0.0024, 8),
                   straight((0.062, 0.008, 0.03), (0.062, -0.012, 0.04), 0.0024, 8),
                   straight((0.061, -0.012, 0.04), (0.074, -0.012, 0.04), 0.0042, 10)])  # fmt: skip
-    return settled(
+    return put_down(
         [
             (base, look.surface(color, "wood")),
             (plate, textures.plain((60, 52, 46))),
@@ -187,7 +187,7 @@ def crystal(look: Look) -> Shape:
             .move(0.012 * np.cos(2.4 * n) * (n > 0), 0.012 * np.sin(2.4 * n) * (n > 0), 0.008)
         )
     foot = ball(0.075, 0.068, 0.036, (0, 0, 0.012), 9)
-    return settled(
+    return put_down(
         [
             (
                 join(points),
@@ -209,7 +209,7 @@ def cigarette(look: Look) -> Shape:
     paper = straight((-0.5 * long, 0, 0.96 * r), (0.22 * long, 0, 0.96 * r), r, 14)
     tip = straight((0.219 * long, 0, 0.96 * r), (0.5 * long, 0, 0.96 * r), r, 14)
     leaf = straight((-0.5 * long - 0.0006, 0, 0.96 * r), (-0.49 * long, 0, 0.96 * r), 0.8 * r, 10)
-    return settled(
+    return put_down(
         [
             (paper, textures.plain(color)),
             (tip, textures.spots(look.rng, (222, 160, 90), (246, 206, 140), 0.15)),
@@ -227,7 +227,7 @@ def cigar(look: Look) -> Shape:
                [0.0075, 0.0088, 0.0086, 0.0035], 14)  # fmt: skip
     band = straight((0.03, 0, 0.0083), (0.045, 0, 0.0083), 0.0091, 16)
     end = straight((-0.0705, 0, 0.0083), (-0.068, 0, 0.0083), 0.006, 12)
-    return settled(
+    return put_down(
         [
             (
                 body,
@@ -249,7 +249,7 @@ def pipe(look: Look) -> Shape:
     stem = rod([(0.012, 0, 0.008), (0.05, 0, 0.012), (0.075, 0, 0.02)], [0.008, 0.006, 0.005], 10)
     bit = rod([(0.073, 0, 0.0195), (0.11, 0, 0.03), (0.135, 0, 0.031)], [0.0052, 0.004, 0.003], 10)
     foot = cylinder(0.0105, 0.004, 16)
-    return settled(
+    return put_down(
         [
             (join([bowl, stem, foot]), look.surface(color, "wood")),
             (ash, textures.plain((70, 56, 46))),
@@ -277,7 +277,7 @@ def mantel_clock(look: Look) -> Shape:
     face = prints.clock_face(look.rng, (246, 240, 224), (44, 38, 36))
     knob = ball(0.016, 0.016, 0.02, (0, 0, 0.152), 12)
     wood = textures.wood(look.rng, color)
-    return settled(
+    return put_down(
         [(join([body, base]), wood), (join([ring, knob]), textures.plain(BRASS)), (dial, face)],
         base,
         body,
@@ -325,7 +325,7 @@ def eiffel_tower(look: Look) -> Shape:
     ]
     iron = textures.brushed_metal(look.rng, color)
     whole = join([*legs, *decks, *rungs, *arch, tip, *feet])
-    return settled([(whole, iron)], join(feet), join([*legs, *decks]), factor=k)
+    return put_down([(whole, iron)], join(feet), join([*legs, *decks]), factor=k)
 
 
 CATEGORIES = (
@@ -437,7 +437,7 @@ CATEGORIES = (
         pipe,
         (0.16, 0.042, 0.047),
         0.05,
-        ("pipe", "tobacco pipe", "wooden pipe"),
+        ("tobacco pipe", "wooden pipe"),
         ("living",),
         (),
         ("brown",),

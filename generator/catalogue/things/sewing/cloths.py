@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, hull_of
 from ...build.forms import pillow
-from ...build.recipes import Pieces, pad, settled
+from ...build.recipes import Pieces, pad, put_down
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, prism, tube
 from ...surfaces import prints, textures
@@ -58,7 +58,7 @@ def cushion(look: Look) -> Shape:
     seam = tube(
         np.column_stack([loop * [x / 2, y / 2], np.full(len(loop), low)]), 0.003, 6, loop=True
     )
-    return settled([(body, _cloth(look, color)), (seam, textures.plain(tint_color(color, 0.7)))],
+    return put_down([(body, _cloth(look, color)), (seam, textures.plain(tint_color(color, 0.7)))],
                    body)  # fmt: skip
 
 
@@ -77,7 +77,7 @@ def pillow_shape(look: Look) -> Shape:
         if look.chance(0.6)
         else textures.stripes([color, color, color, tint_color(color, 0.75)], 9, side=128)
     )
-    return settled([(body, cloth)], body)
+    return put_down([(body, cloth)], body)
 
 
 def _flat(x: float, y: float, thick: float, tile: Tile, fringe: float, color: RGB) -> Shape:
@@ -134,7 +134,7 @@ def tablecloth(look: Look) -> Shape:
     t = h / count
     layers = [pad(x * (1 - 0.012 * n), y * (1 - 0.012 * n), t, 0.008, soft=0.45).move(
         0.002 * (n % 2), 0, n * t) for n in range(count)]  # fmt: skip
-    return settled([(join(layers), cloth)], join(layers))
+    return put_down([(join(layers), cloth)], join(layers))
 
 
 def fabric_square(look: Look) -> Shape:
@@ -195,7 +195,7 @@ def quilt(look: Look) -> Shape:
                 )
     layers = [pad(x * (1 - 0.01 * n), y, h / 3, 0.025, soft=0.5).move(0.003 * n, 0, n * h / 3)
               for n in range(3)]  # fmt: skip
-    return settled([(join(layers), image)], join(layers))
+    return put_down([(join(layers), image)], join(layers))
 
 
 def mannequin(look: Look) -> Shape:
@@ -222,7 +222,7 @@ def mannequin(look: Look) -> Shape:
     wood = textures.wood(look.rng, look.own_color("brown", "wooden", "charcoal"))
     pieces: Pieces = [(body, textures.fabric(look.rng, color)), (join([knob, pole, foot]), wood),
                       (join(seam), textures.plain(tint_color(color, 0.7)))]  # fmt: skip
-    return settled(pieces, foot, pole, body, factor=look.between(0.9, 1.1))
+    return put_down(pieces, foot, pole, body, factor=look.between(0.9, 1.1))
 
 
 CATEGORIES = (

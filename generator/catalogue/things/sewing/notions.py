@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of
 from ...build.forms import lobe
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, rod, settled, straight
+from ...build.recipes import Pieces, ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import prints, textures
@@ -60,7 +60,7 @@ def needle(look: Look) -> Shape:
     e = 0.42 * long + 0.0034
     thread = rod([(e, 0, 0.0008), (e + 0.012, 0.01, 0.0006), (e + 0.002, 0.022, 0.0006),
                   (e - 0.02, 0.018, 0.0006), (e - 0.034, 0.024, 0.0006)], 0.0005, 5)  # fmt: skip
-    return settled([(join([shaft, eye]), textures.plain(STEEL)), (thread, textures.plain(color))],
+    return put_down([(join([shaft, eye]), textures.plain(STEEL)), (thread, textures.plain(color))],
                    join([shaft, eye]), thread)  # fmt: skip
 
 
@@ -70,7 +70,7 @@ def pin(look: Look) -> Shape:
     long = look.between(0.032, 0.05)
     shaft = straight((-long / 2, 0, 0.0007), (long / 2, 0, 0.0019), [0.0002, 0.0005], 6)
     head = ball(0.004, 0.004, 0.004, (long / 2, 0, 0.0018), 12)
-    return settled([(shaft, textures.plain(STEEL)), (head, textures.speckles(look.rng, color, 3))],
+    return put_down([(shaft, textures.plain(STEEL)), (head, textures.speckles(look.rng, color, 3))],
                    shaft, head, factor=look.between(0.9, 1.4), foot=0.5)  # fmt: skip
 
 
@@ -84,7 +84,7 @@ def safety_pin(look: Look) -> Shape:
     coil = torus(0.0022, 0.0007, 14, 6).move(-0.0205, 0, 0.0016)
     cap = block(0.011, 0.011, 0.003, 0.004, 0.001).move(0.025)
     metal = textures.brushed_metal(look.rng, color)
-    return settled([(join([wire, coil]), metal), (cap, textures.plain(tint_color(color, 1.1)))],
+    return put_down([(join([wire, coil]), metal), (cap, textures.plain(tint_color(color, 1.1)))],
                    wire, cap, factor=look.between(0.85, 1.3))  # fmt: skip
 
 
@@ -95,7 +95,7 @@ def knitting_needle(look: Look) -> Shape:
     shaft = straight((-long / 2 + 0.012, 0, r), (long / 2, 0, r), r, 10)
     tip = straight((-long / 2, 0, r), (-long / 2 + 0.0121, 0, r), [0.0006, r], 10)
     knob = cylinder(0.006, 0.007, 16, bevel=0.0015).turn(1, np.pi / 2).move(long / 2, 0, 0.0058)
-    return settled(
+    return put_down(
         [
             (join([shaft, tip]), look.surface(color, "wood" if color[0] > 190 else "metal")),
             (knob, textures.plain(look.own_color("black", "red", "navy", "brown"))),
@@ -115,7 +115,7 @@ def crochet_hook(look: Look) -> Shape:
                 (-0.955 * h, 0.004, 0.0038)], [0.0018, 0.0017, 0.0014, 0.0007], 8)  # fmt: skip
     grip = rod([(-0.12 * h, 0, 0.004), (0.2 * h, 0, 0.004), (0.7 * h, 0, 0.004), (h, 0, 0.004)],
                [0.003, 0.0044, 0.0044, 0.003], 12)  # fmt: skip
-    return settled(
+    return put_down(
         [
             (join([shaft, hook]), textures.brushed_metal(look.rng, STEEL)),
             (grip, look.surface(color, "plastic")),
@@ -148,7 +148,7 @@ def pin_cushion(look: Look) -> Shape:
         (join(shafts), textures.plain(STEEL)),
     ]
     pieces += [(join(h), textures.plain(look.own_color(*HUES))) for h in heads]
-    return settled(pieces, body, join(shafts))
+    return put_down(pieces, body, join(shafts))
 
 
 def bobbin(look: Look) -> Shape:
@@ -235,7 +235,7 @@ def bead(look: Look) -> Shape:
     ]
     skin = textures.speckles(look.rng, color, 4) if look.chance(0.6) else textures.stripes(
         [color, tint_color(color, 1.6)], 4)  # fmt: skip
-    return settled([(body, skin), (join(holes), textures.plain((40, 36, 36)))], body)
+    return put_down([(body, skin), (join(holes), textures.plain((40, 36, 36)))], body)
 
 
 def pompom(look: Look) -> Shape:
@@ -247,7 +247,7 @@ def pompom(look: Look) -> Shape:
         for k, z in enumerate(np.linspace(-0.95, 0.95, 34))]  # fmt: skip
     body = join([*tufts, ball(0.86 * d, 0.86 * d, 0.86 * d, (0, 0, 0), 10)]).move(z=0.47 * d)
     wool = textures.scratches(look.rng, color, tint_color(color, 0.75), 120)
-    return settled([(body, wool)], body)
+    return put_down([(body, wool)], body)
 
 
 def yarn_skein(look: Look) -> Shape:
@@ -271,7 +271,7 @@ def yarn_skein(look: Look) -> Shape:
     band = cylinder(0.455 * d, 0.05, 26).move(z=-0.025).turn(1, np.pi / 2).move(z=0.46 * d)
     label = textures.stack((textures.plain((250, 248, 240)), 0.7), (textures.plain(
         tint_color(color, 0.7)), 0.3))  # fmt: skip
-    return settled([(body, ribs), (band, label)], body)
+    return put_down([(body, ribs), (band, label)], body)
 
 
 CATEGORIES = (

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import cylinder_part, hull_of, resting_ball
+from ...build.collision import box_part, cylinder_part, hull_of, resting_ball
 from ...build.outlines import ellipse, rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import box, cylinder, ellipsoid, prism, torus, tube
+from ...build.solids import block, box, cylinder, ellipsoid, prism, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -167,7 +167,25 @@ def glue_stick(look: Look) -> Shape:
     )
 
 
+def canvas(look: Look) -> Shape:
+    """A blank canvas on its stretcher, lying."""
+    x, y, h = look.between(0.27, 0.33), look.between(0.21, 0.26), look.between(0.016, 0.02)
+    cloth = textures.speckles(look.rng, look.color("white", "cream"), 5, 64)
+    return shape([(block(x, y, h, 0.004, 0.002), cloth)], [box_part(x, y, h)])
+
+
 CATEGORIES = (
+    Category(
+        "canvas",
+        canvas,
+        (0.3, 0.235, 0.018),
+        0.35,
+        ("blank canvas", "painting canvas", "stretched canvas", "artist canvas"),
+        ("craft",),
+        ("flat",),
+        ("white",),
+        state="lying flat",
+    ),
     Category(
         "scissors",
         scissors,

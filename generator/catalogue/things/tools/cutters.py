@@ -47,7 +47,7 @@ def putty_knife(look: Look) -> Shape:
 def _cutters(beak: list[tuple[float, float]], long: float, thick: float) -> Callable[[Look], Shape]:
     """Two crossed levers lying, grips to the left: cutters, snips, strippers."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.9, 1.08)
         color = look.color(*GRIPS)
         rubber = look.surface(color, "plastic")
@@ -65,7 +65,7 @@ def _cutters(beak: list[tuple[float, float]], long: float, thick: float) -> Call
         return shape([(join(heads), steel(look)), (join(grips), rubber),
                       (pivot, textures.plain((120, 124, 130)))], parts)  # fmt: skip
 
-    return made
+    return make
 
 
 def staple_gun(look: Look) -> Shape:

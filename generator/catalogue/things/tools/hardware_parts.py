@@ -22,26 +22,26 @@ WOODEN = ("wooden", "tan", "beige", "brown", "wooden")
 def _board(x: float, y: float, h: float) -> Callable[[Look], Shape]:
     """A sawn piece of wood lying flat."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.88, 1.1)
         body = box(x * k, y * k, h * k)
         tile = look.surface(look.color(*WOODEN), "wood")
         return shape([(body, tile)], [hull_of(body)])
 
-    return made
+    return make
 
 
 def _rod(radius: float, long: float, palette: tuple[str, ...], material: str) -> Callable:
     """A round rod lying, flattened a little below so that it stays."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.88, 1.1)
         r = radius * k
         body = lying(cylinder(r, long * k, 24, bevel=0.1 * r), -long * k / 2, r)
         tile = look.surface(look.color(*palette), material)
         return shape([(body, tile)], [flat_foot(body.vertices, 0.08)])
 
-    return made
+    return make
 
 
 def pipe(look: Look) -> Shape:

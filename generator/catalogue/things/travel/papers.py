@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, hull_part
 from ...build.outlines import smooth
-from ...build.recipes import rod, settled
+from ...build.recipes import put_down, rod
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, loft, prism, tube
 from ...surfaces import prints, textures
@@ -122,7 +122,7 @@ def luggage_tag(look: Look) -> Shape:
         0.0032,
         6,
     )
-    return settled([(join([body, strap]), textures.speckles(look.rng, color, 7)), (window, image)],
+    return put_down([(join([body, strap]), textures.speckles(look.rng, color, 7)), (window, image)],
                    body, strap, factor=k)  # fmt: skip
 
 
@@ -182,7 +182,7 @@ def eye_mask(look: Look) -> Shape:
         for s in (-1, 1)
     ]
     ink = textures.plain((250, 246, 240) if sum(color) < 400 else (70, 60, 80))
-    return settled(
+    return put_down(
         [
             (body, textures.fabric(look.rng, color)),
             (band, textures.plain(tint_color(color, 0.7) if sum(color) > 200 else (90, 90, 96))),
@@ -204,7 +204,7 @@ def travel_adapter(look: Look) -> Shape:
     usb = [box(0.013, 0.001, 0.005).move(0, -0.0242, z) for z in (0.016, 0.028)]
     pins = [box(0.018, 0.0065, 0.0022).move(0.033, s * 0.009, 0.024) for s in (-1, 1)]
     dark = textures.plain((36, 36, 40) if sum(color) > 200 else (150, 150, 156))
-    return settled(
+    return put_down(
         [
             (body, look.surface(color, "plastic")),
             (top, textures.plain(tint_color(color, 0.85) if sum(color) > 200 else (70, 70, 74))),

@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import box_part, hull_part
 from ...build.hollow import open_vessel
 from ...build.outlines import rectangle, smooth
-from ...build.recipes import ball, rod, settled, straight
+from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, loft, prism, torus
 from ...surfaces import textures
@@ -91,7 +91,7 @@ def dustpan(look: Look) -> Shape:
     back = box(0.005, 0.152, 0.045).move(0.052)
     grip = rod([(0.05, 0, 0.03), (0.1, 0, 0.024), (0.2, 0, 0.02)], [0.014, 0.0115, 0.013], 12)
     lip = box(0.008, 0.196, 0.003).move(-0.118)
-    return settled([(join([floor, *walls, back, grip]), look.surface(color, "plastic")),
+    return put_down([(join([floor, *walls, back, grip]), look.surface(color, "plastic")),
                     (lip, textures.plain((60, 60, 64)))], floor, back, grip,
                    factor=look.between(0.85, 1.05))  # fmt: skip
 
@@ -104,7 +104,7 @@ def scrub_brush(look: Look) -> Shape:
     tufts = [cylinder(0.0042, 0.024, 6, top=0.0034).move((i - 5) * x / 12.5, (j - 1.5) * y / 5)
              for i in range(11) for j in range(4)]  # fmt: skip
     bristle = textures.plain(look.pick([(240, 236, 224), (214, 186, 140), (70, 110, 180)]))
-    return settled([(top, look.surface(color, "wood")), (join(tufts), bristle)], top, join(tufts))
+    return put_down([(top, look.surface(color, "wood")), (join(tufts), bristle)], top, join(tufts))
 
 
 def duster(look: Look) -> Shape:
@@ -126,7 +126,7 @@ def duster(look: Look) -> Shape:
             )
         )
     fluff = textures.scratches(look.rng, color, tint_color(color, 0.75), 140)
-    return settled([(join(puffs), fluff), (grip, textures.plain(look.own_color("white", "black",
+    return put_down([(join(puffs), fluff), (grip, textures.plain(look.own_color("white", "black",
                     "wooden")))], join(puffs), grip, factor=look.between(0.9, 1.15))  # fmt: skip
 
 
@@ -141,7 +141,7 @@ def clothes_peg(look: Look) -> Shape:
         straight((0.008, s * 0.004, 0.0045), (-0.008, s * 0.0065, 0.0045), 0.001, 6)
         for s in (-1, 1)
     ]
-    return settled([(join(legs), look.surface(color, "wood" if color[0] > 180 and color[2] < 120
+    return put_down([(join(legs), look.surface(color, "wood" if color[0] > 180 and color[2] < 120
                     else "plastic")), (join([*spring, *arms]), textures.plain(STEEL))], join(legs),
                    factor=look.between(0.85, 1.2))  # fmt: skip
 
@@ -156,7 +156,7 @@ def hanger(look: Look) -> Shape:
     bar = straight((-0.19, -0.042, 0.008), (0.19, -0.042, 0.008), 0.004, 8)
     hook = rod([(0, 0.03, 0.008), (0, 0.06, 0.006), (0.024, 0.085, 0.003), (0.004, 0.112, 0.003),
                 (-0.022, 0.092, 0.003)], 0.0022, 8)  # fmt: skip
-    return settled([(join([*arms, bar]), wood), (hook, textures.brushed_metal(look.rng, STEEL))],
+    return put_down([(join([*arms, bar]), wood), (hook, textures.brushed_metal(look.rng, STEEL))],
                    *arms, bar, hook, factor=k)  # fmt: skip
 
 
@@ -210,7 +210,7 @@ def iron(look: Look) -> Shape:
     cord = rod([(0.085, 0, 0.1), (0.12, 0, 0.08), (0.135, 0.02, 0.02), (0.12, 0.05, 0.004),
                 (0.07, 0.075, 0.004)], 0.0032, 7)  # fmt: skip
     other = textures.plain(tint_color(color, 0.5) if sum(color) < 600 else (70, 90, 140))
-    return settled(
+    return put_down(
         [
             (sole, textures.brushed_metal(look.rng, STEEL)),
             (body, look.surface(color, "plastic")),
@@ -239,8 +239,8 @@ CATEGORIES = (
              "red"), state="lying"),
     Category("duster", duster, (0.3, 0.09, 0.08), 0.08, ("feather duster", "dust brush"),
              ("living",), (), ("pink", "blue"), state="lying"),
-    Category("clothes_peg", clothes_peg, (0.075, 0.0195, 0.0093), 0.008, ("clothespin", "peg",
-             "clothes pin", "washing peg", "laundry peg", "wooden peg", "clothes clip"),
+    Category("clothes_peg", clothes_peg, (0.075, 0.0195, 0.0093), 0.008, ("clothespin",
+             "clothes pin", "washing peg", "laundry peg", "clothes clip"),
              ("living",), (), ("wooden",), state="lying"),
     Category("clothes_hanger", hanger, (0.35, 0.146, 0.0142), 0.09, ("hanger", "coat hanger",
              "wooden hanger"), ("living",), ("big", "flat"), ("wooden",), state="lying flat"),

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import hull_of, ring_parts
-from ...build.recipes import ball, leather, rod, settled, straight
+from ...build.recipes import ball, leather, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, join, lathe, prism, torus, tube
 from ...surfaces import textures
@@ -25,7 +25,7 @@ def dog_bone(look: Look) -> Shape:
     knobs = [ball(0.034, 0.034, 0.03, (sx * 0.05, sy * 0.0135, 0.0135), 14) for sx in (-1, 1)
              for sy in (-1, 1)]  # fmt: skip
     skin = textures.speckles(look.rng, color, 7)
-    return settled(
+    return put_down(
         [(join([shaft, *knobs]), skin)], shaft, join(knobs[:2]), join(knobs[2:]), factor=k
     )
 
@@ -73,7 +73,7 @@ def leash(look: Look) -> Shape:
         0.0036,
         7,
     )
-    return settled([(join([coil, loop]), textures.fabric(look.rng, color)),
+    return put_down([(join([coil, loop]), textures.fabric(look.rng, color)),
                     (join(clip), textures.plain((206, 208, 212)))], coil, join(clip),
                    factor=look.between(0.9, 1.15))  # fmt: skip
 
@@ -94,7 +94,7 @@ def toy_mouse(look: Look) -> Shape:
         6,
     )
     fur = textures.scratches(look.rng, color, tint_color(color, 0.8), 90)
-    return settled(
+    return put_down(
         [
             (join([body, head]), fur),
             (join([*ears, tail, nose]), textures.plain((236, 160, 170))),
@@ -140,7 +140,7 @@ def fish_bowl(look: Look) -> Shape:
     gravel = lathe([(0, 0.0), (0.56 * r, 0.0), (0.72 * r, 0.16 * r), (0, 0.17 * r)], 28)
     gravel = gravel.scale(1.02, 1.02, 1)
     pale = tint_color(color, 1.45)
-    return settled([(water, textures.gradient(tint_color(color, 1.1), pale, look.rng)),
+    return put_down([(water, textures.gradient(tint_color(color, 1.1), pale, look.rng)),
                     (neck, textures.plain((226, 238, 244))),
                     (join([*sides, *tails, *top]), textures.plain((240, 130, 40))),
                     (gravel, textures.spots(look.rng, (226, 206, 170), (150, 120, 90), 0.3))],

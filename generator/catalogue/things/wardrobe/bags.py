@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.outlines import rectangle
-from ...build.recipes import Pieces, ball, leather, pad, rod, settled, straight
+from ...build.recipes import Pieces, ball, leather, pad, put_down, rod, straight
 from ...build.shape import Shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, loft, prism
 from ...surfaces import textures
@@ -43,12 +43,12 @@ def handbag(look: Look) -> Shape:
     clasp = ball(0.02, 0.009, 0.016, (0, -0.36 * y - 0.022, 0.68 * h), 12)
     hide = leather(look.rng, color)
     dark = textures.plain(tint_color(color, 0.72))
-    return settled([(body, hide), (join([flap, *handles]), dark), (clasp, _metal(look))],
+    return put_down([(body, hide), (join([flap, *handles]), dark), (clasp, _metal(look))],
                    body, flap, join(handles))  # fmt: skip
 
 
-def purse(look: Look) -> Shape:
-    """A small round purse with a metal frame and a kiss clasp."""
+def clasp_bag(look: Look) -> Shape:
+    """A small round bag with a metal frame and a kiss clasp."""
     x, h = look.between(0.09, 0.12), look.between(0.065, 0.08)
     color = look.color("red", "pink", "teal", "black", "gold", "purple", "navy", "mustard")
     y = 0.42 * x
@@ -71,7 +71,7 @@ def purse(look: Look) -> Shape:
     ]
     cloth = textures.spots(look.rng, color, tint_color(color, 1.5), 0.12) if look.chance(0.4) else (
         leather(look.rng, color))  # fmt: skip
-    return settled(
+    return put_down(
         [(body, cloth), (join([frame, *knobs]), _metal(look))], body, join([frame, *knobs])
     )
 
@@ -85,7 +85,7 @@ def clutch(look: Look) -> Shape:
                   (0.48 * x, 0.48 * y)], h - 0.001, h + 0.0025)  # fmt: skip
     clasp = cylinder(0.009, 0.005, 18, bevel=0.001).move(0, -0.17 * y, h + 0.002)
     hide = leather(look.rng, color)
-    return settled(
+    return put_down(
         [(body, hide), (flap, textures.plain(tint_color(color, 0.82))), (clasp, _metal(look))],
         body,
         flap,
@@ -117,7 +117,7 @@ def backpack(look: Look) -> Shape:
         (join([zip_, line]), textures.plain((50, 50, 54))),
         (join([loop, *straps]), other),
     ]
-    return settled(pieces, body, pocket, join(straps), factor=look.between(0.75, 1.05))
+    return put_down(pieces, body, pocket, join(straps), factor=look.between(0.75, 1.05))
 
 
 def _case(look: Look, travel: bool) -> Shape:
@@ -169,7 +169,7 @@ def _case(look: Look, travel: bool) -> Shape:
             (join(locks), metal),
         ]
         hulls += [grip]
-    return settled(pieces, *hulls, factor=k)
+    return put_down(pieces, *hulls, factor=k)
 
 
 def suitcase(look: Look) -> Shape:
@@ -191,7 +191,7 @@ def duffel_bag(look: Look) -> Shape:
     bands = [cylinder(r + 0.0015, 0.024, 26).move(z=-0.012).turn(1, np.pi / 2).move(
         s * 0.2 * long, 0, 0.93 * r) for s in (-1, 1)]  # fmt: skip
     other = textures.plain(tint_color(color, 0.6) if sum(color) > 200 else (110, 112, 118))
-    return settled(
+    return put_down(
         [
             (body, textures.fabric(look.rng, color)),
             (join([*rims, *handles, *bands]), other),
@@ -221,7 +221,7 @@ def umbrella(look: Look) -> Shape:
     ribs = textures.stripes([color, tint_color(color, 0.75)], 8, upright=True, side=64)
     pieces: Pieces = [(cloth, ribs), (shaft, textures.plain((70, 72, 76))), (crook, wood),
                       (band, textures.plain(tint_color(color, 0.6)))]  # fmt: skip
-    return settled(pieces, cloth, crook, factor=look.between(0.85, 1.1), foot=0.3)
+    return put_down(pieces, cloth, crook, factor=look.between(0.85, 1.1), foot=0.3)
 
 
 def sunglasses_case(look: Look) -> Shape:
@@ -231,7 +231,7 @@ def sunglasses_case(look: Look) -> Shape:
     body = pad(x, y, h, 0.03, soft=0.75, steps=6)
     seam = block(x + 0.0012, y + 0.0012, 0.002, 0.03).move(z=h / 2 - 0.001)
     mark = box(0.035, 0.008, 0.0006).move(0, 0, h - 0.0003)
-    return settled(
+    return put_down(
         [
             (body, leather(look.rng, color)),
             (seam, textures.plain(tint_color(color, 0.5))),
@@ -245,7 +245,7 @@ CATEGORIES = (
     Category("handbag", handbag, (0.21, 0.11, 0.23), 0.5, ("hand bag", "leather bag",
              "leather handbag", "tote bag", "shoulder bag", "ladies bag", "tote"), ("living",),
              ("big",), ("brown", "red")),
-    Category("purse", purse, (0.105, 0.044, 0.087), 0.08, ("coin purse", "change purse",
+    Category("purse", clasp_bag, (0.105, 0.044, 0.087), 0.08, ("coin purse", "change purse",
              "small purse", "kiss lock purse"), ("living",), (), ("red", "pink")),
     Category("clutch", clutch, (0.24, 0.14, 0.034), 0.2, ("clutch bag", "evening bag",
              "clutch purse"), ("living",), ("flat",), ("black", "gold"), state="lying flat"),

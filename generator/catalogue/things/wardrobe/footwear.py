@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import hull_part
 from ...build.forms import above
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, leather, rod, settled
+from ...build.recipes import Pieces, ball, leather, put_down, rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, join, loft
 from ...surfaces import textures
@@ -62,7 +62,7 @@ def boot(look: Look) -> Shape:
         (hole, textures.plain((40, 34, 32))),
         (join(laces), textures.plain(look.own_color("yellow", "black", "white", "red"))),
     ]
-    return settled(pieces, sole, foot, shaft, factor=k)
+    return put_down(pieces, sole, foot, shaft, factor=k)
 
 
 def sandal(look: Look) -> Shape:
@@ -107,7 +107,7 @@ def sandal(look: Look) -> Shape:
         (bed, textures.plain(tint_color(color, 1.25))),
         (join(bands), strap),
     ]
-    return settled(pieces, sole, join(bands), factor=look.between(0.75, 1.0))
+    return put_down(pieces, sole, join(bands), factor=look.between(0.75, 1.0))
 
 
 def slipper(look: Look) -> Shape:
@@ -131,7 +131,7 @@ def slipper(look: Look) -> Shape:
         (mouth, textures.plain((52, 44, 44))),
         (rim, textures.plain((246, 242, 234))),
     ]
-    return settled(pieces, sole, cap, factor=look.between(0.8, 1.0))
+    return put_down(pieces, sole, cap, factor=look.between(0.8, 1.0))
 
 
 def high_heel(look: Look) -> Shape:

@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.collision import hull_part
 from ...build.forms import above
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, leather, pad, rod, settled, straight
+from ...build.recipes import Pieces, ball, leather, pad, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, loft, prism, torus, tube
 from ...surfaces import textures
@@ -40,7 +40,7 @@ def t_shirt(look: Look) -> Shape:
     if print_:
         mark = cylinder(0.045, 0.001, 26).move(0, -0.04, h - 0.0005)
         pieces.append((mark, textures.plain(look.own_color("red", "yellow", "white", "teal"))))
-    return settled(pieces, body)
+    return put_down(pieces, body)
 
 
 def shirt(look: Look) -> Shape:
@@ -56,7 +56,7 @@ def shirt(look: Look) -> Shape:
     band = torus(0.04, 0.007, 24, 6).scale(1.1, 0.7, 1).move(0, at + 0.022, h)
     strip = box(0.022, y - 0.1, 0.0014).move(0, -0.045, h - 0.0005)
     buttons = [cylinder(0.0055, 0.002, 14).move(0, at - 0.06 - 0.05 * n, h) for n in range(4)]
-    return settled(
+    return put_down(
         [
             (body, cloth),
             (join([*lapels, band, strip]), textures.plain(tint_color(color, 1.08))),
@@ -82,7 +82,7 @@ def sweater(look: Look) -> Shape:
     pieces: Pieces = [(body, knit), (neck, knit), (inside, textures.plain(tint_color(color, 0.5)))]
     if look.chance(0.5):
         pieces.append((join(stripes), other))
-    return settled(pieces, body)
+    return put_down(pieces, body)
 
 
 def jeans(look: Look) -> Shape:
@@ -100,7 +100,7 @@ def jeans(look: Look) -> Shape:
         box(0.008, 0.034, 0.003).move(i * x * 0.33, y / 2 - 0.02, h + 0.004) for i in (-1, 0, 1)
     ]
     knob = cylinder(0.007, 0.003, 16).move(0.45 * x - 0.02, y / 2 - 0.02, h + 0.004)
-    return settled(
+    return put_down(
         [
             (join([body, waist, *loops]), denim),
             (pocket, textures.plain(tint_color(color, 1.15))),
@@ -151,7 +151,7 @@ def mitten(look: Look) -> Shape:
     thumb = pad(0.085, 0.04, 0.024, 0.0195, soft=0.5).turn(2, 0.75).move(0.014, -0.058)
     cuff = pad(0.055, 0.108, 0.029, 0.008, soft=0.4).move(0.09)
     pieces: Pieces = [(join([palm, thumb]), knit), (cuff, textures.plain(tint_color(color, 0.65)))]
-    return settled(pieces, palm, thumb, cuff, factor=look.between(0.9, 1.12))
+    return put_down(pieces, palm, thumb, cuff, factor=look.between(0.9, 1.12))
 
 
 def beanie(look: Look) -> Shape:
@@ -172,7 +172,7 @@ def beanie(look: Look) -> Shape:
     ]
     if look.chance(0.6):
         pieces.append((tuft, textures.scratches(look.rng, (240, 236, 226), (206, 200, 190), 90)))
-    return settled(pieces, pieces[0][0], pieces[1][0], factor=k)
+    return put_down(pieces, pieces[0][0], pieces[1][0], factor=k)
 
 
 def tie(look: Look) -> Shape:
@@ -198,7 +198,7 @@ def tie(look: Look) -> Shape:
         6,
     )
     cloth = textures.plain(tint_color(color, 0.8))
-    return settled([(blade_.move(z=0.0034), silk), (tail, cloth), (knot, silk), (loop, cloth)],
+    return put_down([(blade_.move(z=0.0034), silk), (tail, cloth), (knot, silk), (loop, cloth)],
                    join([blade_, tail]), knot, loop, factor=look.between(0.75, 0.95))  # fmt: skip
 
 
@@ -231,7 +231,7 @@ def bow_tie(look: Look) -> Shape:
         for s in (-1, 1)
     ]
     knot = pad(0.022, 0.026, 0.018, 0.006, soft=0.4)
-    return settled([(join(wings), cloth), (knot, textures.plain(tint_color(color, 0.85)))],
+    return put_down([(join(wings), cloth), (knot, textures.plain(tint_color(color, 0.85)))],
                    *wings, knot, factor=look.between(0.9, 1.15))  # fmt: skip
 
 
@@ -283,10 +283,10 @@ CATEGORIES = (
              "winter glove", "leather glove"), ("living",), (), ("gray", "red"),
              state="lying flat"),
     Category("rubber_glove", rubber_glove, (0.266, 0.146, 0.0237), 0.05, ("latex glove",
-             "cleaning glove", "dish glove", "household glove", "kitchen glove"), ("kitchen",),
+             "cleaning glove", "dish glove", "household glove",), ("kitchen",),
              (), ("yellow",), state="lying flat"),
-    Category("mitten", mitten, (0.195, 0.14, 0.029), 0.06, ("mitt", "oven mitt", "oven glove",
-             "winter mitten", "pot holder mitt"), ("living", "kitchen"), (), ("red", "gray"),
+    Category("mitten", mitten, (0.195, 0.14, 0.029), 0.06, ("winter mitten", "pot holder mitt"),
+             ("living", "kitchen"), (), ("red", "gray"),
              state="lying flat"),
     Category("beanie", beanie, (0.194, 0.165, 0.15), 0.09, ("bobble hat", "winter hat",
              "wool hat", "knit hat", "knitted hat", "woolly hat", "knit cap", "wool cap"),

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import hull_part, ring_parts
-from ...build.recipes import ball, rod, settled, straight
+from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, loft, prism, torus, tube
 from ...surfaces import prints, textures
@@ -44,7 +44,7 @@ def earring(look: Look) -> Shape:
     ring = torus(0.003, 0.0007, 14, 6).move(0.0105, 0, 0.001)
     bezel = ellipsoid(0.019, 0.013, 0.004, 16, 8).move(-0.001, 0, 0.0018)
     drop = ellipsoid(0.015, 0.0095, 0.007, 10, 6).move(-0.001, 0, 0.0032)
-    return settled(
+    return put_down(
         [
             (join([hook, ring, bezel]), metal),
             (drop, textures.gradient(tint_color(stone, 0.8), tint_color(stone, 1.4), look.rng)),
@@ -66,7 +66,7 @@ def brooch(look: Look) -> Shape:
              for a in 2 * np.pi * np.arange(8) / 8]  # fmt: skip
     base = cylinder(0.013, 0.005, 22)
     heart = _gem(0.0095, 0.007, 10).move(z=0.0045)
-    return settled(
+    return put_down(
         [
             (join([*petals, base]), _gold(look, color)),
             (join(beads), textures.plain((246, 242, 234))),
@@ -92,7 +92,7 @@ def cufflink(look: Look) -> Shape:
             "black", "navy", "red", "green", "white"))))]  # fmt: skip
     low = min(float(s.bounds[0, 2]) for s, _ in whole)
     whole = [(s.move(z=-low - 0.0004), t) for s, t in whole]
-    return settled(whole, whole[0][0], factor=k, foot=0.3)
+    return put_down(whole, whole[0][0], factor=k, foot=0.3)
 
 
 def tie_clip(look: Look) -> Shape:
@@ -103,7 +103,7 @@ def tie_clip(look: Look) -> Shape:
     up = block(0.055, 0.0065, 0.0016, 0.001, 0.0004).move(z=0.0032)
     bend_ = cylinder(0.0024, 0.006, 12).move(z=-0.003).turn(0, np.pi / 2).move(0.027, 0, 0.0024)
     gem = _gem(0.0018, 0.0014).move(-0.02, 0, 0.0047)
-    return settled(
+    return put_down(
         [(join([low, up, bend_]), _gold(look, color)), (gem, textures.plain((230, 240, 250)))],
         join([low, up]),
         factor=k,
@@ -134,7 +134,7 @@ def pocket_watch(look: Look) -> Shape:
     path = np.array([(0.006 + 0.0042 * n, r + 0.012 - 0.00035 * n * n) for n in range(14)])
     for n, (x, y) in enumerate(path):
         links.append(torus(0.0024, 0.0008, 8, 4).turn(0, 0.5 if n % 2 else -0.2).move(x, y, 0.0016))
-    return settled([(join([case, crown, bow]), _gold(look, color)), (face, dial),
+    return put_down([(join([case, crown, bow]), _gold(look, color)), (face, dial),
                     (join(links), _gold(look, tint_color(color, 0.92)))], case, join([crown, bow]),
                    join(links))  # fmt: skip
 

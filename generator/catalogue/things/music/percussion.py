@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, flat_foot, hull_of
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.outlines import rounded_polygon
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
@@ -22,7 +22,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "teal", "pink")
 def _drum(r0: float, h0: float, jingles: bool) -> Callable[[Look], Shape]:
     """A drum standing, skin up; a tambourine with pairs of jingles in its hoop."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.9, 1.1)
         r, h = r0 * k, h0 * k
         color = look.color("red", "blue", "wooden", "green", "orange", "teal")
@@ -50,7 +50,7 @@ def _drum(r0: float, h0: float, jingles: bool) -> Callable[[Look], Shape]:
             drawn.append((join(extra), textures.plain((222, 198, 120))))
         return shape(drawn, [cylinder_part(0.97 * r, h)])
 
-    return made
+    return make
 
 
 def drumstick(look: Look) -> Shape:
@@ -60,7 +60,7 @@ def drumstick(look: Look) -> Shape:
     body = lathe(np.array([(0, 0), (0.0055, 0.001), (0.0072, 0.006), (0.0072, 0.28),
         (0.0035, 0.375),
                            (0.0052, 0.384), (0.005, 0.391), (0, 0.395)]) * k, 16)  # fmt: skip
-    body = laid(body, -0.2 * k, 0.0072 * k)
+    body = lay_down(body, -0.2 * k, 0.0072 * k)
     return shape([(body, look.surface(color, "wood"))], [flat_foot(body.vertices, 0.12)])
 
 
@@ -166,7 +166,7 @@ def cymbal(look: Look) -> Shape:
 def _keys(octaves: int, panel: bool) -> Callable[[Look], Shape]:
     """A keyboard with black and white keys, a panel of buttons behind them if asked."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
         whites = 7 * octaves + 1
         x, y, h = (0.019 * whites + 0.02) * k, (0.17 if panel else 0.11) * k, 0.03 * k
@@ -196,7 +196,7 @@ def _keys(octaves: int, panel: bool) -> Callable[[Look], Shape]:
                            board))  # fmt: skip
         return shape(pieces, [box_part(x, y, h + 0.002)])
 
-    return made
+    return make
 
 
 def drum_pad(look: Look) -> Shape:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, ring_parts
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.outlines import ellipse, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, prism, tube
@@ -91,7 +91,7 @@ def _stick(
 ) -> Callable[[Look], Shape]:
     """A little card lying: black chips on it or a label, gold contacts at its edge."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.97, 1.05)
         color = look.color(*palette)
         a, b = x * k, y * k
@@ -115,7 +115,7 @@ def _stick(
             parts.append(box_part(0.93 * a, 0.5 * b, 0.0015, (0, 0.1 * b, 0.0022)))
         return shape(pieces, parts)
 
-    return made
+    return make
 
 
 def servo(look: Look) -> Shape:
@@ -151,10 +151,10 @@ def electric_motor(look: Look) -> Shape:
     outline = ellipse(2 * r, 2 * r, 32)
     outline[:, 1] = np.clip(outline[:, 1], -0.76 * r, 0.76 * r)
     can = prism(outline, 0, long, 0.001 * k).turn(2, np.pi / 2)
-    can = laid(can, -long / 2, 0.76 * r)
-    shaft = laid(cylinder(0.0012 * k, 0.014 * k, 12), long / 2 - 0.001, 0.76 * r)
-    boss = laid(cylinder(0.004 * k, 0.003 * k, 16), long / 2 - 0.0005, 0.76 * r)
-    back = laid(cylinder(0.7 * r, 0.0015 * k, 24), -long / 2 - 0.001 * k, 0.76 * r)
+    can = lay_down(can, -long / 2, 0.76 * r)
+    shaft = lay_down(cylinder(0.0012 * k, 0.014 * k, 12), long / 2 - 0.001, 0.76 * r)
+    boss = lay_down(cylinder(0.004 * k, 0.003 * k, 16), long / 2 - 0.0005, 0.76 * r)
+    back = lay_down(cylinder(0.7 * r, 0.0015 * k, 24), -long / 2 - 0.001 * k, 0.76 * r)
     tabs = [box(0.006 * k, 0.0004 + 0.0006 * k, 0.0025 * k).move(
         -long / 2 - 0.003 * k, s * 0.4 * r, 0.7 * r) for s in (-1, 1)]  # fmt: skip
     return shape([(can, look.surface(color, "metal")),

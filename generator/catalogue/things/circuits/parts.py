@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, flat_foot, hull_of
-from ...build.forms import facing, laid
+from ...build.forms import facing, lay_down
 from ...build.outlines import ellipse, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, tube
@@ -34,13 +34,13 @@ def resistor(look: Look) -> Shape:
     body = lathe(np.array([(0, 0), (0.0022, 0.0004), (0.0026, 0.002), (0.0021, 0.0034),
                            (0.0021, 0.0076), (0.0026, 0.009), (0.0022, 0.0106), (0, 0.011)]) * k,
                  16)  # fmt: skip
-    body = laid(body, -0.0055 * k, 0.0026 * k)
-    wire = laid(cylinder(0.00055 * k, 0.052 * k, 8), -0.026 * k, 0.0026 * k)
+    body = lay_down(body, -0.0055 * k, 0.0026 * k)
+    wire = lay_down(cylinder(0.00055 * k, 0.052 * k, 8), -0.026 * k, 0.0026 * k)
     return shape([(body, image), (wire, textures.plain(STEEL))],
                  [flat_foot(body.vertices, 0.15), hull_of(wire)])  # fmt: skip
 
 
-def led(look: Look) -> Shape:
+def led_lamp(look: Look) -> Shape:
     """A coloured light-emitting diode lying, its two legs to the right."""
     k = look.between(1.3, 1.9)
     color = look.color(*BRIGHT)
@@ -77,7 +77,7 @@ def capacitor(look: Look) -> Shape:
 def _chip(x: float, y: float, pins: int) -> Callable[[Look], Shape]:
     """A black chip with a row of bent legs on either side."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(1.0, 1.5)
         color = look.color("black", "charcoal", "black")
         a, b, h = x * k, y * k, 0.0035 * k
@@ -98,7 +98,7 @@ def _chip(x: float, y: float, pins: int) -> Callable[[Look], Shape]:
         return shape([(body, textures.plain(color)), (join(legs), textures.plain(STEEL)),
                       (sign, image)], [box_part(a, b + 0.0016, h + 0.002 * k)])  # fmt: skip
 
-    return made
+    return make
 
 
 def jumper_wire(look: Look) -> Shape:
@@ -181,7 +181,7 @@ def push_button(look: Look) -> Shape:
 CATEGORIES = (
     Category("resistor", resistor, (0.078, 0.0078, 0.0078), 0.001, ("carbon resistor",
              "electrical resistor"), ("electronics",), (), ("beige",)),
-    Category("led", led, (0.049, 0.0093, 0.0093), 0.001, ("led light", "light emitting diode",
+    Category("led", led_lamp, (0.049, 0.0093, 0.0093), 0.001, ("led light", "light emitting diode",
              "led diode", "diode"), ("electronics",), (), ("red", "green")),
     Category("capacitor", capacitor, (0.0138, 0.0138, 0.0195), 0.003, ("electrolytic capacitor",),
              ("electronics",), ("round",), ("black",)),

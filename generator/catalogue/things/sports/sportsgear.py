@@ -21,7 +21,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "pink", "teal", 
 def _bat(profile: list[tuple[float, float]], grip: float) -> Callable[[Look], Shape]:
     """A round bat lying along x with a wrapped grip."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.92, 1.06)
         color = look.color("wooden", "tan", "black", "red", "wooden", "blue")
         points = np.array(profile) * k
@@ -40,7 +40,7 @@ def _bat(profile: list[tuple[float, float]], grip: float) -> Callable[[Look], Sh
              (pieces[1], textures.stripes([(40, 38, 40), (62, 60, 62)], 12, side=96))],
             [flat_foot(pieces[0].vertices, 0.1)])  # fmt: skip
 
-    return made
+    return make
 
 
 def baseball_glove(look: Look) -> Shape:
@@ -243,7 +243,7 @@ CATEGORIES = (
     Category("whistle", whistle, (0.057, 0.026, 0.0184), 0.02, ("referee whistle",
              "sports whistle", "coach whistle"), ("sports",), (), ("silver",)),
     Category("stopwatch", stopwatch, (0.055, 0.08, 0.0175), 0.08, ("stop watch", "timer",
-             "pocket watch", "chronometer", "handheld timer"), ("sports",), ("flat",),
+             "chronometer", "handheld timer"), ("sports",), ("flat",),
              ("silver",)),
     Category("medal", medal, (0.062, 0.14, 0.005), 0.06, ("gold medal", "silver medal",
              "bronze medal", "sports medal", "winner medal"), ("sports",), ("flat",), ("gold",)),

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, flat_foot, hull_of, hull_part
-from ...build.forms import laid
+from ...build.forms import lay_down
 from ...build.outlines import ellipse, rounded_polygon, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
@@ -70,12 +70,12 @@ def _pipe(
 ) -> Callable[[Look], Shape]:
     """A wind instrument lying along x: a turned pipe with holes or silver keys on top."""
 
-    def made(look: Look) -> Shape:
+    def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
         color = look.color(*palette)
         points = np.array(profile) * k
         long, r = float(points[-1, 1]), float(points[:, 0].max())
-        body = laid(lathe(points, 20), -long / 2, r)
+        body = lay_down(lathe(points, 20), -long / 2, r)
         marks = []
         for n in range(7):
             x = (-0.12 + 0.085 * n) * long
@@ -96,7 +96,7 @@ def _pipe(
         return shape([(body, look.surface(color, default)), (join(marks), textures.plain(tone))],
                      [flat_foot(rest, 0.1)])  # fmt: skip
 
-    return made
+    return make
 
 
 def trumpet(look: Look) -> Shape:
@@ -107,14 +107,15 @@ def trumpet(look: Look) -> Shape:
     bell = lathe(np.array([(0, 0), (0.0065, 0), (0.007, 0.1), (0.009, 0.17), (0.014, 0.21),
                            (0.026, 0.24), (0.056, 0.262), (0.058, 0.263), (0.05, 0.258),
                            (0, 0.24)]) * k, 28)  # fmt: skip
-    bell = laid(bell, -0.04 * k, 0).move(y=0.04 * k, z=0.058 * k)
+    bell = lay_down(bell, -0.04 * k, 0).move(y=0.04 * k, z=0.058 * k)
     pipe = 0.006 * k
     up = 0.058
     loop = smooth([(-0.04, 0.04, up), (-0.14, 0.04, up), (-0.17, 0.02, up), (-0.17, -0.02, up),
                    (-0.14, -0.036, up), (0.08, -0.036, up), (0.11, -0.02, up), (0.11, 0.0, up),
                    (0.08, 0.014, up), (-0.2, 0.014, up), (-0.235, 0.014, up)], 4)  # fmt: skip
     loop = tube(loop * k, pipe, 10)
-    mouth = laid(lathe(np.array([(0, 0), (0.011, 0), (0.012, 0.004), (0.006, 0.02), (0.0045, 0.05),
+    mouth = lay_down(lathe(np.array([(0, 0), (0.011, 0), (0.012, 0.004), (0.006, 0.02), (0.0045,
+        0.05),
                                  (0, 0.05)]) * k, 18), -0.27 * k,
                                      up * k).move(y=0.014 * k)  # fmt: skip
     valves = []

@@ -186,7 +186,7 @@ CATEGORIES = (
              "ice hockey puck"), ("sports",), ("round", "flat"), ("black",)),
     Category("bowling_pin", bowling_pin, (0.064, 0.064, 0.205), 0.25,
         ("skittle", "tenpin", "mini bowling pin"), ("sports",), ("round", "tall"), ("white",)),
-    Category("golf_tee", golf_tee, (0.0125, 0.0125, 0.0555), 0.002, ("tee",), ("sports",),
+    Category("golf_tee", golf_tee, (0.0125, 0.0125, 0.0555), 0.002, (), ("sports",),
              ("round",), ("white",)),
     Category("kettlebell", kettlebell, (0.122, 0.122, 0.18), 2.5, ("kettle bell",), ("sports",),
              (), ("black",)),

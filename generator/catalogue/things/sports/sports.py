@@ -13,7 +13,7 @@ from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 from ..food.food import press_flat
-from .leisure import football_skin, seam
+from ..leisure.leisure import football_skin, seam
 
 
 def _ball(d: float, cover: textures.Tile, seams: list[Solid], ink: RGB, *, fine: int = 28) -> Shape:

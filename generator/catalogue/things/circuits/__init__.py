@@ -1,0 +1,1 @@
+"""Boards, electronic parts and components."""
