@@ -10,9 +10,9 @@ from dataclasses import replace
 from .errors import InputError, SceneError, require_seed
 from .language.planner import plan_scene
 from .layout import build_models, lay_out
-from .layout.checking import check_relations, correct_supports, observe
+from .layout.checking import list_unmet, record_relations, warn_unmet
 from .method.assembly import AssemblyConfig, assemble
-from .scene import Provenance, RelationOutcome, Report, Scene, ScenePlan
+from .scene import Provenance, Scene, ScenePlan
 from .scene.provenance import scene_name, versions
 
 ATTEMPTS = 6
@@ -62,36 +62,14 @@ def compose(
         if not scene.report.passed:
             failures = scene.report.failures
             continue
-        scene = _record_relations(scene, scene.report)
-        if best is None or len(_list_unmet(scene)) < len(_list_unmet(best)):
+        scene = record_relations(scene)
+        if best is None or len(list_unmet(scene)) < len(list_unmet(best)):
             best = scene
-        if not _list_unmet(best) or attempt + 1 >= _FULFILLED:
+        if not list_unmet(best) or attempt + 1 >= _FULFILLED:
             break
     if best is not None:
-        told = tuple(_warning(outcome, best) for outcome in _list_unmet(best))
-        provenance = best.provenance
-        warned = tuple(dict.fromkeys([*provenance.warnings, *told]))
-        return best.replace(provenance=replace(provenance, warnings=warned))
+        return warn_unmet(best)
     raise SceneError(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
         f"{'; '.join(failures)}. Try another seed, or fewer stacked things."
     )
-
-
-def _record_relations(scene: Scene, report: Report) -> Scene:
-    """Return a scene at rest with its plan's relations in the report and its true supports."""
-    rest = observe(scene)
-    outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
-    return correct_supports(rest).replace(report=replace(report, relations=outcomes))
-
-
-def _list_unmet(scene: Scene) -> list[RelationOutcome]:
-    return [] if scene.report is None else [o for o in scene.report.relations if not o.holds]
-
-
-def _warning(outcome: RelationOutcome, scene: Scene) -> str:
-    kind = outcome.kind.replace("_", " ")
-    if outcome.kind in ("center", "edge"):
-        kind = f"at the {outcome.kind} of"
-    on = scene.object(outcome.name).placement.on
-    return f"{outcome.name} is not {kind} {outcome.target}; it stands on {on}."

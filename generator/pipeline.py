@@ -68,6 +68,7 @@ def generate(
     reference = refer(
         source, b.reasoner, b.imager, seed, config.reference, depth=depth, intrinsics=intrinsics
     )
+    config = config if reference.plan is None else config.for_text()
 
     step()  # Sec. 3.1: list, detect, segment, complete
     reference, instances = extract(
