@@ -15,8 +15,14 @@ from ...layout.resting import support_of
 from ...scene import TABLE, Instance, Model, Placement, ScenePlan
 from .matching import fresh_names, match_planned, rename_plan
 
-ALIKE = 1.5
+ALIKE = 1.35
 """A side that is longer or shorter by this factor has another size than the plan's."""
+
+VARIANT = 1.2
+"""The same against other variants of its kind."""
+
+TOLD = 1.2
+"""The same for things whose size the text tells ("small")."""
 
 UNKNOWN = 2.0
 """The same for things that the catalogue lacks, whose sizes are a guess."""
@@ -26,7 +32,7 @@ TABLES = 1.3
 
 _VARIANTS = 4  # of a thing of the catalogue, whose shapes a found one may have
 _APART = 104_729  # between the seeds of two
-_SLACK = 0.008  # metres by which sides may differ whatever their ratio
+_SLACK = 0.008, 0.1  # metres, and share of the longest side, that sides may differ anyway
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,49 +83,36 @@ def draft_scene(
     plan's. What shows no planned thing is left out.
     """
     table, placed = _fit_table(plan, models[TABLE], placements, table_scale, seed)
-    built = build_models(plan, seed)
-    labels = {i.name: i.label for i in instances if i.name in placed}
-    pairs = match_planned(plan, labels, placed, built)
+    pairs = match_planned(plan, instances, placed, build_models(plan, seed))
     missing = [planned for planned in plan.objects if planned.name not in pairs]
     names = pairs | fresh_names(missing, {TABLE, *(i.name for i in instances)})
     renamed = rename_plan(plan, names)
-    own = {names[name]: model for name, model in built.items()}
     warnings = [
-        f"{name} is left out: the text asks for no other {label}."
-        for name, label in labels.items()
-        if name not in pairs.values()
+        f"{i.name} is left out: the text asks for no other {i.label}."
+        for i in instances
+        if i.name in placed and i.name not in pairs.values()
     ]
     warnings += [
         f"{names[planned.name]} is not to be seen in the drawing; it stands where the plan has it."
         for planned in missing
     ]
-    fitted = find_fitted(renamed)
-    variants = [own]
+    scales = {name: placed[name].scale for name in pairs.values()}
+    factors = _size_factors(renamed, scales, seed)
+    own = build_models(renamed, seed)
     chosen, shown = dict(own), dict[str, Placement]()
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
     for planned in renamed.objects:
-        name, turn = planned.name, natural_yaw(planned, own[planned.name], renamed, rng)
+        name, yaw = planned.name, natural_yaw(planned, own[planned.name], renamed, rng)
         if name not in placed:
             continue
-        known = not own[name].stand_in or planned.size is not None
-        scale, tolerance = placed[name].scale, ALIKE if known else UNKNOWN
-        factor = compare_sizes(scale, own[name].size, tolerance)
-        for k in range(1, _VARIANTS if factor != 1 and planned.size is None else 1):
-            if k == len(variants):
-                other = build_models(plan, seed + _APART * k)
-                variants.append({names[n]: model for n, model in other.items()})
-            if compare_sizes(scale, variants[k][name].size, tolerance) == 1:
-                factor = 1.0
-                break
-        yaw = placed[name].yaw
-        if known and (factor is None or name in fitted):
-            yaw = turn
+        factor = factors[name]
+        if factor is None:
             warnings.append(f"{name} is built from the plan: the drawing shows another shape.")
         else:
-            factor = factor or _mean_factor(placed[name].scale, own[name].size)
-            chosen[name] = replace(models[name], size=placed[name].scale * factor)
-            if factor != 1:
-                warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
+            yaw = placed[name].yaw
+            chosen[name] = replace(models[name], size=scales[name] * factor)
+        if factor not in (None, 1.0):
+            warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
         below = support_of(planned) or TABLE
         inside = any(r.kind == "in" and r.target == below for r in planned.relations)
         if below in (TABLE, placed[name].on):
@@ -127,6 +120,52 @@ def draft_scene(
                 placed[name], yaw=yaw, scale=chosen[name].size, on=below, inside=inside
             )
     return SceneDraft(renamed, chosen, own, tuple(pairs.values()), shown, table, tuple(warnings))
+
+
+def _size_factors(
+    plan: ScenePlan, scales: Mapping[str, Float[np.ndarray, "3"]], seed: int
+) -> dict[str, float | None]:
+    """Return by what factor each thing found must grow; None where the plan's has its place.
+
+    A size that the text tells is kept more closely than one that the thing's kind usually has, in
+    any of its variants. What is made for each other is the plan's; what is laid alike at several
+    seats is, unless all of it was found.
+    """
+    variants = [build_models(plan, seed)]
+    fitted = find_fitted(plan)
+    factors: dict[str, float | None] = {}
+    for planned in plan.objects:
+        name = planned.name
+        if name not in scales:
+            continue
+        told = planned.size is not None or "size" in planned.attributes
+        guess = variants[0][name].stand_in and not told
+        tolerance = TOLD if told else UNKNOWN if guess else ALIKE
+        factor = compare_sizes(scales[name], variants[0][name].size, tolerance)
+        for k in range(1, 1 if told or factor == 1 else _VARIANTS):
+            if k == len(variants):
+                variants.append(build_models(plan, seed + _APART * k))
+            if compare_sizes(scales[name], variants[k][name].size, VARIANT) == 1:
+                factor = 1.0
+                break
+        if guess and factor is None:
+            factor = _mean_factor(scales[name], variants[0][name].size)
+        factors[name] = None if name in fitted else factor
+    for names in _list_laid_alike(plan):
+        if any(factors.get(name) is None for name in names):
+            factors |= {name: None for name in names if name in factors}
+    return factors
+
+
+def _list_laid_alike(plan: ScenePlan) -> list[list[str]]:
+    """Return the things of place settings, those of one kind together."""
+    laid = {name for group in plan.groups if group.kind == "setting" for name in group.members}
+    kinds: dict[str, list[str]] = {}
+    for planned in plan.objects:
+        if planned.name in laid:
+            kind = f"{planned.noun} {sorted(planned.attributes.items())}"
+            kinds.setdefault(kind, []).append(planned.name)
+    return list(kinds.values())
 
 
 def compare_sizes(
@@ -138,7 +177,8 @@ def compare_sizes(
     matter. 1 means that no side differs by more than ``tolerance``.
     """
     have, want = (np.array([*np.sort(e[:2]), e[2]], float) for e in (found, planned))
-    off = np.where(np.abs(have - want) < _SLACK, 0.0, np.log(want / have))
+    slack = min(_SLACK[0], _SLACK[1] * float(want.max()))
+    off = np.where(np.abs(have - want) < slack, 0.0, np.log(want / have))
     if (np.abs(off) <= np.log(tolerance)).all():
         return 1.0
     if np.ptp(np.log(want / have)) > np.log(tolerance):
