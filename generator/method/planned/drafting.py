@@ -21,15 +21,13 @@ ALIKE = 1.35
 VARIANT = 1.2
 """The same against other variants of its kind."""
 
-TOLD = 1.2
-"""The same for things whose size the text tells ("small")."""
-
 UNKNOWN = 2.0
 """The same for things that the catalogue lacks, whose sizes are a guess."""
 
 TABLES = 1.3
 """The same for the sides of a table."""
 
+_HARDLY = 0.05  # logarithm of a factor below which no warning tells of it
 _VARIANTS = 4  # of a thing of the catalogue, whose shapes a found one may have
 _APART = 104_729  # between the seeds of two
 _SLACK = 0.008, 0.1  # metres, and share of the longest side, that sides may differ anyway
@@ -111,7 +109,7 @@ def draft_scene(
         else:
             yaw = placed[name].yaw
             chosen[name] = replace(models[name], size=scales[name] * factor)
-        if factor not in (None, 1.0):
+        if factor is not None and abs(np.log(factor)) > _HARDLY:
             warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
         below = support_of(planned) or TABLE
         inside = any(r.kind == "in" and r.target == below for r in planned.relations)
@@ -127,8 +125,8 @@ def _size_factors(
 ) -> dict[str, float | None]:
     """Return by what factor each thing found must grow; None where the plan's has its place.
 
-    A size that the text tells is kept more closely than one that the thing's kind usually has, in
-    any of its variants. What is made for each other is the plan's; what is laid alike at several
+    A size that the text tells ("small") is kept exactly, one that the thing's kind usually has, in
+    any of its variants, about. What is made for each other is the plan's; what is laid alike at several
     seats is, unless all of it was found.
     """
     variants = [build_models(plan, seed)]
@@ -140,7 +138,7 @@ def _size_factors(
             continue
         told = planned.size is not None or "size" in planned.attributes
         guess = variants[0][name].stand_in and not told
-        tolerance = TOLD if told else UNKNOWN if guess else ALIKE
+        tolerance = UNKNOWN if guess else ALIKE
         factor = compare_sizes(scales[name], variants[0][name].size, tolerance)
         for k in range(1, 1 if told or factor == 1 else _VARIANTS):
             if k == len(variants):
@@ -148,7 +146,7 @@ def _size_factors(
             if compare_sizes(scales[name], variants[k][name].size, VARIANT) == 1:
                 factor = 1.0
                 break
-        if guess and factor is None:
+        if guess and factor is None or told and factor == 1:
             factor = _mean_factor(scales[name], variants[0][name].size)
         factors[name] = None if name in fitted else factor
     for names in _list_laid_alike(plan):
