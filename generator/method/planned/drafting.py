@@ -126,8 +126,8 @@ def _size_factors(
     """Return by what factor each thing found must grow; None where the plan's has its place.
 
     A size that the text tells ("small") is kept exactly, one that the thing's kind usually has, in
-    any of its variants, about. What is made for each other is the plan's; what is laid alike at several
-    seats is, unless all of it was found.
+    any of its variants, about. What is made for each other is the plan's; so is what is laid alike
+    at several seats, unless all of it was found.
     """
     variants = [build_models(plan, seed)]
     fitted = find_fitted(plan)
@@ -146,7 +146,7 @@ def _size_factors(
             if compare_sizes(scales[name], variants[k][name].size, VARIANT) == 1:
                 factor = 1.0
                 break
-        if guess and factor is None or told and factor == 1:
+        if (guess and factor is None) or (told and factor == 1):
             factor = _mean_factor(scales[name], variants[0][name].size)
         factors[name] = None if name in fitted else factor
     for names in _list_laid_alike(plan):
