@@ -120,7 +120,8 @@ def generate(
         reference, instances, sizes, models, view, alignment.table_scale,
         _provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
         name or scene_name(reference.prompt), seed,
-        config.assembly, config.refinement, config.supplement, config.leave_out,
+        config.assembly, config.refinement, config.supplement,
+        getattr(b.imager, "draws_catalogue", False), config.leave_out,
     )  # fmt: skip
     scene = publish(found, refined, alignment.placements)
     return Generation(

@@ -34,7 +34,7 @@ from ..scene import (
     names_in,
 )
 from .assembly import AssemblyConfig, assemble
-from .planned import Laid, SceneDraft, draft_scene, lay_out_draft
+from .planned import ALIKE, REAL, Laid, SceneDraft, draft_scene, lay_out_draft
 from .refinement import Refinement, RefinementConfig, outline_misfit
 
 WORSE = 0.005
@@ -57,7 +57,8 @@ class Reconstruction:
 
     ``instances`` and ``models`` have the table among them; ``table_scale`` is its extent, metres.
     Warnings of the attempt are added to ``provenance``. ``seed`` is of the looks and places of what
-    is the plan's; ``supplements`` tells whether a text's plan puts things right.
+    is the plan's; ``supplements`` tells whether a text's plan puts things right, and
+    ``of_catalogue`` whether its drawing shows the catalogue's own things.
     ``refinement`` sets the measure of outlines; ``leave_out`` is the share of what was found that
     may be left out, in [0, 1].
     """
@@ -74,6 +75,7 @@ class Reconstruction:
     assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
     refinement: RefinementConfig = field(default_factory=RefinementConfig)
     supplements: bool = True
+    of_catalogue: bool = False
     leave_out: float = 0.2
 
     def assemble(self, attempt: Attempt) -> Scene:
@@ -91,8 +93,9 @@ class Reconstruction:
         if plan is None or not self.supplements:
             return None
         return draft_scene(
-            plan, self.instances, self.models, placements, self.table_scale, self.seed
-        )
+            plan, self.instances, self.models, placements, self.table_scale, self.seed,
+            ALIKE if self.of_catalogue else REAL,
+        )  # fmt: skip
 
     def assemble_laid(self, laid: Laid) -> Scene:
         """Return the settled and judged scene of a text's things at their places."""

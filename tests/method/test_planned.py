@@ -9,7 +9,7 @@ from generator.language.planner import plan_scene
 from generator.layout import arrange_more, build_models, lay_out
 from generator.layout.checking import check_relations, foresee
 from generator.layout.footprint import footprint, gaps
-from generator.method.planned import Laid, SceneDraft, draft_scene, lay_out_draft
+from generator.method.planned import ALIKE, REAL, Laid, SceneDraft, draft_scene, lay_out_draft
 from generator.method.planned.drafting import compare_sizes
 from generator.method.planned.matching import match_planned
 from generator.scene import TABLE, Instance, Model, Placement, ScenePlan
@@ -64,7 +64,7 @@ class Found:
 
     def draft(self, seed: int = 0) -> SceneDraft:
         return draft_scene(
-            self.plan, self.instances, self.models, self.placements, self.table_scale, seed
+            self.plan, self.instances, self.models, self.placements, self.table_scale, seed, ALIKE
         )
 
     def lay(self, seed: int = 0) -> Laid:
@@ -229,6 +229,24 @@ def test_what_is_laid_at_all_seats_looks_alike():
     draft = found.draft()
     assert len(forks) == 2 and all(draft.models[n] is draft.planned[n] for n in forks)
     assert any(draft.models[n] is not draft.planned[n] for n in draft.shown)
+
+
+def test_real_things_may_differ_more_from_the_catalogues():
+    found = Found("A desk with a teapot")
+    slim = by_name(found.placements)["seen_teapot_1"].scale * [1.15, 0.7, 0.95]
+    found.change("seen_teapot_1", scale=slim)
+    facts = found.plan, found.instances, found.models, found.placements, found.table_scale, 0
+    real, drawn = draft_scene(*facts, REAL), draft_scene(*facts, ALIKE)
+    assert real.models["seen_teapot_1"].mesh is found.models["seen_teapot_1"].mesh
+    assert drawn.models["seen_teapot_1"] is drawn.planned["seen_teapot_1"]
+
+
+def test_a_stand_in_takes_no_found_things_place():
+    found = Found("A desk with a flux capacitor")
+    name = next(iter(found.names.values()))
+    found.change(name, scale=by_name(found.placements)[name].scale * [1, 1, 4])
+    draft = found.draft()
+    assert draft.models[name].mesh is found.models[name].mesh
 
 
 def test_a_double_is_left_out():

@@ -6,6 +6,8 @@ where to each other. What the reconstruction shows like that stays as it is; the
 and the scene's provenance names it.
 """
 
+from .drafting import ALIKE as ALIKE
+from .drafting import REAL as REAL
 from .drafting import SceneDraft as SceneDraft
 from .drafting import draft_scene as draft_scene
 from .laying import Laid as Laid

@@ -15,14 +15,15 @@ from ...layout.resting import support_of
 from ...scene import TABLE, Instance, Model, Placement, ScenePlan
 from .matching import fresh_names, match_planned, rename_plan
 
-ALIKE = 1.35
-"""A side that is longer or shorter by this factor has another size than the plan's."""
+ALIKE = 1.35, 1.2
+"""A side that is longer or shorter by this factor than the plan's model, and than other variants of
+its kind, has another size: where the drawing shows the catalogue's things."""
 
-VARIANT = 1.2
-"""The same against other variants of its kind."""
+REAL = 2.0, 1.5
+"""The same where it shows any things of their kinds."""
 
 UNKNOWN = 2.0
-"""The same for things that the catalogue lacks, whose sizes are a guess."""
+"""The same for things that the catalogue lacks, whose sizes are a guess; their shapes are too."""
 
 TABLES = 1.3
 """The same for the sides of a table."""
@@ -72,11 +73,13 @@ def draft_scene(
     placements: Sequence[Placement],
     table_scale: Float[np.ndarray, "3"],
     seed: int,
+    alike: tuple[float, float] = REAL,
 ) -> SceneDraft:
     """Match what was reconstructed to the plan; put right what has another size or shape.
 
     ``models`` are the instances' and the table's, ``placements`` where they stand, world frame;
     ``table_scale`` is the table's extent, metres; ``seed`` of the looks of what the plan adds.
+    ``alike`` says how much sizes may differ (``ALIKE``, ``REAL``).
     A thing whose sides all differ by about one factor is scaled; one with other proportions is the
     plan's. What shows no planned thing is left out.
     """
@@ -95,7 +98,7 @@ def draft_scene(
         for planned in missing
     ]
     scales = {name: placed[name].scale for name in pairs.values()}
-    factors = _size_factors(renamed, scales, seed)
+    factors = _size_factors(renamed, scales, seed, alike)
     own = build_models(renamed, seed)
     chosen, shown = dict(own), dict[str, Placement]()
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
@@ -121,7 +124,10 @@ def draft_scene(
 
 
 def _size_factors(
-    plan: ScenePlan, scales: Mapping[str, Float[np.ndarray, "3"]], seed: int
+    plan: ScenePlan,
+    scales: Mapping[str, Float[np.ndarray, "3"]],
+    seed: int,
+    alike: tuple[float, float],
 ) -> dict[str, float | None]:
     """Return by what factor each thing found must grow; None where the plan's has its place.
 
@@ -137,16 +143,16 @@ def _size_factors(
         if name not in scales:
             continue
         told = planned.size is not None or "size" in planned.attributes
-        guess = variants[0][name].stand_in and not told
-        tolerance = UNKNOWN if guess else ALIKE
+        stand_in = variants[0][name].stand_in
+        tolerance = UNKNOWN if stand_in and not told else alike[0]
         factor = compare_sizes(scales[name], variants[0][name].size, tolerance)
         for k in range(1, 1 if told or factor == 1 else _VARIANTS):
             if k == len(variants):
                 variants.append(build_models(plan, seed + _APART * k))
-            if compare_sizes(scales[name], variants[k][name].size, VARIANT) == 1:
+            if compare_sizes(scales[name], variants[k][name].size, alike[1]) == 1:
                 factor = 1.0
                 break
-        if (guess and factor is None) or (told and factor == 1):
+        if (stand_in and factor is None) or (told and factor == 1):
             factor = _mean_factor(scales[name], variants[0][name].size)
         factors[name] = None if name in fitted else factor
     for names in _list_laid_alike(plan):
