@@ -75,7 +75,7 @@ class Config:
     def for_text(self) -> Config:
         """Return the settings that a text is reconstructed with."""
         device = self.rotation.device
-        if not self.supplement or self.rotation != RotationConfig(device=device):
+        if self.rotation != RotationConfig(device=device):
             return self
         return replace(self, rotation=replace(RotationConfig.quick(), device=device))
 

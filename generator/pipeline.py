@@ -68,7 +68,8 @@ def generate(
     reference = refer(
         source, b.reasoner, b.imager, seed, config.reference, depth=depth, intrinsics=intrinsics
     )
-    config = config if reference.plan is None else config.for_text()
+    if reference.plan is not None and config.supplement:
+        b, config = b.for_text(), config.for_text()
 
     step()  # Sec. 3.1: list, detect, segment, complete
     reference, instances = extract(

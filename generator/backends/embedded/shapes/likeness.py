@@ -25,8 +25,8 @@ from ....scene import ConvexPart, Mesh, Model
 from .framing import descend, frame_to_mask
 from .painting import explained_colors
 
-VARIANTS = 6
-"""How many seeds of a category are tried."""
+VARIANTS, FEW = 6, 3
+"""How many seeds of a category are tried; and with half the effort."""
 
 _STRETCH = float(np.log(1.6))  # how far proportions may leave the variant's own
 _COLOR = 0.2  # weight of explained colours against silhouette overlap
@@ -145,6 +145,7 @@ def fit_likeness(
     mask: Bool[np.ndarray, "a b"],
     small: Projection,
     occluded: bool,
+    variants: int = VARIANTS,
 ) -> Likeness:
     """Return the variant and pose of a category that look most like the crop.
 
@@ -160,7 +161,7 @@ def fit_likeness(
 
     round_ = "round" in category.roles
     drafts: list[tuple[float, _Search, float]] = []
-    for variant in range(VARIANTS):
+    for variant in range(variants):
         search = _Search(_build_variant(category.key, seed + variant), mask, small, round_)
         drafts += [(judge(pose).score, search, pose.yaw) for pose in search.standing_out()]
     drafts.sort(key=lambda d: -d[0])
