@@ -14,10 +14,10 @@ from .layout import build_models, lay_out
 from .layout.checking import (
     Rest,
     check_relations,
-    describe_unmet,
     list_unmet,
     observe,
     record_relations,
+    warn_unmet,
 )
 from .method.assembly import AssemblyConfig, Rested, bring_to_rest, finish
 from .scene import Density, Model, Provenance, Scene, ScenePlan
@@ -76,17 +76,13 @@ def compose(
                 failures = scene.report.failures
                 continue
             same = scene.objects is rested.scene.objects
-            rest = replace(seen, scene=scene) if same else observe(scene)
-            scene = record_relations(scene, rest)
+            scene = record_relations(scene, seen if same else None)
             if best is None or len(list_unmet(scene)) < len(list_unmet(best)):
                 best = scene
         if best is not None and (enough or not list_unmet(best)):
             break
     if best is not None:
-        told = tuple(describe_unmet(outcome, best) for outcome in list_unmet(best))
-        provenance = best.provenance
-        warned = tuple(dict.fromkeys([*provenance.warnings, *told]))
-        return best.replace(provenance=replace(provenance, warnings=warned))
+        return warn_unmet(best)
     raise SceneError(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
         f"{'; '.join(failures)}. Try another seed, or fewer stacked things."

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -30,7 +30,10 @@ class Config:
     """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
 
     Attributes:
-        supplement: put what a text asks for and no drawing shows where the plan has it, or not.
+        rotation: a text's plan puts right what rotations leave open, so that its own are the
+            ``quick`` settings, unless others than the defaults are given.
+        supplement: put right by a text's plan what no drawing shows, or shows in another size,
+            place or relation, or not.
         leave_out: the largest share of what was found that may be left out of a scene that would
             not pass its gate otherwise, in [0, 1]: one of two or more at least, never all. 0
             leaves nothing out.
@@ -68,6 +71,13 @@ class Config:
                 f"Config.without: {unknown!r} is no stage to leave out." + choices(unknown, known)
             )
         object.__setattr__(self, "without", tuple(s for s in known if s in self.without))
+
+    def for_text(self) -> Config:
+        """Return the settings that a text is reconstructed with."""
+        device = self.rotation.device
+        if self.rotation != RotationConfig(device=device):
+            return self
+        return replace(self, rotation=replace(RotationConfig.quick(), device=device))
 
 
 @dataclass(frozen=True, eq=False)

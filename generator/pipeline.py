@@ -68,6 +68,8 @@ def generate(
     reference = refer(
         source, b.reasoner, b.imager, seed, config.reference, depth=depth, intrinsics=intrinsics
     )
+    if reference.plan is not None and config.supplement:
+        b, config = b.for_text(), config.for_text()
 
     step()  # Sec. 3.1: list, detect, segment, complete
     reference, instances = extract(
@@ -119,7 +121,8 @@ def generate(
         reference, instances, sizes, models, view, alignment.table_scale,
         _provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
         name or scene_name(reference.prompt), seed,
-        config.assembly, config.refinement, config.supplement, config.leave_out,
+        config.assembly, config.refinement, config.supplement,
+        getattr(b.imager, "draws_catalogue", False), config.leave_out,
     )  # fmt: skip
     scene = publish(found, refined, alignment.placements)
     return Generation(

@@ -11,11 +11,13 @@ import numpy as np
 import pytest
 import torch
 
+from generator.backends import Backends
 from generator.errors import InputError, SceneError, TabletopError
-from generator.generation import STAGES, Generation
+from generator.generation import STAGES, Config, Generation
 from generator.method.figures import bundle_images
 from generator.method.publish import WORSE
 from generator.method.refinement import outline_misfit
+from generator.method.rotation import RotationConfig
 from generator.method.stopwatch import Seconds
 from generator.pipeline import generate
 from generator.scene import TABLE
@@ -130,6 +132,15 @@ def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     shown = again.reference.image.shape[1::-1]
     there = outline_misfit(again.instances, again.scene.objects, again.view, shown, seed=3)
     assert after == pytest.approx(there, abs=1e-6), "the finished scene's, not the refinement's"
+
+
+def test_a_text_is_reconstructed_with_less_effort_unless_told_otherwise() -> None:
+    assert Config().for_text().rotation == RotationConfig.quick()
+    told = Config(rotation=RotationConfig.paper())
+    assert told.for_text() is told
+    usual = Backends.select("embedded")
+    quick = usual.for_text()
+    assert quick.modeler != usual.modeler and quick.identity() == usual.identity()
 
 
 @pytest.mark.parametrize("picture", ["white", "noise"])

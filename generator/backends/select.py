@@ -160,6 +160,11 @@ class Backends:
         """Return whether a role has a ``session``: its answers come from a server."""
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
+    def for_text(self) -> Backends:
+        """Return the backends for what was drawn of a text: a modeler may work faster there."""
+        quick = getattr(self.modeler, "for_text", None)
+        return self if quick is None else dataclasses.replace(self, modeler=quick())
+
     def identity(self) -> dict[str, dict[str, Any]]:
         """Return each role's stable name and fields: what provenance records. No secrets."""
         return {

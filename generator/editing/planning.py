@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
-from ..method.supplement import retarget
+from ..method.planned import retarget
 from ..scene import TABLE, PlannedGroup, PlannedObject, Relation, Scene
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from ..errors import InputError, choices
-from ..method.supplement import fresh_names
+from ..method.planned import fresh_names
 from ..scene import TABLE, Object, PlannedObject, Scene, ScenePlan
 from .planning import planned_things
 

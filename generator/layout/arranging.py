@@ -132,7 +132,14 @@ def _without(plan: ScenePlan, name: str, placed: Mapping[str, Placement]) -> Sce
         for o in plan.objects
         if o.name not in gone
     )
-    return replace(plan, objects=objects)
+    groups = tuple(
+        replace(
+            g, members=tuple(n for n in g.members if n not in gone),
+            around=None if g.around in gone else g.around,
+        )
+        for g in plan.groups
+    )  # fmt: skip
+    return replace(plan, objects=objects, groups=groups)
 
 
 def _place_all(

@@ -1,19 +1,38 @@
 """Which relations of a plan hold in the settled scene, and by how much.
 
 Supports are judged by contacts, containment and places by the things' shapes where they came to
-rest, so that nothing is taken from where the layout meant to put them.
+rest, so that nothing is taken from where the layout meant to put them. ``foresee`` shows where
+placements would leave things, before anything is settled.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
 
-from ..geometry import convex_outline, inside_margin, quaternion_matrix, rotation_z
+from ..geometry import (
+    convex_outline,
+    inside_margin,
+    quaternion_matrix,
+    rotation_z,
+    yaw_quaternion,
+)
 from ..physics.simulation import ON_TABLE, Simulation
-from ..scene import TABLE, Object, PlannedObject, Relation, RelationOutcome, Scene, ScenePlan
+from ..scene import (
+    TABLE,
+    Model,
+    Placement,
+    PlannedObject,
+    Pose,
+    Relation,
+    RelationOutcome,
+    Scene,
+    ScenePlan,
+)
+from .furnishing import outline_of
 from .groups.seats import seats
 from .scoring import SIDES
 
@@ -45,9 +64,10 @@ class _Thing:
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """A scene at rest: where things are, and what touches what (names; ``TABLE`` too)."""
+    """Where things are on a table's top (metres), and what touches what (names; ``TABLE`` too)."""
 
-    scene: Scene
+    size: Float[np.ndarray, "2"]
+    outline: Float[np.ndarray, "k 2"]
     things: dict[str, _Thing]
     touching: dict[str, frozenset[str]]
 
@@ -63,13 +83,24 @@ def observe(scene: Scene) -> Rest:
         for name, partner in ((one, other), (other, one)):
             if name in found and partner:
                 found[name].add(partner)
-    things = {o.name: _rest(o) for o in scene.objects}
-    return Rest(scene, things, {name: frozenset(others) for name, others in found.items()})
+    things = {o.name: _rest(o.model, o.scale, o.pose) for o in scene.objects}
+    touching = {name: frozenset(others) for name, others in found.items()}
+    return Rest(scene.table.scale[:2], scene.table.outline, things, touching)
+
+
+def foresee(placements: Sequence[Placement], models: Mapping[str, Model], table: Model) -> Rest:
+    """Return what placements would show if each thing stayed on what it is put on."""
+    things = {
+        p.name: _rest(models[p.name], p.scale, Pose(p.translation, yaw_quaternion(p.yaw)))
+        for p in placements
+    }
+    touching = {p.name: frozenset({p.on}) for p in placements}
+    return Rest(table.size[:2], outline_of(table), things, touching)
 
 
 def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
     """Return every relation of the plan between things that are there, held or not."""
-    turns = _turns(plan, rest.scene)
+    turns = _turns(plan, rest.size)
     out = []
     for planned in plan.objects:
         for relation in planned.relations:
@@ -86,19 +117,27 @@ def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
 def record_relations(scene: Scene, rest: Rest | None = None) -> Scene:
     """Return a settled scene with its plan's relations in its report and its true supports.
 
-    ``rest`` is what the scene shows, if that has been observed already. A scene without a report is
-    returned as it is.
+    ``rest`` is what the scene shows, if that has been observed already. A scene without a report
+    gets its supports only.
     """
-    if scene.report is None:
-        return scene
     rest = observe(scene) if rest is None else rest
     outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
-    return correct_supports(rest).replace(report=replace(scene.report, relations=outcomes))
+    scene = correct_supports(scene, rest)
+    if scene.report is None:
+        return scene
+    return scene.replace(report=replace(scene.report, relations=outcomes))
 
 
 def list_unmet(scene: Scene) -> list[RelationOutcome]:
     """Return the recorded relations of a scene that do not hold."""
     return [] if scene.report is None else [o for o in scene.report.relations if not o.holds]
+
+
+def warn_unmet(scene: Scene) -> Scene:
+    """Return the scene with a warning for each relation that does not hold."""
+    messages = [describe_unmet(outcome, scene) for outcome in list_unmet(scene)]
+    warnings = tuple(dict.fromkeys([*scene.provenance.warnings, *messages]))
+    return scene.replace(provenance=replace(scene.provenance, warnings=warnings))
 
 
 def describe_unmet(outcome: RelationOutcome, scene: Scene) -> str:
@@ -110,11 +149,11 @@ def describe_unmet(outcome: RelationOutcome, scene: Scene) -> str:
     return f"{outcome.name} is not {kind} {outcome.target}; it stands on {on}."
 
 
-def correct_supports(rest: Rest) -> Scene:
+def correct_supports(scene: Scene, rest: Rest) -> Scene:
     """Return the scene with each thing's support being what it really rests on."""
-    meant = {o.name: o.placement.on for o in rest.scene.objects}
+    meant = {o.name: o.placement.on for o in scene.objects}
     objects = []
-    for thing in rest.scene.objects:
+    for thing in scene.objects:
         on = thing.placement.on
         if on == TABLE or not _is_carried(thing.name, on, rest, thing.placement.inside):
             below = [
@@ -129,18 +168,17 @@ def correct_supports(rest: Rest) -> Scene:
             if real != on or thing.placement.inside:
                 thing = replace(thing, placement=replace(thing.placement, on=real, inside=False))
         objects.append(thing)
-    return rest.scene.replace(objects=tuple(objects))
+    return scene.replace(objects=tuple(objects))
 
 
 # -------------------------------------------------------------------------------------- measures
 
 
-def _rest(thing: Object) -> _Thing:
-    turn = quaternion_matrix(thing.pose.quaternion)
-    points = np.asarray(thing.model.mesh.vertices, float) * thing.scale @ turn.T
-    points = points + thing.pose.position
+def _rest(model: Model, scale: Float[np.ndarray, "3"], pose: Pose) -> _Thing:
+    turn = quaternion_matrix(pose.quaternion)
+    points = np.asarray(model.mesh.vertices, float) * scale @ turn.T + pose.position
     return _Thing(
-        np.asarray(thing.pose.position), convex_outline(points[:, :2]),
+        np.asarray(pose.position), convex_outline(points[:, :2]),
         float(points[:, 2].min()), float(points[:, 2].max()),
     )  # fmt: skip
 
@@ -151,7 +189,7 @@ def _margin(
     """Return by how many metres a relation holds; 0 or less where it does not."""
     own = rest.things[planned.name]
     if relation.target == TABLE:
-        return _table_margin(own, relation, rest.scene)
+        return _table_margin(own, relation, rest)
     target = rest.things[relation.target]
     if relation.kind in ("on", "in"):
         return _support_margin(planned.name, relation, rest)
@@ -202,25 +240,25 @@ def _gap(one: _Thing, other: _Thing) -> float:
     return float(np.hypot(*np.clip(apart, 0, None)))
 
 
-def _table_margin(own: _Thing, relation: Relation, scene: Scene) -> float:
-    width, depth = (float(v) for v in scene.table.scale[:2])
+def _table_margin(own: _Thing, relation: Relation, rest: Rest) -> float:
+    width, depth = (float(v) for v in rest.size)
     x, y = own.middle
     if relation.kind in SIDES:
         return float(own.middle @ np.array(SIDES[relation.kind][2])) - _CLEAR
     if relation.kind == "center":
         return min(0.15 * width - abs(x), 0.2 * depth - abs(y))
     if relation.kind == "edge":
-        return 0.12 - float(inside_margin(own.outline, scene.table.outline).min())
+        return 0.12 - float(inside_margin(own.outline, rest.outline).min())
     return 1e-3
 
 
-def _turns(plan: ScenePlan, scene: Scene) -> dict[str, tuple[int, float]]:
+def _turns(plan: ScenePlan, extent: Float[np.ndarray, "2"]) -> dict[str, tuple[int, float]]:
     """Return of each thing that is laid for a seat the seat's number and turn, radians."""
     found: dict[str, tuple[int, float]] = {}
     for group in plan.groups:
         if group.seat is not None:
             number, count = group.seat
-            size = float(scene.table.scale[0]), float(scene.table.scale[1])
+            size = float(extent[0]), float(extent[1])
             turn = seats(count, plan.table.outline, size)[number].turn
             found |= dict.fromkeys(group.members, (number, turn))
     return found

@@ -58,6 +58,16 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     return models
 
 
+def find_fitted(plan: ScenePlan) -> set[str]:
+    """Return the things made for each other, as a carton with places and the eggs in them."""
+    vessels = {o.name for o in plan.objects if "places" in o.attributes}
+    contents = {
+        o.name for o in plan.objects
+        if any(r.kind == "in" and r.target in vessels for r in o.relations)
+    }  # fmt: skip
+    return vessels | contents
+
+
 _LIES = 0.9  # share of its length that a vessel's mouth has where a long thing lies in it
 
 _FITTED = (ConvexPart(resting_ball(1.0, 1.0, 1.0).vertices - [0.0, 0.0, 0.5]),)

@@ -13,7 +13,7 @@ import numpy as np
 from ..backends.protocols import Each, Imager, Reasoner, Segmenter, in_turn
 from ..errors import SceneError, require
 from ..geometry import fill_holes, main_parts, mask_box
-from ..scene import TABLE, Detection, Instance, Reference
+from ..scene import TABLE, Detection, Instance, Reference, ScenePlan
 
 SPECK = 1e-4
 """A region below this share of the picture is dropped."""
@@ -21,12 +21,16 @@ SPECK = 1e-4
 GAP = 0.02
 """A hole below this share of its region is filled; larger ones (a handle) are real."""
 
+SHOWN = 0.6
+"""A drawing that shows this share of the planned things is taken; none shows what a vessel hides,
+so that what is in another thing does not count."""
+
 _APART = 1_000_003  # between the seeds of two drawings
 
 
 @dataclass(frozen=True)
 class ExtractionConfig:
-    """``drawings``: the largest number of times a plan is drawn until all planned things show.
+    """``drawings``: the largest number of times a plan is drawn until enough of it shows.
 
     Raises:
         InputError: not a whole number from 1.
@@ -50,17 +54,18 @@ def extract(
 ) -> tuple[Reference, tuple[Instance, ...]]:
     """Return the table, named "table", and then every thing on it, named ``<label>_<k>``.
 
-    Image models forget or hide some of what a plan asks for. If fewer things are found than
-    planned, the plan is drawn again with another seed; of the drawing that shows most comes the
-    reference returned. A picture's own is never changed.
+    Image models forget or hide some of what a plan asks for. If too few things are found
+    (``SHOWN``), the plan is drawn again with another seed; of the drawing that
+    shows most comes the reference returned. A picture's own is never changed.
 
     Raises:
         SceneError: no table in the picture, or nothing stands on it.
     """
     plan = reference.plan
     best, (tables, things) = reference, _find(reference, reasoner, segmenter)
-    for k in range(1, (config or ExtractionConfig()).drawings):
-        if plan is None or len(things) >= len(plan.objects):
+    config = config or ExtractionConfig()
+    for k in range(1, config.drawings):
+        if plan is None or len(things) >= SHOWN * _count_in_sight(plan):
             break
         with contextlib.suppress(SceneError):  # an unusable drawing; keep the previous one
             drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
@@ -78,6 +83,11 @@ def extract(
         )
     table = max(tables, key=lambda d: int(d.mask.sum()))
     return best, _complete(best, (table, *things), imager, complete_each)
+
+
+def _count_in_sight(plan: ScenePlan) -> int:
+    """Return how many planned things are in no other thing."""
+    return sum(all(r.kind != "in" for r in o.relations) for o in plan.objects)
 
 
 def _find(

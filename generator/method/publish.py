@@ -1,8 +1,11 @@
 """From placements to the scene that is published: one loop of attempts, each judged by the gate.
 
-A scene that fails its gate gives up what spoils it: what was added beyond the picture first, then
-the thing that the failures name most. One thing found wrong (two things taken for one, a shadow
-made solid) would otherwise cost the whole table. Provenance and report name what is left out.
+A scene that fails its gate gives up the thing that the failures name most. One thing found wrong
+(two things taken for one, a shadow made solid) would otherwise cost the whole table. Provenance and
+report name what is left out.
+
+A text's scene has what its plan asks for instead, as the plan has it (``planned``): things that
+fail, or between which a relation does not hold at rest, give way to the plan's, at last all.
 
 Assembly moves things again after the joint refinement, so the finished scene is measured again, in
 the same measure: a refinement that assembly undoes does not stay.
@@ -17,6 +20,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
+from ..layout.checking import list_unmet, record_relations, warn_unmet
 from ..scene import (
     TABLE,
     Instance,
@@ -30,11 +34,17 @@ from ..scene import (
     names_in,
 )
 from .assembly import AssemblyConfig, assemble
+from .planned import ALIKE, REAL, Laid, SceneDraft, draft_scene, lay_out_draft
 from .refinement import Refinement, RefinementConfig, outline_misfit
-from .supplement import NOTHING, Supplement, supplement
 
 WORSE = 0.005
 """By how much the finished scene's outlines may agree worse than those before the refinement."""
+
+ATTEMPTS = 6
+"""Scenes of a text that are tried until one comes to rest soundly."""
+
+_FULFILLED = 4  # and until one does with all relations that were asked for
+_FAITHFUL = 2  # of them keep what the drawing shows
 
 UNREFINED = "The joint refinement is left out: finished, the scene agrees better without it."
 
@@ -47,7 +57,8 @@ class Reconstruction:
 
     ``instances`` and ``models`` have the table among them; ``table_scale`` is its extent, metres.
     Warnings of the attempt are added to ``provenance``. ``seed`` is of the looks and places of what
-    is added; ``supplements`` tells whether what a text asks for and no drawing shows is.
+    is the plan's; ``supplements`` tells whether a text's plan puts things right, and
+    ``of_catalogue`` whether its drawing shows the catalogue's own things.
     ``refinement`` sets the measure of outlines; ``leave_out`` is the share of what was found that
     may be left out, in [0, 1].
     """
@@ -64,27 +75,41 @@ class Reconstruction:
     assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
     refinement: RefinementConfig = field(default_factory=RefinementConfig)
     supplements: bool = True
+    of_catalogue: bool = False
     leave_out: float = 0.2
-
-    def supplement(self, attempt: Attempt) -> Supplement:
-        """Return what the text asks for beyond what an attempt places."""
-        if not self.supplements:
-            return NOTHING
-        return supplement(
-            self.reference.plan, self.instances, self.models, attempt.placements,
-            self.table_scale, self.seed, attempt.left_out,
-        )  # fmt: skip
 
     def assemble(self, attempt: Attempt) -> Scene:
         """Return the settled and judged scene of an attempt (Sec. 3.4)."""
-        models = {**self.models, **attempt.added.models}
-        warnings = self.provenance.warnings + attempt.added.warnings + attempt.warnings
+        models = {name: model for name, model in self.models.items() if name != TABLE}
+        provenance = self._warn(attempt.warnings)
         return assemble(
-            {name: model for name, model in models.items() if name != TABLE},
-            (*attempt.placements, *attempt.added.placements), self.models[TABLE], self.table_scale,
-            provenance=replace(self.provenance, warnings=warnings), name=self.name,
-            config=self.assembly, view=self.view, plan=self.reference.plan,
+            models, attempt.placements, self.models[TABLE], self.table_scale, name=self.name,
+            provenance=provenance, config=self.assembly, view=self.view, plan=self.reference.plan,
         )  # fmt: skip
+
+    def draft(self, placements: Placements) -> SceneDraft | None:
+        """Return what the text's plan makes of what was found; None where it says nothing."""
+        plan = self.reference.plan
+        if plan is None or not self.supplements:
+            return None
+        return draft_scene(
+            plan, self.instances, self.models, placements, self.table_scale, self.seed,
+            ALIKE if self.of_catalogue else REAL,
+        )  # fmt: skip
+
+    def assemble_laid(self, laid: Laid) -> Scene:
+        """Return the settled and judged scene of a text's things at their places."""
+        plan, size = laid.draft.plan, laid.table.size
+        table = replace(plan.table, size=(float(size[0]), float(size[1]), float(size[2])))
+        return assemble(
+            laid.draft.models, laid.placements, laid.table, size, name=self.name,
+            provenance=self._warn((*laid.draft.warnings, *laid.warnings)), config=self.assembly,
+            view=self.view, plan=replace(plan, table=table),
+        )  # fmt: skip
+
+    def _warn(self, warnings: Sequence[str]) -> Provenance:
+        known = self.provenance.warnings
+        return replace(self.provenance, warnings=tuple(dict.fromkeys([*known, *warnings])))
 
     def misfit(self, scene: Scene) -> float:
         """Return one minus the overlap of a finished scene's outlines with the picture's."""
@@ -96,7 +121,7 @@ class Reconstruction:
 
 @dataclass(frozen=True)
 class Attempt:
-    """One scene to try: what was found, where it stands, and what is added beyond that.
+    """One scene to try: what was found, and where it stands.
 
     ``warnings`` say why it is so, for the provenance. ``left_out`` names what was found and is left
     out; ``removals`` counts how often a thing was because the gate failed.
@@ -104,7 +129,6 @@ class Attempt:
 
     placements: Placements
     warnings: tuple[str, ...] = ()
-    added: Supplement = NOTHING
     left_out: tuple[str, ...] = ()
     removals: int = 0
 
@@ -123,10 +147,17 @@ class Attempt:
 def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -> Scene:
     """Return the scene to publish, judged, with its misfit in the report.
 
-    It is assembled of the refined placements. If its outlines agree worse than the ``unrefined``
+    Where a plan is followed, see ``publish_planned``. Else it is assembled of the refined
+    placements. If its outlines agree worse than the ``unrefined``
     placements did, these are tried as well; of the two a sound scene comes first, then the one
     that agrees better. ``refined.before`` is 0 where nothing was refined.
     """
+    draft = found.draft(refined.placements)
+    if draft is not None:
+        scene = publish_planned(found, draft)
+        if not refined.before:
+            return scene
+        return _with_report(scene, misfit=_round(refined.before, found.misfit(scene)))
     scene = assemble_sound(found, Attempt(refined.placements))
     if not refined.before:
         return scene
@@ -136,13 +167,45 @@ def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -
         other_misfit = found.misfit(other)
         if (_is_sound(other), -other_misfit) > (_is_sound(scene), -misfit):
             scene, misfit = other, other_misfit
-    return _with_report(scene, misfit=(round(refined.before, 6), round(misfit, 6)))
+    return _with_report(scene, misfit=_round(refined.before, misfit))
+
+
+def publish_planned(found: Reconstruction, draft: SceneDraft) -> Scene:
+    """Return the soundest scene of a draft in which most of the plan's relations hold at rest.
+
+    What the drawing shows is tried first; what the gate's failures name, or a relation that does
+    not hold, is the plan's from then on, and everything from the third scene on. Relations that do
+    not hold in the end are warnings, and in the report.
+    """
+    best: Scene | None = None
+    failed: Scene | None = None
+    for number in range(ATTEMPTS):
+        if number == _FAITHFUL:
+            draft = draft.doubt({*draft.models}, "what was found does not stand as asked for")
+        laid = lay_out_draft(draft, found.seed + 7919 * number)
+        scene, draft = found.assemble_laid(laid), laid.draft
+        if scene.report is not None and not scene.report.passed:
+            failed = failed or scene
+            names = {name for failure in scene.report.failures for name in names_in(failure)}
+            draft = draft.doubt({*draft.models} & names or {*draft.models}, "it would not stand")
+            continue
+        scene = record_relations(scene)
+        if best is None or len(list_unmet(scene)) < len(list_unmet(best)):
+            best = scene
+        unmet = list_unmet(scene)
+        if not unmet or number + 1 >= _FULFILLED:
+            break
+        doubted = {name for outcome in unmet for name in (outcome.name, outcome.target)}
+        draft = draft.doubt(doubted, "what was found does not stand as asked for")
+    if best is not None:
+        return warn_unmet(best)
+    assert failed is not None
+    return failed
 
 
 def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
     """Return the first scene to pass its gate, or else the first that held all that was found."""
     most = allowance(found.leave_out, len(attempt.placements))
-    attempt = replace(attempt, added=found.supplement(attempt))
     everything: Scene | None = None
     while True:
         scene = found.assemble(attempt)
@@ -151,15 +214,11 @@ def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
             dropped = tuple(sorted({*known, *attempt.left_out}))
             return _with_report(scene, dropped=dropped) if attempt.left_out else scene
         failures = scene.report.failures
-        if attempt.added.placements:
-            attempt = replace(attempt, added=attempt.added.without(failures))
-            continue
         everything = everything or scene
         culprit = most_named(failures, attempt.placements, found.sizes)
         if culprit is None or attempt.removals == most:
             return everything
         attempt = attempt.without(culprit, failures)
-        attempt = replace(attempt, added=found.supplement(attempt))
 
 
 def allowance(share: float, count: int) -> int:
@@ -213,6 +272,10 @@ def _oddness(placement: Placement, sizes: Mapping[str, SizePrior]) -> float:
 
 def _is_sound(scene: Scene) -> bool:
     return scene.report is None or scene.report.passed
+
+
+def _round(before: float, after: float) -> tuple[float, float]:
+    return round(before, 6), round(after, 6)
 
 
 def _with_report(scene: Scene, **entries: Any) -> Scene:

@@ -3,8 +3,7 @@
 A joint refinement that assembly undoes does not stay; the report says what is published.
 """
 
-import dataclasses
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -13,7 +12,11 @@ from toy import toy_object, toy_scene
 
 from generator.errors import InputError
 from generator.generation import Config
+from generator.layout import build_models, lay_out
+from generator.method.assembly import body
+from generator.method.planned import Laid
 from generator.method.publish import (
+    ATTEMPTS,
     UNREFINED,
     Attempt,
     Reconstruction,
@@ -24,10 +27,23 @@ from generator.method.publish import (
     without,
 )
 from generator.method.refinement import Refinement
-from generator.method.supplement import NOTHING, Supplement
-from generator.scene import TABLE, Placement, Provenance, Reference, Report, Scene, SizePrior, View
+from generator.scene import (
+    TABLE,
+    Instance,
+    Placement,
+    PlannedObject,
+    PlannedTable,
+    Pose,
+    Provenance,
+    Reference,
+    Relation,
+    Report,
+    Scene,
+    ScenePlan,
+    SizePrior,
+    View,
+)
 
-Add = Callable[[Attempt], Supplement]
 FACTS = {
     "reference": Reference(np.zeros((4, 6, 3), np.uint8)),
     "instances": (),
@@ -54,21 +70,16 @@ class Judged(Reconstruction):
     """Scenes that fail, in these words, while any of the troublemakers is there."""
 
     failures: Mapping[str, str] = field(default_factory=dict)
-    add: Add = lambda attempt: NOTHING
     misfits: Mapping[str, float] = field(default_factory=dict)
     assembled: list[Attempt] = field(default_factory=list)
-
-    def supplement(self, attempt: Attempt) -> Supplement:
-        return self.add(attempt)
 
     def assemble(self, attempt: Attempt) -> Scene:
         self.assembled.append(attempt)
         names = self.names()[-1]
-        warnings = attempt.added.warnings + attempt.warnings
         made = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),), name=names[0])
         failures = tuple(text for name, text in self.failures.items() if name in names)
         return made.replace(
-            provenance=Provenance("text", 0, "made", warnings=warnings),
+            provenance=Provenance("text", 0, "made", warnings=attempt.warnings),
             report=Report(0.0, 0.0, 0.0, failures=failures),
         )
 
@@ -77,13 +88,11 @@ class Judged(Reconstruction):
 
     def names(self) -> list[tuple[str, ...]]:
         """What stood in each scene that was assembled."""
-        return [tuple(p.name for p in (*a.placements, *a.added.placements)) for a in self.assembled]
+        return [tuple(p.name for p in attempt.placements) for attempt in self.assembled]
 
 
-def judged(
-    failures: Mapping[str, str], share: float = 0.5, add: Add = lambda attempt: NOTHING
-) -> Judged:
-    return Judged(**FACTS, failures=failures, leave_out=share, add=add)
+def judged(failures: Mapping[str, str], share: float = 0.5) -> Judged:
+    return Judged(**FACTS, failures=failures, leave_out=share)
 
 
 def placed(placements: tuple[Placement, ...], found: Judged) -> Scene:
@@ -103,26 +112,6 @@ def test_what_fits_its_kind_least_goes_of_two_that_overlap() -> None:
     assert found.names()[-1] == ("mug_1", "melon_1")
     assert scene.report and scene.report.passed and scene.report.dropped == ("berry_1",)
     assert "berry_1 was left out: melon_1 overlaps berry_1 by 3.0 mm." in scene.provenance.warnings
-
-
-def test_what_was_added_goes_before_what_was_seen() -> None:
-    more = Supplement({}, (placement("fork_1"),), ())
-    found = judged({"fork_1": "fork_1 overlaps mug_1 by 3.0 mm"}, add=lambda _: more)
-    scene = placed(FOUND, found)
-    assert found.names()[-1] == tuple(p.name for p in FOUND)
-    assert scene.report and scene.report.passed and not scene.report.dropped
-
-
-def test_what_goes_is_asked_for_anew() -> None:
-    def add(attempt: Attempt) -> Supplement:
-        if any(p.name == "berry_1" for p in attempt.placements):
-            return NOTHING
-        return Supplement({}, (placement("berry_2"),), (f"berry_2 for {attempt.left_out}.",))
-
-    found = judged({"berry_1": "berry_1 floats"}, add=add)
-    scene = placed(FOUND, found)
-    assert found.names()[-1] == ("mug_1", "melon_1", "berry_2")
-    assert "berry_2 for ('berry_1',)." in scene.provenance.warnings
 
 
 def test_with_too_much_to_leave_out_the_whole_scene_fails() -> None:
@@ -185,37 +174,98 @@ def test_never_all_and_none_if_so_told(share, count, most):
     assert allowance(share, count) == most
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("overlap", [False, True])
-def test_the_pipeline_leaves_out_what_fails_in_earnest(monkeypatch, overlap, tmp_path):
-    """A thing that is stuck in the table, and cannot be freed, costs itself and not the scene."""
-    from generator.backends import Backends
-    from generator.bundle import load
-    from generator.method import assembly
-    from generator.pipeline import generate
+def desk() -> tuple[ScenePlan, Reconstruction]:
+    """A mug to the left of a book, found just like that."""
+    things = (
+        PlannedObject("book_1", "book", "book"),
+        PlannedObject("mug_1", "mug", "mug", relations=(Relation("left_of", "book_1"),)),
+    )
+    plan = ScenePlan("a mug to the left of a book", PlannedTable(), things)
+    built = build_models(plan, 0)
+    layout, table = lay_out(plan, built, 0)
+    facts = FACTS | {
+        "reference": Reference(np.zeros((4, 6, 3), np.uint8), plan.prompt, plan),
+        "instances": tuple(shown(o.name, o.noun) for o in things),
+        "models": {**built, TABLE: table},
+        "table_scale": np.asarray(table.size),
+    }
+    return plan, Rested(**facts, layout=layout.placements)
 
-    real = assembly.judge
 
-    def judge(scene, limits=None):
-        report = real(scene, limits)
-        if overlap and any(o.name == "mug_1" for o in scene.objects):
-            failure = "mug_1 overlaps the table by 3.0 mm"
-            report = dataclasses.replace(report, failures=(*report.failures, failure))
-        return report
+def shown(name: str, label: str) -> Instance:
+    box = np.array([0.0, 0.0, 4.0, 4.0])
+    return Instance(name, label, box, np.ones((4, 4), bool), np.full((4, 4, 4), 255, np.uint8), box)
 
-    monkeypatch.setattr(assembly, "judge", judge)
-    made = generate("A desk with a mug, a laptop and a book", Backends.select("embedded"), seed=0)
-    names = {o.name for o in made.scene.objects}
-    assert ("mug_1" in names) != overlap
-    assert made.scene.report.dropped == (("mug_1",) if overlap else ())
-    told = [w for w in made.scene.provenance.warnings if "left out" in w]
-    if overlap:
-        assert "mug_1 was left out: mug_1 overlaps the table by 3.0 mm." in told
-        assert "mug_2 is in place of what was left out; it stands where the plan has it." in told
-        assert "mug_2" in names
-    else:
-        assert not told
-    assert {o.name for o in load(made.save(tmp_path)).objects} == names
+
+@dataclass(frozen=True, eq=False)
+class Rested(Reconstruction):
+    """Scenes at rest as they were laid, which fail in these words, one after the other."""
+
+    layout: tuple[Placement, ...] = ()
+    verdicts: tuple[str, ...] = ()
+    pushed: int = 0
+    laid: list[Laid] = field(default_factory=list)
+
+    def assemble_laid(self, laid: Laid) -> Scene:
+        number = len(self.laid)
+        self.laid.append(laid)
+        bodies = tuple(body(laid.draft.models[p.name], p) for p in laid.placements)
+        if number < self.pushed:  # on their way to rest, things moved to the other side
+            turned = (Pose(o.pose.position * [-1, 1, 1], o.pose.quaternion) for o in bodies)
+            bodies = tuple(replace(o, pose=p) for o, p in zip(bodies, turned, strict=True))
+        failures = self.verdicts[number : number + 1]
+        return toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),)).replace(
+            objects=bodies, plan=laid.draft.plan,
+            report=Report(0.0, 0.0, 0.0, failures=tuple(f for f in failures if f)),
+        )  # fmt: skip
+
+
+def follow(found: Reconstruction) -> Scene:
+    assert isinstance(found, Rested)
+    return publish(found, Refinement(found.layout, 0.0, 0.0), found.layout)
+
+
+def test_what_is_as_planned_is_assembled_once_and_stays() -> None:
+    _, found = desk()
+    scene = follow(found)
+    assert isinstance(found, Rested) and len(found.laid) == 1
+    for there, here in zip(found.layout, found.laid[0].placements, strict=True):
+        np.testing.assert_allclose(here.translation, there.translation)
+    assert scene.report and [o.holds for o in scene.report.relations] == [True]
+
+
+def test_what_fails_is_the_plans_in_the_next_scene() -> None:
+    _, found = desk()
+    found = replace(found, verdicts=("mug_1 floats",))
+    scene = follow(found)
+    assert isinstance(found, Rested) and len(found.laid) == 2
+    first, second = (laid.draft for laid in found.laid)
+    assert "mug_1" in first.shown and "mug_1" not in second.shown and "book_1" in second.shown
+    assert scene.report and scene.report.passed
+
+
+def test_what_does_not_hold_at_rest_is_tried_otherwise_and_told_in_the_end() -> None:
+    _, found = desk()
+    scene = follow(replace(found, pushed=1))
+    assert scene.report and all(o.holds for o in scene.report.relations)
+    always = replace(found, pushed=99, laid=[])
+    scene = follow(always)
+    assert isinstance(always, Rested) and len(always.laid) == 4
+    assert "mug_1 is not left of book_1; it stands on table." in scene.provenance.warnings
+
+
+def test_from_the_third_scene_on_everything_is_the_plans_and_the_first_failure_is_told() -> None:
+    _, found = desk()
+    hopeless = replace(found, verdicts=("book_1 floats", *["mug_1 floats"] * (ATTEMPTS - 1)))
+    scene = follow(hopeless)
+    assert isinstance(hopeless, Rested) and len(hopeless.laid) == ATTEMPTS
+    assert not hopeless.laid[2].draft.shown
+    assert scene.report and scene.report.failures == ("book_1 floats",)
+
+
+def test_a_plan_that_is_not_followed_changes_nothing() -> None:
+    _, found = desk()
+    assert replace(found, supplements=False).draft(()) is None
 
 
 def test_the_share_is_a_share():

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from .drawing import completion, painter, topview
 
 
 @dataclass(frozen=True)
 class EmbeddedImager:
-    """Answers the three picture questions without any model."""
+    """Answers the three picture questions without any model.
+
+    ``draws_catalogue`` tells that a plan's drawing shows the catalogue's own objects.
+    """
+
+    draws_catalogue: ClassVar[bool] = True
 
     draw = staticmethod(painter.draw)
     complete = staticmethod(completion.complete)

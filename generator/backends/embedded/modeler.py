@@ -17,7 +17,7 @@ from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from .shapes.choosing import best_solid
 from .shapes.framing import proportion_gap, small_mask
-from .shapes.likeness import Likeness, fit_likeness
+from .shapes.likeness import FEW, VARIANTS, Likeness, fit_likeness
 from .shapes.painting import PROJECT, paint
 from .shapes.solids import PosedSolid
 from .tables.likeness import model_table
@@ -32,15 +32,24 @@ _TRUST = 0.12  # in between, a label is believed unless a solid overlaps that mu
 
 @dataclass(frozen=True)
 class EmbeddedModeler:
-    """The embedded image-to-3D backend. ``texture`` is the side of the baked textures, texels."""
+    """The embedded image-to-3D backend. ``texture`` is the side of the baked textures, texels.
+
+    ``quick`` is how it works where a plan tells what a thing is, and puts right what it mistakes:
+    the label is believed, and fewer shapes are tried.
+    """
 
     seed: int = 0
     texture: int = 384
+    quick: bool = dataclasses.field(default=False, repr=False)
+
+    def for_text(self) -> EmbeddedModeler:
+        """Return the modeler that models what was drawn of a text."""
+        return dataclasses.replace(self, quick=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Reconstruct one instance from its crop (Sec. 3.2); see ``protocols.Modeler``."""
         if TABLE in (instance.name, instance.label):
-            return model_table(instance, size, view, self.seed, 2 * self.texture)
+            return model_table(instance, size, view, self.seed, 2 * self.texture, self.quick)
         projection = Projection.of_instance(instance, view)
         category = known_category(instance, size)
         found = None
@@ -48,11 +57,11 @@ class EmbeddedModeler:
             coarse = projection.resize(_COARSE)
             found = fit_likeness(
                 category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
-                instance.occluded,
+                instance.occluded, FEW if self.quick else VARIANTS,
             )  # fmt: skip
             if size.measured and proportion_gap(found.extent, size.extent) > _UNLIKE:
                 found = None  # a book does not stand as a box does
-            elif found.iou >= _SURE:
+            elif found.iou >= (_ALIKE if self.quick else _SURE):
                 return likeness_model(found, instance, projection, size, self.texture)
         small = projection.resize(_WORKING)
         mask = small_mask(instance, small)

@@ -63,7 +63,7 @@ def speck(image: Tile, rng: np.random.Generator, color: RGB, count: int, side: i
     for _ in range(count):
         row, column = rng.integers(0, h - side), rng.integers(0, w - side)
         made[row : row + side, column : column + side] = np.array(color, np.uint8)
-    return make
+    return made
 
 
 def wrap(

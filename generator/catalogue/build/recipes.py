@@ -39,7 +39,7 @@ def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.
     """Return points, the lowest ``share`` of the height above ``low`` moved down to it."""
     made = points.copy()
     made[made[:, 2] < low + share * (made[:, 2].max() - low), 2] = low
-    return make
+    return made
 
 
 def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) -> Solid:

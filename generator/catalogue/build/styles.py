@@ -50,7 +50,7 @@ def apply_style(made: Shape, style: str) -> Shape:
     """
     word = style.lower().replace("_", "-").strip()
     if word in ("", "plain"):
-        return make
+        return made
     if word not in STYLES:
         raise InputError(f"Unknown style {style!r}." + choices(word, STYLES))
     return STYLES[word](made)

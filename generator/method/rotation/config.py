@@ -14,7 +14,8 @@ from ...errors import InputError, require
 class RotationConfig:
     """Settings of the rotation optimiser.
 
-    The defaults are made for a plain CPU; ``paper()`` gives the values of Sec. 4.1.
+    The defaults are made for a plain CPU; ``paper()`` gives the values of Sec. 4.1, ``quick()``
+    a third of the work.
 
     Attributes:
         lambda_s, lambda_e, lambda_a: weights of Eq. 1.
@@ -121,6 +122,29 @@ class RotationConfig:
             raise InputError(
                 f"RotationConfig needs device 'cpu', 'cuda' or 'cuda:N', got {self.device!r}."
             )
+
+    @classmethod
+    def quick(cls) -> RotationConfig:
+        """Return settings with fewer candidates and no close look at those that are much alike.
+
+        Front and back are mistaken more often where they hardly differ, and what looks the same
+        from all sides is not told.
+        """
+        return cls(
+            coarse_step=float(np.deg2rad(10.0)),
+            candidates=3,
+            coarse_steps=10,
+            thinning=4,
+            rivals=2,
+            rival_steps=0,
+            close_steps=0,
+            finalists=1,
+            resolution=64,
+            points=2500,
+            steps=8,
+            suspect=0.0,
+            flat=0.0,
+        )
 
     @classmethod
     def paper(cls) -> RotationConfig:

@@ -17,7 +17,6 @@ from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server.answers import OrientationAnswer
 from generator.backends.cloud.server.reading import Wrong
 from generator.errors import BackendError, InputError
-from generator.scene.turning import quarter_turn
 from generator.scene import (
     TABLE,
     Intrinsics,
@@ -29,6 +28,7 @@ from generator.scene import (
     ScenePlan,
     SizePrior,
 )
+from generator.scene.turning import quarter_turn
 
 NUMBERS = {1: "book_1", 2: "mug_1", 3: "pen_1"}
 

@@ -28,7 +28,7 @@ def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
         SceneError: the objects fit on no plausible table.
     """
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 17])
-    models = build_models(plan, seed + 1)
+    models = build_models(plan, seed)  # the looks of what a text composes, in other places
     layout, table = lay_out(plan, models, seed + 1)
     center = np.array([0.0, 0.0, float(table.size[2]) / 2])
     upright = yaw_quaternion(0.0)

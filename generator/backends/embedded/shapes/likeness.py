@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
+from functools import lru_cache
 
 import cv2
 import numpy as np
@@ -24,8 +25,8 @@ from ....scene import ConvexPart, Mesh, Model
 from .framing import descend, frame_to_mask
 from .painting import explained_colors
 
-VARIANTS = 6
-"""How many seeds of a category are tried."""
+VARIANTS, FEW = 6, 3
+"""How many seeds of a category are tried; and with half the effort."""
 
 _STRETCH = float(np.log(1.6))  # how far proportions may leave the variant's own
 _COLOR = 0.2  # weight of explained colours against silhouette overlap
@@ -131,6 +132,12 @@ class _Search:
         return self.pose(descend(self.loss, np.array([yaw, 0.0, 0.0]), (0.12, 0.12, 0.12), 45))
 
 
+@lru_cache(maxsize=64)
+def _build_variant(key: str, seed: int) -> Model:
+    """Return a catalogue model; kept, since a picture often shows several things of a kind."""
+    return build(key, seed)
+
+
 def fit_likeness(
     category: Category,
     seed: int,
@@ -138,6 +145,7 @@ def fit_likeness(
     mask: Bool[np.ndarray, "a b"],
     small: Projection,
     occluded: bool,
+    variants: int = VARIANTS,
 ) -> Likeness:
     """Return the variant and pose of a category that look most like the crop.
 
@@ -153,8 +161,8 @@ def fit_likeness(
 
     round_ = "round" in category.roles
     drafts: list[tuple[float, _Search, float]] = []
-    for variant in range(VARIANTS):
-        search = _Search(build(category.key, seed + variant), mask, small, round_)
+    for variant in range(variants):
+        search = _Search(_build_variant(category.key, seed + variant), mask, small, round_)
         drafts += [(judge(pose).score, search, pose.yaw) for pose in search.standing_out()]
     drafts.sort(key=lambda d: -d[0])
     refined = [search.refine(yaw, occluded) for _, search, yaw in drafts[:_FINALISTS]]

@@ -31,8 +31,10 @@ _DARK = 0.8  # of the top's usual brightness: darker places there are shadow
 _CELLS = 192  # along the longer side of the top as it is filled in
 
 
-def model_table(instance: Instance, size: SizePrior, view: View, seed: int, texture: int) -> Model:
-    """Return a table that looks like the picture's, yaw zero.
+def model_table(
+    instance: Instance, size: SizePrior, view: View, seed: int, texture: int, quick: bool = False
+) -> Model:
+    """Return a table that looks like the picture's, yaw zero; a ``quick`` one by fewer searches.
 
     The top has the prior's outline, or that of the usual ones whose silhouette agrees best. Legs
     and height are those that explain the silhouette below it; the prior's height stays where the
@@ -47,7 +49,7 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
     extent = np.clip(size.extent, 0.2, 4.0)
     tops = _usual_tops(*extent[:2]) if size.outline is None else [np.asarray(size.outline)]
     tops = [top * (extent[:2] / np.ptp(top, axis=0)) for top in tops]
-    fits = (fit_table(top, float(extent[2]), *seen) for top in tops)
+    fits = (fit_table(top, float(extent[2]), *seen, quick=quick) for top in tops)
     best = max(fits, key=lambda fit: fit.overlap)
     model = best.form.build()
     return dataclasses.replace(model, mesh=_paint(best, model, instance, projection, texture))

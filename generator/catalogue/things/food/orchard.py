@@ -43,7 +43,7 @@ def _furrow(skin: textures.Tile) -> textures.Tile:
     wide = made.shape[1]
     at = int(0.444 * wide)
     made[:, at - 1 : at + 2] = (made[:, at - 1 : at + 2] * 0.85).astype(np.uint8)
-    return make
+    return made
 
 
 def peach(look: Look) -> Shape:

@@ -38,7 +38,7 @@ def _cat() -> Named:
         made += [(cylinder(0.008, 0.017, 4, top=0.0008).move(s * 0.011, -0.006, 0.084), "skin"),
                  (_ball(0.012, 0.02, 0.012, (s * 0.01, -0.022, 0.005)), "pale"),
                  (_ball(0.005, 0.004, 0.006, (s * 0.008, -0.0225, 0.079)), "dark")]  # fmt: skip
-    return make
+    return made
 
 
 def _rabbit() -> Named:
@@ -52,7 +52,7 @@ def _rabbit() -> Named:
                  (ear.scale(0.6, 0.6, 0.8).move(s * 0.012, -0.003, 0.092), "pale"),
                  (_ball(0.014, 0.024, 0.012, (s * 0.012, -0.02, 0.005)), "skin"),
                  (_ball(0.005, 0.004, 0.006, (s * 0.009, -0.0235, 0.067)), "dark")]  # fmt: skip
-    return make
+    return made
 
 
 def _owl() -> Named:
@@ -65,7 +65,7 @@ def _owl() -> Named:
                  (_ball(0.012, 0.006, 0.012, (s * 0.012, -0.022, 0.062)), "dark"),
                  (cylinder(0.009, 0.016, 6, top=0.001).move(s * 0.016, -0.004, 0.07), "skin"),
                  (_ball(0.014, 0.034, 0.05, (s * 0.027, 0.004, 0.034)), "accent")]  # fmt: skip
-    return make
+    return made
 
 
 def _elephant() -> Named:
@@ -85,7 +85,7 @@ def _elephant() -> Named:
         made += [
             (cylinder(0.0095, 0.036, 12).move(s * 0.012, y, 0), "skin") for y in (-0.01, 0.026)
         ]
-    return make
+    return made
 
 
 def _penguin() -> Named:
@@ -99,7 +99,7 @@ def _penguin() -> Named:
         made += [(wing.move(s * 0.027, 0, 0.04), "skin"),
                  (_ball(0.018, 0.026, 0.008, (s * 0.012, -0.014, 0.003)), "accent"),
                  (_ball(0.005, 0.004, 0.006, (s * 0.008, -0.017, 0.083)), "dark")]  # fmt: skip
-    return make
+    return made
 
 
 def _lady() -> Named:
@@ -116,7 +116,7 @@ def _lady() -> Named:
             [(s * 0.011, 0, 0.088), (s * 0.02, -0.004, 0.07), (s * 0.004, -0.016, 0.068)], 4
         )
         made.append((tube(arm, 0.004, 8), "skin"))
-    return make
+    return made
 
 
 def _angel() -> Named:
@@ -132,7 +132,7 @@ def _angel() -> Named:
             [(s * 0.009, -0.003, 0.07), (s * 0.014, -0.012, 0.056), (s * 0.002, -0.02, 0.06)], 4
         )
         made += [(wing.move(s * 0.022, 0.012, 0.064), "accent"), (tube(arm, 0.0038, 8), "skin")]
-    return make
+    return made
 
 
 def _bird() -> Named:
@@ -145,7 +145,7 @@ def _bird() -> Named:
     for s in (-1, 1):
         made += [(_ball(0.01, 0.042, 0.026, (s * 0.019, 0.006, 0.03)), "accent"),
                  (_ball(0.005, 0.005, 0.005, (s * 0.011, -0.0315, 0.055)), "dark")]  # fmt: skip
-    return make
+    return made
 
 
 FIGURES: MappingProxyType[str, Callable[[], Named]] = MappingProxyType(

@@ -207,7 +207,7 @@ def _extras(
                       (x - 0.24, s * 0.13, hz - 0.18)], [0.035, 0.028, 0.01], 6)
                  for s in (-1, 1)]  # fmt: skip
         made += [(join([nose, *ears]), grey), (join(flaps), grey), (join(tusks), pale)]
-    return make
+    return made
 
 
 def _row(key: str, size: tuple[float, float, float], mass: float, *aliases: str) -> Category:
