@@ -11,9 +11,9 @@ from jaxtyping import Bool, Float
 
 from ..errors import require
 from ..geometry import inside_margin
-from ..scene import Pose, Report, Scene
+from ..scene import Report, Scene
 from .settling import has_toppled
-from .simulation import ON_FLOOR, ON_TABLE, Simulation, find_supported, shift_distances, turn_angles
+from .simulation import ON_FLOOR, ON_TABLE, Motion, Simulation, find_supported, measure_motion
 
 
 @dataclass(frozen=True)
@@ -47,9 +47,6 @@ class GateLimits:
 PerObject = Float[np.ndarray, "n"]
 PerKind = Float[np.ndarray, "2"]
 """Of drift and tilt: metres, radians."""
-
-Motion = Float[np.ndarray, "n 2"]
-"""Metres and radians of each object."""
 
 _STRIDE = 0.25  # seconds between two looks
 _SMALL = 5e-3  # of the limits: motion between two looks that may be a tremble in place
@@ -126,7 +123,7 @@ def _watch(
     ``lost`` times the bounds.
     """
     begin = simulation.time
-    start = now = simulation.poses
+    start = now = simulation.states
     small = _SMALL * np.array([limits.drift, limits.tilt])
     looks = max(1, round(limits.seconds / _STRIDE))
     gone = np.zeros((len(start), 2))
@@ -137,9 +134,9 @@ def _watch(
         simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:
             break
-        last, now = now, simulation.poses
-        gone = _motion(start, now)
-        steps = [*earlier[-2:], _motion(last, now)]
+        last, now = now, simulation.states
+        gone = measure_motion(start, now)
+        steps = [*earlier[-2:], measure_motion(last, now)]
         pace = np.max(steps, axis=0)
         even = steps[-1] <= np.maximum(1.05 * np.max(earlier, axis=0, initial=0.0), small)
         even &= (gone + 2 * pace * left <= bounds) & ~_speeds_up(steps, gone, left, bounds, small)
@@ -149,10 +146,6 @@ def _watch(
         if calm == 2 or (gone > lost * bounds).any():
             break
     return gone[:, 0], gone[:, 1]
-
-
-def _motion(before: Sequence[Pose], after: Sequence[Pose]) -> Motion:
-    return np.stack([shift_distances(before, after), turn_angles(before, after)], axis=1)
 
 
 def _speeds_up(

@@ -7,7 +7,7 @@ from jaxtyping import Float
 
 from ..geometry import quaternion_matrix
 from ..scene import Object, Pose, Scene
-from .simulation import Simulation, shift_distances, turn_angles
+from .simulation import Simulation, measure_motion
 
 _CHUNK = 0.1  # seconds between two looks
 _SHAKE = 0.5
@@ -57,13 +57,12 @@ def _calm(
     simulation: Simulation, minimum: float, seconds: float, looks: int, pace: Float[np.ndarray, "2"]
 ) -> None:
     """Simulate until in so many looks nothing has moved on faster than ``pace`` (m/s, rad/s)."""
-    still, now = 0, simulation.poses
+    still, now = 0, simulation.states
     for k in range(max(1, round(seconds / _CHUNK))):
         before = now
         simulation.run(_CHUNK, _DAMPING)
-        now = simulation.poses
-        gone = np.stack([shift_distances(before, now), turn_angles(before, now)], axis=1)
-        still = still + 1 if (gone <= _CHUNK * pace).all() else 0
+        now = simulation.states
+        still = still + 1 if (measure_motion(before, now) <= _CHUNK * pace).all() else 0
         if still >= looks and (k + 1) * _CHUNK >= minimum:
             return
 

@@ -19,6 +19,13 @@ ON_FLOOR = -2
 """Index of the floor."""
 
 
+States = Float[np.ndarray, "n 7"]
+"""Position (metres) and quaternion of each object."""
+
+Motion = Float[np.ndarray, "n 2"]
+"""How far each object moved and turned, metres and radians."""
+
+
 @dataclass(frozen=True, eq=False)
 class Contacts:
     """Pairs of touching bodies (object indices, ``ON_TABLE``, ``ON_FLOOR``), lower index first.
@@ -62,6 +69,13 @@ class Simulation:
     def time(self) -> float:
         """Seconds simulated since :meth:`place`."""
         return float(self.data.time)
+
+    @property
+    def states(self) -> States:
+        """The objects' positions and quaternions now, in the scene's order, copied."""
+        found = self.data.qpos.reshape(-1, 7).copy()
+        found[:, 3:] /= np.linalg.norm(found[:, 3:], axis=1, keepdims=True)
+        return found
 
     @property
     def poses(self) -> tuple[Pose, ...]:
@@ -158,6 +172,13 @@ def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
         if not more:
             return np.array([i in held for i in range(count)], bool)
         held |= more
+
+
+def measure_motion(before: States, after: States) -> Motion:
+    """Return how far each object moved (metres) and turned (radians)."""
+    shift = np.linalg.norm(after[:, :3] - before[:, :3], axis=1)
+    dots = np.abs((before[:, 3:] * after[:, 3:]).sum(1))
+    return np.stack([shift, 2 * np.arccos(np.clip(dots, 0.0, 1.0))], axis=1)
 
 
 def turn_angles(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
