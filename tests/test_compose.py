@@ -10,6 +10,7 @@ import pytest
 from generator import composition
 from generator.composition import compose
 from generator.errors import InputError
+from generator.layout import checking
 from generator.physics.simulation import Simulation, shift_distances
 from generator.scene import PlannedObject, PlannedTable, Relation, ScenePlan
 
@@ -76,7 +77,7 @@ def test_a_layout_in_which_all_holds_is_judged_at_once_and_another_only_if_it_is
     """Relations hold in the layout of number ``held``, and in none of the first three."""
     made: list[str] = []
     rest, finish = composition.bring_to_rest, composition.finish
-    checking = composition.check_relations
+    check = checking.check_relations
     numbers: dict[int, int] = {}
 
     def resting(*args, **options):
@@ -88,13 +89,14 @@ def test_a_layout_in_which_all_holds_is_judged_at_once_and_another_only_if_it_is
         return finish(*args)
 
     def relations(plan, seen):
-        number = numbers.setdefault(id(seen.scene.objects), len(numbers))
-        outcomes = checking(plan, seen)
+        number = numbers.setdefault(id(seen.things), len(numbers))
+        outcomes = check(plan, seen)
         return tuple(dataclasses.replace(o, holds=number == held) for o in outcomes)
 
     monkeypatch.setattr(composition, "bring_to_rest", resting)
     monkeypatch.setattr(composition, "finish", judging)
-    monkeypatch.setattr(composition, "check_relations", relations)
+    for module in (composition, checking):
+        monkeypatch.setattr(module, "check_relations", relations)
     scene = compose("a mug to the left of a book", 1)
     assert (made.count("layout"), made.count("judged")) == (laid_out, judged)
     assert any("is not" in told for told in scene.provenance.warnings) == (held == 9)
