@@ -50,6 +50,8 @@ def misfits(
 
     optimiser.step(closure)
     with torch.no_grad():
+        if not eye.isfinite().all():  # the search diverged: things stand far from their outlines
+            eye.zero_()
         return look().numpy(), middle + unit * eye
 
 

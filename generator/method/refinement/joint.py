@@ -93,8 +93,9 @@ def outline_misfit(
     """Return one minus the overlap of outlines, the mean over the instances, of a finished scene.
 
     The measure of ``Refinement``: of objects as they rest, seen by a camera of the picture's
-    direction from where they agree best. An instance that no object is made of counts 1; the
-    table, and what shows nothing, are left out.
+    direction from where they agree best. An instance that no object is made of counts 1, as
+    does one whose object stands far off its outline; the table, and what shows nothing, are left
+    out.
     """
     config = config or RefinementConfig()
     shown = _shown_instances(instances)
@@ -109,6 +110,7 @@ def outline_misfit(
             np.array([o.pose.position for o in there]), config, seed,
         )  # fmt: skip
         found, _ = misfits(seen, posed, config)
+    found = np.nan_to_num(found, nan=1.0)  # what stands so far off that its outline is lost
     return float((found.sum() + len(shown) - len(there)) / len(shown))
 
 
