@@ -1,5 +1,7 @@
 """Drawing styles: sound models in every category, flatter, thicker, coarser."""
 
+import zlib
+
 import numpy as np
 import pytest
 from solidity import fingerprint, is_closed, mass_of
@@ -10,6 +12,9 @@ from generator.catalogue.build.styles import STYLES, apply_style, flatten
 from generator.errors import InputError
 from generator.scene import Model
 
+SOME = [key for key in sorted(CATEGORIES) if zlib.crc32(key.encode()) % 3 == 0]
+"""A third of the catalogue, the same each time: all of it would take too long."""
+
 
 def in_style(key: str, style: str, seed: int = 0) -> Model:
     return build(key, seed, attributes={"style": style})
@@ -17,7 +22,7 @@ def in_style(key: str, style: str, seed: int = 0) -> Model:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("style", sorted(STYLES))
-@pytest.mark.parametrize("key", sorted(CATEGORIES))
+@pytest.mark.parametrize("key", SOME)
 def test_styled_model_is_sound(key: str, style: str):
     model = in_style(key, style)
     assert is_closed(model.mesh), "the surface has holes"
