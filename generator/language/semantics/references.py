@@ -60,11 +60,15 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     return TABLE if TABLE in candidates else None
 
 
+_WIDE = 0.12  # metres: a flat thing so wide may carry another
+
+
 def _may_carry(draft: Draft, kind: str) -> bool:
     if draft.category is None:
         return True
     known = CATEGORIES[draft.category]
-    return known.container or (kind == "on" and bool({"support", "flat"} & {*known.roles}))
+    wide = "flat" in known.roles and min(known.size[:2]) > _WIDE
+    return known.container or (kind == "on" and ("support" in known.roles or wide))
 
 
 def _overlaps(one: Group, other: Sequence[Draft]) -> bool:

@@ -82,7 +82,8 @@ class Parser(ListReader):
         if len(subjects) != 1 or predicate:
             return
         first = subjects[0]
-        if (_is_title(first) or first.kind == "vague") and self._starts_noun(1):
+        named = first.kind == "vague" or (first.kind == "setting" and not first.determined)
+        if (_is_title(first) or named) and self._starts_noun(1):
             first.kind = "title"
             if not first.post:
                 return  # what follows is a clause of its own
