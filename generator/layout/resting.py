@@ -134,7 +134,7 @@ def _resting_cost(
     slack = 1.5 * float(shape.half.min()) if slender else 0.0  # stems lean past each other
     for place in siblings:
         both = 2 * float(shape.half.min() + shapes[place.name].half.min())
-        full = both > mouth and not _rolls(planned)
+        full = both > mouth and shape.height < shape.half.min()  # as folded shirts in a case
         if not full:  # what has no room beside another lies on it
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
             room = room + slack
