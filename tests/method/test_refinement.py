@@ -150,6 +150,16 @@ def test_the_measure_sees_what_is_moved_tilted_or_gone(instances):
     assert outline_misfit(instances, objects, VIEW, SIZE) > true + 0.02
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("factor", [-1.0, 6.0, -40.0])
+def test_the_measure_is_a_number_wherever_things_stand(instances, factor):
+    there = [
+        dataclasses.replace(p, translation=p.translation * [factor, factor, 1.0])
+        for p in placements()
+    ]
+    assert 0.0 < measured(instances, tuple(there)) < 1.01  # outlines are soft
+
+
 def boxes(*places: tuple[float, float, float], on: tuple[str, ...] = ()) -> tuple[Placement, ...]:
     """Return equal boxes, 10 by 4 by 6 cm; the last place's number is a yaw."""
     size = np.array([0.1, 0.04, 0.06])
