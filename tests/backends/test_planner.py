@@ -353,7 +353,7 @@ def test_relations(text: str, name: str, expected: set[tuple[str, str]]) -> None
     ("text", "expected", "state"),
     [
         ("three bottles of nail polish", {"nail_polish": 3}, None),
-        ("a box of gloves", {"box": 1}, "with gloves"),
+        ("a box of hats", {"box": 1}, "with hats"),
         ("a bowl of chips", {"bowl": 1}, "with chips"),
         ("a bag of chips", {"chips_bag": 1}, None),
         ("two teacups with tea", {"teacup": 2}, "with tea"),

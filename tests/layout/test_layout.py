@@ -189,13 +189,13 @@ def test_fronts_face_the_viewer_and_cutlery_points_away() -> None:
 
 
 def test_equal_things_share_a_look_and_unknown_ones_have_their_size() -> None:
-    plan = plan_scene("two red mugs, a green mug and a 20 cm long zorb on a table", 0)
+    plan = plan_scene("two red mugs, a green mug and a 20 cm long quuxel on a table", 0)
     models = build_models(plan, 0)
     textures = [models[f"mug_{i}"].mesh.texture for i in (1, 2, 3)]
     assert np.array_equal(textures[0], textures[1])
     assert textures[2].shape != textures[0].shape or not np.array_equal(textures[1], textures[2])
-    assert models["zorb_1"].size.max() == pytest.approx(0.2)
-    assert models["zorb_1"].label == "zorb"
+    assert models["quuxel_1"].size.max() == pytest.approx(0.2)
+    assert models["quuxel_1"].label == "quuxel"
 
 
 def test_gaps_bound_the_true_distance_from_below() -> None:

@@ -110,7 +110,9 @@ class PlaceReader(Cursor):
         k += self._text(k) in ("one", "single")
         if self._tag(k) == "of" and self._text(k + 1) in fw.PRONOUNS:
             k += 2
-        elif self._tag(k) in ("word", "name", "number") and self._starts_noun(k):
+        elif self._tag(k) == "of" or (
+            self._tag(k) in ("word", "name", "number") and self._starts_noun(k)
+        ):
             return None
         span = self.tokens[self.i].span
         self.i += k

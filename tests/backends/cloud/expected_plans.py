@@ -89,10 +89,10 @@ EXPECTED: tuple[Expected, ...] = (
     ),
     Expected(
         "five red cubes in a row, no mugs",
-        {"toy_block": 5},
+        {"cube": 5},
         [thing(n, "cube", color="red") for n in range(1, 6)],
         groups=[("row", 5, None, None)],
-        looks={"toy_block": {"color": "red"}},
+        looks={"cube": {"color": "red"}},
         groups_answered=[group("row", 1, 2, 3, 4, 5)],
     ),
     Expected(

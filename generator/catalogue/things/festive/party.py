@@ -129,7 +129,7 @@ def ribbon(look: Look) -> Shape:
     curve = smooth(path, 5)
     tail = loft(np.stack([np.array([[x, y - 0.0006, 0], [x, y + 0.0006, 0], [x, y + 0.0006, wide],
                                     [x, y - 0.0006, wide]]) for x, y, _ in curve]),
-                np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]))  # fmt: skip
+                np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]))  # fmt: skip
     return put_down(
         [(join([coil, tail]), sheen), (core, textures.plain((244, 240, 230)))], coil, tail
     )

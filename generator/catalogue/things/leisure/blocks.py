@@ -30,13 +30,13 @@ def _paint(
 ) -> Callable[[Look], Shape]:
     """Return a block's shape function from ``make``, which takes a scale."""
 
-    def made(look: Look) -> Shape:
+    def make_block(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
         drawn, hulls = make(k)
         tile = look.surface(look.color(*palette), look.pick(default))
         return shape([(s, tile) for s in drawn], [hull_of(s) for s in hulls])
 
-    return made
+    return make_block
 
 
 def _same(*solids: Solid) -> Made:
@@ -81,12 +81,12 @@ def _arch(k: float) -> Made:
 def _cells(*cells: tuple[int, int]) -> Callable[[float], Made]:
     """A flat block of square cells (x, y)."""
 
-    def made(k: float) -> Made:
+    def make_hulls(k: float) -> Made:
         s = 0.025 * k
         x0, y0 = np.mean(cells, axis=0)
         return _same(*[box(s, s, s).move((x - x0) * s, (y - y0) * s) for x, y in cells])
 
-    return made
+    return make_hulls
 
 
 def _star(k: float) -> Made:
@@ -113,7 +113,7 @@ def _heart(k: float) -> Made:
 def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
     """A ring or a length of tube with a round section."""
 
-    def made(look: Look) -> Shape:
+    def make_shape(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
         a, b, h = outer * k, inner * k, height * k
         c = min(0.3 * h, 0.3 * (a - b))
@@ -125,7 +125,7 @@ def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
             ring_parts([(a - c, 0), (a, c), (a, h - c), (a - c, h)], [(b, h), (b, 0)], 10),
         )
 
-    return made
+    return make_shape
 
 
 def sphere(look: Look) -> Shape:

@@ -226,7 +226,7 @@ def bow_tie(look: Look) -> Shape:
                     )
                 ]
             ),
-            np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]),
+            np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]),
         )
         for s in (-1, 1)
     ]
@@ -246,7 +246,7 @@ def belt(look: Look) -> Shape:
     w = 0.032
     rings = [np.array([(*(p - n), 0), (*(p + n), 0), (*(p + n), w), (*(p - n), w)])
              for p, n in zip(path, side, strict=True)]  # fmt: skip
-    coil = loft(np.stack(rings), np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]))
+    coil = loft(np.stack(rings), np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]))
     end = path[-1]
     frame = torus(0.016, 0.0026, 20, 6).turn(0, np.pi / 2).scale(1, 1, 1.15)
     turn = float(np.arctan2(*way[-1][::-1]))
