@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..backends.protocols import Each, Modeler, Reasoner, in_turn
-from ..errors import BackendError
+from ..errors import BackendError, choices
 from ..geometry import ray_view
 from ..scene import Instance, Model, Reference, SizePrior, View
 from ..scene.turning import turn
