@@ -72,7 +72,9 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
     theme = _theme(words)
     _check_content(prompt, reading, theme)
     objects, groups = relate_by_habit(*_plan_objects(reading))
-    full = density or next((_DENSITIES[w] for w in words if w in _DENSITIES), "normal")
+    named = [_DENSITIES[word] for word in words if word in _DENSITIES]
+    named.append("normal")
+    full = density or named[0]
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
     people = reading.people or people

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -47,7 +46,7 @@ def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) ->
     return ellipsoid(x, y, z, fine, max(fine // 2, 5)).move(*at)
 
 
-def rod(points: Sequence[Any], radius: Any, sides: int = 8, steps: int = 4) -> Solid:
+def rod(points: Any, radius: Any, sides: int = 8, steps: int = 4) -> Solid:
     """Return a round rod along a smooth curve through ``points``; one radius, or one per point."""
     path = smooth(points, steps)
     if np.ndim(radius):

@@ -81,7 +81,8 @@ def scatter(
         away, turn = radius * np.sqrt((k + 0.5) / count), 2.4 * k
         size = look.between(*d)
         up = dome * (1 - (away / radius) ** 2)
-        one = ellipsoid(*(size * s for s in stretch), 8, 5)
+        x, y, z = (size * s for s in stretch)
+        one = ellipsoid(x, y, z, 8, 5)
         made.append(one.turn(2, look.between(0, 6.3)).move(away * np.cos(turn),
                     away * np.sin(turn), height + up))  # fmt: skip
     return join(made)

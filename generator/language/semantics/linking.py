@@ -35,8 +35,8 @@ def stack(group: Group) -> None:
 def open_up(group: Sequence[Draft | str]) -> None:
     """Have vessels stand open and empty that are to be filled."""
     for draft in group:
-        if isinstance(draft, Draft) and draft.category in OPENED:
-            draft.category = OPENED[draft.category]
+        if isinstance(draft, Draft) and draft.category is not None:
+            draft.category = OPENED.get(draft.category, draft.category)
 
 
 def unstack(group: Group) -> None:

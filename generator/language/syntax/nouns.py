@@ -287,8 +287,8 @@ _VERBAL = ("ed", "ing", "ly")
 def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
     """Return what the dictionary knows of a noun phrase that the catalogue does not have."""
     entry = entry_of(words)
-    strange = len(words) > 1 and not is_describing(words[-2])
     last = words[-1]
+    strange = len(words) > 1 and not is_describing(words[-2])
     if entry is None and (
         last in fw.NO_NOUNS or last in fw.AMOUNTS or (last.endswith(_VERBAL) and is_english(last))
     ):

@@ -173,7 +173,7 @@ def power_supply(look: Look) -> Shape:
 def _text_page(look: Look) -> textures.Tile:
     image = prints.canvas(128, 176, (222, 222, 214))
     prints.write(
-        image, look.pick(["CHAPTER 1", "CHAPTER 7", "PART TWO"]), 0.5, 0.12, 0.06, (40,) * 3
+        image, look.pick(["CHAPTER 1", "CHAPTER 7", "PART TWO"]), 0.5, 0.12, 0.06, (40, 40, 40)
     )
     prints.lines(image, look.rng, (0.1, 0.22, 0.8, 0.68), 17, (84, 84, 84), 0.35)
     return image

@@ -90,7 +90,7 @@ def shrimp(look: Look) -> Shape:
     a = np.linspace(-0.5, 3.5, 9)
     r = 0.021
     path = np.column_stack([r * np.cos(a), r * np.sin(a) * 0.9, 0 * a])
-    body = limb(path, np.array([0.25, 0.7, 0.95, 1, 1, 0.94, 0.82, 0.66, 0.42]) * 0.0105, 12)
+    body = limb(path, [0.0105 * s for s in (0.25, 0.7, 0.95, 1, 1, 0.94, 0.82, 0.66, 0.42)], 12)
     color = look.color("coral", "pink", "orange", "gray")
     bands = textures.stripes([color, color, tint_color(color, 1.5)], 6)
     end = path[-1]

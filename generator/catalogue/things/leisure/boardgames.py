@@ -56,7 +56,7 @@ def checkers_set(look: Look) -> Shape:
                 if (i + j) % 2:
                     at = ((i - 3.5) * side / 8, (j - 3.5) * side / 8, 0.012)
                     pieces.append((cylinder(0.0135, 0.006, 14, bevel=0.001).move(*at), tile))
-        y = (np.mean(rows) - 3.5) * side / 8
+        y = (float(np.mean(rows)) - 3.5) * side / 8
         parts.append(box_part(side - 0.012, 0.1, 0.006, (0, y, 0.012)))
     return shape(pieces, parts)
 

@@ -87,7 +87,7 @@ def crowbar(look: Look) -> Shape:
     bar = sweep(path, ellipse(2 * r, 2 * r, 6, np.pi / 6), scale)
     tips = [box(0.03 * k, 0.02 * k, 0.004).turn(2, 0.5).move(-0.16 * k, -0.01 * k, r - 0.002),
             box(0.024 * k, 0.021 * k, 0.005).turn(2, np.pi * 0.72 + np.pi / 2)
-            .move(*path[-1][:2], r - 0.0025)]  # fmt: skip
+            .move(path[-1][0], path[-1][1], r - 0.0025)]  # fmt: skip
     cut = len(path) - 9
     bits = [hull_of(sweep(path[a:b], ellipse(2 * r, 2 * r, 6, np.pi / 6))) for a, b in
             ((0, cut + 1), (cut, cut + 4), (cut + 3, cut + 7), (cut + 6, len(path)))]  # fmt: skip
