@@ -72,9 +72,7 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
     theme = _theme(words)
     _check_content(prompt, reading, theme)
     objects, groups = relate_by_habit(*_plan_objects(reading))
-    named = [_DENSITIES[word] for word in words if word in _DENSITIES]
-    named.append("normal")
-    full = density or named[0]
+    full = density or _density_of(words)
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
     people = reading.people or people
@@ -96,6 +94,14 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
     told = [*reading.warnings, *_warn_of_lengths(reading), *warn_of_stand_ins(objects), *doubts]
     warnings = tuple(dict.fromkeys(told))
     return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups), full)
+
+
+def _density_of(words: Sequence[str]) -> Density:
+    """Return how full a text says that the table is."""
+    for word in words:
+        if word in _DENSITIES:
+            return _DENSITIES[word]
+    return "normal"
 
 
 # ------------------------------------------------------------------------------------- checks
