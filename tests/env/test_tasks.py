@@ -251,7 +251,7 @@ def test_what_is_too_wide_may_be_asked_to_be_stacked() -> None:
 @pytest.mark.slow
 def test_stack_asks_for_no_top_that_the_arm_cannot_hold_a_thing_over() -> None:
     text = (
-        "A rustic slatted dining table with a big bowl of salad, a loaf of bread on a cutting "
+        "A rustic slatted dining table with a big bowl, a loaf of bread on a cutting "
         "board, a knife next to the bread, and two wine glasses behind the bowl."
     )
     near, far = (make_env(compose(text, seed), task="Stack") for seed in (6000, 7000))

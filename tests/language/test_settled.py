@@ -11,9 +11,9 @@ from generator.composition import compose
 @pytest.mark.parametrize(
     ("text", "name", "support"),
     [
-        ("a bun on a basket", "bun_1", "basket_1"),
+        ("a bun on a basket", "bread_roll_1", "basket_1"),
         ("a bowl with a banana and two apples", "banana_1", "bowl_1"),
-        ("a fruit bowl with three apples, a banana and grapes", "banana_1", "bowl_1"),
+        ("a fruit bowl with three apples, a banana and grapes", "banana_1", "serving_bowl_1"),
         ("a whisk inside a mixing bowl", "whisk_1", "mixing_bowl_1"),
         ("a mug of pens", "pen_2", "mug_1"),
         ("a tray holding a teapot, a jug and 2 cups", "mug_2", "tray_1"),

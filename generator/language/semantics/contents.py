@@ -84,9 +84,9 @@ def decorates(item: Noun, owners: Group) -> bool:
 def label(owner: Noun, inner: Noun, drafts: Group) -> None:
     """Name things after what they hold; a package of something known becomes that."""
     said = " ".join(inner.words)
-    known = inner.category is not None and owner.head.split()[-1:][0] in PACKAGES
+    known = inner.category is not None and bool(PACKAGES & set(owner.head.split()[-1:]))
     itself = known and (not inner.plural or bool(PACKAGES & set(str(inner.category).split("_"))))
-    whole = category_of((*owner.head.split(), "of", inner.head.split()[-1]))
+    whole = category_of((*owner.head.split(), "of", *inner.head.split()[-1:]))
     for draft in drafts:
         draft.category = whole or draft.category
         if itself and inner.head not in SUBSTANCES:

@@ -10,6 +10,7 @@ from ...build.forms import blade, lobe
 from ...build.settled import limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, ellipsoid, join, lathe, tube
+from ...build.variants import in_sizes
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -194,7 +195,8 @@ CATEGORIES = (
              "lemon wedge"), _K, ("edible", "flat", "round"), ("yellow",), state="lying flat"),
     Category("melon", melon, (0.154, 0.14, 0.139), 1.2, ("cantaloupe", "honeydew", "honeydew melon",
              "galia melon", "whole melon", "rockmelon"), _K, ("round", "edible", "big"), ("tan",)),
-    Category("watermelon", watermelon, (0.238, 0.181, 0.169), 3.5, ("whole watermelon",
+    Category("watermelon", in_sizes(watermelon, 0.12), (0.238, 0.181, 0.169), 3.5,
+             ("whole watermelon",
              "water melon"), _K, ("edible", "big"), ("green",)),
     Category("coconut", coconut, (0.108, 0.108, 0.0862), 0.5, ("coconut half", "half coconut"), _K,
              ("round", "edible"), ("brown",)),

@@ -20,6 +20,7 @@ from ...build.solids import (
     prism,
     tube,
 )
+from ...build.variants import in_sizes
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -206,7 +207,7 @@ CATEGORIES = (
     Category("molecule_model", molecule_model, (0.09, 0.103, 0.086), 0.06, ("molecule",
              "molecular model", "atom model", "ball and stick model"),
              ("lab",), (), ("black", "red")),
-    Category("glass_prism", glass_prism, (0.0805, 0.034, 0.03), 0.09, ("prism",
+    Category("glass_prism", in_sizes(glass_prism, 0.12), (0.0805, 0.034, 0.03), 0.09, ("prism",
              "optical prism", "light prism", "crystal prism", "triangular glass prism"), ("lab",),
              (), ("clear",)),
     Category("newtons_cradle", newtons_cradle, (0.16, 0.115, 0.137), 0.5, ("newton's cradle",

@@ -18,6 +18,7 @@ from ...build.solids import (
     open_box,
     tube,
 )
+from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -214,7 +215,7 @@ CATEGORIES = (
     Category("dropper", dropper, (0.149, 0.0195, 0.0195), 0.01, ("pipette", "eye dropper",
              "glass dropper", "transfer pipette", "eyedropper", "dropping pipette"), ("lab",), (),
              ("red",), None, "lying flat"),
-    Category("micropipette", micropipette, (0.236, 0.045, 0.033), 0.1, ("lab pipette",
+    Category("micropipette", keep_still(micropipette), (0.236, 0.045, 0.033), 0.1, ("lab pipette",
              "pipettor", "automatic pipette", "pipette gun"), ("lab",), (), ("white",), None,
              "lying flat"),
     Category("weighing_boat", weighing_boat, (0.075, 0.06, 0.016), 0.008, ("weigh boat",

@@ -11,6 +11,7 @@ from ...build.collision import box_part, cylinder_part
 from ...build.outlines import ellipse
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, prism
+from ...build.variants import in_sizes
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
@@ -240,7 +241,8 @@ CATEGORIES = (
              "FAMILY GAME"), False), (0.265, 0.22, 0.0525), 1.1, ("game box", "boxed game",
              "board game box", "family game", "boardgame", "party game"), ("games",),
              ("flat", "support", "big")),
-    Category("dartboard", dartboard, (0.34, 0.34, 0.0254), 1.2, ("dart board",), ("games",),
+    Category("dartboard", in_sizes(dartboard, 0.15), (0.34, 0.34, 0.0254), 1.2, ("dart board",),
+             ("games",),
              ("flat", "round", "big")),
 )  # fmt: skip
 """The module's categories."""

@@ -12,6 +12,7 @@ from ...build.hollow import open_vessel
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, ellipsoid, lathe, prism
+from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
@@ -234,7 +235,8 @@ CATEGORIES = (
              ("red", "yellow")),
     Category("dice_cup", dice_cup, (0.085, 0.085, 0.093), 0.09, ("dice shaker", "cup for dice"),
              ("games",), ("container", "round"), ("brown",)),
-    Category("dart", dart, (0.15, 0.027, 0.027), 0.022, ("steel dart", "throwing dart"), ("games",),
+    Category("dart", keep_still(dart), (0.15, 0.027, 0.027), 0.022, ("steel dart",
+             "throwing dart"), ("games",),
              (), ("red",)),
 )  # fmt: skip
 """The module's categories."""

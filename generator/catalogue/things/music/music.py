@@ -12,6 +12,7 @@ from ...build.forms import lay_down
 from ...build.outlines import ellipse, rounded_polygon, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
+from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -238,12 +239,12 @@ CATEGORIES = (
              "green"), "wood", keys=False, bore=0.0115), (0.312, 0.029, 0.029), 0.15,
              ("wooden flute", "recorder flute"), ("music",), (),
              ("wooden", "cream"), None, "lying flat"),
-    Category("clarinet", _pipe([(0, 0), (0.004, 0), (0.009, 0.05), (0.013, 0.055),
+    Category("clarinet", keep_still(_pipe([(0, 0), (0.004, 0), (0.009, 0.05), (0.013, 0.055),
              (0.013, 0.11), (0.0105, 0.113), (0.0105, 0.42), (0.014, 0.47), (0.0285, 0.51),
              (0.0285, 0.514), (0, 0.51)], ("black", "black", "charcoal", "brown"), "plastic",
-             keys=True, bore=0.011), (0.514, 0.057, 0.057), 0.6, ("clarinet toy",), ("music",), (),
+             keys=True, bore=0.011)), (0.514, 0.057, 0.057), 0.6, ("clarinet toy",), ("music",), (),
              ("black",), None, "lying flat"),
-    Category("trumpet", trumpet, (0.4, 0.114, 0.116), 0.9, ("cornet", "toy trumpet"),
+    Category("trumpet", keep_still(trumpet), (0.4, 0.114, 0.116), 0.9, ("cornet", "toy trumpet"),
              ("music",), ("big",), ("gold",), None, "lying flat"),
     Category("saxophone", saxophone, (0.191, 0.291, 0.0657), 1.1, ("sax", "alto saxophone"),
         ("music",), ("big",), ("gold",), None, "lying flat"),
