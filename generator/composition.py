@@ -51,9 +51,10 @@ def compose(
     """
     require_seed(seed)
     seed = int(seed)
-    plan = text if isinstance(text, ScenePlan) else plan_scene(text, seed, density)
-    if density is not None:
-        plan = replace(plan, density=density)
+    if isinstance(text, ScenePlan):
+        plan = replace(text, density=density or text.density)
+    else:
+        plan = plan_scene(text, seed, density)
     if not plan.objects:
         raise InputError("The plan holds no object; a scene needs at least one.")
     models = build_models(plan, seed)

@@ -61,6 +61,7 @@ def make(text: str, name: str, route: str, seed: int, folder: Path) -> Made:
         code, out, errors = 124, "", f"no answer in {LONGEST:.0f} s"
     said = _read(out)
     bundle = Path(said["bundle"]).name if "bundle" in said else ""
+    errors = errors.replace(f"{ROOT}{os.sep}", "")  # results name no machine's folders
     made = Made(code, said, errors[-2000:], round(_processor_seconds() - before, 2), bundle)
     kept.write_text(json.dumps(asdict(made)), encoding="utf-8")
     return made

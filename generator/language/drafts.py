@@ -149,21 +149,9 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
 
 
 _CARRIERS = frozenset(
-    {
-        "basket",
-        "bowl",
-        "open_box",
-        "pot",
-        "tray",
-        "tool_caddy",
-        "empty_pencil_holder",
-        "open_suitcase",
-        "open_lunch_box",
-        "open_jar",
-        "empty_vase",
-        "crate",
-    }
-)
+    {"basket", "bowl", "open_box", "pot", "tray", "tool_caddy", "empty_pencil_holder",
+     "open_suitcase", "open_lunch_box", "open_jar", "empty_vase", "crate"}
+)  # fmt: skip
 """What is there to hold things: "a basket with pears" holds them."""
 
 

@@ -111,15 +111,15 @@ class Interpreter(CarryReader):
                     context.topic = target
                 self._share(nouns[: k + 1], noun, found)
         context.parallel = parallel
+        for place in nouns[-1].post if nouns else ():
+            if isinstance(place, Location) and place.whole and len(found) > 1:  # "all on a tray"
+                self._place_all(place, found)
         self._arrange_all(nouns, found)
         return found
 
     def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
         """Arrange "an apple, a pear and a peach in a row": what is said of the last is of all."""
         posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
-        for place in nouns[-1].post if nouns else ():
-            if isinstance(place, Location) and place.whole and len(found) > 1:  # "all on a tray"
-                self._place_all(place, found)
         groups = [group for group in found if isinstance(group, list)]
         if posts and len(groups) > 1 and all(len(g) == 1 and not g[0].relations for g in groups):
             self._arrange(posts[0], [draft for group in groups for draft in group])

@@ -10,18 +10,8 @@ from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group
 
 _RANKS: Mapping[str, float] = {"tiny": -1.0, "small": 0.0, "medium": 1.0, "large": 2.0}
-_RAINBOW = (
-    "red",
-    "orange",
-    "yellow",
-    "green",
-    "cyan",
-    "blue",
-    "indigo",
-    "purple",
-    "violet",
-    "pink",
-)
+_RAINBOW = ("red", "orange", "yellow", "green", "cyan", "blue", "indigo", "purple", "violet",
+            "pink")  # fmt: skip
 _SPREAD = 0.65, 1.45  # of the sizes of things in an order, in usual sizes
 
 

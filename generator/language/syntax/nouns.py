@@ -97,6 +97,10 @@ def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     return i
 
 
+_CLOSING = frozenset({"comma", "stop", "line", "and"})
+"""Tags of what may follow the last word of a noun phrase."""
+
+
 def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     """Tell whether a word is none of this noun phrase's any more."""
     word = tokens[i].text
@@ -117,7 +121,7 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             for some in (extended, longer, (*longer, third))
             for k in range(len(extended))
         )
-        closed = following is None or following.tag in ("comma", "stop", "line", "and", "close")
+        closed = following is None or following.tag in _CLOSING | {"close"}
         named_so = run.article or (nouns and not _is_known(run.words))
         if closed and named_so and word in fw.BE:
             return False  # "a wrist rest", "on a stand"
@@ -128,7 +132,7 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             "standing", "hanging", "left", "right"
         )  # fmt: skip
         return not (before_noun and describes)
-    closed = i + 1 >= len(tokens) or tokens[i + 1].tag in ("comma", "stop", "colon", "line", "and")
+    closed = i + 1 >= len(tokens) or tokens[i + 1].tag in _CLOSING | {"colon"}
     if closed and word.endswith("ing") and entry_of((word,)) and word not in fw.PARTICIPLES:
         return False  # "a board meeting"
     if nouns and (word.endswith(("ing", "ed")) or is_describing(word)) and _is_known(run.words):

@@ -9,9 +9,8 @@ from .tree import (
     Carry,
     Location,
     Noun,
-    Zone,
 )
-from .zones import FoundZone, read_zone
+from .zones import read_zone
 
 _SIDES = {(-1, None): "left_of", (1, None): "right_of", (None, -1): "in_front_of",
           (None, 1): "behind"}  # fmt: skip
@@ -28,8 +27,7 @@ class PlaceReader(Cursor):
         before = self.i
         if self._text() in _DEGREES and self._tag(1) in ("relation", "here"):
             self.i += 1  # "right next to it"
-        two = self._text() in fw.SIDES and self._text(1) in fw.SIDES
-        found = read_zone(self.tokens, self.i) or (self._corner() if two else None)
+        found = read_zone(self.tokens, self.i)
         if found is not None:
             self.i = found.end
             if not found.of:
@@ -61,14 +59,6 @@ class PlaceReader(Cursor):
                 return Location(kind, target, target.each)
         self.i = before
         return None
-
-    def _corner(self) -> FoundZone | None:
-        """Read "front right", "back left" without a preposition."""
-        found = [fw.SIDES[self._text(k)] for k in (0, 1)]
-        x = next((x for x, _ in found if x), None)
-        y = next((y for _, y in found if y), None)
-        after = self._tag(2) in (*ENDS, "", "comma", "and", "close")
-        return FoundZone(Zone(x, y), self.i + 2) if x and y and after else None
 
     def _target(self, *, nested: bool) -> Noun | None:
         """Read what a relation goes to; ``nested``: what follows is said of that."""

@@ -65,7 +65,7 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
             return None
         i += 1
         i += _text(tokens, i) == "to"
-    elif not heading:
+    elif not heading and not _is_corner(tokens, i):
         return None
     article = _text(tokens, i) in _ARTICLES
     i += article
@@ -76,6 +76,13 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
     found = _sides(tokens, i, heading=heading, owned=owned)
     aside = found is not None and found.loose and _text(tokens, start) == "to"
     return replace(found, aside=True) if found is not None and aside else found
+
+
+def _is_corner(tokens: Sequence[Token], i: int) -> bool:
+    """Tell whether "front right" stands alone here, without a preposition."""
+    sides = [fw.SIDES.get(_text(tokens, k), (None, None)) for k in (i, i + 1)]
+    ended = _tag(tokens, i + 2) in ("stop", "line", "", "comma", "and", "close")
+    return ended and any(x for x, _ in sides) and any(y for _, y in sides)
 
 
 def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> FoundZone | None:

@@ -38,7 +38,8 @@ def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
     if pitch is None:
         return None
     above = len(shapes) // _SHARE
-    base = _lattice(pitch, len(shapes) - above)
+    places = _lattice(pitch, len(shapes))
+    base = places[: len(shapes) - above]
     hollows = [
         three for three in combinations(range(len(base)), 3)
         if max(float(np.hypot(*(base[i] - base[k]))) for i, k in combinations(three, 2))
@@ -55,8 +56,7 @@ def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
         if free and len(tops) < above:
             tops.append(three)
     lying = len(shapes) - len(tops)
-    base = _lattice(pitch, lying)
-    offsets = (*base, *(np.mean(base[list(three)], axis=0) for three in tops))
+    offsets = (*places[:lying], *(np.mean(base[list(three)], axis=0) for three in tops))
     return Pile(offsets, ((),) * lying + tuple(tops))
 
 
@@ -81,7 +81,6 @@ def pile_pyramid(shapes: Sequence[Footprint], *, balls: bool) -> Pile | None:
     side = len(layers)
     offsets: list[Float[np.ndarray, "2"]] = []
     below: list[tuple[int, ...]] = []
-    start = 0
     previous: dict[tuple[int, int], int] = {}
     for level in range(side):
         width = side - level
@@ -90,18 +89,15 @@ def pile_pyramid(shapes: Sequence[Footprint], *, balls: bool) -> Pile | None:
         for i, j in cells:
             x = pitch * (i + 0.5 * j + 0.5 * level - (side - 1) / 2)
             y = 0.0 if flat else pitch * np.sqrt(3) * (j / 2 + level / 6 - (side - 1) / 6)
-            here[i, j] = start + len(here)
+            here[i, j] = len(offsets)
             offsets.append(np.array([x, y]))
             under = [(i, j), (i + 1, j)] if flat else [(i, j), (i + 1, j), (i, j + 1)]
             below.append(tuple(previous[cell] for cell in under) if level else ())
         previous = here
-        start += len(here)
-        if level == 0:
-            for k in range(rest):
-                x = pitch * (side + k - (side - 1) / 2)
-                offsets.append(np.array([x, offsets[0][1]]))
-                below.append(())
-            start += rest
+        for k in range(0 if level else rest):
+            x = pitch * (side + k - (side - 1) / 2)
+            offsets.append(np.array([x, offsets[0][1]]))
+            below.append(())
     return Pile(tuple(offsets), tuple(below))
 
 
