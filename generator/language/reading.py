@@ -28,6 +28,7 @@ from .parsing.vocabulary import (
 )
 from .semantics.interpreter import Interpreter
 from .syntax.clauses import Parser
+from .syntax.corrections import correct_course
 from .syntax.tokens import list_skipped, small_words, tokens_of
 from .syntax.tree import Sentence
 from .syntax.words import words_of
@@ -75,7 +76,7 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
     """
     check_text(prompt)
     spelt, fixes = correct(words_of(_undrawn(prompt)), _known_words())
-    parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
+    parser = Parser(correct_course(tokens_of(spelt, lexicon.is_phrase_start)))
     sentences = parser.sentences()
     reading = Interpreter(rng).read(sentences)
     reading.lost += list_skipped(parser.skipped)

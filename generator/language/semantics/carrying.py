@@ -16,13 +16,15 @@ from ..syntax.tree import (
     Location,
     Noun,
     Post,
+    Zone,
 )
 from . import contents
 from .linking import open_up
 from .references import Target
+from .relating import CUTLERY
 from .things import ThingReader
 
-_DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
+_DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at", "beside", "aside")
 
 
 @dataclass(eq=False)
@@ -137,8 +139,11 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
     inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
     if item.category is None and CATEGORIES[owner[0].category].container:
         inside = "in"
-    if inside not in ("on", "in"):
+    if inside not in ("on", "in") or item.category in CUTLERY:
         return []
+    sided = [i for i in items if any(_is_side(p) for p in i.post)]
+    if len(sided) > 1:
+        return []  # "a tray with cups on the left and a teapot on the right"
     loose = not first and not item.determined and inside == "in"
     return [
         place
@@ -147,6 +152,10 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
         and place.kind in _DIRECTIONS
         and (loose or not (isinstance(place.target, Noun) and place.target.kind == "pronoun"))
     ]
+
+
+def _is_side(post: Post) -> bool:
+    return isinstance(post, Location) and isinstance(post.target, Zone)
 
 
 def _times(noun: Noun, owners: int) -> Noun:

@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import Draft, Group, Grouping, Reading, phrase_text, shares
+from ..drafts import MAX_OBJECTS, Draft, Group, Grouping, Reading, phrase_text, shares
 from ..syntax.tree import (
     EVERYONE,
     Arranged,
     Carry,
     Clause,
+    Counted,
     Description,
     Lack,
     Location,
@@ -65,7 +66,10 @@ class Interpreter(CarryReader):
         if not clause.subjects and clause.predicate:
             things = [self._context.topic] if isinstance(self._context.topic, list) else things
         for post in clause.predicate:
-            self._predicate(post, things, groups)
+            if isinstance(post, Lack) and not clause.subjects:
+                self._lack(post, [])
+            else:
+                self._predicate(post, things, groups)
         if things and self._context.topic is None:
             self._context.topic = things[0]
 
@@ -255,12 +259,32 @@ class Interpreter(CarryReader):
             self._lack(post, group)
         elif isinstance(post, Arranged):
             self._arrange(post, group)
+        elif isinstance(post, Counted):
+            self._recount(int(post.count))
         else:
             if len(post.each) > len(group) == 1:
                 return  # "a mug in different colours"
             for k, draft in enumerate(group):
                 draft.attributes.update(post.each[k % len(post.each)])
                 draft.lengths = post.lengths or draft.lengths
+
+    def _recount(self, count: int) -> None:
+        """Have as many of the last things that were not counted as the text says after all."""
+        group = self._uncounted
+        if not group or not 1 <= count <= MAX_OBJECTS:
+            return
+        like = group[-1]
+        while len(group) < count:
+            copy = self.reading.add(like.noun, like.category, like.attributes, family=like.family)
+            copy.relations = list(like.relations)
+            group.append(copy)
+        gone = [draft for draft in group[count:] if all(d is not draft for d in self._related())]
+        self.reading.objects[:] = [d for d in self.reading.objects if all(d is not g for g in gone)]
+        del group[count:]
+
+    def _related(self) -> Group:
+        """Return the things that others are related to."""
+        return [to for d in self.reading.objects for _, to in d.relations if isinstance(to, Draft)]
 
     def _resolve(self, place: Location, subject: Group) -> Target | None:
         """Return what a place refers to, reading its noun phrase; None if it cannot be told."""

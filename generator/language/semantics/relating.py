@@ -8,7 +8,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import Group, Grouping, Reading
+from ..drafts import Group, Grouping, Reading, assumed_relation
 from ..syntax.tree import (
     Arranged,
     Lack,
@@ -139,6 +139,13 @@ class Relater:
             for draft in group:
                 if draft is not plate:
                     draft.relate("left_of" if zone.x < 0 else "right_of", plate)
+            return
+        owner = self._context.owner
+        if loose and isinstance(owner, list) and len(owner) == 1 and zone.x and zone.y is None:
+            inside = assumed_relation(group[0], owner[0], held=False) in ("on", "in")
+            if group[0].category in CUTLERY or not inside:  # "a laptop with a mouse on the left"
+                kind = "left_of" if zone.x < 0 else "right_of"
+                link(kind, group, owner, self.reading.warnings)
             return
         if loose and self._side is not None and zone.y is None and zone.x:
             kind, target = self._side

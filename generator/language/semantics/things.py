@@ -5,7 +5,9 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 
+from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group
+from ..parsing.lexicon import singular
 from ..parsing.vocabulary import MEANT_WITH
 from ..syntax import function_words as fw
 from ..syntax.tree import (
@@ -29,6 +31,8 @@ _SEATS = frozenset(
     {"chair", "stool", "armchair", "sofa", "couch", "bench", "seat", "bed", "barstool"}
 )
 """Furniture at a table."""
+
+_FOOD = frozenset({"food", "fruit", "vegetable", "snack"})
 
 _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
@@ -56,6 +60,8 @@ class ThingReader(Relater, ABC):
         return self._introduce(noun)
 
     def _collective(self, noun: Noun) -> Group:
+        if noun.definite and (known := self._collected(noun)):
+            return known
         members = [m for m in noun.members if m not in self.reading.excluded]
         if noun.head.endswith(("setting", "settings")) and (noun.count or 1) > 1:
             self.reading.people = self.reading.people or int(noun.count or 1)
@@ -65,6 +71,15 @@ class ThingReader(Relater, ABC):
             self.reading.add(category.replace("_", " "), category, noun.attributes)
             for category in members
         ]
+
+    def _collected(self, noun: Noun) -> Group:
+        """Return what "the cutlery" or "all the fruit" means of the things there are."""
+        food = singular(noun.head.split()[-1]) in _FOOD
+        return [
+            d for d in self.reading.objects
+            if d.category in noun.members
+            or (food and d.category is not None and "edible" in CATEGORIES[d.category].roles)
+        ]  # fmt: skip
 
     def _introduce(self, noun: Noun) -> Group:
         if noun.category is None and noun.head.split()[-1] in _SEATS:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...catalogue import CATEGORIES
+from ..parsing.lexicon import singular
 from . import function_words as fw
 from .cursor import ENDS
 from .lists import ListReader
@@ -39,6 +40,8 @@ class Parser(ListReader):
             clause = self._clause()
             if clause is not None:
                 clauses.append(clause)
+            clauses += self._pending
+            self._pending = []
             while self._tag() in ("comma", "and", "dash", "close", "open", "colon"):
                 self.i += 1
             if self.i == before:
@@ -57,7 +60,10 @@ class Parser(ListReader):
         if arrangement is not None and subjects:
             subjects[0].post.append(arrangement)
         predicate: list[Post] = []
-        people = people or self._people()
+        at_end = 0 if people else self._people()
+        people = people or at_end
+        if at_end and subjects and _is_seat(subjects[-1]) and self._tag() == "carry":
+            return self._places(subjects, at_end)
         loose = all(noun.kind in ("setting", "title") for noun in subjects)
         if people and loose and self._tag() in ("colon", "dash"):
             self.i += 1
@@ -76,6 +82,16 @@ class Parser(ListReader):
         if not subjects and not predicate and lead is None and not people:
             return None
         return Clause(subjects, predicate, lead, people)
+
+    def _places(self, subjects: list[Noun], people: int) -> Clause:
+        """Read "places for five with plates only", the last of a list."""
+        self.i += 1
+        laid = Clause(self._items(None, "with"), people=people)
+        self._skip({"only"})
+        if len(subjects) == 1:
+            return laid
+        self._pending.append(laid)
+        return Clause(subjects[:-1])
 
     def _read_headed(self, subjects: list[Noun], predicate: list[Post]) -> None:
         """Read "an office desk: a laptop, a mug": what follows belongs to the first."""
@@ -141,6 +157,8 @@ class Parser(ListReader):
         k = int(self._text() in ("for", "at", "in"))
         if self._text(k) in ("everyone", "everybody"):
             k += 1
+        elif self._seats and self._text() in fw.AT_SEATS:
+            k = 1
         elif self._tag(k) == "each" and self._text(k + 1) in fw.SEATED:
             k += 2
         else:
@@ -168,6 +186,7 @@ class Parser(ListReader):
             number, k = (2.0 if self._text(k + 2 - self.i) == "couple" else 4.0), k + 1
         if number is None or not 1 <= number <= 24:
             return 0
+        self._seats = True
         end = k + 2
         if self._text(end - self.i) in fw.PEOPLE_WORDS:
             end += 1
@@ -175,6 +194,13 @@ class Parser(ListReader):
             return 0
         self.i = end
         return int(number)
+
+
+def _is_seat(noun: Noun) -> bool:
+    """Tell whether a phrase means the places at a table: "places", "settings"."""
+    return noun.kind in ("setting", "collective") and bool(
+        {singular(word) for word in noun.words[-1:]} & fw.SEATED
+    )
 
 
 def _is_title(noun: Noun) -> bool:

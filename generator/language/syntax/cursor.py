@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from .nouns import read_noun
 from .tokens import Token
 from .tree import (
+    Clause,
     How,
     Location,
     Noun,
@@ -32,6 +33,8 @@ class Cursor(ABC):
         self.i = 0
         self.skipped: list[Token] = []
         self._heading: Location | None = None
+        self._pending: list[Clause] = []  # clauses that were read with the one before them
+        self._seats = False  # whether the text has said for how many people it is
 
     def _starts_noun(self, ahead: int, *, determined: bool = False) -> bool:
         if self._tag(ahead) not in ("word", "name", "number", "each"):

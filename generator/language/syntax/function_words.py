@@ -258,6 +258,7 @@ FILLERS = _words(
     "of from for at to as or than about onto through per via during after until while when where "
     "there here again too also just only very really quite then so if because since ready using "
     "used made seen look looks looking please well etc eg ie such like respectively namely "
+    "oops hm hmm er uh um oh ah kidding hang "
     "approximately roughly exactly own same whole next ll d"
 )
 
@@ -291,6 +292,11 @@ PEOPLE_WORDS = _words("people persons guests diners children kids adults players
 SEATED = _words("person guest diner child kid adult player friend place seat setting student pupil "
                 "participant head cover")  # fmt: skip
 """Words after "each" and "per" for whom, or what seat, the things are laid for."""
+
+AT_SEATS = frozenset(
+    {"on each side", "on either side", "on both sides", "at each end", "at both ends"}
+)
+"""Phrases that mean every seat once the text has said for how many the table is."""
 
 WEIGHTS = _words(
     "kg g gram grams kilo kilos kilogram kilograms ml l litre litres liter liters oz "

@@ -9,6 +9,7 @@ from .tree import (
     Carry,
     Location,
     Noun,
+    Zone,
 )
 from .zones import read_zone
 
@@ -54,6 +55,9 @@ class PlaceReader(Cursor):
                 return Location(kind, Noun("pronoun", ("it",), span, "it"))
             target = self._target(nested=kind in SUPPORTING and not leading)
             if target is not None:
+                if kind == "between" and target.kind in ("setting", "collective", "part"):
+                    if target.plural:  # "between the two settings", "between both halves"
+                        return Location("at", Zone(0, 0))
                 if kind == "between":
                     self._between(target)
                 return Location(kind, target, target.each)

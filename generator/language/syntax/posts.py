@@ -13,6 +13,7 @@ from .tree import (
     VARIED,
     Arranged,
     Carry,
+    Counted,
     Description,
     How,
     Lack,
@@ -119,8 +120,14 @@ class PostReader(PlaceReader):
         self.i = end
         if not found.words and found.lengths:
             out.append(Description(({},), found.lengths))
-        elif many and found.kind == "member" and not found.words and (found.count or found.amount):
-            noun.count, noun.amount = found.count, found.amount
+        elif found.kind == "member" and not found.words and (found.count or found.amount):
+            if many:
+                noun.count, noun.amount = found.count, found.amount
+            elif found.count and self._tag() == "close":
+                out.append(Counted(found.count))
+            else:
+                self.i = before
+                return False
         elif not many or not self._parcels(found, noun, out):
             self.i = before
             return False

@@ -101,6 +101,13 @@ class Description:
     lengths: tuple[float, ...] = ()
 
 
+@dataclass(frozen=True)
+class Counted:
+    """How many there are of what was named without a number: "... (there are 5)"."""
+
+    count: float
+
+
 VARIED: Mapping[str, tuple[Mapping[str, str], ...]] = {
     "color": tuple({"color": word} for word in (
         "red", "blue", "yellow", "green", "white", "orange", "purple", "black")),
@@ -109,7 +116,7 @@ VARIED: Mapping[str, tuple[Mapping[str, str], ...]] = {
 """What "in different colours" and "of various sizes" mean, one after the other."""
 
 
-Post = Location | Carry | Lack | Arranged | Description
+Post = Location | Carry | Lack | Arranged | Description | Counted
 
 
 @dataclass

@@ -1,0 +1,207 @@
+"""What a text takes back: "two cups - no, three", "on the left, or rather on the right"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from . import function_words as fw
+from .cursor import ENDS
+from .nouns import attributes_of, read_noun
+from .tokens import Token
+from .tree import Noun
+from .zones import read_zone
+
+_MARKERS = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "no wait", "wait no", "wait", "hm no", "hmm no", "er no", "uh no", "oh no", "ah no",
+        "sorry", "no sorry", "i mean", "i meant", "or rather", "scratch that", "correction",
+        "on second thought", "on second thoughts", "just kidding", "kidding", "hang on", "no", "oops",
+        "no actually", "actually no", "actually", "not that", "my mistake", "strike that", "nah",
+        "no hang on", "oh wait", "er", "better", "no make", "make", "change that", "change it", "no just",
+    )
+)  # fmt: skip
+"""Words that take back what was said just before, or that change it."""
+
+_WEAK = frozenset({("no",), ("make",), ("wait",), ("better",), ("er",), ("actually",), ("no", "make")})
+"""Those that are such words only where what follows shows it."""
+
+_LED = frozenset(
+    "make that it them just put let is s say rather actually to be there should have us i mean want "
+    "but instead please change".split()
+)
+"""Words between a marker and what is right."""
+
+_PAUSES = ("comma", "dash", "stop", "open", "close", "colon")
+
+
+def correct_course(tokens: Sequence[Token]) -> list[Token]:
+    """Return the tokens of a text as it would be without what it takes back."""
+    out = list(tokens)
+    i = 0
+    while i < len(out):
+        found = _marker(out, i)
+        if found is None:
+            i += 1
+            continue
+        start, end = found
+        changed = _replace(out, start, end)
+        if changed is None:
+            i += 1
+        else:
+            out, i = changed, max(0, start - 1)
+    return out
+
+
+def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
+    """Return where a correction begins, with its pauses, and where what is right begins."""
+    if i == 0 or tokens[i - 1].tag not in _PAUSES:
+        return None
+    words = _words(tokens, i)
+    phrase = max((m for m in _MARKERS if words[: len(m)] == m), key=len, default=None)
+    if phrase is None:
+        return None
+    end, seen = i, 0
+    while seen < len(phrase):
+        seen += len(tokens[end].words)
+        end += 1
+    paused = end < len(tokens) and tokens[end].tag in ("comma", "dash", "colon")
+    if phrase in _WEAK and not paused and phrase != ("no", "make"):
+        following = words[len(phrase) : len(phrase) + 1]
+        if phrase == ("make",) and following not in (("that",), ("it",), ("them",)):
+            return None
+        if phrase in (("no",), ("better",), ("er",), ("wait",)) and following != ("make",):
+            return None
+    while end < len(tokens) and (
+        tokens[end].tag in ("comma", "dash", "colon")
+        or (tokens[end].tag == "word" and tokens[end].text in _LED)
+    ):
+        end += 1
+    start = i
+    while start and tokens[start - 1].tag in _PAUSES:
+        start -= 1
+    return (start, end) if start and end < len(tokens) and tokens[end].tag not in ENDS else None
+
+
+def _words(tokens: Sequence[Token], i: int) -> tuple[str, ...]:
+    """Return up to four words from a token on, up to the next mark."""
+    words: list[str] = []
+    for token in tokens[i : i + 4]:
+        if token.tag in (*_PAUSES, *ENDS):
+            break
+        words += [word.text for word in token.words]
+    return tuple(words)
+
+
+def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
+    """Return the tokens with what stands before ``start`` put right; None if nothing fits."""
+    before, after = tokens[:start], tokens[right:]
+    if after[0].tag == "no":  # "some ants - kidding, no ants"
+        return [*before, Token("stop", after[0].words), *after]
+    if after[0].tag in ("relation", "here", "arranged") or read_zone(after, 0) is not None:
+        cut = _place_before(before)
+        return None if cut is None else before[:cut] + _unpaused(after)
+    participle = after[0].tag == "word" and after[0].text in fw.PARTICIPLES
+    if participle and len(after) > 1 and after[1].tag in ("relation", "arranged"):
+        cut = _place_before(before)
+        return None if cut is None else before[:cut] + _unpaused(after)
+    noun, end = read_noun(after, 0)
+    if noun is None:
+        return None
+    rest = _unpaused(after[end:], first=True)
+    if noun.attributes and noun.kind in ("adjective", "member"):
+        return _repaint(before, noun, rest)
+    if noun.kind in ("adjective", "member"):
+        return _recount(before, after[:end], noun, None, rest)
+    if noun.count is not None:
+        counted = _recount(before, after[:end], noun, noun.head, rest)
+        if counted is not None:
+            return counted
+    span = _last_noun(before)
+    return None if span is None else before[: span[0]] + after[:end] + rest
+
+
+def _unpaused(tokens: list[Token], *, first: bool = False) -> list[Token]:
+    """Drop the dash or bracket that closes an aside, the next one or the first token."""
+    for k, token in enumerate(tokens):
+        if token.tag in ENDS or (first and k):
+            break
+        if token.tag in ("dash", "close"):
+            return tokens[:k] + tokens[k + 1 :]
+    return tokens
+
+
+def _place_before(before: Sequence[Token]) -> int | None:
+    """Return where the last place or arrangement that was said begins."""
+    for k in range(len(before) - 1, 0, -1):
+        if before[k].tag in ENDS and k < len(before) - 1:
+            break
+        if before[k].tag in ("relation", "here", "arranged") or (
+            before[k].text in ("in", "on", "at", "to") and read_zone(before, k) is not None
+        ):
+            while k and (
+                before[k - 1].tag in ("comma", "each")
+                or before[k - 1].text in (*fw.PARTICIPLES, "one", *fw.BE)
+            ):
+                k -= 1
+            return k
+    return None
+
+
+def _nouns(before: Sequence[Token]) -> list[tuple[int, int, Noun]]:
+    """Return the noun phrases of tokens, each with where it begins and ends."""
+    found, k = [], 0
+    while k < len(before):
+        noun, end = read_noun(before, k)
+        if noun is None or end <= k:
+            k += 1
+            continue
+        found.append((k, end, noun))
+        k = end
+    return found
+
+
+def _last_noun(before: Sequence[Token]) -> tuple[int, int] | None:
+    phrases = [p for p in _nouns(before) if p[2].kind not in ("adjective", "member", "abstract")]
+    return phrases[-1][:2] if phrases else None
+
+
+def _recount(
+    before: list[Token], said: Sequence[Token], noun: Noun, head: str | None, rest: list[Token]
+) -> list[Token] | None:
+    """Give the last things that were counted, those of a name if one is given, another number."""
+    number = [t for t in said if t.tag == "number" or t.text in fw.NUMBERS or t.text in fw.AMOUNTS]
+    if not number or (noun.count is None and noun.amount is None):
+        return None
+    phrases = [p for p in _nouns(before) if p[2].kind in ("thing", "collective")]
+    if head is not None:
+        phrases = [p for p in phrases if p[2].head == head]
+    else:
+        several = [p for p in phrases if p[2].plural or (p[2].count or 1) > 1]
+        phrases = several or phrases
+    if not phrases:
+        return None
+    start, end, _ = phrases[-1]
+    old = [k for k in range(start, end) if before[k].tag == "number" or before[k].text in
+           (*fw.NUMBERS, *fw.INDEFINITE, *fw.AMOUNTS)]  # fmt: skip
+    kept = [before[k] for k in range(start, end) if k not in old]
+    whole = before[:start] + list(number) + kept + before[end:]
+    return whole + rest
+
+
+def _repaint(before: list[Token], noun: Noun, rest: list[Token]) -> list[Token] | None:
+    """Change the colour, size or material of the last thing that has one."""
+    for start, end, _ in reversed(_nouns(before)):
+        for k in range(start, end):
+            kinds = set(attributes_of((before[k].text,))) & set(noun.attributes)
+            if kinds:
+                words = [w for w in noun.words if set(attributes_of((w,))) & kinds]
+                new = [_said(before[k], w) for w in words]
+                return before[:k] + new + before[k + 1 :] + rest
+    return None
+
+
+def _said(token: Token, word: str) -> Token:
+    """Return a token of another word at the same place."""
+    return Token("word", (replace(token.words[0], text=word),), word)
