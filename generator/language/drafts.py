@@ -34,6 +34,8 @@ class Draft:
     position: str | None = None
     contents: str = ""
     told: bool = False
+    counted: bool = False  # named with an article or a number
+    also: str = ""  # another noun for it: the tube, of a "tube of paint"
 
     def relate(self, kind: str, target: Draft | str) -> None:
         """Add a relation; it replaces one that was only assumed."""

@@ -35,6 +35,10 @@ _PEOPLE = re.compile(
 )
 
 
+_LAID = re.compile(r"\b(?:set|lay|laid|setting|settings|places|seats)\b")
+_OWN = 3
+"""So many kinds of things of its own say that a text lays its table itself."""
+
 _DENSITIES: Mapping[str, Density] = MappingProxyType(
     {
         "cluttered": "dense", "crowded": "dense", "messy": "dense", "packed": "dense",
@@ -77,6 +81,9 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
     _check_bare(reading, objects)
     people = reading.people or people
     laid = (name or "dining") if reading.people else name
+    own = len({o.noun for o in objects})
+    if people > 1 and own >= _OWN and not _LAID.search(text):
+        people, reading.people = 0, 0
     setting = setting_of(THEMES[laid], objects) if laid and people > 1 else None
     if setting is None and reading.people:
         setting = setting_of(THEMES["dining"], objects)

@@ -29,6 +29,7 @@ from .parsing.vocabulary import (
 from .semantics.interpreter import Interpreter
 from .syntax.clauses import Parser
 from .syntax.corrections import correct_course
+from .syntax.talk import drop_talk
 from .syntax.tokens import list_skipped, small_words, tokens_of
 from .syntax.tree import Sentence
 from .syntax.words import words_of
@@ -76,9 +77,12 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
     """
     check_text(prompt)
     spelt, fixes = correct(words_of(_undrawn(prompt)), _known_words())
-    parser = Parser(correct_course(tokens_of(spelt, lexicon.is_phrase_start)))
+    said = correct_course(tokens_of(spelt, lexicon.is_phrase_start))
+    tokens, talk = drop_talk(said)
+    parser = Parser(tokens)
     sentences = parser.sentences()
     reading = Interpreter(rng).read(sentences)
+    reading.lost += talk
     reading.lost += list_skipped(parser.skipped)
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
     reading.warnings += [f"Not understood: {phrase!r}." for phrase in dict.fromkeys(reading.lost)]

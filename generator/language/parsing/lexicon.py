@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cache
 from types import MappingProxyType
 
@@ -21,7 +21,9 @@ IRREGULAR: Mapping[str, str] = MappingProxyType(
         "geese": "goose", "feet": "foot", "teeth": "tooth", "scarves": "scarf", "wolves": "wolf",
         "calves": "calf", "hooves": "hoof", "elves": "elf", "menus": "menu", "quizzes": "quiz",
         "canvases": "canvas", "men": "man", "women": "woman", "chilies": "chili",
-        "chillies": "chilli",
+        "chillies": "chilli", "cds": "cd", "dvds": "dvd", "leds": "led", "pcs": "pc", "tvs": "tv",
+        "atlases": "atlas", "buses": "bus", "irises": "iris", "cacti": "cactus", "fungi": "fungus",
+        "cactuses": "cactus", "crocuses": "crocus", "octopuses": "octopus", "lotuses": "lotus",
     }
 )  # fmt: skip
 
@@ -33,7 +35,7 @@ PLURAL_ONLY = frozenset(
      "eyeglasses", "binoculars", "headphones", "earphones", "earbuds", "earmuffs", "defenders",
      "trousers", "jeans", "shorts", "pants", "tights", "leggings", "pyjamas", "pajamas",
      "clippers", "nippers", "shears", "secateurs", "pincers", "snips", "cutters", "strippers",
-     "calipers", "callipers", "overalls", "dungarees", "braces", "pruners", "loppers", "muffs"}
+     "calipers", "callipers", "scales", "overalls", "dungarees", "braces", "pruners", "loppers", "muffs"}
 )  # fmt: skip
 """Nouns of one thing that have no singular: "a pair of tweezers" is one."""
 
@@ -126,6 +128,11 @@ def is_phrase_start(words: tuple[str, ...]) -> bool:
 def is_setting(word: str) -> bool:
     """Tell whether a word names a place or an aspect of the picture instead of an object."""
     return word in PLACES or singular(word) in PLACES
+
+
+def names() -> Collection[str]:
+    """Return every name of a category."""
+    return _index().keys()
 
 
 @cache

@@ -19,7 +19,7 @@ from ..syntax.tree import (
     Zone,
 )
 from . import contents
-from .linking import open_up
+from .linking import open_up, topmost
 from .references import Target
 from .relating import CUTLERY
 from .things import ThingReader
@@ -59,6 +59,7 @@ class CarryReader(ThingReader, ABC):
                 items = (*items[:-1], replace(items[-1], post=[
                     p for p in items[-1].post if p not in moved]))  # fmt: skip
             each = post.each or post.how == "hold" or (noun is not None and noun.each)
+            each = each and not (isinstance(owner, list) and _is_pile(owner))
             if isinstance(owner, list) and len(owner) > 1 and each:
                 items = tuple(_times(item, len(owner)) for item in items)
             groups = self._list(items, owner)
@@ -73,6 +74,10 @@ class CarryReader(ThingReader, ABC):
             context.owner, context.subject = outer, subject
 
     def _contents(self, post: Carry, owner: Group, noun: Noun) -> None:
+        if post.each and len(post.items) == len(owner):  # "bottles of gin, rum and vermouth"
+            for inner, draft in zip(post.items, owner, strict=True):
+                contents.label(noun, inner, [draft])
+            return
         for inner in post.items:
             if contents.labels(noun, inner):
                 contents.label(noun, inner, owner)
@@ -88,6 +93,9 @@ class CarryReader(ThingReader, ABC):
             if draft.relations or any(draft is o for o in owners):
                 continue
             owner = owners[min(k // share, len(owners) - 1)]
+            if _is_pile(owners):
+                top = topmost(owners[0])
+                owner = top if isinstance(top, Draft) else owner
             kind = post.back or assumed_relation(draft, owner, held=post.how != "with")
             if (
                 post.back in ("on", "in")
@@ -105,6 +113,11 @@ class CarryReader(ThingReader, ABC):
     @abstractmethod
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
+
+
+def _is_pile(group: Group) -> bool:
+    """Tell whether things are a stack, which carries others on its top."""
+    return len(group) > 1 and group[0].stacked_under is not None
 
 
 def _is_filled(post: Carry, owner: Group, items: Sequence[Noun]) -> bool:

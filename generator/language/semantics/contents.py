@@ -31,6 +31,8 @@ def labels(owner: Noun, inner: Noun) -> bool:
     if head in DEPICTIONS or (owner.category or "") in ("picture_frame", "photo_print"):
         return True
     said = " ".join(inner.words)
+    if inner.head and category_of((*owner.head.split(), "of", *inner.head.split()[-1:])):
+        return True  # "a ball of blue yarn"
     if inner.head in SUBSTANCES or said in SUBSTANCES or set(inner.words) & SUBSTANCES:
         return True
     if inner.kind == "setting":
@@ -88,7 +90,10 @@ def label(owner: Noun, inner: Noun, drafts: Group) -> None:
     itself = known and (not inner.plural or bool(PACKAGES & set(str(inner.category).split("_"))))
     whole = category_of((*owner.head.split(), "of", *inner.head.split()[-1:]))
     for draft in drafts:
-        draft.category = whole or draft.category
+        draft.also = owner.head
+        if whole:
+            draft.category = whole
+            draft.attributes.update(inner.attributes)
         if itself and inner.head not in SUBSTANCES:
             draft.category, draft.noun = inner.category, inner.head
         else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from ...errors import InputError
 from ...scene import TABLE
@@ -24,7 +25,7 @@ from ..syntax.tree import (
 )
 from .carrying import CarryReader
 from .linking import link
-from .references import Context, Target, antecedent
+from .references import Context, Target, antecedent, find_referred
 
 _SOME_PEOPLE = 4
 """For how many "everyone" is where the text does not say it."""
@@ -43,6 +44,7 @@ class Interpreter(CarryReader):
         for sentence in sentences:
             context = self._context
             context.earlier = context.topic or context.earlier
+            self._earlier_side, self._started = self._side, len(self.reading.objects)
             context.topic, context.parallel, self._side = None, None, None
             for clause in sentence.clauses:
                 self._clause(clause)
@@ -70,6 +72,8 @@ class Interpreter(CarryReader):
                 self._lack(post, [])
             else:
                 self._predicate(post, things, groups)
+        firsts = [d for group in things for d in group if not is_supported(d)]
+        self._context.listed = firsts if len(things) > 2 else []
         if things and self._context.topic is None:
             self._context.topic = things[0]
 
@@ -125,8 +129,20 @@ class Interpreter(CarryReader):
         """Arrange "an apple, a pear and a peach in a row": what is said of the last is of all."""
         posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
         groups = [group for group in found if isinstance(group, list)]
-        if posts and len(groups) > 1 and all(len(g) == 1 and not g[0].relations for g in groups):
+        if not posts or len(groups) < 2:
+            return
+        if posts[0].order == "listed":
+            self._line_up(groups)
+        elif all(len(g) == 1 and not g[0].relations for g in groups):
             self._arrange(posts[0], [draft for group in groups for draft in group])
+
+    def _line_up(self, groups: Sequence[Group]) -> None:
+        """Put groups beside one another in the order in which they were named."""
+        firsts = [group[:1] for group in groups if not is_supported(group[0])]
+        for one, other in pairwise(firsts):
+            link("left_of", one, other, self.reading.warnings)
+        if len(firsts) > 1:
+            self._arrange(Arranged("row"), [draft for group in firsts for draft in group])
 
     def _gather(self, place: Location, found: Sequence[Target]) -> None:
         """Put "an apple, a pear and a plum around a bowl" all around it."""
@@ -197,12 +213,19 @@ class Interpreter(CarryReader):
                 if isinstance(post, Carry):
                     self._list(post.items, None)
             return None
+        shown = [p for p in noun.post if isinstance(p, Carry) and p.how == "of"]
+        strange = noun.kind == "thing" and not noun.category and not noun.family
+        if strange and shown and any(item.determined for item in shown[0].items):
+            self.reading.lost.append(noun.head)  # "a packshot of three cans"
+            first = shown[0].items[0]
+            rest = [post for post in noun.post if post is not shown[0]]
+            return self._noun(replace(first, post=[*first.post, *rest]), owner)
         if noun.kind in ("setting", "vague", "abstract"):
             return self._loose(noun)
         if noun.kind == "part":
             if owner == TABLE:
                 self.reading.table_parts.append(noun)
-            return None
+            return self._loose(noun)
         if noun.kind in ("member", "adjective"):
             return self._member(noun) or self._loose(noun)
         group = self._thing(noun)
@@ -297,7 +320,9 @@ class Interpreter(CarryReader):
         outer, context.subject = context.subject, subject
         try:
             if noun.kind == "pronoun":
-                return antecedent(noun, place.kind, context)
+                found = antecedent(noun, place.kind, context)
+                sided = place.kind in ("left_of", "right_of", "in_front_of", "behind")
+                return TABLE if found is None and sided else found  # "two cups in front"
             if place.each and len(subject) > 1 and _is_one(noun):
                 return self._noun(replace(noun, count=float(len(subject))), None)
             if noun.each or (place.each and not noun.determined):
@@ -305,6 +330,10 @@ class Interpreter(CarryReader):
                          and (noun.category or d.noun == noun.head)]  # fmt: skip
                 if found:
                     return found
+            bare = noun.kind == "thing" and not (noun.determined or noun.plural or noun.post)
+            known = find_referred(replace(noun, definite=True), self.reading.objects, subject)
+            if bare and known:  # "left of tray: ..."
+                return known
             target = self._noun(noun, None)
         finally:
             context.subject = outer
@@ -347,11 +376,11 @@ class Interpreter(CarryReader):
             for draft in members[1:]:
                 if not draft.relations:
                     draft.relations.append(("right_of", members[0]))
-            standing = tuple(d for d in members if not _is_supported(d))
+            standing = tuple(d for d in members if not is_supported(d))
             self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
 
 
-def _is_supported(draft: Draft) -> bool:
+def is_supported(draft: Draft) -> bool:
     return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
 
 

@@ -88,9 +88,7 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
             _put_beside(draft, chosen)
         for target in chosen:
             if target is draft:
-                raise InputError(
-                    f"The text relates the {draft.noun} to itself; name two different objects."
-                )
+                continue
             _link(kind, draft, target, warnings)
 
 

@@ -25,6 +25,7 @@ class Context:
         parallel: what the item before in the same list was related to.
         topic: the first subject of this sentence.
         earlier: the first subject of the sentence before.
+        listed: all things of the last sentence that listed several kinds.
         mentioned: every group in the order it was named.
     """
 
@@ -33,12 +34,16 @@ class Context:
     parallel: Target | None = None
     topic: Target | None = None
     earlier: Target | None = None
+    listed: Group = field(default_factory=list)
     mentioned: list[Group] = field(default_factory=list)
 
 
 def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     """Return what a pronoun means as the target of a relation; None if there is nothing."""
     several = pronoun.plural
+    if pronoun.head == "that":  # what was named last
+        latest = [g for g in reversed(context.mentioned) if not _overlaps(g, context.subject)]
+        return next((g for g in latest if may_carry(g[0], kind)), latest[0] if latest else None)
     if context.owner == TABLE and kind in ("on", "in", "at", "center", "edge") and not several:
         return TABLE
     candidates: list[Target | None] = [
@@ -47,10 +52,12 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     ]  # fmt: skip
     fit = [c for c in candidates if isinstance(c, list) and c and not _overlaps(c, context.subject)]
     if kind in ("on", "in") and not several:  # "on it" is on what can carry something
-        fit.sort(key=lambda group: not _may_carry(group[0], kind))
+        fit.sort(key=lambda group: not may_carry(group[0], kind))
     for group in fit:
         if (len(group) > 1) == several:
             return group
+    if several and context.listed and not any(d in context.subject for d in context.listed):
+        return context.listed
     if several:
         latest = [g for g in context.mentioned if not _overlaps(g, context.subject)][-2:]
         if latest:
@@ -63,7 +70,8 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
 _WIDE = 0.12  # metres: a flat thing so wide may carry another
 
 
-def _may_carry(draft: Draft, kind: str) -> bool:
+def may_carry(draft: Draft, kind: str) -> bool:
+    """Tell whether a thing may have others on it, or in it."""
     if draft.category is None:
         return True
     known = CATEGORIES[draft.category]
@@ -95,8 +103,13 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
     What is being related is not meant: "a mug on the mug" of one mug is the mug itself.
     """
     alike = [d for d in objects if same(d, noun)] or _find_by_head(objects, noun)
+    alike = [d for d in alike if d.also == noun.head] or alike
     if not alike and noun.head in GROUPS:  # "behind the stack"
         return _last_arranged(objects)
+    if noun.each and alike:
+        return alike
+    if noun.ordinal and len(alike) > 1:
+        return pick(alike, noun.ordinal)
     if noun.position is not None:
         placed = [d for d in alike if d.position == noun.position]
         if placed or any(d.position for d in alike) or len(alike) < 2:
@@ -112,6 +125,12 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
         return alike[: int(noun.count)] if noun.count and noun.count <= len(alike) else alike
     free = [d for d in alike if all(d is not s for s in subject)]
     return (free or alike)[:1]
+
+
+def pick(group: Sequence[Draft], ordinal: int) -> Group:
+    """Return the first, second, ... or last (-1) of several; none where there are not so many."""
+    at = ordinal - 1 if ordinal > 0 else ordinal
+    return [group[at]] if -len(group) <= at < len(group) else []
 
 
 def _last_arranged(objects: Sequence[Draft]) -> Group:
@@ -132,6 +151,9 @@ def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
     found = []
     for draft in objects:
         words = [singular(word) for word in draft.noun.split(" of ")[0].split()]
-        if head in (words[-1:], draft.noun.split()[-1:]) and _agrees(draft, noun):
+        if head in (words[-1:], draft.noun.split()[-1:], draft.also.split()[-1:]) and _agrees(draft, noun):
             found.append(draft)
-    return found
+    if found or len(head[0]) < 3:
+        return found
+    joined = [d for d in objects if d.noun.split()[-1].endswith(head[0]) and _agrees(d, noun)]
+    return joined  # "the pot": the teapot

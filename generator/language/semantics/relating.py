@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -40,6 +41,7 @@ class Relater:
     reading: Reading = field(default_factory=Reading)
     _context: Context = field(default_factory=Context)
     _side: tuple[str, Target] | None = None  # the last "left of X" of this sentence
+    _earlier_side: tuple[str, Target] | None = None  # that of the sentence before
     _guests: int = 0  # for how many a table is laid; 0 where that is not said
     _seated: int | None = None  # the first object of the place setting that is being read
 
@@ -54,6 +56,8 @@ class Relater:
                 self._zone(place.target, group, loose=kind in ("beside", "aside"))
             return
         if target == TABLE:
+            if kind == "aim":
+                return
             if kind == "under":
                 self.reading.warnings.append(
                     f"The {group[0].noun} cannot go under the table; it stands on it."
@@ -63,10 +67,13 @@ class Relater:
                     draft.relate(kind, TABLE)
             return
         assert isinstance(target, list)
+        if kind == "aim":
+            return  # "push it towards the cone"
         if any(draft is other for draft in group for other in target):
-            raise InputError(
-                f"The text relates the {group[0].noun} to itself; name two different objects."
+            self.reading.warnings.append(
+                f"The text relates the {group[0].noun} to itself; it stands where there is room."
             )
+            return
         if place.each or (isinstance(place.target, Noun) and place.target.each):
             self._one_each(group, target)
         self._drop_assumed(group, target)
@@ -120,6 +127,12 @@ class Relater:
         if self._seated is not None or not zone.x or zone.y:
             return False
         context = self._context
+        side = self._side or self._earlier_side
+        if side is not None and side[0] in ("left_of", "right_of") and isinstance(side[1], list):
+            base = side[1]
+            if all(d is not b for d in group for b in base):
+                link("left_of" if zone.x < 0 else "right_of", group, base, self.reading.warnings)
+                return True
         middle = [d for d in self.reading.objects if ("center", TABLE) in d.relations]
         for base in (middle[:1], context.topic, context.earlier):
             if not isinstance(base, list) or len(base) != 1 or base[0] in group:
@@ -152,6 +165,10 @@ class Relater:
             if kind in ("left_of", "right_of") and isinstance(target, list):
                 link("left_of" if zone.x < 0 else "right_of", group, target, self.reading.warnings)
                 return
+        if zone.spread and zone.edge and len(group) == 1:  # "a candle in every corner"
+            one = group[0]
+            while len(group) < len(_CORNERS):
+                group.append(self.reading.add(one.noun, one.category, one.attributes))
         if zone.spread and 1 < len(group) <= len(_CORNERS):
             for draft, kinds in zip(group, _CORNERS, strict=False):
                 for kind in kinds:
@@ -169,6 +186,9 @@ class Relater:
     def _arrange(self, post: Arranged, group: Group) -> None:
         if len(group) < 2:
             return
+        if post.order == "listed" and len({(d.noun, d.category) for d in group}) > 1:
+            for one, other in pairwise(group):
+                link("left_of", [one], [other], self.reading.warnings)
         stacked = any(draft.stacked_under is not None for draft in group)
         if stacked or post.kind == "stack":  # the largest at the bottom
             group = put_in_order(group, "size down" if post.order else "ranks down")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group
@@ -14,11 +14,13 @@ from ..syntax.tree import (
     VARIED,
     Arranged,
     Description,
+    Location,
     Noun,
     Post,
 )
 from .ordering import size_rank
-from .references import find_referred
+from .linking import link
+from .references import find_referred, may_carry, pick
 from .relating import Relater
 
 _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "sticky_notes"))
@@ -45,11 +47,17 @@ class ThingReader(Relater, ABC):
     """
 
     _uncounted: Group = field(default_factory=list)
+    _fresh: Group = field(default_factory=list)  # the last things that came in
+    _started: int = 0  # how many things the sentences before this one have named
 
     def _thing(self, noun: Noun) -> Group:
         """Return the objects a noun phrase means: those there are, or new ones."""
         if noun.kind == "collective":
             return self._collective(noun)
+        known = any(d.category == noun.category for d in self.reading.objects if noun.category)
+        if noun.definite and not known and noun.head in fw.GROUPS:
+            if found := self._arranged_as(fw.GROUPS[noun.head]):
+                return found
         if noun.definite or noun.other or noun.each:
             known = self.reading.objects[self._seated or 0 :]
             found = find_referred(noun, known, self._context.subject)
@@ -57,9 +65,17 @@ class ThingReader(Relater, ABC):
                 found = [d for d in self.reading.objects if d.noun == noun.head]
             if found and not (noun.other and not noun.definite):
                 return found
+        bare = not noun.determined and noun.kind == "thing" and not noun.variants
+        placed = any(isinstance(post, Location | Arranged) for post in noun.post)
+        if bare and placed and self._started:
+            known = [d for d in self.reading.objects[: self._started] if d.counted]
+            if found := find_referred(replace(noun, definite=True), known):
+                return found
         return self._introduce(noun)
 
     def _collective(self, noun: Noun) -> Group:
+        if noun.count == 2 and "both" in noun.words[:1]:
+            return []
         if noun.definite and (known := self._collected(noun)):
             return known
         members = [m for m in noun.members if m not in self.reading.excluded]
@@ -93,7 +109,7 @@ class ThingReader(Relater, ABC):
             claimed[0].attributes.update(noun.attributes)
             return claimed[:1]
         there = {draft.category for draft in self.reading.objects}
-        meant = MEANT_WITH.get(noun.head, ())
+        meant = MEANT_WITH.get(singular(noun.head), ())
         category = next((key for other, key in meant if other in there), noun.category)
         head = noun.head if category == noun.category else str(category).replace("_", " ")
         single = noun.category in _ONE_PIECE and (
@@ -112,6 +128,9 @@ class ThingReader(Relater, ABC):
             )
             for k in range(count)
         ]  # fmt: skip
+        self._fresh = group
+        for draft in group:
+            draft.counted = noun.determined
         if noun.count is None and noun.amount is None and len(group) > 1 and not noun.variants:
             self._uncounted = group
         if noun.arrangement is not None:
@@ -122,15 +141,24 @@ class ThingReader(Relater, ABC):
 
     def _member(self, noun: Noun) -> Group | None:
         """Read "one on the plate", "the other behind it": single ones of the last group."""
-        if noun.definite and (best := self._superlative(noun)):
+        if noun.definite and (best := self._ordinal(noun) or self._superlative(noun)):
             self._posts(noun, best)
             return best
         if noun.definite and noun.attributes:  # "the red one"
             wanted = noun.attributes.items()
             known = [d for d in self.reading.objects if wanted <= d.attributes.items()][-1:]
+            several = [g for g in self._context.mentioned if len(g) > 1][-1:]
+            if not known and several:  # "two mugs: the blue one left of the board, ..."
+                free = [d for d in several[0] if not (d.told or noun.attributes.keys() & d.attributes)]
+                for draft in (known := free[:1]):
+                    draft.told = True
+                    draft.attributes.update(noun.attributes)
             if known:
                 self._posts(noun, known)
             return known or None
+        heaps = [{*g.members} for g in self.reading.groupings if g.kind == "pyramid"]
+        if self._context.mentioned and {*self._context.mentioned[-1]} in heaps and not noun.definite:
+            return []  # "a pyramid of six blocks: three at the bottom, two on those, one on top"
         groups = [g for g in self._context.mentioned if len(g) > 1]
         latest = self._context.mentioned[-1:]
         fresh = latest and latest[0] is not self._uncounted and len(latest[0]) == 1
@@ -141,6 +169,16 @@ class ThingReader(Relater, ABC):
                                  lengths=noun.lengths)
                 for _ in range(self.reading.number(noun, self.rng))
             ]  # fmt: skip
+            self._context.mentioned.append(made)
+            self._posts(noun, made)
+            return made
+        if noun.arrangement and "ones" in noun.words and self._fresh:
+            like = self._fresh[0]
+            made = [
+                self.reading.add(like.noun, like.category, noun.attributes, family=like.family)
+                for _ in range(self.reading.number(noun, self.rng))
+            ]  # fmt: skip
+            self._arrange(Arranged(noun.arrangement), made)
             self._context.mentioned.append(made)
             self._posts(noun, made)
             return made
@@ -167,6 +205,32 @@ class ThingReader(Relater, ABC):
         if chosen:
             self._posts(noun, chosen)
         return chosen or None
+
+    def _arranged_as(self, kind: str) -> Group:
+        """Return the things of the last arrangement of a kind: "the pyramid", "this circle"."""
+        for grouping in reversed(self.reading.groupings):
+            members = list(grouping.members)
+            if grouping.kind == kind and all(d not in self._context.subject for d in members):
+                return members
+        return []
+
+    def _ordinal(self, noun: Noun) -> Group:
+        """Return what "the second", "the left one" or "the empty one" means of the last several."""
+        groups = [group for group in self._context.mentioned if len(group) > 1]
+        if not groups:
+            return []
+        group = groups[-1]
+        if noun.ordinal:
+            arranged = [list(g.members) for g in self.reading.groupings]
+            return pick(next((g for g in reversed(groups) if g in arranged), group), noun.ordinal)
+        if "empty" in noun.words:
+            group = next((g for g in reversed(groups) if may_carry(g[0], "on")), group)
+            carriers = [to for d in self.reading.objects for _, to in d.relations]
+            return [d for d in group if all(d is not to for to in carriers)][:1]
+        if noun.position in ("left", "right") and len(group) < 4:
+            link("left_of", group[:1], group[-1:], self.reading.warnings)
+            return group[:1] if noun.position == "left" else group[-1:]
+        return []
 
     def _superlative(self, noun: Noun) -> Group:
         """Return the one that "the smallest" or "the middle one" means of the last several."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...catalogue import CATEGORIES
 from ..parsing.lexicon import singular
+from ..words.verbs import is_verb
 from . import function_words as fw
 from .cursor import ENDS
 from .lists import ListReader
@@ -14,10 +15,14 @@ from .tree import (
     Carry,
     Clause,
     Description,
+    Lack,
+    Location,
     Noun,
     Post,
     Sentence,
+    Zone,
 )
+from .zones import read_zone
 
 
 class Parser(ListReader):
@@ -50,7 +55,11 @@ class Parser(ListReader):
         return Sentence(clauses)
 
     def _clause(self) -> Clause | None:
-        arrangement = self._opening()
+        if zone := self._heading_line():
+            self._heading = Location("at", zone)
+        if self._tag(1) == "relation" and self._text() in fw.PARTICIPLES:
+            self.i += 1  # "sitting on it: ..."
+        arrangement = self._opening() or self._listing()
         people = self._everyone() or self._people()
         lead = self._lead()
         if lead is None and people == 0:
@@ -58,16 +67,27 @@ class Parser(ListReader):
         self._skip(fw.BE | fw.STARTERS)
         subjects = self._items(None, "with")
         if arrangement is not None and subjects:
-            subjects[0].post.append(arrangement)
+            at = -1 if arrangement.order == "listed" else 0
+            subjects[at].post.append(arrangement)
         predicate: list[Post] = []
         at_end = 0 if people else self._people()
         people = people or at_end
+        if len(subjects) == 1 and self._tag() == "colon" and (laid := self._seats_named(subjects)):
+            self.i += 1
+            return Clause(self._items(None, "with"), people=laid)
         if at_end and subjects and _is_seat(subjects[-1]) and self._tag() == "carry":
             return self._places(subjects, at_end)
         loose = all(noun.kind in ("setting", "title") for noun in subjects)
         if people and loose and self._tag() in ("colon", "dash"):
             self.i += 1
             subjects = self._items(None, "with")
+        if subjects and self._is_left_out():
+            return Clause([], [Lack(tuple(subjects))])
+        if self._is_predicate(subjects):
+            self.i += 1
+            if self._tag() == "word" and self._text() in fw.PRONOUNS:
+                self.i += 1  # "watches them from the corner"
+            self._posts(None, predicate)
         if self._text() in fw.BE or self._tag() == "relative":
             self._skip(fw.BE | fw.PARTICIPLES | {"being"})
             self._posts(None, predicate)
@@ -77,11 +97,49 @@ class Parser(ListReader):
             self._posts(None, predicate)
         if self._tag() in ("colon", "dash") and lead is None:
             self._read_headed(subjects, predicate)
+        if len(subjects) == 1 and not predicate and lead is None and self._is_fragment(subjects[0]):
+            subjects[0].kind = "abstract"
         if lead is None and self._heading is not None and subjects:
             lead = self._heading
         if not subjects and not predicate and lead is None and not people:
             return None
         return Clause(subjects, predicate, lead, people)
+
+    def _is_left_out(self) -> bool:
+        """Read "should be left out", "stays in the attic", "are not wanted"."""
+        k = 0
+        while self._text(k) in fw.BE or self._text(k) in ("that", "usually", "not", "always"):
+            k += 1
+        if k and (self._text(k), self._text(k + 1)) in fw.LEFT_OUT:
+            self.i += k + 2
+            return True
+        away = self._text() in ("stays", "stay", "remains", "remain", "stayed")
+        elsewhere = self._text(1) in ("in", "at") and self._text(2) in fw.DEFINITE
+        if away and elsewhere and self._text(3) in fw.ELSEWHERE:
+            self.i += 4
+            return True
+        return False
+
+    def _is_predicate(self, subjects: list[Noun]) -> bool:
+        """Tell whether a verb follows that only says where its subject is: "sleeps", "comes"."""
+        if not subjects or self._tag() != "word" or self._text() in fw.BE:
+            return False
+        return is_verb(self._text()) and not self._starts_category()
+
+    def _seats_named(self, subjects: list[Noun]) -> int:
+        """Return for how many "two places side by side: ..." is, 0 if it is no such thing."""
+        count = int(subjects[0].count or 0)
+        if not _is_seat(subjects[0]) or not 1 < count <= 24 or not self._starts_noun(1):
+            return 0
+        self._seats = True
+        return count
+
+    def _is_fragment(self, noun: Noun) -> bool:
+        """Tell whether a phrase that stands alone asks for nothing: "Tonight's buffet.", "Hiya"."""
+        if noun.kind != "thing" or noun.category is not None or noun.post or noun.plural:
+            return False
+        counted = noun.count is not None or noun.amount is not None or noun.each
+        return not counted and self._tag() in (*ENDS, "colon", "dash", "comma", "")
 
     def _places(self, subjects: list[Noun], people: int) -> Clause:
         """Read "places for five with plates only", the last of a list."""
@@ -103,6 +161,11 @@ class Parser(ListReader):
             first.kind = "title"
             if not first.post:
                 return  # what follows is a clause of its own
+        roles = CATEGORIES[first.category].roles if first.category else ()
+        if {"container", "support"} & {*roles} and not first.plural and self._starts_noun(1):
+            self.i += 1
+            first.post.append(Carry("hold", tuple(self._items(first, "hold"))))
+            return
         if first.kind in ("table", "setting", "title"):
             self.i += 1
             arranged = [post for post in first.post if isinstance(post, Arranged)]
@@ -133,6 +196,12 @@ class Parser(ListReader):
                 return Arranged(fw.ARRANGING_VERBS[word])  # type: ignore[arg-type]
             asks = word in fw.BE and self._text(1) in ("you", "we", "i", "someone", "anyone")
             opens = self._tag() == "word" and word in fw.STARTERS | fw.BE
+            moved = word in fw.MOVING and (
+                self._text(1) in ("up", "down", *fw.DEFINITE) or self._starts_noun(1, determined=True)
+            )
+            if moved:
+                self.i += 1 + (self._text(1) in ("up", "down"))
+                continue
             if (
                 asks
                 or (opens and self._is_opening())
@@ -142,6 +211,31 @@ class Parser(ListReader):
             else:
                 return None
         return None
+
+    def _heading_line(self) -> Zone | None:
+        """Read a line that names a part of the table: "BACK ROW", "Left side"."""
+        opens = self.i == 0 or self._tag(-1) in ENDS
+        found = read_zone(self.tokens, self.i, heading=True) if opens else None
+        if found is None or found.of:
+            return None
+        ahead = found.end - self.i
+        if self._tag(ahead) != "line" and not (
+            self._tag(ahead) == "colon" and self._tag(ahead + 1) == "line"
+        ):
+            return None
+        self.i = found.end + 1
+        return found.zone
+
+    def _listing(self) -> Arranged | None:
+        """Read "from left to right:" before a list."""
+        if self._tag() != "arranged" or "left to right" not in self._text():
+            return None
+        k = 1 + (self._tag(1) in ("colon", "comma", "dash"))
+        k += self._text(k) in fw.BE
+        if not self._starts_noun(k):
+            return None
+        self.i += k
+        return Arranged("row", "listed")
 
     def _is_opening(self) -> bool:
         """Tell whether a word opens the sentence and is no noun ("can", "set", "place")."""
@@ -161,13 +255,16 @@ class Parser(ListReader):
             k = 1
         elif self._tag(k) == "each" and self._text(k + 1) in fw.SEATED:
             k += 2
+        elif self._seats and self._tag(k) == "each" and self._tag(k + 1) == "of":
+            k += 2 + (self._text(k + 2) in fw.PRONOUNS | {"us", "you"})
         else:
             return 0
         verbs = 0
         while self._text(k) in fw.GETS or self._tag(k) == "carry":
             k, verbs = k + 1, verbs + 1
         marked = self._tag(k) in ("comma", "colon", "dash")
-        if not (verbs or marked or self._starts_noun(k)):
+        led = self._text() in ("for", "at", "in") or self._text() in fw.AT_SEATS
+        if not (marked or (self._starts_noun(k) and (verbs or led))):
             return 0
         self.i += k + marked
         return EVERYONE

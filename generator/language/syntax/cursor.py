@@ -34,6 +34,7 @@ class Cursor(ABC):
         self.skipped: list[Token] = []
         self._heading: Location | None = None
         self._pending: list[Clause] = []  # clauses that were read with the one before them
+        self._each_count = 0.0  # how many of each item of a list there are
         self._seats = False  # whether the text has said for how many people it is
 
     def _starts_noun(self, ahead: int, *, determined: bool = False) -> bool:
@@ -42,7 +43,14 @@ class Cursor(ABC):
         noun, _ = read_noun(self.tokens, self.i + ahead)
         if noun is None:
             return False
+        if noun.kind == "member" and noun.arrangement is not None:
+            return True  # "a stack of four red ones"
         return noun.determined or noun.plural if determined else noun.kind != "member"
+
+    def _starts_category(self) -> bool:
+        """Tell whether the name of something in the catalogue comes next."""
+        noun, _ = read_noun(self.tokens, self.i)
+        return noun is not None and noun.category is not None
 
     def _ended(self) -> bool:
         return self.i >= len(self.tokens) or self._tag() in ENDS

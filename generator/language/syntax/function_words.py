@@ -27,16 +27,38 @@ NUMBERS: Mapping[str, float] = MappingProxyType(
         "nineteen": 19, "twenty": 20, "thirty": 30, "forty": 40, "fifty": 50, "sixty": 60,
         "seventy": 70, "eighty": 80, "ninety": 90, "hundred": 100, "hundreds": 200,
         "thousand": 1000, "thousands": 2000, "million": 1_000_000, "millions": 2_000_000,
-        "dozen": 12, "dozens": 36, "pair": 2, "pairs": 2, "couple": 2, "trio": 3, "both": 2,
+        "dozen": 12, "dozens": 36, "brace": 2, "pair": 2, "pairs": 2, "couple": 2, "trio": 3, "both": 2,
         "single": 1, "another": 1, "twin": 2, "twins": 2, "quartet": 4, "lone": 1,
     }
 )  # fmt: skip
 """Number words; "half a dozen", "two hundred" and "three pairs" are multiplied."""
 
+PARTICLES = _words("off over up down out away")
+
+NEVER_INSIDE = _words("although though however unless whether because until during via "
+                      "than whilst instead")  # fmt: skip
+"""Words that end a noun phrase."""
+
+LEFT_OUT = frozenset(
+    {("left", "out"), ("left", "off"), ("not", "wanted"), ("not", "needed"), ("left", "away"),
+     ("taken", "away"), ("taken", "off"), ("kept", "away")}
+)  # fmt: skip
+"""Two words that say of things that they are not to be there."""
+ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed garage wardrobe car "
+                   "basement pantry closet hall bag")  # fmt: skip
+"""Where things are that "stay" there."""
+
+KINDS = _words("color colour kind type sort flavor flavour size shape one")
+
+NOBODY = _words("nothing nobody somebody someone something anything everybody anybody everyone")
+
 GETS = _words("gets get has have having receives needs is are should must will there sits")
 """Verbs after those for whom things are laid."""
 
-ORDINALS = _words("first second third fourth fifth sixth last")
+ORDINALS: Mapping[str, int] = MappingProxyType(
+    {"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "last": -1}
+)
+"""Which one of several a word means; -1 is the last."""
 
 AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
@@ -55,10 +77,10 @@ EACH = _words("each every")
 
 RELATIONS = _table(
     """
-    left_of: to the left of, on the left of, at the left of, left of, to left of, on left of
+    left_of: to the left of, on the left of, at the left of, left of, to left of, on left of, at left of, just left of
     left_of: leftwards of, left from
-    right_of: to the right of, on the right of, at the right of, right of, to right of, on right of
-    in_front_of: in front of, at the front of, ahead of, just in front of
+    right_of: to the right of, on the right of, at the right of, right of, to right of, on right of, at right of, just right of
+    in_front_of: in front of, at the front of, ahead of, just in front of, before
     behind: behind, in back of, at the back of, beyond, at the rear of, to the rear of
     next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby
     next_to: not far from, touching, by the side of, at the side of, to the side of
@@ -72,6 +94,7 @@ RELATIONS = _table(
     around: gathered around, set around, placed around
     surrounded: surrounded by, flanked by, encircled by, ringed by
     flank: on either side of, on both sides of, to either side of, on each side of, at both ends of
+    flank: each side of, at each side of, one each side of
     flank: either side of, both sides of, at each end of, at either end of
     between: between, in between, amid, among, amongst
     on: on, on top of, atop, upon, onto, above, over, over the top of, resting on top of
@@ -79,6 +102,9 @@ RELATIONS = _table(
     on: mounted on, hung on, displayed on, resting on, across, lying across, laid across
     in: in, inside, inside of, within, into, in to
     under: under, beneath, underneath, below
+    aim: towards, toward, without touching, without hitting, without moving, without knocking over
+    flank: flanking, flank, flanks
+    around: surrounds, surround, encircles, encircle
     """
 )
 """Prepositions to relations of two things. ``surrounded`` and ``under`` turn the other way."""
@@ -123,7 +149,8 @@ NEGATIONS = _words("no without not never except excluding minus lacking neither 
 NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any", "with no",
            "with out", "other than", "instead of", "devoid of", "empty of", "not a",
            "apart from", "has no", "have no", "do not", "does not", "leave out", "leave off",
-           "skip the", "hold the", "omit", "forget the", "rather than", "free from")  # fmt: skip
+           "skip the", "hold the", "scrap the", "ditch the", "remove the", "lose the",
+           "no need for", "get rid of", "take away", "omit", "forget the", "rather than", "free from")  # fmt: skip
 
 ARRANGED = _table(
     """
@@ -175,10 +202,19 @@ GROUPS = _table(
     group: slices, type, types, kind, kinds, sort, sorts, lot, sheet, sheets, serving, portion
     group: clove, cloves, head, heads, stalk, stalks, strip, strips, wedge, wedges, chunk, chunks
     group: roll, rolls, reel, reels, thumb, pinch, dash, drizzle, pat, knob, stick, sticks
-    group: helping, unit, units, item, items, plenty, spread, sprig, clump
+    group: half, halves, quarter, quarters, pint, pints, trio, brace, lump, lumps, helping, unit, units, item, items, plenty, spread, sprig, clump
     """
 )
 """Nouns before "of" that only say how many, or how they are arranged."""
+
+FORMING = ("in", "into", "as", "forming", "form", "forms", "to form", "making", "make", "makes",
+           "to make", "arranged in", "set in", "set out in", "laid out in", "standing in",
+           "placed in", "all in", "making up")  # fmt: skip
+FORM_ARTICLES = ("a", "one", "a single", "a straight", "a neat", "a little", "a small", "a big",
+                 "a tidy", "a loose", "a long", "one long", "one single", "one straight")  # fmt: skip
+FORMS = ("stack", "tower", "pile", "heap", "pyramid", "row", "line", "column", "circle", "ring",
+         "arc", "semicircle", "fan", "grid", "cluster", "bunch")  # fmt: skip
+"""Phrases for arrangements: one word of each, in this order: "forming a neat circle"."""
 
 SUPERLATIVES: Mapping[str, str] = MappingProxyType(
     {
@@ -199,6 +235,8 @@ ORDERS = _table(
     size down: in descending order, from big to small, from biggest to smallest
     size down: from thick to thin, from tall to short, from long to short, largest to smallest
     size down: from the largest to the smallest, in descending size
+    size: smallest first, shortest first
+    size down: largest first, biggest first, tallest first
     color: by color, by colour, in rainbow order
     """
 )
@@ -232,13 +270,16 @@ BE = _words("is are was were be been being sits sit stands stand lies lie lays r
             "leans lean faces face should must can could shall will would may might")  # fmt: skip
 """Verbs between subjects and what is said of them."""
 
+MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put bring")
+"""Verbs by which a robot is told what to do."""
+
 PARTICIPLES = _words(
     "sitting standing lying resting placed put located positioned laying leaning hanging seen "
     "visible kept left set situated arranged neatly carefully slightly directly just right "
     "closely partially partly still also then now lain laid stood found displayed propped nicely "
     "currently immediately exactly precisely roughly approximately nearly almost casually loosely "
     "conveniently politely flat turned flipped somewhere far further slightly close very quite "
-    "rather so too only even both all"
+    "rather so too only even both all alone usually always normally"
 )
 """Words between a noun and its place that add nothing of their own."""
 
@@ -250,7 +291,8 @@ STARTERS = _words(
     "picture consider suppose visualize visualise assume what how about provide do try load plan "
     "setup up out help ll d with scene showing includes including ideally maybe perhaps finally "
     "lastly next now additionally furthermore moreover besides first second third drop throw toss "
-    "stick park leave keep hide tuck balance wash clean clear tidy sort build pack"
+    "stick park leave keep hide tuck see find pick grab push pull take move slide lift pour turn "
+    "start begin place putting balance wash clean clear tidy sort build pack"
 )
 """Words that only open a sentence; skipped up to its first thing."""
 
@@ -258,7 +300,7 @@ FILLERS = _words(
     "of from for at to as or than about onto through per via during after until while when where "
     "there here again too also just only very really quite then so if because since ready using "
     "used made seen look looks looking please well etc eg ie such like respectively namely "
-    "oops hm hmm er uh um oh ah kidding hang "
+    "hiya ta cheers greetings dear thx ty yo ciao oops hm hmm er uh um oh ah kidding hang "
     "approximately roughly exactly own same whole next ll d"
 )
 

@@ -23,6 +23,12 @@ _DEGREES = frozenset({
 _FURTHER = frozenset({"more", "extra", "additional", "further"})
 
 
+_EXTENTS = ("tall", "high", "long", "wide", "deep", "across", "diameter", "thick")
+_MADE = (("out", "of"), ("from",), ("made", "of"), ("made", "from"), ("made", "out", "of"),
+         ("built", "of"), ("built", "from"), ("using",))  # fmt: skip
+"""Words between an arrangement and its things: "a pyramid out of six blocks"."""
+
+
 @dataclass
 class PhraseStart:
     """What is read of a noun phrase so far."""
@@ -34,6 +40,8 @@ class PhraseStart:
     definite: bool = False
     other: bool = False
     each: bool = False
+    ordinal: int = 0
+    closed: bool = False
     groups: float = 0.0
     arrangement: Arrangement | None = None
     posture: str = ""
@@ -69,7 +77,19 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         elif token.text in fw.INDEFINITE:
             run.article = True
             i += 1
-        elif token.text in ("other", "second", "third") and (run.article or run.definite):
+        elif token.text in fw.ORDINALS and run.definite:
+            run.ordinal = fw.ORDINALS[token.text]
+            i += 1
+            following = tokens[i] if i < len(tokens) else None
+            if following is not None and (
+                following.tag == "number" or following.text in (*fw.NUMBERS, *fw.DEFINITE, "a", "an")
+            ):
+                run.closed = True  # "the third two doughnuts"
+                break
+        elif token.text in ("other", "second", "third") and run.article:
+            run.other = True
+            i += 1
+        elif token.text == "other" and run.definite:
             run.other = True
             i += 1
         elif token.text in fw.AMOUNTS and may_continue(tokens, i + 1):
@@ -132,12 +152,16 @@ def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         k += 1
         if k < len(tokens) and tokens[k].text in ("x", "by"):
             k += 1
-    if not values or k >= len(tokens) or tokens[k].text not in fw.MEASURES:
+    if not values or k >= len(tokens):
         return 0
-    run.lengths += [value * fw.MEASURES[tokens[k].text] for value in values]
+    unit = tokens[k].text
+    if unit == "in" and k + 1 < len(tokens) and tokens[k + 1].text in _EXTENTS:
+        unit = "inch"  # "12 in long"
+    if unit not in fw.MEASURES:
+        return 0
+    run.lengths += [value * fw.MEASURES[unit] for value in values]
     k += 1
-    while k < len(tokens) and tokens[k].text in ("tall", "high", "long", "wide", "deep", "across",
-                                                 "diameter", "-", "in", "thick"):  # fmt: skip
+    while k < len(tokens) and tokens[k].text in (*_EXTENTS, "-", "in"):
         if tokens[k].text == "in" and (k + 1 >= len(tokens) or tokens[k + 1].text != "diameter"):
             break
         k += 1
@@ -157,12 +181,17 @@ def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     k = i
     while k < len(tokens) and tokens[k].tag == "word" and is_describing(tokens[k].text):
         k += 1
-    if k + 1 >= len(tokens) or tokens[k].tag != "word" or tokens[k + 1].tag != "of":
+    if k + 1 >= len(tokens) or tokens[k].tag != "word":
         return 0
     word = tokens[k].text
     if word not in fw.GROUPS:
         return 0
     kind = fw.GROUPS[word]
+    following = tuple(t.text for t in tokens[k + 1 : k + 4])
+    made = next((m for m in _MADE if following[: len(m)] == m), ())
+    if tokens[k + 1].tag != "of" and not (made and kind != "group"):
+        return 0
+    k += max(len(made), 1) - 1
     run.portion = run.portion or word in ("slice", "piece", "portion", "serving", "sheet", "loaf",
                                           "slices", "pieces", "sheets", "servings")  # fmt: skip
     if kind != "group":
@@ -170,6 +199,7 @@ def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     run.groups = multiply(run.numbers) or 1.0
     run.amount = fw.AMOUNTS.get(word, run.amount)
     many = run.portion or (run.amount is None and kind == "group" and run.groups > 1)
+    many = many or (kind == "grid" and len(run.numbers) == 2)  # "a 3 x 3 grid of"
     run.numbers = run.numbers if many else []
     return k + 2 - i
 

@@ -31,6 +31,10 @@ class ListReader(PostReader):
             self.i += 1
             self._heading = place
             return place
+        opens = before == 0 or self.tokens[before - 1].tag in (*ENDS, "colon")
+        if self._tag() == "carry" and not opens:  # "a tree, in the middle, with three gifts"
+            self.i = before
+            return None
         spoken = self._text() in fw.BE | fw.STARTERS | fw.PARTICIPLES or self._tag() == "carry"
         comma = self._tag() == "comma"
         self.i += comma or heading
@@ -60,6 +64,10 @@ class ListReader(PostReader):
                 break
             more[0].joint = joint
             out += more
+        for noun in out if self._each_count else ():  # "glue sticks and scissors, three of each"
+            if noun.kind == "thing" and noun.count is None:
+                noun.count, noun.amount = self._each_count, None
+        self._each_count = 0.0
         for noun in out:  # "a red and a blue mug": the first borrows the noun
             if noun.kind == "adjective" and (noun.determined or noun.attributes):
                 bare.append(noun)
@@ -127,6 +135,9 @@ class ListReader(PostReader):
             return True
         ended = any("and" in item.joint for item in items)
         placed = [post for post in items[-1].post if isinstance(post, Location)]
+        back = [p for p in placed if isinstance(p.target, Noun) and p.target.kind == "pronoun"]
+        if back and back[-1].kind in SUPPORTING and self._returns() is None:
+            return True  # "a pot with a cactus in it and a ruler"
         if how == "with" and "comma" in joint and placed and noun.determined:
             return True  # "a bowl with crisps behind it, and a tray"
         if how == "of":

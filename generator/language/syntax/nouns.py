@@ -20,6 +20,7 @@ from ..parsing.vocabulary import (
     VAGUE_THINGS,
 )
 from ..words.dictionary import entry_of, is_english
+from ..words.verbs import is_finite, is_verb
 from . import function_words as fw
 from .introductions import (
     MORE,
@@ -31,6 +32,7 @@ from .introductions import (
 )
 from .tokens import Token
 from .tree import Noun, NounKind
+from .zones import read_zone
 
 _STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
 
@@ -52,7 +54,7 @@ def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     """Return the noun phrase that starts at a token and where it ends; None where there is none."""
     run = PhraseStart(first=start)
     i = read_introduction(tokens, start, run)
-    i = _content(tokens, i, run)
+    i = i if run.closed else _content(tokens, i, run)
     if i == start:
         return None, start
     noun = _noun(run)
@@ -109,18 +111,23 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     if word in fw.DEFINITE or word in fw.INDEFINITE or word in fw.PRONOUNS:
         return True
     nouns = [w for w in run.words if not is_describing(w)]
-    if word in fw.NUMBERS and nouns:
+    if nouns and word in fw.PARTICLES:
+        return True
+    if (word in fw.NUMBERS and nouns) or word in fw.NEVER_INSIDE or _is_around(tokens, i, nouns):
         return True
     if word in _STOPS or word in fw.STARTERS:
         following = tokens[i + 1] if i + 1 < len(tokens) else None
         ahead = following.text if following is not None and following.tag == "word" else ""
         extended, longer = (*run.words, word), (*run.words, word, ahead)
         third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
+        before = len(run.words) if nouns and word in fw.BE else len(extended)
         named = any(
             lexicon.category_of(some[k:]) or lexicon.collective_of(some[k:])
             for some in (extended, longer, (*longer, third))
-            for k in range(len(extended))
-        )
+            for k in range(before)
+        )  # a "cake stand", but a "bottle" that "stands"
+        if named and word in fw.BE and nouns and word.endswith("s") and _is_single(run):
+            return True
         closed = following is None or following.tag in _CLOSING | {"close"}
         named_so = run.article or (nouns and not _is_known(run.words))
         if closed and named_so and word in fw.BE:
@@ -132,6 +139,8 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             "standing", "hanging", "left", "right"
         )  # fmt: skip
         return not (before_noun and describes)
+    if nouns and (_is_said_of(tokens, i, run) or _is_place(tokens, i, run)):
+        return True
     closed = i + 1 >= len(tokens) or tokens[i + 1].tag in _CLOSING | {"colon"}
     if closed and word.endswith("ing") and entry_of((word,)) and word not in fw.PARTICIPLES:
         return False  # "a board meeting"
@@ -144,6 +153,54 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             for k in range(len(run.words) + 1)
         )
     return False
+
+
+def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
+    """Tell whether "round" is a preposition here: "six cups round it", no "round table"."""
+    if tokens[i].text != "round" or not nouns or i + 1 >= len(tokens):
+        return False
+    following = tokens[i + 1].text
+    return following in fw.DEFINITE | fw.INDEFINITE | fw.PRONOUNS
+
+
+def _is_place(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
+    """Tell whether "front left" or a last "centre" says where the noun before it is."""
+    if tokens[i].text not in fw.SIDES or not _is_known(run.words):
+        return False
+    found = read_zone(tokens, i)
+    return found is not None and not found.of
+
+
+_OBJECTS = fw.DEFINITE | fw.INDEFINITE | fw.PRONOUNS | frozenset(fw.NUMBERS)
+
+
+def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
+    """Tell whether a word is a verb that says something of the noun before it.
+
+    "A gnome watches them", "the salad comes in a bowl", "books piled on it", but "dinner plates
+    on it".
+    """
+    word = tokens[i].text
+    if not is_verb(word):
+        return False
+    following = tokens[i + 1] if i + 1 < len(tokens) else None
+    ahead = following.text if following is not None and following.tag == "word" else ""
+    for some in ((*run.words, word), (*run.words, word, ahead)):
+        if any(lexicon.category_of(some[k:]) for k in range(len(run.words))):
+            return False
+    if following is not None and following.tag in ("word", "number"):
+        return ahead in _OBJECTS and (is_finite(word) or _is_known(run.words))
+    if lexicon.category_of((word,)) is not None:
+        return is_finite(word) and run.article and following is not None
+    ended = following is None or following.tag in _CLOSING
+    if is_finite(word):
+        return _is_single(run) and not ended
+    return word.endswith(("ed", "ing")) and _is_known(run.words) and not ended
+
+
+def _is_single(run: PhraseStart) -> bool:
+    """Tell whether a noun phrase began as one of a single thing: "a", "the", "one", "each"."""
+    return run.each or run.article or run.definite or run.numbers == [1.0]
 
 
 def _is_known(words: Sequence[str]) -> bool:
@@ -182,8 +239,14 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
 
 def _noun(run: PhraseStart) -> Noun:
     """Return the noun phrase of what was read."""
+    cut_plural = _cut_portion(run)
     words = tuple(run.words)
     kind, head, category, family = _head(words, run.name, definite=run.definite)
+    counted = run.article or run.definite or run.numbers or run.amount or run.each or run.groups
+    if words and words[0] in fw.NOBODY:
+        kind, category = "setting", None
+    if kind == "thing" and not category and not (family or counted) and is_verb(words[-1]):
+        kind = "abstract"
     if kind == "adjective" and run.groups and words and words[-1] in MATERIALS:
         kind, head, category, family = _look_up(words[-1:])  # "a piece of fabric"
         category = category or lexicon.category_of(words[-1:])
@@ -202,6 +265,7 @@ def _noun(run: PhraseStart) -> Noun:
     if kind == "thing" and category and not run.name:
         noun = " ".join((*_compound(modifiers), noun))
     plural = glasses or (bool(head) and lexicon.is_plural(tuple(run.words[-len(head) :])))
+    plural = plural or cut_plural
     if run.posture:
         attributes["posture"] = run.posture
     variants = _variants(run, attributes, plural, count)
@@ -226,8 +290,26 @@ def _noun(run: PhraseStart) -> Noun:
         members=lexicon.collective_of(head) if kind == "collective" else (),
         lengths=tuple(run.lengths), arrangement=run.arrangement,
         position=next((word for word in modifiers if word in _POSITIONS), None),
+        ordinal=run.ordinal,
         family=family,
     )  # fmt: skip
+
+
+_PORTIONS = frozenset(["half", "slice", "piece", "wedge", "chunk", "segment", "strip", "quarter", "stick"])
+
+
+def _cut_portion(run: PhraseStart) -> bool:
+    """Take the portion out of "lemon halves" and "tomato slices"; tell whether it was plural."""
+    if len(run.words) < 2 or lexicon.singular(run.words[-1]) not in _PORTIONS:
+        return False
+    whole = tuple(run.words)
+    if any(lexicon.category_of(whole[k:]) for k in range(len(whole) - 1)):
+        return False
+    key = lexicon.category_of(whole[-2:-1])
+    if key is None or "edible" not in CATEGORIES[key].roles:
+        return False
+    plural = lexicon.singular(run.words.pop()) != whole[-1]
+    return plural
 
 
 def _head(
@@ -285,6 +367,11 @@ def _only_describes(tail: tuple[str, ...]) -> bool:
 
 
 _BODIES = frozenset({"body", "unit", "model", "type"})
+_FIGURES = frozenset(
+    ["toy", "plastic", "ceramic", "porcelain", "wooden", "bronze", "lego", "tin", "miniature",
+     "little", "tiny", "clay", "chess", "felt", "knitted", "stuffed", "plush"]
+)  # fmt: skip
+"""What shows that a person is a figure: "a plastic soldier"."""
 _VERBAL = ("ed", "ing", "ly")
 
 
@@ -293,8 +380,10 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
     entry = entry_of(words)
     last = words[-1]
     strange = len(words) > 1 and not is_describing(words[-2])
+    if last in fw.NO_NOUNS:
+        return "abstract", words[-1:], None, ""
     if entry is None and (
-        last in fw.NO_NOUNS or last in fw.AMOUNTS or (last.endswith(_VERBAL) and is_english(last))
+        last in fw.AMOUNTS or (last.endswith(_VERBAL) and is_english(last))
     ):
         return "abstract", words[-1:], None, ""
     before = lexicon.category_of(words[-2:-1]) if len(words) > 1 else None
@@ -305,7 +394,7 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
     head = words[-max(len(entry.noun.split()), 1 + strange) :]
     if not entry.family and strange and entry.noun in _COMPOUNDED:
         return "thing", head, None, "block"
-    if entry.is_thing:
+    if entry.is_thing or (entry.family == "person" and _FIGURES & {*words[:-1]}):
         return "thing", head, entry.category, entry.family
     return "setting" if entry.family == "place" else "abstract", head, None, entry.family
 

@@ -44,12 +44,18 @@ class PlaceReader(Cursor):
                     kind = "center" if (zone.x, zone.y) == (0, 0) and not zone.edge else "edge"
                 return Location(kind, target)
             self.i = before
+        if owned := self._owned_side():
+            return owned
         if self._tag() == "here":
             kind = str(self._take().value)
             return Location(kind, Noun("pronoun", ("it",), self.tokens[self.i - 1].span, "it"))
-        if self._tag() == "relation":
-            kind = str(self._take().value)
-            ended = self._tag() in (*ENDS, "", "comma", "and", "close")
+        around = self._text() == "round" and self._text(1) in (
+            fw.DEFINITE | fw.INDEFINITE | fw.PRONOUNS
+        )
+        if self._tag() == "relation" or around:
+            kind = str(self._take().value) if not around else "around"
+            self.i += around
+            ended = self._tag() in (*ENDS, "", "comma", "and", "close", "colon")
             if ended and kind in ("behind", "next_to"):  # "with a canvas behind"
                 span = self.tokens[self.i - 1].span
                 return Location(kind, Noun("pronoun", ("it",), span, "it"))
@@ -64,12 +70,38 @@ class PlaceReader(Cursor):
         self.i = before
         return None
 
+    def _owned_side(self) -> Location | None:
+        """Read "to the bowl's right" and "along the tray's left side"."""
+        if self._text() not in ("to", "on", "at", "along", "by"):
+            return None
+        noun, end = read_noun(self.tokens, self.i + 1)
+        if noun is None or end + 1 >= len(self.tokens) or noun.kind == "table":
+            return None
+        owned = [k for k in range(self.i + 1, end) if self.tokens[k].tag == "possessive"]
+        if not owned or self.tokens[end - 1].text not in fw.SIDES and (
+            self.tokens[end - 2].text not in fw.SIDES
+        ):
+            return None
+        whose, _ = read_noun(self.tokens[: owned[0]], self.i + 1)
+        side = next(t.text for t in self.tokens[owned[0] + 1 : end] if t.text in fw.SIDES)
+        x, y = fw.SIDES[side]
+        kind = _SIDES.get((x, y)) if (x, y) != (0, 0) else None
+        if whose is None or kind is None:
+            return None
+        self.i = end
+        return Location(kind, whose)
+
     def _target(self, *, nested: bool) -> Noun | None:
         """Read what a relation goes to; ``nested``: what follows is said of that."""
         if self._text() in ("both", "all") and not self._starts_noun(1) and self._tag(1) != "word":
             token = self._take()
             return Noun("pronoun", ("them",), token.span, "them", plural=True, definite=True)
         self._skip(fw.PARTICIPLES & {"both", "all"})
+        if self._text() in ("that", "this", "which") and (
+            self._text(1) in fw.BE or self._tag(1) in (*ENDS, "", "comma")
+        ):
+            token = self._take()
+            return Noun("pronoun", ("that",), token.span, "that", definite=True)
         if self._text() in fw.PRONOUNS and not self._starts_longer():
             token = self._take()
             self.i += self._text() in ("all", "both")
@@ -80,6 +112,10 @@ class PlaceReader(Cursor):
         noun, end = read_noun(self.tokens, self.i)
         if noun is None:
             return None
+        if noun.kind == "member" and noun.definite and noun.count == 2 and not noun.words:
+            self.i = end  # "between the two"
+            self.i += 2 * (self._tag() == "of" and self._text(1) in fw.PRONOUNS)
+            return Noun("pronoun", ("them",), noun.span, "them", plural=True, definite=True)
         self.i = end
         if noun.kind == "part" and self.tokens[end - 1 - len(noun.words)].text in ("its", "their"):
             return Noun("pronoun", ("it",), noun.span, "it", definite=True)  # "around its base"

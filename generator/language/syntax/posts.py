@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from ..words.verbs import is_verb
 from . import function_words as fw
 from .cursor import ENDS, SUPPORTING
 from .nouns import read_noun
@@ -47,6 +48,8 @@ class PostReader(PlaceReader):
     def _post(self, noun: Noun | None, out: list[Post]) -> bool:
         if (noun is not None and self._bracket(noun, out)) or self._aside():
             return True
+        if noun is not None and self._of_each(noun, out):
+            return True
         comma = self._tag() in ("comma", "open")
         joined = self._tag() == "and"
         if comma or joined:
@@ -55,15 +58,36 @@ class PostReader(PlaceReader):
             self.i += 1
         if self._tag() in ("colon", "dash"):
             return self._listed_attributes(noun, out)
+        if self._tag() == "relation" and self._tag(1) == "relative" and self._value() in SUPPORTING:
+            back = str(self._value())  # "on which are two eggs"
+            self.i += 2
+            self._skip(fw.BE | fw.STARTERS)
+            items = self._items(noun, "hold")
+            out.append(Carry("hold", tuple(items), back=back))
+            return bool(items)
         word = self._text()
+        if noun is not None and self._seats and self._tag() == "each" and (
+            self._tag(1) in (*ENDS, "", "comma", "and")
+        ):  # "a dinner plate each"
+            self.i += 1
+            noun.seated = True
+            return True
         each = self._tag() == "each" or self._text() in ("all", "both")
         if self._tag() == "each" or (each and self._tag(1) in ("relation", "carry", "arranged")):
             self.i += 1
             self._skip(fw.BE)
         self._skip(fw.PARTICIPLES - {"left", "right", "far"})
+        if self._is_participle():
+            self.i += 1
         if self._tag() == "relative" or (self._text() == "that" and noun is not None):
             self.i += 1
             self._skip(fw.BE | fw.PARTICIPLES)
+            gone = self._text() in ("has", "have", "had") and is_verb(self._text(1))
+            self.i += gone  # "that has gone out"
+            if self._tag() == "word" and is_verb(self._text()) and self._text() not in fw.BE:
+                self.i += 1  # "that usually comes along"
+                along = self._text() in ("along", "out", "up", "off", "away", "down")
+                self.i += along and not self._starts_noun(1)
             return True
         if order := self._order_by_ends():
             out.append(Arranged("row", order))
@@ -90,10 +114,17 @@ class PostReader(PlaceReader):
                 noun.seated = True
                 return True
             return self._purpose()
+        if self._text() == "like" and self._starts_noun(1):  # "like soldiers"
+            self.i = read_noun(self.tokens, self.i + 1)[1]
+            return True
         if self._aspect(out):
             return True
         if self._tag() == "of" and noun is not None:
             return self._contents(noun, out)
+        if noun is not None and noun.ordinal and not comma and not joined and not out:
+            if self._starts_noun(0, determined=True):  # "the third two doughnuts"
+                out.append(Carry("hold", tuple(self._items(noun, "hold"))))
+                return True
         place = self._place()
         if place is not None:
             whole = word == "all" and comma and noun is not None
@@ -102,6 +133,42 @@ class PostReader(PlaceReader):
         if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False
+
+    def _of_each(self, noun: Noun, out: list[Post]) -> bool:
+        """Read ", two of each colour": so many of each kind or each item of the list."""
+        k = int(self._tag() in ("comma", "open", "dash"))
+        number = fw.NUMBERS.get(self._text(k), 0.0)
+        if k and self._tag(k) == "number":
+            number = float(self.tokens[self.i + k].value)
+        packed = int(self._tag(k + 1) == "word" and self._tag(k + 2) == "of")  # "one bottle of each"
+        if not k or not number or self._tag(k + 1 + packed) != "of":
+            return False
+        if self._tag(k + 2 + packed) != "each":
+            return False
+        self.i += k + 3 + packed
+        if self._tag() == "word" and self._text() in fw.KINDS:
+            self.i += 1
+        self.i += self._tag() in ("close", "dash")
+        each = [a for post in out if isinstance(post, Description) for a in post.each]
+        kinds = noun.variants or tuple(each)
+        if len(kinds) > 1:
+            noun.count, noun.amount = number * len(kinds), None
+            repeated = tuple(a for a in kinds for _ in range(int(number)))
+            noun.variants = ()
+            out[:] = [post for post in out if not isinstance(post, Description)]
+            out.append(Description(repeated))
+        else:
+            self._each_count = number
+        return True
+
+    def _is_participle(self) -> bool:
+        """Tell whether a verb's form comes next that adds nothing to a place: "parked in front"."""
+        word = self._text()
+        placed = self._tag(1) in ("relation", "here", "arranged") or (
+            read_zone(self.tokens, self.i + 1) is not None
+        )
+        verbal = self._tag() == "word" and word.endswith(("ed", "ing", "en", "t"))
+        return placed and verbal and is_verb(word) and not self._starts_category()
 
     def _bracket(self, noun: Noun, out: list[Post]) -> bool:
         """Read a number or a length set apart: "candles (4)", "plates - four to six -"."""
@@ -114,14 +181,17 @@ class PostReader(PlaceReader):
         while self._text() in _THERE_ARE:
             self.i += 1
         found, end = read_noun(self.tokens, self.i)
-        if found is None or (opening in ("comma", "colon") and not self._counts_them(found, end)):
+        sized = found is not None and bool(found.lengths) and not found.words
+        listed = opening in ("comma", "colon") and not (sized and opening == "comma")
+        if found is None or (listed and not self._counts_them(found, end)):
             self.i = before
             return False
         self.i = end
         if not found.words and found.lengths:
             out.append(Description(({},), found.lengths))
         elif found.kind == "member" and not found.words and (found.count or found.amount):
-            if many:
+            single = noun.kind == "thing" and not (noun.determined or noun.post)
+            if many or (single and opening == "open"):
                 noun.count, noun.amount = found.count, found.amount
             elif found.count and self._tag() == "close":
                 out.append(Counted(found.count))
@@ -232,6 +302,8 @@ class PostReader(PlaceReader):
                 return True
         if self._tag() == "order":
             order = str(self._take().value)
+        elif "left to right" in self.tokens[self.i - 1].text:
+            order = "listed"
         out.append(Arranged(kind, order))
         return True
 
@@ -256,6 +328,9 @@ class PostReader(PlaceReader):
             if following is None or following.determined:
                 break
             self.i += 1
+        if self._text() in ("there", "here"):
+            self.i += 1  # elsewhere there may be some
+            return True
         out.append(Lack(tuple(items)))
         return bool(items)
 
@@ -284,8 +359,12 @@ class PostReader(PlaceReader):
         if inner.lengths and not inner.words:
             out.append(Description(({},), inner.lengths))
             return True
-        if noun.kind == "table" and inner.family == "figurine":
+        if noun.kind == "table" and inner.family == "person":
             return True  # "the desk of a pupil"
+        if (kinds := self._kinds(noun, inner)):
+            noun.count = float(len(kinds))
+            out.append(Carry("of", kinds, each=True))
+            return True
         items = [inner]
         while self._tag() in ("and", "comma"):
             before = self.i
@@ -298,6 +377,27 @@ class PostReader(PlaceReader):
             items.append(more)
         out.append(Carry("of", tuple(items)))
         return True
+
+    def _kinds(self, noun: Noun, inner: Noun) -> tuple[Noun, ...]:
+        """Read "bottles of gin, rum and vermouth": one of each."""
+        several = noun.plural and noun.amount is None
+        if not several or inner.determined or inner.plural or inner.kind not in ("thing", "abstract"):
+            return ()
+        before, items = self.i, [inner]
+        while self._tag() in ("and", "comma"):
+            ends = self._tag() == "and" or self._tag(1) == "and"
+            self._connector()
+            more, end = read_noun(self.tokens, self.i)
+            if more is None or more.determined or more.plural:
+                break
+            self.i = end
+            items.append(more)
+            if ends:
+                if noun.count in (None, float(len(items))):
+                    return tuple(items)
+                break
+        self.i = before
+        return ()
 
     def _purpose(self) -> bool:
         """Skip what something is for ("for meal prep"), unless it is for so many people."""

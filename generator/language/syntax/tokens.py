@@ -52,12 +52,23 @@ def _phrases() -> Mapping[tuple[str, ...], tuple[str, str]]:
     ):  # fmt: skip
         for phrase, meaning in phrases.items():
             table.setdefault(tuple(phrase.split()), (tag, meaning))
+    table = _forms() | table
     table |= {tuple(phrase.split()): ("no", phrase) for phrase in (*fw.NEGATED, *fw.NEGATIONS)}
     table |= {(word,): ("and", word) for word in fw.JOINING}
     table |= {(word,): ("relative", word) for word in ("which", "who", "whose")}
     table |= {(word,): ("each", word) for word in fw.EACH}
     table[("of",)] = ("of", "of")
     return table
+
+
+def _forms() -> dict[tuple[str, ...], tuple[str, str]]:
+    """Return "in a straight line", "forming one circle" and the like with what they mean."""
+    return {
+        (*verb, *article, noun): ("arranged", fw.GROUPS[noun])
+        for verb in map(tuple, map(str.split, fw.FORMING))
+        for article in map(tuple, map(str.split, fw.FORM_ARTICLES))
+        for noun in fw.FORMS
+    }
 
 
 _LONGEST = 6
@@ -98,6 +109,9 @@ def _name_length(words: Sequence[Word], i: int, is_noun: Any) -> int:
         if all(w.kind == "word" for w in run) and is_noun(tuple(w.text for w in run)):
             more = words[i + length : i + length + 1]
             pair = tuple(w.text for w in (*run[-1:], *more))
+            listed = more and more[0].kind == "mark" and more[0].text == ","
+            if listed and run[1].text == "of" and run[0].text != lexicon.singular(run[0].text):
+                return 0  # "bottles of gin, rum and vermouth"
             if run[-2].text == "of" and len(pair) == 2 and lexicon.category_of(pair):
                 return 0  # "a bag of coffee beans"
             return length

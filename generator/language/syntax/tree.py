@@ -83,7 +83,8 @@ class Lack:
 class Arranged:
     """How several things are arranged.
 
-    ``order`` is "size", "size down" (the largest first) or "color" where it is said.
+    ``order`` is "size", "size down" (the largest first), "color" or "listed" (from left to right
+    as they are named) where it is said.
     """
 
     kind: Arrangement
@@ -134,6 +135,7 @@ class Noun:
         definite: "the", "this".
         other: "the other", "a second".
         each: "each", "every".
+        ordinal: which one of several, from 1 on; -1 the last; 0 where it is not said.
         plural: several things by its form.
         attributes: "color", "material", "size", "state", ... to words.
         variants: attributes of single ones ("red, green and blue cubes").
@@ -165,6 +167,7 @@ class Noun:
     arrangement: Arrangement | None = None
     position: str | None = None
     post: list[Post] = field(default_factory=list)
+    ordinal: int = 0
     seated: bool = False
     joint: str = ""
     family: str = ""

@@ -19,10 +19,11 @@ _PIECE = re.compile(
     |(?P<contraction>\b(?:there|it|that|here|what|where|who)'s\b|\b(?:i|you|we|they)'(?:ve|re|ll|d|m)\b)
     |(?P<negated>[a-z]+n't)
     |(?P<possessive>(?<=[a-z])'s?(?![a-z]))
-    |(?P<number>(?<![\w.])-?\d+(?:,\d{3})*(?:\.\d+)?(?:e\d+)?)
+    |(?P<latin>\b(?:i\.\s?e\.?|e\.\s?g\.?|viz\.))
+    |(?P<number>(?<![\w.])-?\d+(?:,\d{3})*(?:\.\d+)?(?:e\d+)?|(?<=\dx)\d+)
     |(?P<word>[a-z]+)
     |(?P<dash>\s[-–—]+\s|[–—])
-    |(?P<mark>[,.;:!?()\n"/])
+    |(?P<mark>[,.;:!?()\n"/=])
     """,
     re.VERBOSE,
 )
@@ -39,6 +40,11 @@ _PARTS = re.compile(
     r"year|level|ring|hole|string|button|key|arm|branch|wick|pack)s?\b"
 )
 """What "two-tier" and the like say of one thing."""
+_TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
+"""How many there are, said last: "forks x4"."""
+_AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
+_JOINED_UP = re.compile(r"(?i)(?<=[a-z])-(?:up|down|out|off)\b")
+_BAKERS = re.compile(r"(?i)\bbaker[’']s dozen\b")
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
@@ -59,7 +65,11 @@ class Word:
 def words_of(text: str) -> tuple[Word, ...]:
     """Return the words of a text; bullets and numbers of list items are line ends."""
     text = _TAG.sub(lambda found: " " * len(found.group()), text)
+    text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
+    text = _AGE.sub(lambda found: " " * len(found.group()), text)
+    text = _JOINED_UP.sub(lambda found: " " * len(found.group()), text)
     text = _PARTS.sub(lambda found: " " * len(found.group()), text)
+    text = _TIMES.sub(lambda found: f"({found[1]})".ljust(len(found.group())), text)
     text = _BULLET.sub(lambda found: "\n".ljust(len(found.group())), text)
     plain, places = _plain(text)
     found = []
@@ -74,6 +84,8 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
     said, name = piece.group(), piece.lastgroup
     if name == "number":
         return [(said.replace(",", ""), "number")]
+    if name == "latin":
+        return [(",", "mark")]
     if name == "dash":
         return [("-", "mark")]
     if name == "contraction":
@@ -83,7 +95,7 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
     if name == "negated":
         return [("not", "word")]
     if name == "mark":
-        return [({"/": ",", '"': ""}.get(said, said), "mark")] if said != '"' else []
+        return [({"/": ",", '"': "", "=": ":"}.get(said, said), "mark")] if said != '"' else []
     if said in _RUN_TOGETHER:
         return [(part, "word") for part in _RUN_TOGETHER[said]]
     return [(_ABBREVIATIONS.get(said, said), "word")]

@@ -51,12 +51,14 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
     ``heading`` allows one without a preposition: "left side with a lamp", "back: a plant".
     """
     i = start
-    while _text(tokens, i) in ("just", "right", "slightly", "further") and _text(
+    while _text(tokens, i) in ("just", "right", "slightly", "further", *fw.PARTICLES) and _text(
         tokens, i + 1
     ).split()[:1] in ([word] for word in _BEFORE):
         i += 1
     if _text(tokens, i) in _ALONE and not _is_noun(tokens, i + 1):
         return FoundZone(Zone(0, 0), i + 1)
+    if alone := _stands_alone(tokens, i):
+        return alone
     if _text(tokens, i) == "as" and _text(tokens, i + 2) in ("centerpiece", "centrepiece"):
         return FoundZone(Zone(0, 0), i + 3)
     introduced = _text(tokens, i).split()[-1:] != [] and _text(tokens, i).split()[0] in _BEFORE
@@ -67,15 +69,38 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
         i += _text(tokens, i) == "to"
     elif not heading and not _is_corner(tokens, i):
         return None
-    article = _text(tokens, i) in _ARTICLES
+    article = _text(tokens, i) in _ARTICLES or _tag(tokens, i) == "each"
+    every = _tag(tokens, i) == "each" and _text(tokens, i + 1) == "corner"
     i += article
     if _text(tokens, i) in _ALL_FOUR and _text(tokens, i + 1) in ("corners", "sides", "ends"):
         i += 1
     owned = _text(tokens, i) in TABLE_NOUNS and _tag(tokens, i + 1) == "possessive"
     i += 2 * owned
     found = _sides(tokens, i, heading=heading, owned=owned)
+    if every and found is not None and not found.of:
+        return replace(found, zone=replace(found.zone, spread=True))
     aside = found is not None and found.loose and _text(tokens, start) == "to"
     return replace(found, aside=True) if found is not None and aside else found
+
+
+_MIDDLE = frozenset(["centre", "center", "middle"])
+
+
+def _stands_alone(tokens: Sequence[Token], i: int) -> FoundZone | None:
+    """Read "dead centre", "centre stage", and a bare "left" or "centre" after a thing."""
+    k = i + (_text(tokens, i) in ("dead", "smack", "right", "bang", "front"))
+    if _text(tokens, k) in _MIDDLE and (k > i or _text(tokens, k + 1) == "stage"):
+        end = k + 1 + (_text(tokens, k + 1) == "stage")
+        if not _is_noun(tokens, end) and _tag(tokens, end) != "of":
+            y = -1 if _text(tokens, i) == "front" else 0
+            return FoundZone(Zone(0, y), end)
+    word, ended = _text(tokens, i), _tag(tokens, i + 1) in ("stop", "line", "", "comma", "close")
+    if i and ended and word in (*_MIDDLE, "left", "right") and _tag(tokens, i - 1) in _NAMING:
+        return FoundZone(Zone(*fw.SIDES[word]), i + 1)
+    return None
+
+
+_NAMING = frozenset(["word", "name", "close", "arranged"])
 
 
 def _is_corner(tokens: Sequence[Token], i: int) -> bool:
@@ -94,7 +119,8 @@ def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> Fo
             return None
         i += _tag(tokens, i) == "dash"
     noun = _text(tokens, i)
-    i_noun = noun in fw.ZONE_NOUNS and not (words and _is_thing(tokens, i))
+    row = heading and noun == "row" and bool(words)
+    i_noun = (noun in fw.ZONE_NOUNS or row) and not (words and _is_thing(tokens, i))
     i += i_noun
     sides = [word for word in words if word in fw.SIDES]
     if not i_noun and (not sides or sides == ["far"] or sides == ["near"]):
@@ -109,7 +135,7 @@ def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> Fo
         return FoundZone(_zone(sides, noun), end, table=(i + 1, end))
     if not i_noun and not heading and _is_noun(tokens, i):
         return None
-    if heading and not i_noun and _tag(tokens, i) not in ("colon", "dash"):
+    if heading and not i_noun and _tag(tokens, i) not in ("colon", "dash", "line"):
         return None
     return FoundZone(_zone(sides, noun), i, loose=not i_noun and not owned and len(sides) == 1)
 

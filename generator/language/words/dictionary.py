@@ -27,7 +27,7 @@ class NounEntry:
     Attributes:
         noun: the noun in the singular.
         family: kind of thing ("appliance"); "" for what is no thing, "place" for a room or a
-            building.
+            building, "person".
         category: the catalogue's category that it is a kind of ("stein" is a mug), or None.
     """
 
@@ -38,7 +38,7 @@ class NounEntry:
     @property
     def is_thing(self) -> bool:
         """Whether it can stand on a table."""
-        return self.family not in ("", "place")
+        return self.family not in ("", "place", "person")
 
 
 @cache

@@ -4,20 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from functools import cache
 
 from rapidfuzz.distance import OSA
 
 from ...catalogue import CATEGORIES
 from ..parsing import lexicon
+from ..parsing.vocabulary import COLORS, PLACES
 from ..syntax.words import Word
 from .dictionary import is_english
 
 _SHORTEST = 4
-
-_SHAPES = frozenset(
-    {"square", "circle", "round", "middle", "corner", "centre", "center", "table", "behind",
-     "front", "right", "between", "around", "wooden", "yellow", "purple", "orange", "three",
-     "seven", "eight", "twelve", "dozen", "together", "beside"}
+_SHORT = frozenset(
+    ["the", "and", "with", "that", "this", "from", "want", "need", "please", "make", "there",
+     "left", "right", "front", "behind", "between", "next", "beside", "under", "either", "side",
+     "corner", "middle", "centre", "center", "table", "square", "circle", "round", "wooden",
+     "three", "four", "five", "seven", "eight", "twelve", "dozen", "together", "around", "little",
+     "small", "large", "standing", "lying", "stacked", "empty", "full", "holding", "each", "every",
+     "without", "some", "front", "back", "inside", "top", "row", "line", "stack", "place", "one",
+     "two", "half", "pair"]
 )  # fmt: skip
 """Words other than nouns that are often misspelt."""
 
@@ -27,46 +32,100 @@ def correct(
 ) -> tuple[tuple[Word, ...], dict[str, str]]:
     """Return words with the misspelt ones corrected, and what was corrected to what.
 
-    A word that is neither English nor in ``known`` is read as the word of the catalogue that is
-    nearest to it, one edit away (two for long words). Of several, the one counts whose things
-    belong with the others of the text.
+    A word that is neither English nor in ``known`` is read as the word of the catalogue, or of
+    grammar, that is nearest to it, one edit away (two for long words). Of several, the one counts
+    whose things belong with the others of the text. In a text that has such words, a rare English
+    word that is one edit from a common one is read as that, too.
     """
-    strange = {
-        w.text for w in words
-        if w.kind == "word" and len(w.text) >= _SHORTEST
-        and not (w.text in known or lexicon.singular(w.text) in known or is_english(w.text))
-    }  # fmt: skip
-    if not strange:
-        return tuple(words), {}
+    strange = [w.text for w in words if _is_strange(w, known)]
+    found = {word: best for word in sorted({*strange}) if (best := _best(word, words, strange))}
+    if len(found) > 1:
+        rare = {w.text for w in words if _is_rare(w, known)} - {*found}
+        found |= {word: best for word in sorted(rare) if (best := _nearest(word, words, 1, set()))}
+    found = {word: best for word, best in found.items() if best != word}
+    out: list[Word] = []
+    for word in words:
+        parts = found.get(word.text, word.text).split() if word.kind == "word" else [word.text]
+        out += [replace(word, text=part) for part in parts]
+    return tuple(out), found
+
+
+def _is_strange(word: Word, known: Collection[str]) -> bool:
+    text = word.text
+    if word.kind != "word" or len(text) < _SHORTEST - 1 or _is_known(text, known):
+        return False
+    return not is_english(text) or len(text) < _SHORTEST
+
+
+def _is_rare(word: Word, known: Collection[str]) -> bool:
+    return word.kind == "word" and len(word.text) >= _SHORTEST and not _is_known(word.text, known)
+
+
+def _is_known(text: str, known: Collection[str]) -> bool:
+    return text in known or lexicon.singular(text) in known
+
+
+def _best(word: str, words: Sequence[Word], strange: Sequence[str]) -> str | None:
+    """Return what a strange word is read as: two words run together, or the nearest one."""
+    if split := _split(word):
+        return split
     themes = {
         theme
-        for word in words
-        if word.text not in strange and (key := lexicon.category_of((word.text,)))
+        for other in words
+        if other.text not in strange and (key := lexicon.category_of((other.text,)))
         for theme in CATEGORIES[key].themes
     }
-    found = {
-        word: best
-        for word in sorted(strange)
-        if (best := _nearest(word, themes)) not in (None, word)
-    }
-    return tuple(replace(w, text=found.get(w.text, w.text)) for w in words), found
+    return _nearest(word, words, 1 if len(word) < 7 else 2, themes)
 
 
-def _nearest(word: str, themes: set[str]) -> str | None:
-    """Return the catalogue's word that a strange one is a misspelling of, or None."""
-    limit = 1 if len(word) < 7 else 2
+def _split(word: str) -> str | None:
+    """Return "sand timer" for "sandtimer"."""
+    for at in range(3, len(word) - 2):
+        if lexicon.category_of((word[:at], word[at:])) is not None:
+            return f"{word[:at]} {word[at:]}"
+    return None
+
+
+@cache
+def _candidates() -> tuple[str, ...]:
+    joined = {name.replace(" ", "") for name in lexicon.names() if name.count(" ") == 1}
+    words = lexicon.vocabulary() | _SHORT | COLORS | PLACES | joined
+    return tuple(sorted(word for word in words if len(word) > 2))
+
+
+def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> str | None:
+    """Return the word that another one is a misspelling of, or None."""
     plural = word.endswith("s") and not word.endswith("ss")
+    before = {a.text for a, b in zip(words, words[1:], strict=False) if b.text == word}
     ranked = []
-    for candidate in sorted(lexicon.vocabulary() | _SHAPES):
+    for candidate in _candidates():
+        if len(word) < _SHORTEST and candidate not in _SHORT:
+            continue
         for form in (candidate, f"{candidate}s") if plural else (candidate,):
             if abs(len(form) - len(word)) > limit or len(form) < 3:
                 continue
             distance = OSA.distance(word, form, score_cutoff=limit)
             if distance <= limit:
+                named = not any(lexicon.category_of((first, form)) for first in before)
+                mixed = sorted(form) != sorted(word)
+                apart = abs(len(form) - len(word)) if distance > 1 else int(len(form) <= len(word))
+                shared = -_count_shared(candidate, themes)
                 first = form[0] != word[0]
-                known = candidate not in _SHAPES
-                ranked.append((distance, first, known, -_count_shared(candidate, themes), form))
-    return min(ranked)[-1] if ranked else None
+                unknown = candidate not in _SHORT and not _means(candidate)
+                ranked.append((distance, named, unknown, mixed, first, apart, shared, form))
+    best = min(ranked)[-1] if ranked else None
+    return None if best == word else _whole(best)
+
+
+def _means(word: str) -> bool:
+    return word in COLORS or word in PLACES or lexicon.category_of((word,)) is not None
+
+
+def _whole(word: str | None) -> str | None:
+    """Return "chess board" for "chessboard", which the catalogue knows as two words."""
+    if word is None or lexicon.category_of((word,)) is not None or word in lexicon.vocabulary():
+        return word
+    return _split(word) or word
 
 
 def _count_shared(word: str, themes: set[str]) -> int:

@@ -1,0 +1,130 @@
+"""What a text says besides what stands on the table: "I hate it", "the iron? Leave it"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..words.dictionary import entry_of
+from ..words.verbs import is_verb
+from . import function_words as fw
+from .cursor import ENDS
+from .nouns import read_noun
+from .tokens import Token
+
+_SPEAKERS = frozenset(["i", "we", "he", "she", "you", "my", "our", "his", "her"])
+_WANTING = frozenset(
+    ["want", "wants", "need", "needs", "like", "love", "have", "has", "had", "see", "put", "place",
+     "set", "imagine", "picture", "require", "prefer", "request", "think", "get", "make", "add",
+     "wish", "keep", "ask", "give", "show", "do", "create", "generate", "build", "draw", "use",
+     "would", "could", "can", "should", "will", "please", "find", "left", "leave", "d", "ll"]
+)  # fmt: skip
+"""Verbs by which somebody asks for things."""
+
+_MODIFYING = frozenset(
+    ["really", "just", "also", "am", "was", "were", "is", "are", "always", "never", "only", "do",
+     "m", "re", "ve", "been", "be", "often", "usually", "now", "not", "d", "ll", "would", "will"]
+)  # fmt: skip
+_MODALS = frozenset(["can", "could", "would", "will", "might"])
+_ASKED = frozenset(["you", "we", "i", "someone", "somebody", "u"])
+_PAUSES = ("comma", "dash", "close", "open", "colon", *ENDS)
+
+
+def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
+    """Return tokens without clauses that ask for nothing, and those clauses as they were said."""
+    out: list[Token] = []
+    lost: list[str] = []
+    i = 0
+    while i < len(tokens):
+        if tokens[i].text in _MODALS and i + 1 < len(tokens) and tokens[i + 1].text in _ASKED:
+            i += 2
+            continue
+        fresh = not out or out[-1].tag in _PAUSES or out[-1].tag == "and"
+        end = _talk_end(tokens, i) if fresh else i
+        if end > i:
+            lost.append(" ".join(token.text for token in tokens[i:end]))
+            i = end
+        else:
+            out.append(tokens[i])
+            i += 1
+    return _answered(out), lost
+
+
+def _talk_end(tokens: Sequence[Token], i: int) -> int:
+    """Return where a clause ends in which somebody only tells something; ``i`` if it is none."""
+    k = i
+    while k < len(tokens) and tokens[k].text in ("because", "since", "as", "so", "but", "oh", "if"):
+        k += 1
+    if k >= len(tokens) or tokens[k].text not in _SPEAKERS:
+        return i
+    owned = tokens[k].text in ("my", "our", "his", "her")
+    k += 1
+    if owned:
+        if k >= len(tokens) or not _is_person(tokens[k].text):
+            return i
+        k += 1 + (k + 1 < len(tokens) and tokens[k + 1].tag == "possessive")
+    helped = 0
+    while k < len(tokens) and tokens[k].text in _MODIFYING:
+        k, helped = k + 1, helped + 1
+    if k >= len(tokens) or tokens[k].tag != "word":
+        return i
+    word = tokens[k].text
+    if word in _WANTING or not (is_verb(word) or (owned and helped)):
+        return i
+    while k < len(tokens) and tokens[k].tag not in _PAUSES:
+        k += 1
+        if k < len(tokens) and tokens[k].tag == "and":
+            break
+    return k
+
+
+def _is_person(word: str) -> bool:
+    entry = entry_of((word,))
+    return entry is not None and entry.family == "person"
+
+
+_DENYING = frozenset(["no", "none", "leave", "skip", "forget", "not", "nope", "never", "drop"])
+
+
+def _answered(tokens: list[Token]) -> list[Token]:
+    """Read "remote control? Yes, on the right" and "the iron? Leave it in the cupboard"."""
+    out: list[Token] = []
+    i = 0
+    while i < len(tokens):
+        asked = tokens[i].text == "?" and i + 1 < len(tokens)
+        start = _asked_about(out) if asked else None
+        if start is None:
+            out.append(tokens[i])
+            i += 1
+            continue
+        answer = tokens[i + 1]
+        if answer.text in _DENYING or answer.tag == "no":
+            out.insert(start, Token("no", answer.words, "no"))
+            i += 1
+            while i < len(tokens) and tokens[i].tag not in ENDS:
+                i += 1
+        elif answer.text in ("yes", "sure", "yeah", "yep"):
+            i += 2
+            while i < len(tokens) and tokens[i].tag == "comma":
+                i += 1
+        elif answer.text in ("only", "just") and _is_number(tokens[i + 2 : i + 3]):
+            out.insert(start, tokens[i + 2])
+            i += 3
+            while i < len(tokens) and tokens[i].text in ("pair", "of", "set", "one", "ones"):
+                i += 1
+        else:
+            out.append(tokens[i])
+            i += 1
+    return out
+
+
+def _is_number(tokens: Sequence[Token]) -> bool:
+    return bool(tokens) and (tokens[0].tag == "number" or tokens[0].text in fw.NUMBERS)
+
+
+def _asked_about(tokens: Sequence[Token]) -> int | None:
+    """Return where the one noun phrase begins that makes up the last sentence, if it does."""
+    start = max((k + 1 for k, token in enumerate(tokens) if token.tag in ENDS), default=0)
+    if not start < len(tokens) <= start + 5:
+        return None
+    noun, end = read_noun(tokens, start)
+    return start if noun is not None and end == len(tokens) and noun.kind == "thing" else None

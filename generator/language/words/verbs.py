@@ -1,0 +1,47 @@
+"""Which words are forms of a verb: those that are verbs more often than nouns."""
+
+from __future__ import annotations
+
+import gzip
+from functools import cache
+from importlib.resources import files
+
+_IRREGULAR = frozenset(
+    ["stood", "lay", "lain", "sat", "hung", "held", "kept", "set", "left", "stuck", "worn", "drawn",
+     "thrown", "sunk", "bent", "broken", "eaten", "drunk", "fallen", "gone", "came", "went", "got",
+     "gotten", "built", "brought", "bought", "caught", "found", "forgotten", "given", "grown",
+     "hidden", "known", "laid", "led", "lent", "lost", "made", "meant", "met", "paid", "ran",
+     "said", "seen", "sent", "shown", "shut", "slid", "spilt", "split", "taken", "taught", "told",
+     "took", "wound", "woven", "written", "wrapped"]
+)  # fmt: skip
+"""Forms that no rule makes."""
+
+
+@cache
+def _verbs() -> frozenset[str]:
+    packed = (files("generator.language") / "words" / "verbs.txt.gz").read_bytes()
+    return frozenset(gzip.decompress(packed).decode().split())
+
+
+@cache
+def is_verb(word: str) -> bool:
+    """Tell whether a word is a form of a verb, in the infinitive, with -s, -ed or -ing."""
+    return word in _IRREGULAR or any(stem in _verbs() for stem in _stems(word))
+
+
+def is_finite(word: str) -> bool:
+    """Tell whether a word is a verb's form of the third person: "gets", "watches"."""
+    return word.endswith("s") and not word.endswith("ss") and is_verb(word)
+
+
+def _stems(word: str) -> list[str]:
+    stems = [word]
+    for end in ("s", "es", "d", "ed", "ing"):
+        if word.endswith(end) and len(word) > len(end) + 2:
+            stem = word.removesuffix(end)
+            stems += [stem, f"{stem}e"]
+            if len(stem) > 3 and stem[-1] == stem[-2]:  # "dropped"
+                stems.append(stem[:-1])
+    if word.endswith(("ies", "ied")):
+        stems.append(f"{word[:-3]}y")
+    return stems
