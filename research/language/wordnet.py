@@ -34,12 +34,14 @@ class WordNet:
         senses: noun to its senses, the most frequent first, each with how often it was counted.
         words: every single word of any part of speech.
         verbs: words that are verbs more often than nouns.
+        adjectives: words that are adjectives more often than nouns.
     """
 
     synsets: dict[str, Synset]
     senses: dict[str, tuple[tuple[str, int], ...]]
     words: frozenset[str]
     verbs: frozenset[str]
+    adjectives: frozenset[str]
 
     def ancestors(self, key: str) -> Iterator[tuple[int, Synset]]:
         """Yield a sense and all it is a kind of, nearest first, with the number of steps."""
@@ -81,7 +83,9 @@ def read(folder: Path) -> WordNet:
             if part == "noun":
                 senses[lemma] = tuple((o, counts.get((lemma, o), 0)) for o in fields[-number:])
     verbs = {w for (w, part), n in parts.items() if part == "2" and n > parts[w, "1"]}
-    return WordNet(synsets, senses, frozenset(words), frozenset(verbs))
+    described = {w for w, part in parts if part in "35"}
+    adjectives = {w for w in described if parts[w, "3"] + parts[w, "5"] > parts[w, "1"]}
+    return WordNet(synsets, senses, frozenset(words), frozenset(verbs), frozenset(adjectives))
 
 
 def _lines(path: Path) -> Iterator[str]:

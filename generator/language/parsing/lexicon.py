@@ -34,7 +34,7 @@ PLURAL_ONLY = frozenset(
     {"tweezers", "forceps", "scissors", "pliers", "tongs", "goggles", "spectacles", "sunglasses",
      "eyeglasses", "binoculars", "headphones", "earphones", "earbuds", "earmuffs", "defenders",
      "trousers", "jeans", "shorts", "pants", "tights", "leggings", "pyjamas", "pajamas",
-     "clippers", "nippers", "shears", "secateurs", "pincers", "snips", "cutters", "strippers",
+     "clippers", "nippers", "shears", "secateurs", "pincers", "snips", "strippers",
      "calipers", "callipers", "scales", "overalls", "dungarees", "braces", "pruners", "loppers", "muffs"}
 )  # fmt: skip
 """Nouns of one thing that have no singular: "a pair of tweezers" is one."""

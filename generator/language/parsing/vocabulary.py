@@ -155,9 +155,9 @@ LEGS = _table(
 )
 
 PARTS = _words(
-    "leg legs handle handles lid lids top tops surface drawer drawers stripe stripes dot dots "
-    "cap caps edge edges corner corners side sides base pattern patterns finish color colour "
-    "shape label labels rim wheels wheel logo cover covers front back left right middle center "
+    "leg legs handle handles top tops surface drawer drawers stripe stripes dot dots "
+    "edge edges corner corners side sides base pattern patterns finish color colour "
+    "shape rim logo cover covers foot front back left right middle center "
     "centre centerpiece spout feet frame"
 )
 """Parts and aspects of things; never objects of their own."""
@@ -249,6 +249,7 @@ SYNONYMS = _pairs(
     egg: boiled egg
     cake: cupcake, muffin, pie
     croissant: pastry
+    jam jar: pot of marmalade, pot of jam, pot of mustard, pot of relish, pot of chutney
     jar: jam jar, honey jar, jam, honey, mason jar, cookie jar, glass jar, spice jar, marmalade
     carton: milk carton, milk, carton of milk, juice carton, juice box
     cereal box: box of cereal, cereal
@@ -326,6 +327,8 @@ SYNONYMS = _pairs(
     sugar bowl: sugar, bowl of sugar
     pitcher: jug, water jug, carafe, milk jug, creamer
     whisk: egg beater
+    bread roll: roll
+    baseball cap: cap
     spatula: turner
     rolling pin: roller
     remote: remote control, tv remote
@@ -355,6 +358,8 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
         "piece": (("chess_board", "chess_piece"),),
         "set": (("chess_board", "chess_piece"),),
         "bean": (("coffee_grinder", "coffee_bag"), ("espresso_machine", "coffee_bag")),
+        "slice": (("pizza_box", "pizza_slice"), ("pizza", "pizza_slice"), ("bread", "toast"),
+                  ("cake", "cake_slice"), ("pie", "cake_slice")),
         "shaker": (("jigger", "cocktail_shaker"), ("strainer", "cocktail_shaker"),
                    ("martini", "cocktail_shaker"), ("muddler", "cocktail_shaker")),
         "card": (("poker_chips", "playing_cards"),),

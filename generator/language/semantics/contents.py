@@ -21,6 +21,7 @@ DEPICTIONS = frozenset({
 DECORATIONS = frozenset({
     "picture", "photo", "print", "drawing", "image", "design", "motif", "logo", "sticker",
     "inscription", "engraving", "writing", "text", "slogan",
+    "lid", "cap", "label", "wheel", "lids", "caps", "labels", "wheels",
 })  # fmt: skip
 """What "with" adds to a thing's looks."""
 

@@ -345,7 +345,7 @@ class Interpreter(CarryReader):
 
     def _people(self, clause: Clause) -> None:
         """Read "set the table for four: a plate, a fork on the left"."""
-        loose = ("setting", "vague", "table", "collective")
+        loose = ("setting", "vague", "table", "collective", "abstract", "adjective", "title")
         people = clause.people
         if people == EVERYONE:
             people = self.reading.people or self._guests or _SOME_PEOPLE

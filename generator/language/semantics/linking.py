@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from ...catalogue import CATEGORIES
-from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
 from ..parsing.vocabulary import OPENED

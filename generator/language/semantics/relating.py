@@ -70,6 +70,10 @@ class Relater:
         if kind == "aim":
             return  # "push it towards the cone"
         if any(draft is other for draft in group for other in target):
+            if len(group) == len(self.reading.objects):
+                raise InputError(
+                    f"The text relates the {group[0].noun} to itself; name two different objects."
+                )
             self.reading.warnings.append(
                 f"The text relates the {group[0].noun} to itself; it stands where there is room."
             )

@@ -13,13 +13,14 @@ from ..syntax import function_words as fw
 from ..syntax.tree import (
     VARIED,
     Arranged,
+    Carry,
     Description,
     Location,
     Noun,
     Post,
 )
-from .ordering import size_rank
 from .linking import link
+from .ordering import size_rank
 from .references import find_referred, may_carry, pick
 from .relating import Relater
 
@@ -62,7 +63,7 @@ class ThingReader(Relater, ABC):
             known = self.reading.objects[self._seated or 0 :]
             found = find_referred(noun, known, self._context.subject)
             if noun.each and not found:
-                found = [d for d in self.reading.objects if d.noun == noun.head]
+                found = [d for d in known if d.noun == noun.head]
             if found and not (noun.other and not noun.definite):
                 return found
         bare = not noun.determined and noun.kind == "thing" and not noun.variants
@@ -144,6 +145,14 @@ class ThingReader(Relater, ABC):
         if noun.definite and (best := self._ordinal(noun) or self._superlative(noun)):
             self._posts(noun, best)
             return best
+        listed = any(isinstance(post, Carry) for post in noun.post)
+        if noun.other and not noun.definite and listed:  # "another the four patties"
+            like = next((g[0] for g in reversed(self._context.mentioned) if may_carry(g[0], "on")), None)
+            if like is not None:
+                made = [self.reading.add(like.noun, like.category, {}, family=like.family)]
+                self._context.mentioned.append(made)
+                self._posts(noun, made)
+                return made
         if noun.definite and noun.attributes:  # "the red one"
             wanted = noun.attributes.items()
             known = [d for d in self.reading.objects if wanted <= d.attributes.items()][-1:]
@@ -212,7 +221,10 @@ class ThingReader(Relater, ABC):
             members = list(grouping.members)
             if grouping.kind == kind and all(d not in self._context.subject for d in members):
                 return members
-        return []
+        stacked = [d for d in self.reading.objects if d.stacked_under is not None]
+        above = {id(d.stacked_under) for d in stacked}
+        bottoms = [d for d in stacked if id(d) not in above and d not in self._context.subject]
+        return bottoms[-1:] if kind in ("stack", "heap") else []
 
     def _ordinal(self, noun: Noun) -> Group:
         """Return what "the second", "the left one" or "the empty one" means of the last several."""
@@ -227,6 +239,9 @@ class ThingReader(Relater, ABC):
             group = next((g for g in reversed(groups) if may_carry(g[0], "on")), group)
             carriers = [to for d in self.reading.objects for _, to in d.relations]
             return [d for d in group if all(d is not to for to in carriers)][:1]
+        if noun.position in ("top", "upper", "bottom") and group[0].stacked_under is not None:
+            tops = [d for d in group if d.stacked_under is None]
+            return tops[-1:] if noun.position != "bottom" else group[:1]
         if noun.position in ("left", "right") and len(group) < 4:
             link("left_of", group[:1], group[-1:], self.reading.warnings)
             return group[:1] if noun.position == "left" else group[-1:]

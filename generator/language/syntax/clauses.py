@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...catalogue import CATEGORIES
 from ..parsing.lexicon import singular
-from ..words.verbs import is_verb
+from ..words.speech import is_verb
 from . import function_words as fw
 from .cursor import ENDS
 from .lists import ListReader
@@ -69,6 +69,8 @@ class Parser(ListReader):
         if arrangement is not None and subjects:
             at = -1 if arrangement.order == "listed" else 0
             subjects[at].post.append(arrangement)
+        if subjects and self._tag() == "comma" and self._text(1) in fw.BE:
+            self.i += 1  # "two cars, a red and a green one, are parked ..."
         predicate: list[Post] = []
         at_end = 0 if people else self._people()
         people = people or at_end
@@ -88,6 +90,7 @@ class Parser(ListReader):
             if self._tag() == "word" and self._text() in fw.PRONOUNS:
                 self.i += 1  # "watches them from the corner"
             self._posts(None, predicate)
+        single = self._text() in fw.SINGULAR
         if self._text() in fw.BE or self._tag() == "relative":
             self._skip(fw.BE | fw.PARTICIPLES | {"being"})
             self._posts(None, predicate)
@@ -103,6 +106,9 @@ class Parser(ListReader):
             lead = self._heading
         if not subjects and not predicate and lead is None and not people:
             return None
+        if single and predicate and len(subjects) > 1 and "comma" in subjects[-1].joint:
+            self._pending.append(Clause(subjects[-1:], predicate))
+            return Clause(subjects[:-1], [], lead, people)
         return Clause(subjects, predicate, lead, people)
 
     def _is_left_out(self) -> bool:

@@ -28,8 +28,7 @@ _WEAK = frozenset({("no",), ("make",), ("wait",), ("better",), ("er",), ("actual
 """Those that are such words only where what follows shows it."""
 
 _LED = frozenset(
-    "make that it them just put let is s say rather actually to be there should have us i mean want "
-    "but instead please change".split()
+    ["make", "that", "it", "them", "just", "put", "let", "is", "s", "say", "rather", "actually", "to", "be", "there", "should", "have", "us", "i", "mean", "want", "but", "instead", "please", "change"]
 )
 """Words between a marker and what is right."""
 

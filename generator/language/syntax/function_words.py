@@ -202,7 +202,7 @@ GROUPS = _table(
     group: slices, type, types, kind, kinds, sort, sorts, lot, sheet, sheets, serving, portion
     group: clove, cloves, head, heads, stalk, stalks, strip, strips, wedge, wedges, chunk, chunks
     group: roll, rolls, reel, reels, thumb, pinch, dash, drizzle, pat, knob, stick, sticks
-    group: half, halves, quarter, quarters, pint, pints, trio, brace, lump, lumps, helping, unit, units, item, items, plenty, spread, sprig, clump
+    group: half, halves, quarter, quarters, trio, brace, lump, lumps, helping, unit, units, item, items, plenty, spread, sprig, clump
     """
 )
 """Nouns before "of" that only say how many, or how they are arranged."""
@@ -270,8 +270,15 @@ BE = _words("is are was were be been being sits sit stands stand lies lie lays r
             "leans lean faces face should must can could shall will would may might")  # fmt: skip
 """Verbs between subjects and what is said of them."""
 
+SINGULAR = _words("is sits stands lies rests hangs leans goes stays belongs was remains faces")
+"""Verbs of one thing: in a list they are said of its last thing alone."""
+
 MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put bring")
 """Verbs by which a robot is told what to do."""
+
+HANDLED = _words("sorted moved grasped picked handled cleaned cleared used seen made tidied collected "
+                 "done packed eaten washed left arranged")  # fmt: skip
+"""What somebody does with things: "sorted by the robot"."""
 
 PARTICIPLES = _words(
     "sitting standing lying resting placed put located positioned laying leaning hanging seen "
@@ -279,7 +286,7 @@ PARTICIPLES = _words(
     "closely partially partly still also then now lain laid stood found displayed propped nicely "
     "currently immediately exactly precisely roughly approximately nearly almost casually loosely "
     "conveniently politely flat turned flipped somewhere far further slightly close very quite "
-    "rather so too only even both all alone usually always normally"
+    "rather so too only even both all alone usually always normally guard proudly"
 )
 """Words between a noun and its place that add nothing of their own."""
 

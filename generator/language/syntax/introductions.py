@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ..parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
+from ..words.speech import is_adjective
 from . import function_words as fw
 from .tokens import Token
 from .tree import Arrangement
@@ -55,7 +56,7 @@ class PhraseStart:
 
 def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read articles, numbers, lengths and "a stack of"; return where they end."""
-    while i < len(tokens):
+    while i < len(tokens) and not run.closed:
         token = tokens[i]
         step = (
             _weight(tokens, i)
@@ -74,6 +75,9 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             run.definite = True
             run.numbers = []  # "two of the three mugs"
             i += 1
+        elif token.text in fw.INDEFINITE and run.numbers and run.definite:
+            run.closed = True  # "between the two a bowl"
+            break
         elif token.text in fw.INDEFINITE:
             run.article = True
             i += 1
@@ -86,9 +90,12 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             ):
                 run.closed = True  # "the third two doughnuts"
                 break
-        elif token.text in ("other", "second", "third") and run.article:
+        elif token.text in ("other", "second", "third", "fourth") and run.article:
             run.other = True
             i += 1
+            if i < len(tokens) and tokens[i].text in fw.DEFINITE | fw.INDEFINITE:
+                run.closed = True  # "a third the lettuce"
+                break
         elif token.text == "other" and run.definite:
             run.other = True
             i += 1
@@ -115,6 +122,11 @@ def may_continue(tokens: Sequence[Token], i: int) -> bool:
 def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read "three", "2-3", "half a dozen of", "2 x"; return how many tokens they take."""
     value = _value(tokens[i])
+    if tokens[i].text == "another" and i + 1 < len(tokens) and (
+        tokens[i + 1].text in fw.DEFINITE | fw.INDEFINITE
+    ):
+        run.other, run.closed, run.numbers = True, True, [1.0]
+        return 1
     if value is None:
         if tokens[i].text == "half" and [t.text for t in tokens[i + 1 : i + 3]] == ["a", "dozen"]:
             run.numbers = [6.0]
@@ -206,9 +218,8 @@ def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 
 def is_describing(word: str) -> bool:
     """Tell whether a word only describes: a colour, a material, a size, a state."""
-    return any(word in words for words in (COLORS, SHADES, MATERIALS, SIZES, STATES, MORE)) or (
-        word.endswith("ly") and len(word) > 4
-    )
+    listed = any(word in words for words in (COLORS, SHADES, MATERIALS, SIZES, STATES, MORE))
+    return listed or is_adjective(word) or (word.endswith("ly") and len(word) > 4)
 
 
 def multiply(numbers: Sequence[float]) -> float | None:

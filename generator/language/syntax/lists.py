@@ -147,11 +147,27 @@ class ListReader(PostReader):
         if ended:
             return True
         if how == "hold":
-            return not _may_hold(owner, noun)
+            return not (_may_hold(owner, noun) or self._ends_with_and())
         served = owner.category in ("plate", "bowl") and _is_food(noun)
         if joint == "and" or served:
             return False
         return not (_carries(owner) and _may_hold(owner, noun))
+
+    def _ends_with_and(self) -> bool:
+        """Tell whether a plain list goes on to an "and": "a syringe, a thermometer and a swab"."""
+        k = self.i
+        while k < len(self.tokens):
+            noun, end = read_noun(self.tokens, k)
+            if noun is None or end >= len(self.tokens):
+                return False
+            if self.tokens[end].tag == "and":
+                return True
+            if self.tokens[end].tag != "comma":
+                return False
+            k = end + 1 + (self.tokens[end + 1].tag == "and" if end + 1 < len(self.tokens) else 0)
+            if self.tokens[k - 1].tag == "and":
+                return True
+        return False
 
     def _returns(self) -> str | None:
         """Return "on" or "in" where the rest of a list puts all of it "on it" or "in it"."""

@@ -20,7 +20,7 @@ from ..parsing.vocabulary import (
     VAGUE_THINGS,
 )
 from ..words.dictionary import entry_of, is_english
-from ..words.verbs import is_finite, is_verb
+from ..words.speech import IRREGULAR, is_finite, is_verb
 from . import function_words as fw
 from .introductions import (
     MORE,
@@ -120,6 +120,11 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
         ahead = following.text if following is not None and following.tag == "word" else ""
         extended, longer = (*run.words, word), (*run.words, word, ahead)
         third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
+        ahead_tag = following.tag if following is not None else ""
+        alone = not run.words and (run.numbers or run.ordinal or run.other) and word in fw.BE
+        if alone and (ahead_tag == "relation" or read_zone(tokens, i + 1) is not None):
+            if (run.numbers or [1.0])[0] == 1.0 or not word.endswith("s"):
+                return True  # "one stands on a tray, both lie in it"
         before = len(run.words) if nouns and word in fw.BE else len(extended)
         named = any(
             lexicon.category_of(some[k:]) or lexicon.collective_of(some[k:])
@@ -195,7 +200,8 @@ def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     ended = following is None or following.tag in _CLOSING
     if is_finite(word):
         return _is_single(run) and not ended
-    return word.endswith(("ed", "ing")) and _is_known(run.words) and not ended
+    participle = word.endswith(("ed", "ing", "en", "ung")) or word in IRREGULAR
+    return participle and _is_known(run.words) and not ended
 
 
 def _is_single(run: PhraseStart) -> bool:
@@ -273,7 +279,8 @@ def _noun(run: PhraseStart) -> Noun:
         attributes = _two_colored(run, attributes)
     if run.arrangement is None and "stacked" in modifiers and plural:
         run.arrangement = "stack"
-    single = bool(head) and head[-1] in lexicon.PLURAL_ONLY and run.words[-1:] == [head[-1]]
+    paired = lexicon.PLURAL_ONLY | {"cutters"} if run.pair else lexicon.PLURAL_ONLY
+    single = bool(head) and run.words[-1:] == [head[-1]] and head[-1] in paired
     if single:
         plural = False
         count = count / 2 if run.pair and count is not None else count
@@ -329,7 +336,8 @@ def _head(
         return "member", (last,), None, ""
     for start in range(len(words)):
         tail = words[start:]
-        if lexicon.collective_of(tail):
+        named_so = start and not is_describing(words[start - 1]) and len(tail) == 1
+        if lexicon.collective_of(tail) and not named_so:
             return "collective", tail, None, ""
         if _only_describes(tail):
             continue
@@ -380,7 +388,7 @@ def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | N
     entry = entry_of(words)
     last = words[-1]
     strange = len(words) > 1 and not is_describing(words[-2])
-    if last in fw.NO_NOUNS:
+    if last in fw.NO_NOUNS or (last in fw.FORMS and not lexicon.category_of((last,))):
         return "abstract", words[-1:], None, ""
     if entry is None and (
         last in fw.AMOUNTS or (last.endswith(_VERBAL) and is_english(last))

@@ -78,9 +78,9 @@ class PlaceReader(Cursor):
         if noun is None or end + 1 >= len(self.tokens) or noun.kind == "table":
             return None
         owned = [k for k in range(self.i + 1, end) if self.tokens[k].tag == "possessive"]
-        if not owned or self.tokens[end - 1].text not in fw.SIDES and (
+        if not owned or (self.tokens[end - 1].text not in fw.SIDES and (
             self.tokens[end - 2].text not in fw.SIDES
-        ):
+        )):
             return None
         whose, _ = read_noun(self.tokens[: owned[0]], self.i + 1)
         side = next(t.text for t in self.tokens[owned[0] + 1 : end] if t.text in fw.SIDES)

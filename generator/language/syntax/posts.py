@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ..words.verbs import is_verb
+from ..words.speech import is_verb
 from . import function_words as fw
 from .cursor import ENDS, SUPPORTING
 from .nouns import read_noun
@@ -79,6 +79,9 @@ class PostReader(PlaceReader):
         self._skip(fw.PARTICIPLES - {"left", "right", "far"})
         if self._is_participle():
             self.i += 1
+        if self._text() in fw.HANDLED and self._text(1) == "by" and self._starts_noun(2):
+            self.i = read_noun(self.tokens, self.i + 2)[1]  # "to be sorted by the robot"
+            return True
         if self._tag() == "relative" or (self._text() == "that" and noun is not None):
             self.i += 1
             self._skip(fw.BE | fw.PARTICIPLES)
@@ -121,7 +124,8 @@ class PostReader(PlaceReader):
             return True
         if self._tag() == "of" and noun is not None:
             return self._contents(noun, out)
-        if noun is not None and noun.ordinal and not comma and not joined and not out:
+        told = noun is not None and noun.kind == "member" and (noun.ordinal or noun.other)
+        if told and not comma and not joined and not out:
             if self._starts_noun(0, determined=True):  # "the third two doughnuts"
                 out.append(Carry("hold", tuple(self._items(noun, "hold"))))
                 return True
@@ -178,6 +182,8 @@ class PostReader(PlaceReader):
         before = self.i
         self.i += 1
         many = noun.plural or noun.arrangement is not None
+        if opening == "open" and many and self._kinds_listed(noun):
+            return True
         while self._text() in _THERE_ARE:
             self.i += 1
         found, end = read_noun(self.tokens, self.i)
@@ -210,6 +216,26 @@ class PostReader(PlaceReader):
             return True
         self.i = before
         return False
+
+    def _kinds_listed(self, noun: Noun) -> bool:
+        """Read "cookie cutters (star, heart, moon)": which they are, and so how many."""
+        k, kinds = self.i, 0
+        while k < len(self.tokens):
+            one, end = read_noun(self.tokens, k)
+            if one is None or one.determined or one.kind == "adjective" or one.lengths:
+                return False
+            k, kinds = end, kinds + 1
+            tag = self.tokens[k].tag if k < len(self.tokens) else ""
+            if tag == "close":
+                break
+            if tag not in ("comma", "and"):
+                return False
+            k += 1 + (self.tokens[k + 1].tag == "and" if k + 1 < len(self.tokens) else 0)
+        if kinds < 2:
+            return False
+        noun.count = float(kinds) if noun.count is None and noun.amount is None else noun.count
+        self.i = k + 1
+        return True
 
     def _order_by_ends(self) -> str | None:
         """Read "from the largest on the left to the smallest on the right"."""
@@ -370,7 +396,8 @@ class PostReader(PlaceReader):
             before = self.i
             joint = self._connector()
             more, end = read_noun(self.tokens, self.i)
-            if more is None or more.determined or joint != "and" or self._is_clause(end):
+            mixed = more is not None and more.plural and not inner.plural  # "flour and two cups"
+            if more is None or more.determined or mixed or joint != "and" or self._is_clause(end):
                 self.i = before
                 break
             self.i = end

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..words.dictionary import entry_of
-from ..words.verbs import is_verb
+from ..words.speech import is_verb
 from . import function_words as fw
 from .cursor import ENDS
 from .nouns import read_noun

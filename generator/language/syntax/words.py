@@ -19,6 +19,7 @@ _PIECE = re.compile(
     |(?P<contraction>\b(?:there|it|that|here|what|where|who)'s\b|\b(?:i|you|we|they)'(?:ve|re|ll|d|m)\b)
     |(?P<negated>[a-z]+n't)
     |(?P<possessive>(?<=[a-z])'s?(?![a-z]))
+    |(?P<circa>\b(?:ca|approx|incl|inc|max|min|no|nr)\.(?=\s*[\da-z]))
     |(?P<latin>\b(?:i\.\s?e\.?|e\.\s?g\.?|viz\.))
     |(?P<number>(?<![\w.])-?\d+(?:,\d{3})*(?:\.\d+)?(?:e\d+)?|(?<=\dx)\d+)
     |(?P<word>[a-z]+)
@@ -84,6 +85,8 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
     said, name = piece.group(), piece.lastgroup
     if name == "number":
         return [(said.replace(",", ""), "number")]
+    if name == "circa":
+        return [(_ABBREVIATIONS.get(said[:-1], "about"), "word")]
     if name == "latin":
         return [(",", "mark")]
     if name == "dash":

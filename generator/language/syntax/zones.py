@@ -133,7 +133,7 @@ def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> Fo
         if end is None:
             return FoundZone(_zone(sides, noun), i, of=True)
         return FoundZone(_zone(sides, noun), end, table=(i + 1, end))
-    if not i_noun and not heading and _is_noun(tokens, i):
+    if not i_noun and not heading and (_is_noun(tokens, i) or _text(tokens, i) in ("one", "ones")):
         return None
     if heading and not i_noun and _tag(tokens, i) not in ("colon", "dash", "line"):
         return None

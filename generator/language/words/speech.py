@@ -1,4 +1,4 @@
-"""Which words are forms of a verb: those that are verbs more often than nouns."""
+"""Parts of speech: which words are verbs, or adjectives, more often than nouns."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import gzip
 from functools import cache
 from importlib.resources import files
 
-_IRREGULAR = frozenset(
+IRREGULAR = frozenset(
     ["stood", "lay", "lain", "sat", "hung", "held", "kept", "set", "left", "stuck", "worn", "drawn",
      "thrown", "sunk", "bent", "broken", "eaten", "drunk", "fallen", "gone", "came", "went", "got",
      "gotten", "built", "brought", "bought", "caught", "found", "forgotten", "given", "grown",
@@ -18,15 +18,20 @@ _IRREGULAR = frozenset(
 
 
 @cache
-def _verbs() -> frozenset[str]:
-    packed = (files("generator.language") / "words" / "verbs.txt.gz").read_bytes()
+def _table(name: str) -> frozenset[str]:
+    packed = (files("generator.language") / "words" / f"{name}.txt.gz").read_bytes()
     return frozenset(gzip.decompress(packed).decode().split())
+
+
+def is_adjective(word: str) -> bool:
+    """Tell whether a word only describes: "shallow", "fluffy"."""
+    return word in _table("adjectives")
 
 
 @cache
 def is_verb(word: str) -> bool:
     """Tell whether a word is a form of a verb, in the infinitive, with -s, -ed or -ing."""
-    return word in _IRREGULAR or any(stem in _verbs() for stem in _stems(word))
+    return word in IRREGULAR or any(stem in _table("verbs") for stem in _stems(word))
 
 
 def is_finite(word: str) -> bool:
