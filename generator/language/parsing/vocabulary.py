@@ -327,6 +327,8 @@ SYNONYMS = _pairs(
     sugar bowl: sugar, bowl of sugar
     pitcher: jug, water jug, carafe, milk jug, creamer
     whisk: egg beater
+    dish soap: washing liquid, washing up liquid
+    kitchen scale: scale, scales, digital scale, weighing scale
     bread roll: roll
     baseball cap: cap
     spatula: turner

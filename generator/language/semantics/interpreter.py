@@ -74,6 +74,8 @@ class Interpreter(CarryReader):
                 self._predicate(post, things, groups)
         firsts = [d for group in things for d in group if not is_supported(d)]
         self._context.listed = firsts if len(things) > 2 else []
+        if isinstance(lead, list) and self._context.topic in (None, *things):
+            self._context.topic = lead  # "next to it ... In front of it ...": the same "it"
         if things and self._context.topic is None:
             self._context.topic = things[0]
 
@@ -81,7 +83,8 @@ class Interpreter(CarryReader):
         for group in groups:
             if group == TABLE and place.kind in ("on", "in"):
                 raise _TURNED
-            if isinstance(group, list):
+            own = isinstance(group, list) and any(to == TABLE for _, to in group[0].relations)
+            if isinstance(group, list) and not (own and isinstance(place.target, Zone)):
                 self._attach(place, targets, group)
 
     def _predicate(self, post: Post, things: Sequence[Group], groups: Sequence[Target]) -> None:

@@ -96,6 +96,7 @@ class Parser(ListReader):
             self._posts(None, predicate)
             if not predicate and not self._ended() and self._tag() not in ("comma", "and"):
                 predicate += self._complement()
+                self._posts(None, predicate)
         elif not subjects:
             self._posts(None, predicate)
         if self._tag() in ("colon", "dash") and lead is None:
@@ -193,6 +194,8 @@ class Parser(ListReader):
         """Skip politeness and verbs at the start; return how a verb arranges what follows."""
         while not self._ended():
             word = self._text()
+            if word == "to" and read_zone(self.tokens, self.i) is not None:
+                return None  # "to the left, a book"
             two = f"{word} {self._text(1)}"
             if two in fw.ARRANGING_VERBS and self._starts_noun(2):
                 self.i += 2

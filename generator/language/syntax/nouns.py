@@ -99,7 +99,7 @@ def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     return i
 
 
-_CLOSING = frozenset({"comma", "stop", "line", "and"})
+_CLOSING = frozenset({"comma", "stop", "line", "and", "colon", "dash", "open", "close"})
 """Tags of what may follow the last word of a noun phrase."""
 
 
@@ -121,6 +121,9 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
         extended, longer = (*run.words, word), (*run.words, word, ahead)
         third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
         ahead_tag = following.tag if following is not None else ""
+        inverted = ahead in fw.INDEFINITE | fw.DEFINITE or ahead in fw.NUMBERS
+        if word in fw.BE and word.endswith("s") and inverted and (run.words or run.ordinal):
+            return True  # "behind the biggest stands a roller"
         alone = not run.words and (run.numbers or run.ordinal or run.other) and word in fw.BE
         if alone and (ahead_tag == "relation" or read_zone(tokens, i + 1) is not None):
             if (run.numbers or [1.0])[0] == 1.0 or not word.endswith("s"):

@@ -61,9 +61,10 @@ class PlaceReader(Cursor):
                 return Location(kind, Noun("pronoun", ("it",), span, "it"))
             target = self._target(nested=kind in SUPPORTING and not leading)
             if target is not None:
-                if kind == "between" and target.kind in ("setting", "collective", "part"):
-                    if target.plural:  # "between the two settings", "between both halves"
-                        return Location("at", Zone(0, 0))
+                parts = ("setting", "collective", "part")
+                halves = target.kind in parts or target.words[-1:] in (("halves",), ("sides",))
+                if kind == "between" and halves and (target.plural or target.count == 2):
+                    return Location("at", Zone(0, 0))  # "between both halves"
                 if kind == "between":
                     self._between(target)
                 return Location(kind, target, target.each)

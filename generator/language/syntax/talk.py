@@ -38,6 +38,9 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
         if tokens[i].text in _MODALS and i + 1 < len(tokens) and tokens[i + 1].text in _ASKED:
             i += 2
             continue
+        if (skipped := _skipped(tokens, i)) > i:
+            i = skipped
+            continue
         fresh = not out or out[-1].tag in _PAUSES or out[-1].tag == "and"
         end = _talk_end(tokens, i) if fresh else i
         if end > i:
@@ -47,6 +50,25 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
             out.append(tokens[i])
             i += 1
     return _answered(out), lost
+
+
+def _skipped(tokens: Sequence[Token], i: int) -> int:
+    """Return the end of "if possible", "otherwise any mug" and of "not on the table but"."""
+    texts = [token.text for token in tokens[i : i + 10]]
+    if texts[:2] in (["if", "possible"], ["if", "needed"], ["where", "possible"]):
+        return i + 2
+    if texts[:1] in (["otherwise"], ["else"]):
+        k = i + 1
+        while k < len(tokens) and tokens[k].tag not in (*_PAUSES, "and"):
+            k += 1
+        return k
+    if tokens[i].tag == "no" and "but" in texts[1:]:
+        end = texts.index("but")
+        marks = [token.tag for token in tokens[i + 1 : i + end]]
+        after = tokens[i + end + 1].tag if i + end + 1 < len(tokens) else ""
+        if not any(tag in (*_PAUSES, "and") for tag in marks) and after == "relation":
+            return i + end + 1
+    return i
 
 
 def _talk_end(tokens: Sequence[Token], i: int) -> int:

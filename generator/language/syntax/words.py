@@ -46,6 +46,7 @@ _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|i
 _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
 _JOINED_UP = re.compile(r"(?i)(?<=[a-z])-(?:up|down|out|off)\b")
 _BAKERS = re.compile(r"(?i)\bbaker[’']s dozen\b")
+_VAGUE_COUNT = re.compile(r"(?i)\b(?:some|several|a few|a couple of) ?\((?=\d+(?: ?[-–] ?\d+)?\))")
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
@@ -67,6 +68,7 @@ def words_of(text: str) -> tuple[Word, ...]:
     """Return the words of a text; bullets and numbers of list items are line ends."""
     text = _TAG.sub(lambda found: " " * len(found.group()), text)
     text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
+    text = _VAGUE_COUNT.sub(lambda found: " " * len(found.group()), text)
     text = _AGE.sub(lambda found: " " * len(found.group()), text)
     text = _JOINED_UP.sub(lambda found: " " * len(found.group()), text)
     text = _PARTS.sub(lambda found: " " * len(found.group()), text)

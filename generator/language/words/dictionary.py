@@ -16,6 +16,7 @@ from types import MappingProxyType
 from ...catalogue.stand_ins import GENERIC
 from ...scene import PlannedObject
 from ..parsing.lexicon import category_of, singular
+from .speech import IRREGULAR
 
 _TABLES = files("generator.language") / "words"
 
@@ -84,7 +85,7 @@ def is_substituted(noun: str, category: str) -> bool:
 def is_english(word: str) -> bool:
     """Return whether a word is one of the English language, in the singular or plural."""
     known = _english()
-    if word in known or singular(word) in known or len(word) < 3:
+    if word in known or singular(word) in known or len(word) < 3 or word in IRREGULAR:
         return True
     stems = [word.removesuffix(end) for end in ("ed", "ing", "er", "est", "ly", "d", "r", "st")]
     return any(stem != word and (stem in known or f"{stem}e" in known) for stem in stems)

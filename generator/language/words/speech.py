@@ -12,7 +12,10 @@ IRREGULAR = frozenset(
      "gotten", "built", "brought", "bought", "caught", "found", "forgotten", "given", "grown",
      "hidden", "known", "laid", "led", "lent", "lost", "made", "meant", "met", "paid", "ran",
      "said", "seen", "sent", "shown", "shut", "slid", "spilt", "split", "taken", "taught", "told",
-     "took", "wound", "woven", "written", "wrapped"]
+     "took", "ate", "began", "blew", "chose", "drank", "drew", "drove", "fell", "felt", "flew",
+     "forgot", "froze", "grew", "hid", "knew", "lit", "rode", "rose", "sang", "shook", "slept",
+     "sold", "spent", "spoke", "stole", "swam", "swept", "swung", "thought", "threw", "tore",
+     "woke", "won", "wore", "wrote", "wound", "woven", "written", "wrapped"]
 )  # fmt: skip
 """Forms that no rule makes."""
 

@@ -54,7 +54,7 @@ def _is_strange(word: Word, known: Collection[str]) -> bool:
     text = word.text
     if word.kind != "word" or len(text) < _SHORTEST - 1 or _is_known(text, known):
         return False
-    return not is_english(text) or len(text) < _SHORTEST
+    return not is_english(text)
 
 
 def _is_rare(word: Word, known: Collection[str]) -> bool:
