@@ -38,7 +38,7 @@ def related(text: str) -> set[tuple[str, str, str]]:
         ("500 g of flour and a mug", {"flour_bag": 1, "mug": 1}),
         ("a two-tier cake stand", {"cake_stand": 1}),
         ("a table with four chairs and a bowl", {"bowl": 1}),
-        ("a mug, otherwise a cup of nothing at all possible", {"mug": 2}),
+        ("a mug, otherwise a cup of nothing at all possible", {"mug": 1}),
     ],
 )  # fmt: skip
 def test_counts(text: str, expected: dict[str, int]) -> None:

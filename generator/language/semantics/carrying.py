@@ -152,6 +152,7 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
     inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
     if item.category is None and CATEGORIES[owner[0].category].container:
         inside = "in"
+    inside = "in" if how == "hold" else inside
     if inside not in ("on", "in") or item.category in CUTLERY:
         return []
     sided = [i for i in items if any(_is_side(p) for p in i.post)]

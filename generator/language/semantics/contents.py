@@ -63,6 +63,8 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     if len(items) != 1 or owner.category is None:
         return False
     (item,) = items
+    if item.kind == "collective" and not item.determined and CATEGORIES[owner.category].container:
+        return item.head.split()[-1] in ("food", "foods", "snacks")
     vessel = item.category is None or owner.category in _VESSELS
     plain = not item.determined and not item.plural and vessel
     return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)

@@ -95,6 +95,12 @@ class Interpreter(CarryReader):
             if isinstance(post.target, Noun) and post.kind in ("on", "in"):
                 raise _TURNED
             return
+        if isinstance(post, Location) and len(things) > 1:
+            everything = [draft for group in things for draft in group]
+            target = self._resolve(post, everything)
+            for group in things if target is not None else ():
+                self._attach(post, target, group)
+            return
         for group in things:
             self._post(post, group, None)
         if isinstance(post, Location) and not groups and not things:
@@ -223,6 +229,10 @@ class Interpreter(CarryReader):
             first = shown[0].items[0]
             rest = [post for post in noun.post if post is not shown[0]]
             return self._noun(replace(first, post=[*first.post, *rest]), owner)
+        if noun.words == ("everything",) and self.reading.objects:
+            standing = [d for d in self.reading.objects if not is_supported(d)]
+            self._posts(noun, standing)
+            return standing
         if noun.kind in ("setting", "vague", "abstract"):
             return self._loose(noun)
         if noun.kind == "part":
@@ -320,6 +330,8 @@ class Interpreter(CarryReader):
                 self._table(place.table)
             return TABLE
         noun = place.target
+        if place.kind == "otherside":
+            return self._side[1] if self._side else None
         outer, context.subject = context.subject, subject
         try:
             if noun.kind == "pronoun":

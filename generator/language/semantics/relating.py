@@ -30,6 +30,8 @@ CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
 """What lies beside a plate; a glass "above" it stands behind it."""
 
 
+_OTHER_SIDE = {"left_of": "right_of", "right_of": "left_of", "behind": "in_front_of",
+               "in_front_of": "behind"}  # fmt: skip
 _SIDES = {"fork": "left_of", "knife": "right_of", "spoon": "right_of", "chopsticks": "right_of"}
 
 
@@ -48,6 +50,8 @@ class Relater:
     def _attach(self, place: Location, target: Target, group: Group) -> None:
         """Relate a group to what a place refers to."""
         context, kind = self._context, place.kind
+        if kind == "otherside" and self._side:
+            kind = _OTHER_SIDE.get(self._side[0], "next_to")
         if self._seated is not None and kind == "on" and isinstance(target, list):
             flat = [d.category in CUTLERY for d in target]
             kind = "behind" if all(flat) else kind  # "the glass above the knife"
@@ -169,6 +173,12 @@ class Relater:
             if kind in ("left_of", "right_of") and isinstance(target, list):
                 link("left_of" if zone.x < 0 else "right_of", group, target, self.reading.warnings)
                 return
+        if zone.spread and zone.x == 0:  # "at the left and right ends"
+            for draft in group[: len(group) // 2]:
+                draft.relate("left_of", TABLE)
+            for draft in group[len(group) // 2 :]:
+                draft.relate("right_of", TABLE)
+            return
         if zone.spread and zone.edge and len(group) == 1:  # "a candle in every corner"
             one = group[0]
             while len(group) < len(_CORNERS):

@@ -18,6 +18,7 @@ from ..syntax.tree import (
     Location,
     Noun,
     Post,
+    Zone,
 )
 from .linking import link
 from .ordering import size_rank
@@ -75,8 +76,8 @@ class ThingReader(Relater, ABC):
         return self._introduce(noun)
 
     def _collective(self, noun: Noun) -> Group:
-        if noun.count == 2 and "both" in noun.words[:1]:
-            return []
+        if noun.definite and noun.count == 2:
+            return []  # "both tools"
         if noun.definite and (known := self._collected(noun)):
             return known
         members = [m for m in noun.members if m not in self.reading.excluded]
@@ -117,6 +118,11 @@ class ThingReader(Relater, ABC):
             noun.arrangement is not None or noun.category in _HEAPED
         )
         count = 1 if single else len(noun.variants) or self.reading.number(noun, self.rng)
+        if claimed and not noun.definite and count > 1 and not noun.variants:
+            claimed[0].implied = False  # "weigh the red pepper: three peppers ..."
+            count -= 1
+        else:
+            claimed = []
         first = noun.each and count == 1 and noun.count is None  # "each plate" of a table for six
         if (noun.seated or first) and self._seated is None:
             count *= max(self.reading.people, self._guests, 1)
@@ -129,6 +135,7 @@ class ThingReader(Relater, ABC):
             )
             for k in range(count)
         ]  # fmt: skip
+        group = [*claimed, *group]
         self._fresh = group
         for draft in group:
             draft.counted = noun.determined
@@ -207,7 +214,9 @@ class ThingReader(Relater, ABC):
                 more = self.reading.add(like.noun, like.category, {}, family=like.family)
                 groups[-1].append(more)
                 free.append(more)
-        chosen = free[:count]
+        spread = any(isinstance(p, Location) and isinstance(p.target, Zone) and p.target.spread
+                     for p in noun.post)  # fmt: skip
+        chosen = free if spread else free[:count]  # "four bottles, one at each corner"
         for draft in chosen:
             draft.told = True
             draft.attributes.update(noun.attributes)

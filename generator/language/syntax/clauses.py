@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...catalogue import CATEGORIES
 from ..parsing.lexicon import singular
+from ..parsing.vocabulary import COLORS
 from ..words.speech import is_verb
 from . import function_words as fw
 from .cursor import ENDS
@@ -64,8 +65,15 @@ class Parser(ListReader):
         lead = self._lead()
         if lead is None and people == 0:
             people = self._people()
+        if people == 0 and self._text() == "for" and (self.i == 0 or self._tag(-1) in ENDS):
+            noun, end = read_noun(self.tokens, self.i + 1)
+            if noun is not None:  # "for the cat I need two bowls"
+                self.i = end + (self.tokens[end].tag == "comma" if end < len(self.tokens) else 0)
+                self._opening()
         self._skip(fw.BE | fw.STARTERS)
         subjects = self._items(None, "with")
+        if self._ordered:
+            arrangement, self._ordered = arrangement or Arranged("row", "listed"), False
         if arrangement is not None and subjects:
             at = -1 if arrangement.order == "listed" else 0
             subjects[at].post.append(arrangement)
@@ -84,7 +92,8 @@ class Parser(ListReader):
             self.i += 1
             subjects = self._items(None, "with")
         if subjects and self._is_left_out():
-            return Clause([], [Lack(tuple(subjects))])
+            brought = [i for s in subjects for p in s.post if isinstance(p, Carry) for i in p.items]
+            return Clause([], [Lack((*subjects, *brought))])
         if self._is_predicate(subjects):
             self.i += 1
             if self._tag() == "word" and self._text() in fw.PRONOUNS:
@@ -185,6 +194,9 @@ class Parser(ListReader):
     def _complement(self) -> list[Post]:
         """Read "is a red one", "is red": describing words after a verb."""
         noun, end = read_noun(self.tokens, self.i)
+        if self._text() in COLORS and end == self.i + 1:
+            self.i = end  # "the top cube is orange"
+            return [Description(({"color": self._text(-1)},))]
         if noun is None or noun.kind != "adjective":
             return []
         self.i = end
@@ -264,6 +276,8 @@ class Parser(ListReader):
             k = 1
         elif self._tag(k) == "each" and self._text(k + 1) in fw.SEATED:
             k += 2
+        elif self._seats and self._tag(k) == "each" and self._text(k + 1) in fw.GETS:
+            k += 1
         elif self._seats and self._tag(k) == "each" and self._tag(k + 1) == "of":
             k += 2 + (self._text(k + 2) in fw.PRONOUNS | {"us", "you"})
         else:

@@ -182,11 +182,12 @@ def _recount(
     if not phrases:
         return None
     start, end, _ = phrases[-1]
-    old = [k for k in range(start, end) if before[k].tag == "number" or before[k].text in
-           (*fw.NUMBERS, *fw.INDEFINITE, *fw.AMOUNTS)]  # fmt: skip
-    kept = [before[k] for k in range(start, end) if k not in old]
-    whole = before[:start] + list(number) + kept + before[end:]
-    return whole + rest
+    said_so = [k for k in range(start, end) if before[k].tag == "number" or before[k].text in
+               (*fw.NUMBERS, *fw.AMOUNTS)]  # fmt: skip
+    articles = [k for k in range(start, end) if before[k].text in fw.INDEFINITE]
+    old = (said_so or articles)[-1:]
+    at = old[0] if old else start
+    return before[:at] + list(number) + before[at + len(old) :] + rest
 
 
 def _repaint(before: list[Token], noun: Noun, rest: list[Token]) -> list[Token] | None:

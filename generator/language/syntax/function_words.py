@@ -40,7 +40,8 @@ NEVER_INSIDE = _words("although though however unless whether because until duri
 """Words that end a noun phrase."""
 
 LEFT_OUT = frozenset(
-    {("left", "out"), ("left", "off"), ("not", "wanted"), ("not", "needed"), ("left", "away"),
+    {("not", "present"), ("not", "included"), ("not", "there"), ("not", "allowed"),
+     ("left", "out"), ("left", "off"), ("not", "wanted"), ("not", "needed"), ("left", "away"),
      ("taken", "away"), ("taken", "off"), ("kept", "away")}
 )  # fmt: skip
 """Two words that say of things that they are not to be there."""
@@ -121,6 +122,7 @@ HERE = _table(
     next_to: on the side, to the side, off to the side, alongside, beside
     flank: on either side, on both sides, to either side, on each side, at both ends, at each end
     on: on top, atop
+    otherside: on its other side, on the other side, to the other side, at the other side
     in: inside, within
     under: underneath, below, beneath
     """
@@ -129,8 +131,9 @@ HERE = _table(
 
 CARRIES = _table(
     """
+    with: composed of, made up of, consists of, consist of, comprising, comprises
     with: with, has, have, having, featuring, including, includes, include, bearing, plus
-    with: along with, complete with, as well as, accompanied by, paired with, decorated with
+    with: such as, along with, complete with, as well as, accompanied by, paired with, decorated with
     with: set with, equipped with, laid with, furnished with, arranged with, stocked with
     with: decked with, laden with, adorned with, strewn with, littered with, scattered with
     with: covered with, covered in, showing, lined with, cluttered with, dressed with, loaded with
@@ -235,6 +238,10 @@ ORDERS = _table(
     size down: in descending order, from big to small, from biggest to smallest
     size down: from thick to thin, from tall to short, from long to short, largest to smallest
     size down: from the largest to the smallest, in descending size
+    size: in order of increasing height, in order of increasing size, in increasing size
+    size: in increasing height, in increasing order, by increasing size, by increasing height
+    size down: in order of decreasing height, in order of decreasing size, in decreasing size
+    size down: in decreasing height, in decreasing order
     size: smallest first, shortest first
     size down: largest first, biggest first, tallest first
     color: by color, by colour, in rainbow order
@@ -349,7 +356,7 @@ AT_SEATS = frozenset(
 
 WEIGHTS = _words(
     "kg g gram grams kilo kilos kilogram kilograms ml l litre litres liter liters oz "
-    "ounce ounces lb lbs pound pounds pint pints cl dl watt w v volt volts gb tb"
+    "degree degrees percent ounce ounces lb lbs pound pounds pint pints cl dl watt w v volt volts gb tb"
 )
 """Units of weight, volume and the like, which say nothing of a thing's place or form."""
 

@@ -58,7 +58,7 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read articles, numbers, lengths and "a stack of"; return where they end."""
     while i < len(tokens) and not run.closed:
         token = tokens[i]
-        step = (
+        step = 0 if token.text == "both" else (
             _weight(tokens, i)
             or _measure(tokens, i, run)
             or _group(tokens, i, run)
@@ -71,9 +71,15 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             i += 1 + _is_of(tokens, i + 1)
         elif token.tag != "word":
             break
+        elif token.text == "both" and may_continue(tokens, i + 1):
+            run.definite, run.numbers = True, [2.0]
+            i += 1
         elif token.text in fw.DEFINITE:
             run.definite = True
-            run.numbers = []  # "two of the three mugs"
+            run.numbers = run.numbers if tokens[i - 1].text == "both" else []  # "two of the three"
+            i += 1
+        elif token.text == "all" and may_continue(tokens, i + 1) and i == run.first:
+            run.definite = True
             i += 1
         elif token.text in fw.INDEFINITE and run.numbers and run.definite:
             run.closed = True  # "between the two a bowl"
@@ -86,7 +92,8 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             i += 1
             following = tokens[i] if i < len(tokens) else None
             if following is not None and (
-                following.tag == "number" or following.text in (*fw.NUMBERS, *fw.DEFINITE, "a", "an")
+                following.tag == "number"
+                or (following.text != "one" and following.text in (*fw.NUMBERS, *fw.DEFINITE, "a", "an"))
             ):
                 run.closed = True  # "the third two doughnuts"
                 break

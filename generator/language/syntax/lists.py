@@ -38,6 +38,9 @@ class ListReader(PostReader):
         spoken = self._text() in fw.BE | fw.STARTERS | fw.PARTICIPLES or self._tag() == "carry"
         comma = self._tag() == "comma"
         self.i += comma or heading
+        if comma and self._tag() == "arranged" and "left to right" in self._text():
+            self.i += 1 + (self._tag(1) == "comma")
+            self._ordered = True
         skipped = self._skip(fw.BE | fw.STARTERS | fw.PARTICIPLES)
         if self._tag() == "carry":
             self.i += 1
@@ -119,9 +122,9 @@ class ListReader(PostReader):
 
     def _leads(self) -> bool:
         """Tell whether a place before its things comes next."""
-        before, heading = self.i, self._heading
+        before, heading, ordered = self.i, self._heading, self._ordered
         found = self._lead() is not None
-        self.i, self._heading = before, heading
+        self.i, self._heading, self._ordered = before, heading, ordered
         return found
 
     def _closes(self, owner: Noun | None, how: How, items: list[Noun], joint: str) -> bool:

@@ -122,7 +122,7 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
         third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
         ahead_tag = following.tag if following is not None else ""
         inverted = ahead in fw.INDEFINITE | fw.DEFINITE or ahead in fw.NUMBERS
-        if word in fw.BE and word.endswith("s") and inverted and (run.words or run.ordinal):
+        if word in fw.BE and inverted and (run.words or run.ordinal):
             return True  # "behind the biggest stands a roller"
         alone = not run.words and (run.numbers or run.ordinal or run.other) and word in fw.BE
         if alone and (ahead_tag == "relation" or read_zone(tokens, i + 1) is not None):
@@ -252,7 +252,8 @@ def _noun(run: PhraseStart) -> Noun:
     words = tuple(run.words)
     kind, head, category, family = _head(words, run.name, definite=run.definite)
     counted = run.article or run.definite or run.numbers or run.amount or run.each or run.groups
-    if words and words[0] in fw.NOBODY:
+    robot = run.definite and words in (("robot",), ("robot", "arm"), ("agent",), ("manipulator",))
+    if robot or (words and words[0] in fw.NOBODY):
         kind, category = "setting", None
     if kind == "thing" and not category and not (family or counted) and is_verb(words[-1]):
         kind = "abstract"

@@ -117,6 +117,9 @@ class PostReader(PlaceReader):
                 noun.seated = True
                 return True
             return self._purpose()
+        if self._text() == "to" and self._text(1) in fw.BE:
+            self.i += 2  # "I would like the can to stand in front of it"
+            return True
         if self._text() == "like" and self._starts_noun(1):  # "like soldiers"
             self.i = read_noun(self.tokens, self.i + 1)[1]
             return True
@@ -189,7 +192,8 @@ class PostReader(PlaceReader):
         found, end = read_noun(self.tokens, self.i)
         sized = found is not None and bool(found.lengths) and not found.words
         listed = opening in ("comma", "colon") and not (sized and opening == "comma")
-        if found is None or (listed and not self._counts_them(found, end)):
+        recounted = found is not None and noun.count is None and self._counts_them(found, end)
+        if found is None or (listed and not recounted):
             self.i = before
             return False
         self.i = end

@@ -74,10 +74,12 @@ def _skipped(tokens: Sequence[Token], i: int) -> int:
 def _talk_end(tokens: Sequence[Token], i: int) -> int:
     """Return where a clause ends in which somebody only tells something; ``i`` if it is none."""
     k = i
-    while k < len(tokens) and tokens[k].text in ("because", "since", "as", "so", "but", "oh", "if"):
+    while k < len(tokens) and tokens[k].text in ("because", "since", "as", "so", "but", "oh", "if", "what"):
         k += 1
     if k >= len(tokens) or tokens[k].text not in _SPEAKERS:
         return i
+    if i < k and tokens[k - 1].text == "what":
+        return next((n + 1 for n in range(k, len(tokens)) if tokens[n].text in ("is", "are")), i)
     owned = tokens[k].text in ("my", "our", "his", "her")
     k += 1
     if owned:
@@ -94,6 +96,8 @@ def _talk_end(tokens: Sequence[Token], i: int) -> int:
         return i
     while k < len(tokens) and tokens[k].tag not in _PAUSES:
         k += 1
+        if k < len(tokens) and tokens[k].tag == "carry":
+            break  # "we are making a bar with four mugs"
         if k < len(tokens) and tokens[k].tag == "and":
             break
     return k

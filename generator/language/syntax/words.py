@@ -28,6 +28,7 @@ _PIECE = re.compile(
     """,
     re.VERBOSE,
 )
+_CONTRACTED = {"s": "is", "ve": "have", "re": "are", "m": "am", "ll": "will", "d": "would"}
 _RUN_TOGETHER = {
     "infront": ("in", "front"), "ontop": ("on", "top"), "nextto": ("next", "to"),
     "atleast": ("at", "least"), "alot": ("a", "lot"), "ontopof": ("on", "top", "of"),
@@ -94,7 +95,8 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
     if name == "dash":
         return [("-", "mark")]
     if name == "contraction":
-        return [(said.split("'")[0], "word"), ("is" if said.endswith("'s") else "have", "word")]
+        start, end = said.split("'")
+        return [(start, "word"), (_CONTRACTED[end], "word")]
     if name == "possessive":
         return [("'s", "mark")]
     if name == "negated":

@@ -116,6 +116,11 @@ def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> Fo
         words.append(word)
         i += 1
         if word in fw.SIDES and _tag(tokens, i) == "and" and _text(tokens, i + 1) in fw.SIDES:
+            both = {word, _text(tokens, i + 1)} == {"left", "right"} and len(words) == 1
+            if both and _text(tokens, i + 2) in fw.ZONE_NOUNS:
+                end = i + 3
+                of = _after_table(tokens, end + 1) if _tag(tokens, end) == "of" else None
+                return FoundZone(Zone(0, None, spread=True), of or end)
             return None
         i += _tag(tokens, i) == "dash"
     noun = _text(tokens, i)
