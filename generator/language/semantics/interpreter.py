@@ -24,7 +24,7 @@ from ..syntax.tree import (
     Zone,
 )
 from .carrying import CarryReader
-from .linking import link
+from .linking import SIDES, link
 from .references import Context, Target, antecedent, find_referred
 
 _SOME_PEOPLE = 4
@@ -83,8 +83,11 @@ class Interpreter(CarryReader):
         for group in groups:
             if group == TABLE and place.kind in ("on", "in"):
                 raise _TURNED
-            own = isinstance(group, list) and any(to == TABLE for _, to in group[0].relations)
-            if isinstance(group, list) and not (own and isinstance(place.target, Zone)):
+            own = isinstance(group, list) and any(
+                to == TABLE or (kind in SIDES and not group[0].provisional)
+                for kind, to in group[0].relations
+            )
+            if isinstance(group, list) and not (own and place.kind not in ("on", "in")):
                 self._attach(place, targets, group)
 
     def _predicate(self, post: Post, things: Sequence[Group], groups: Sequence[Target]) -> None:

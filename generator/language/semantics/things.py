@@ -38,6 +38,8 @@ _SEATS = frozenset(
 
 _FOOD = frozenset({"food", "fruit", "vegetable", "snack"})
 
+_TOPS = ("top", "upper", "topmost", "uppermost", "bottom")
+
 _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
 
@@ -204,6 +206,9 @@ class ThingReader(Relater, ABC):
             made = self.reading.add(bare, like.category, noun.attributes, family=like.family)
             self._posts(noun, [made])
             return [made]
+        if groups and groups[-1] is self._uncounted and noun.count and not (noun.post or noun.words):
+            self._recount(int(noun.count))  # "there are four of them"
+            return groups[-1]
         if not groups or not (noun.post or noun.attributes):
             return None
         free = [d for d in groups[-1] if not d.told]
@@ -214,7 +219,8 @@ class ThingReader(Relater, ABC):
                 more = self.reading.add(like.noun, like.category, {}, family=like.family)
                 groups[-1].append(more)
                 free.append(more)
-        spread = any(isinstance(p, Location) and isinstance(p.target, Zone) and p.target.spread
+        spread = any(isinstance(p, Location) and (
+            p.kind == "flank" or (isinstance(p.target, Zone) and p.target.spread))
                      for p in noun.post)  # fmt: skip
         chosen = free if spread else free[:count]  # "four bottles, one at each corner"
         for draft in chosen:
@@ -248,7 +254,7 @@ class ThingReader(Relater, ABC):
             group = next((g for g in reversed(groups) if may_carry(g[0], "on")), group)
             carriers = [to for d in self.reading.objects for _, to in d.relations]
             return [d for d in group if all(d is not to for to in carriers)][:1]
-        if noun.position in ("top", "upper", "bottom") and group[0].stacked_under is not None:
+        if noun.position in _TOPS and group[0].stacked_under is not None:
             tops = [d for d in group if d.stacked_under is None]
             return tops[-1:] if noun.position != "bottom" else group[:1]
         if noun.position in ("left", "right") and len(group) < 4:
@@ -270,6 +276,10 @@ class ThingReader(Relater, ABC):
             if word == "middle":
                 return [group[len(group) // 2]]
         return []
+
+    @abstractmethod
+    def _recount(self, count: int) -> None:
+        """Have as many of the last things that were not counted as the text says after all."""
 
     @abstractmethod
     def _posts(self, noun: Noun, group: Group) -> None:

@@ -82,6 +82,10 @@ class Parser(ListReader):
         predicate: list[Post] = []
         at_end = 0 if people else self._people()
         people = people or at_end
+        if subjects and (head := subjects[-1]).kind == "setting" and head.count:
+            if head.words[-1] in fw.PEOPLE_WORDS and 1 < head.count <= 24:
+                self._seats, self._guests = True, int(head.count)  # "board meeting, five people"
+                subjects = subjects[:-1]
         if len(subjects) == 1 and self._tag() == "colon" and (laid := self._seats_named(subjects)):
             self.i += 1
             return Clause(self._items(None, "with"), people=laid)
@@ -92,6 +96,10 @@ class Parser(ListReader):
             self.i += 1
             subjects = self._items(None, "with")
         if subjects and self._is_left_out():
+            listed = len(subjects) > 1 and "comma" in subjects[-1].joint
+            if listed:  # "a cup, a plate, and the bowl has to be gone"
+                self._pending.append(Clause([], [Lack((subjects[-1],))]))
+                return Clause(subjects[:-1], [], lead, people)
             brought = [i for s in subjects for p in s.post if isinstance(p, Carry) for i in p.items]
             return Clause([], [Lack((*subjects, *brought))])
         if self._is_predicate(subjects):
@@ -101,6 +109,7 @@ class Parser(ListReader):
             self._posts(None, predicate)
         single = self._text() in fw.SINGULAR
         if self._text() in fw.BE or self._tag() == "relative":
+            self.i += 1
             self._skip(fw.BE | fw.PARTICIPLES | {"being"})
             self._posts(None, predicate)
             if not predicate and not self._ended() and self._tag() not in ("comma", "and"):
@@ -123,11 +132,14 @@ class Parser(ListReader):
 
     def _is_left_out(self) -> bool:
         """Read "should be left out", "stays in the attic", "are not wanted"."""
-        k = 0
+        k = 2 if self._text() in ("has", "have") and self._text(1) == "to" else 0
         while self._text(k) in fw.BE or self._text(k) in ("that", "usually", "not", "always"):
             k += 1
         if k and (self._text(k), self._text(k + 1)) in fw.LEFT_OUT:
             self.i += k + 2
+            return True
+        if k and self._text(k) in ("gone", "absent", "missing"):
+            self.i += k + 1
             return True
         away = self._text() in ("stays", "stay", "remains", "remain", "stayed")
         elsewhere = self._text(1) in ("in", "at") and self._text(2) in fw.DEFINITE
@@ -177,6 +189,12 @@ class Parser(ListReader):
             first.kind = "title"
             if not first.post:
                 return  # what follows is a clause of its own
+        places = [post for post in first.post if isinstance(post, Location)]
+        if first.words == ("everything",) and places and self._starts_noun(1):
+            self.i += 1  # "everything on a cloth: a bottle, ..."
+            subjects[:] = self._items(None, "with")
+            predicate += places
+            return
         roles = CATEGORIES[first.category].roles if first.category else ()
         if {"container", "support"} & {*roles} and not first.plural and self._starts_noun(1):
             self.i += 1
@@ -226,7 +244,7 @@ class Parser(ListReader):
             if (
                 asks
                 or (opens and self._is_opening())
-                or (self._tag() in ("carry", "relative") and word != "with")
+                or (self._tag() in ("carry", "relative") and (word != "with" or self.i == 0))
             ):
                 self.i += 1
             else:
@@ -290,7 +308,7 @@ class Parser(ListReader):
         if not (marked or (self._starts_noun(k) and (verbs or led))):
             return 0
         self.i += k + marked
-        return EVERYONE
+        return self._guests or EVERYONE
 
     def _people(self) -> int:
         """Read "for four people", "for two"; return how many, 0 for none."""

@@ -77,6 +77,8 @@ def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
         or (tokens[end].tag == "word" and tokens[end].text in _LED)
     ):
         end += 1
+    again = _marker(tokens, end) if tokens[end - 1].tag in _PAUSES else None
+    end = again[1] if again else end  # "no, scratch that, ..."
     start = i
     while start and tokens[start - 1].tag in _PAUSES:
         start -= 1

@@ -40,7 +40,7 @@ NEVER_INSIDE = _words("although though however unless whether because until duri
 """Words that end a noun phrase."""
 
 LEFT_OUT = frozenset(
-    {("not", "present"), ("not", "included"), ("not", "there"), ("not", "allowed"),
+    {("sold", "out"), ("not", "present"), ("not", "included"), ("not", "there"), ("not", "allowed"),
      ("left", "out"), ("left", "off"), ("not", "wanted"), ("not", "needed"), ("left", "away"),
      ("taken", "away"), ("taken", "off"), ("kept", "away")}
 )  # fmt: skip
@@ -121,7 +121,7 @@ HERE = _table(
     next_to: at its side, by its side, at their side, to its side, next door, close by, nearby
     next_to: on the side, to the side, off to the side, alongside, beside
     flank: on either side, on both sides, to either side, on each side, at both ends, at each end
-    on: on top, atop
+    on: on top, atop, on the very top, at the very top, right on top
     otherside: on its other side, on the other side, to the other side, at the other side
     in: inside, within
     under: underneath, below, beneath
@@ -211,7 +211,7 @@ GROUPS = _table(
 """Nouns before "of" that only say how many, or how they are arranged."""
 
 FORMING = ("in", "into", "as", "forming", "form", "forms", "to form", "making", "make", "makes",
-           "to make", "arranged in", "set in", "set out in", "laid out in", "standing in",
+           "to make", "to build", "building", "arranged in", "set in", "set out in", "laid out in", "standing in",
            "placed in", "all in", "making up")  # fmt: skip
 FORM_ARTICLES = ("a", "one", "a single", "a straight", "a neat", "a little", "a small", "a big",
                  "a tidy", "a loose", "a long", "one long", "one single", "one straight")  # fmt: skip
@@ -262,7 +262,7 @@ POSTURES = _table(
 
 ARRANGING_VERBS = _table(
     """
-    stack: stack
+    stack: stack, stack up, pile up
     heap: pile, heap
     row: line up, align, line
     scatter: scatter, spread out, sprinkle
@@ -293,7 +293,7 @@ PARTICIPLES = _words(
     "closely partially partly still also then now lain laid stood found displayed propped nicely "
     "currently immediately exactly precisely roughly approximately nearly almost casually loosely "
     "conveniently politely flat turned flipped somewhere far further slightly close very quite "
-    "rather so too only even both all alone usually always normally guard proudly"
+    "rather so too only even both all alone usually always normally going guard proudly"
 )
 """Words between a noun and its place that add nothing of their own."""
 
@@ -301,7 +301,7 @@ STARTERS = _words(
     "make create generate show draw give build design render want need like please imagine shows "
     "depicts depict there here place put set add arrange prepare get bring display lay position "
     "compose produce simulate i we you me us he she let lets could would can should will have "
-    "just also then and so well ok okay hi hello hey thanks thank to be is are it this that think "
+    "am just also then and so well ok okay hi hello hey thanks thank to be is are it this that think "
     "picture consider suppose visualize visualise assume what how about provide do try load plan "
     "setup up out help ll d with scene showing includes including ideally maybe perhaps finally "
     "lastly next now additionally furthermore moreover besides first second third drop throw toss "

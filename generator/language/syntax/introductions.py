@@ -78,6 +78,8 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             run.definite = True
             run.numbers = run.numbers if tokens[i - 1].text == "both" else []  # "two of the three"
             i += 1
+        elif token.text == "same" and run.definite:
+            i += 1
         elif token.text == "all" and may_continue(tokens, i + 1) and i == run.first:
             run.definite = True
             i += 1

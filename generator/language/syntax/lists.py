@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...catalogue import CATEGORIES
 from ..relations import fits
+from ..words.speech import is_finite
 from . import function_words as fw
 from .cursor import ENDS, SUPPORTING
 from .nouns import read_noun
@@ -36,6 +37,8 @@ class ListReader(PostReader):
             self.i = before
             return None
         spoken = self._text() in fw.BE | fw.STARTERS | fw.PARTICIPLES or self._tag() == "carry"
+        if self._tag() == "word" and is_finite(self._text()) and self._starts_noun(1):
+            spoken, self.i = True, self.i + 1  # "to the right comes the grinder"
         comma = self._tag() == "comma"
         self.i += comma or heading
         if comma and self._tag() == "arranged" and "left to right" in self._text():
@@ -62,7 +65,7 @@ class ListReader(PostReader):
                 self.i = before
                 break
             more = self._entry()
-            if not more:
+            if not more or (owner is not None and joint == "comma" and _is_elsewhere(more[0], how)):
                 self.i = before
                 break
             more[0].joint = joint
@@ -191,6 +194,18 @@ class ListReader(PostReader):
                 return None
             k += 1
         return None
+
+
+def _is_elsewhere(item: Noun, how: How) -> bool:
+    """Tell whether an item of a list "with ..." stands at something else by its own words."""
+    return how == "with" and any(
+        isinstance(post, Location)
+        and post.kind in ("left_of", "right_of", "behind", "in_front_of", "next_to")
+        and isinstance(post.target, Noun)
+        and post.target.definite
+        and post.target.kind == "thing"
+        for post in item.post
+    )
 
 
 def _may_hold(owner: Noun, item: Noun) -> bool:

@@ -45,7 +45,7 @@ _AMOUNTS = {"heap": (5, 5), "pyramid": (6, 6)}
 
 _POSITIONS = frozenset(
     ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",
-     "lower"]
+     "lower", "topmost", "uppermost"]
 )  # fmt: skip
 """What tells one of several alike from the others: "the left plate"."""
 
@@ -113,6 +113,8 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     nouns = [w for w in run.words if not is_describing(w)]
     if nouns and word in fw.PARTICLES:
         return True
+    if word in fw.AMOUNTS and nouns and word not in ("lot", "mixed", "assorted", "various"):
+        return True
     if (word in fw.NUMBERS and nouns) or word in fw.NEVER_INSIDE or _is_around(tokens, i, nouns):
         return True
     if word in _STOPS or word in fw.STARTERS:
@@ -122,6 +124,10 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
         third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
         ahead_tag = following.tag if following is not None else ""
         inverted = ahead in fw.INDEFINITE | fw.DEFINITE or ahead in fw.NUMBERS
+        if word in ("can", "must", "should", "could", "may") and nouns and (
+            ahead in fw.BE or (is_verb(ahead) and not lexicon.category_of((ahead,)))
+        ):
+            return True  # "the drill can go there"
         if word in fw.BE and inverted and (run.words or run.ordinal):
             return True  # "behind the biggest stands a roller"
         alone = not run.words and (run.numbers or run.ordinal or run.other) and word in fw.BE
@@ -189,7 +195,8 @@ def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     on it".
     """
     word = tokens[i].text
-    if not is_verb(word):
+    ahead_of_it = i + 1 < len(tokens) and tokens[i + 1].text in ("it", "them", "him", "her")
+    if not is_verb(word) and not (ahead_of_it and word.endswith("s") and _is_single(run)):
         return False
     following = tokens[i + 1] if i + 1 < len(tokens) else None
     ahead = following.text if following is not None and following.tag == "word" else ""

@@ -63,6 +63,7 @@ class PostReader(PlaceReader):
             self.i += 2
             self._skip(fw.BE | fw.STARTERS)
             items = self._items(noun, "hold")
+            self._skip(fw.BE | fw.PARTICIPLES)
             out.append(Carry("hold", tuple(items), back=back))
             return bool(items)
         word = self._text()
@@ -73,6 +74,8 @@ class PostReader(PlaceReader):
             noun.seated = True
             return True
         each = self._tag() == "each" or self._text() in ("all", "both")
+        if self._tag() == "each" and self._text(1) == "one" and self._tag(2) == "of":
+            self.i += 3  # "every one of them with a cupcake"
         if self._tag() == "each" or (each and self._tag(1) in ("relation", "carry", "arranged")):
             self.i += 1
             self._skip(fw.BE)
@@ -104,7 +107,8 @@ class PostReader(PlaceReader):
         if self._tag() == "arranged":
             return self._arranged(out)
         if self._tag() == "no":
-            return self._lacks(out)
+            said = (self._text(), self._text(1))
+            return said not in fw.LEFT_OUT and self._lacks(out)
         if self._tag() == "carry":
             return self._carried(noun, out, each)
         if self._text() == "per" and self._text(1) in fw.SEATED and noun is not None:
@@ -243,6 +247,15 @@ class PostReader(PlaceReader):
 
     def _order_by_ends(self) -> str | None:
         """Read "from the largest on the left to the smallest on the right"."""
+        if self._text() in fw.SUPERLATIVES and (zone := read_zone(self.tokens, self.i + 1)):
+            k = zone.end - self.i  # "shortest at the left, longest at the right"
+            k += self._tag(k) == "comma"
+            k += self._tag(k) == "and"
+            other = read_zone(self.tokens, self.i + k + 1)
+            if self._text(k) in fw.SUPERLATIVES and other is not None:
+                small = fw.SUPERLATIVES[self._text()] == "small"
+                self.i = other.end
+                return "size" if small == (zone.zone.x == -1) else "size down"
         if self._text() != "from":
             return None
         named = [k for k in range(1, 12) if self._text(k) in fw.SUPERLATIVES]
@@ -300,6 +313,10 @@ class PostReader(PlaceReader):
     def _goes_on(self) -> bool:
         """Tell whether more about the same thing follows a comma or "and"."""
         if self._tag(1) in ("each", "arranged", "order", "posture", "relative", "no"):
+            return True
+        if self._text(1) in fw.SUPERLATIVES and read_zone(self.tokens, self.i + 2) is not None:
+            return True
+        if self._tag(1) == "relation" and self._tag(2) == "relative":
             return True
         if self._text(1) in ("all", "both") and self._tag(2) in ("relation", "arranged", "carry"):
             return True

@@ -16,13 +16,13 @@ _WANTING = frozenset(
     ["want", "wants", "need", "needs", "like", "love", "have", "has", "had", "see", "put", "place",
      "set", "imagine", "picture", "require", "prefer", "request", "think", "get", "make", "add",
      "wish", "keep", "ask", "give", "show", "do", "create", "generate", "build", "draw", "use",
-     "would", "could", "can", "should", "will", "please", "find", "left", "leave", "d", "ll"]
+     "take", "bring", "choose", "would", "could", "can", "should", "will", "please", "find", "left", "leave", "d", "ll"]
 )  # fmt: skip
 """Verbs by which somebody asks for things."""
 
 _MODIFYING = frozenset(
     ["really", "just", "also", "am", "was", "were", "is", "are", "always", "never", "only", "do",
-     "m", "re", "ve", "been", "be", "often", "usually", "now", "not", "d", "ll", "would", "will"]
+     "m", "re", "ve", "been", "about", "to", "going", "gonna", "trying", "be", "often", "usually", "now", "not", "d", "ll", "would", "will"]
 )  # fmt: skip
 _MODALS = frozenset(["can", "could", "would", "will", "might"])
 _ASKED = frozenset(["you", "we", "i", "someone", "somebody", "u"])
@@ -57,6 +57,8 @@ def _skipped(tokens: Sequence[Token], i: int) -> int:
     texts = [token.text for token in tokens[i : i + 10]]
     if texts[:2] in (["if", "possible"], ["if", "needed"], ["where", "possible"]):
         return i + 2
+    if texts[:1] in (["since"], ["because"]) and "," in texts:
+        return i + texts.index(",") + 1
     if texts[:1] in (["otherwise"], ["else"]):
         k = i + 1
         while k < len(tokens) and tokens[k].tag not in (*_PAUSES, "and"):
@@ -79,20 +81,23 @@ def _talk_end(tokens: Sequence[Token], i: int) -> int:
     if k >= len(tokens) or tokens[k].text not in _SPEAKERS:
         return i
     if i < k and tokens[k - 1].text == "what":
-        return next((n + 1 for n in range(k, len(tokens)) if tokens[n].text in ("is", "are")), i)
+        ends = [n for n in range(k, len(tokens)) if tokens[n].text in ("is", "are", ":")]
+        stops = [n for n in range(k, len(tokens)) if tokens[n].tag in ENDS]
+        return ends[0] + 1 if ends and ends[0] < min(stops, default=len(tokens)) else i
     owned = tokens[k].text in ("my", "our", "his", "her")
     k += 1
     if owned:
         if k >= len(tokens) or not _is_person(tokens[k].text):
             return i
         k += 1 + (k + 1 < len(tokens) and tokens[k + 1].tag == "possessive")
+    planned = any(t.text in ("about", "going", "gonna", "trying") for t in tokens[k : k + 3])
     helped = 0
     while k < len(tokens) and tokens[k].text in _MODIFYING:
         k, helped = k + 1, helped + 1
     if k >= len(tokens) or tokens[k].tag != "word":
         return i
     word = tokens[k].text
-    if word in _WANTING or not (is_verb(word) or (owned and helped)):
+    if (word in _WANTING and not planned) or not (planned or is_verb(word) or (owned and helped)):
         return i
     while k < len(tokens) and tokens[k].tag not in _PAUSES:
         k += 1
@@ -116,6 +121,14 @@ def _answered(tokens: list[Token]) -> list[Token]:
     out: list[Token] = []
     i = 0
     while i < len(tokens):
+        texts = [token.text for token in tokens[i : i + 4]]
+        unwanted = texts[:1] and texts[0] in ("we", "i") and any(
+            w in ("need", "want") for w in texts[2:4]
+        )
+        if unwanted and tokens[i + 1].tag == "no" and (start := _asked_about(out)) is not None:
+            out.insert(start, Token("no", tokens[i + 1].words, "no"))  # "salt we do not need"
+            i += 2 + (texts.index("need") if "need" in texts else texts.index("want")) - 1
+            continue
         asked = tokens[i].text == "?" and i + 1 < len(tokens)
         start = _asked_about(out) if asked else None
         if start is None:

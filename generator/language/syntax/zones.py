@@ -94,6 +94,11 @@ def _stands_alone(tokens: Sequence[Token], i: int) -> FoundZone | None:
         if not _is_noun(tokens, end) and _tag(tokens, end) != "of":
             y = -1 if _text(tokens, i) == "front" else 0
             return FoundZone(Zone(0, y), end)
+    if _text(tokens, i) in ("nearer", "closer", "nearest", "closest", "near", "close"):
+        k = i + 1 + (_text(tokens, i + 1) == "to")
+        k += _text(tokens, k) == "the"
+        if _text(tokens, k) in ("me", "us", "viewer", "camera", "you"):
+            return FoundZone(Zone(None, -1), k + 1)
     word, ended = _text(tokens, i), _tag(tokens, i + 1) in ("stop", "line", "", "comma", "close")
     if i and ended and word in (*_MIDDLE, "left", "right") and _tag(tokens, i - 1) in _NAMING:
         return FoundZone(Zone(*fw.SIDES[word]), i + 1)
