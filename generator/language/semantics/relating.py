@@ -73,6 +73,9 @@ class Relater:
         assert isinstance(target, list)
         if kind == "aim":
             return  # "push it towards the cone"
+        if kind == "from":
+            held = [assumed_relation(group[0], to, held=True) for to in target[:1]]
+            kind = held[0] if held else "on"
         if any(draft is other for draft in group for other in target):
             if len(group) == len(self.reading.objects):
                 raise InputError(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...catalogue import CATEGORIES
 from ..parsing.lexicon import singular
 from ..parsing.vocabulary import COLORS
@@ -41,6 +43,9 @@ class Parser(ListReader):
 
     def _sentence(self) -> Sentence:
         clauses: list[Clause] = []
+        self._task = "goal" if self._text() in ("goal", "task") and self._tag(1) in (
+            "colon", "dash") else ""  # fmt: skip
+        self.i += 2 * bool(self._task)
         while not self._ended():
             before = self.i
             clause = self._clause()
@@ -125,6 +130,11 @@ class Parser(ListReader):
             lead = self._heading
         if not subjects and not predicate and lead is None and not people:
             return None
+        aimed = not subjects or subjects[0].kind == "pronoun" or self._task == "goal"
+        if self._task and aimed:
+            predicate = [_aimed(post) for post in predicate]  # "and put it in the basket"
+            for noun in subjects:
+                noun.post = [_aimed(post) for post in noun.post]
         if single and predicate and len(subjects) > 1 and "comma" in subjects[-1].joint:
             self._pending.append(Clause(subjects[-1:], predicate))
             return Clause(subjects[:-1], [], lead, people)
@@ -223,6 +233,10 @@ class Parser(ListReader):
     def _opening(self) -> Arranged | None:
         """Skip politeness and verbs at the start; return how a verb arranges what follows."""
         while not self._ended():
+            if self._tag() == "task":
+                self._task = "robot"
+                self.i += 1
+                continue
             word = self._text()
             if word == "to" and read_zone(self.tokens, self.i) is not None:
                 return None  # "to the left, a book"
@@ -239,7 +253,12 @@ class Parser(ListReader):
                 self._text(1) in ("up", "down", *fw.DEFINITE) or self._starts_noun(1, determined=True)
             )
             if moved:
-                self.i += 1 + (self._text(1) in ("up", "down"))
+                told = word in fw.TASKS or any(
+                    self._text(k) == "from" or self._tag(k) == "stop" for k in range(1, 12)
+                    if self._text(k) == "from" and word in ("take", "bring")
+                )
+                self._task = word if told else self._task
+                self.i += 1 + (self._text(1) in ("up", "down", "for"))
                 continue
             if (
                 asks
@@ -332,6 +351,11 @@ class Parser(ListReader):
             return 0
         self.i = end
         return int(number)
+
+
+def _aimed(post: Post) -> Post:
+    """Return a place as one to which a robot is to bring something."""
+    return replace(post, kind="aim") if isinstance(post, Location) else post
 
 
 def _is_seat(noun: Noun) -> bool:

@@ -34,6 +34,7 @@ class Cursor(ABC):
         self.skipped: list[Token] = []
         self._heading: Location | None = None
         self._pending: list[Clause] = []  # clauses that were read with the one before them
+        self._task = ""  # the verb of the task that this sentence tells a robot
         self._guests = 0  # how many people are there, where the text says only that
         self._ordered = False  # whether a list goes from left to right
         self._each_count = 0.0  # how many of each item of a list there are

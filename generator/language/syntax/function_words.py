@@ -280,8 +280,13 @@ BE = _words("is are was were be been being sits sit stands stand lies lie lays r
 SINGULAR = _words("is sits stands lies rests hangs leans goes stays belongs was remains faces")
 """Verbs of one thing: in a list they are said of its last thing alone."""
 
-MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put bring")
+MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put bring "
+                "sweep reach weigh rotate open close wipe hang insert press pour stack")  # fmt: skip
 """Verbs by which a robot is told what to do."""
+TASKS = MOVING - _words("place put drop stack open close hang turn bring take pour press")
+"""Those that tell of a task, so that what is moved is not yet where it is to go."""
+CARRYING = _words("move slide push pull bring drag sweep")
+"""Those of them after which each place is where a thing is to go."""
 
 HANDLED = _words("sorted moved grasped picked handled cleaned cleared used seen made tidied collected "
                  "done packed eaten washed left arranged")  # fmt: skip

@@ -49,12 +49,23 @@ class PlaceReader(Cursor):
         if self._tag() == "here":
             kind = str(self._take().value)
             return Location(kind, Noun("pronoun", ("it",), self.tokens[self.i - 1].span, "it"))
+        if self._task and self._text() in ("from", "to") and self._tag() == "word":
+            kind = "from" if self._text() == "from" else "aim"
+            self.i += 1
+            target = self._target(nested=False)
+            if target is not None:
+                return Location(kind, target)
+            self.i = before
         around = self._text() == "round" and self._text(1) in (
             fw.DEFINITE | fw.INDEFINITE | fw.PRONOUNS
         )
         if self._tag() == "relation" or around:
+            said = self._text()
             kind = str(self._take().value) if not around else "around"
             self.i += around
+            if self._task and (said in ("into", "onto", "on to", "in to") or (
+                self._task in (*fw.CARRYING, "robot") and not leading)):  # fmt: skip
+                kind = "aim"
             ended = self._tag() in (*ENDS, "", "comma", "and", "close", "colon")
             if ended and kind in ("behind", "next_to"):  # "with a canvas behind"
                 span = self.tokens[self.i - 1].span

@@ -38,6 +38,10 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
         if tokens[i].text in _MODALS and i + 1 < len(tokens) and tokens[i + 1].text in _ASKED:
             i += 2
             continue
+        if robot := _robot([token.text for token in tokens[i : i + 8]]):
+            out.append(Token("task", tokens[i].words))
+            i += robot
+            continue
         if (skipped := _skipped(tokens, i)) > i:
             i = skipped
             continue
@@ -52,9 +56,23 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
     return _answered(out), lost
 
 
+_DOING = (["has", "to"], ["needs", "to"], ["should"], ["must"], ["can"], ["will"], ["is", "to"],
+          ["shall"])  # fmt: skip
+
+
+def _robot(texts: Sequence[str]) -> int:
+    """Return how many words "the robot has to" takes."""
+    if texts[:2] not in (["the", "robot"], ["the", "gripper"], ["a", "robot"]):
+        return 0
+    k = 2 + (texts[2:3] in (["arm"], ["gripper"], ["hand"]))
+    return next((k + len(verb) for verb in _DOING if texts[k : k + len(verb)] == verb), 0)
+
+
 def _skipped(tokens: Sequence[Token], i: int) -> int:
     """Return the end of "if possible", "otherwise any mug" and of "not on the table but"."""
     texts = [token.text for token in tokens[i : i + 10]]
+    if skipped := _robot(texts):
+        return i + skipped
     if texts[:2] in (["if", "possible"], ["if", "needed"], ["where", "possible"]):
         return i + 2
     if texts[:1] in (["since"], ["because"]) and "," in texts:
