@@ -34,6 +34,7 @@ class Draft:
     position: str | None = None
     contents: str = ""
     told: bool = False
+    placed: bool = False  # its own words say where it is
     counted: bool = False  # named with an article or a number
     also: str = ""  # another noun for it: the tube, of a "tube of paint"
 

@@ -37,6 +37,8 @@ class CarryReader(ThingReader, ABC):
         outer, context.owner = context.owner, owner
         subject, context.subject = context.subject, []
         try:
+            if noun is not None and noun.kind == "member" and isinstance(owner, list):
+                noun = replace(noun, category=owner[0].category, head=owner[0].noun)
             if post.how == "of" and noun is not None and isinstance(owner, list):
                 self._contents(post, owner, noun)
                 return

@@ -24,7 +24,7 @@ from ..syntax.tree import (
     Zone,
 )
 from .carrying import CarryReader
-from .linking import SIDES, link
+from .linking import link
 from .references import Context, Target, antecedent, find_referred
 
 _SOME_PEOPLE = 4
@@ -46,7 +46,8 @@ class Interpreter(CarryReader):
             context.earlier = context.topic or context.earlier
             self._earlier_side, self._started = self._side, len(self.reading.objects)
             context.topic, context.parallel, self._side = None, None, None
-            for clause in sentence.clauses:
+            for k, clause in enumerate(sentence.clauses):
+                self._local = k > 0
                 self._clause(clause)
         told = [draft for draft in self._uncounted if draft.told]
         if told and len(told) < len(self._uncounted):  # the text has said how many after all
@@ -83,10 +84,7 @@ class Interpreter(CarryReader):
         for group in groups:
             if group == TABLE and place.kind in ("on", "in"):
                 raise _TURNED
-            own = isinstance(group, list) and any(
-                to == TABLE or (kind in SIDES and not group[0].provisional)
-                for kind, to in group[0].relations
-            )
+            own = isinstance(group, list) and group[0].placed
             if isinstance(group, list) and not (own and place.kind not in ("on", "in")):
                 self._attach(place, targets, group)
 
@@ -291,6 +289,8 @@ class Interpreter(CarryReader):
             target = self._resolve(post, group)
             if target is not None:
                 self._attach(post, target, group)
+                for draft in group:
+                    draft.placed = draft.placed or post.kind not in ("on", "in")
         elif isinstance(post, Carry):
             if post.back != "between":
                 self._carry(post, group, noun)

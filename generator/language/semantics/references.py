@@ -108,7 +108,7 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
         return _last_arranged(objects)
     if noun.each and alike:
         return alike
-    if noun.ordinal and len(alike) > 1:
+    if noun.ordinal and (len(alike) > 1 or noun.ordinal > 1):
         return pick(alike, noun.ordinal)
     if noun.position is not None:
         placed = [d for d in alike if d.position == noun.position]

@@ -43,6 +43,7 @@ class Relater:
     reading: Reading = field(default_factory=Reading)
     _context: Context = field(default_factory=Context)
     _side: tuple[str, Target] | None = None  # the last "left of X" of this sentence
+    _local: bool = False  # whether more of this sentence has been read
     _earlier_side: tuple[str, Target] | None = None  # that of the sentence before
     _guests: int = 0  # for how many a table is laid; 0 where that is not said
     _seated: int | None = None  # the first object of the place setting that is being read
@@ -76,8 +77,12 @@ class Relater:
         if kind == "from":
             held = [assumed_relation(group[0], to, held=True) for to in target[:1]]
             kind = held[0] if held else "on"
+        apart = [draft for draft in group if all(draft is not other for other in target)]
+        if apart and len(apart) < len(group) > 2:
+            group = apart  # "everything on the tray", the tray among it
         if any(draft is other for draft in group for other in target):
-            if len(group) == len(self.reading.objects):
+            named = isinstance(place.target, Noun) and place.target.kind == "thing"
+            if named and len(group) == len(self.reading.objects):
                 raise InputError(
                     f"The text relates the {group[0].noun} to itself; name two different objects."
                 )
@@ -127,8 +132,14 @@ class Relater:
     def _one_each(self, group: Group, targets: Group) -> None:
         """Multiply the subject so that each target gets its own ("on each plate")."""
         one, share = group[0], len(group)
+        carried = [d for d in self.reading.objects
+                   if any(kind in ("on", "in") and to is one for kind, to in d.relations)]  # fmt: skip
         for _ in range(len(targets) * share - len(group) if share < len(targets) else 0):
-            group.append(self.reading.add(one.noun, one.category, one.attributes))
+            copy = self.reading.add(one.noun, one.category, one.attributes)
+            group.append(copy)
+            for draft in carried:
+                kind = next(kind for kind, to in draft.relations if to is one)
+                self.reading.add(draft.noun, draft.category, draft.attributes).relate(kind, copy)
 
     def _put_aside(self, zone: Zone, group: Group) -> bool:
         """Put things "to the left" of what stands in the middle, or of what the sentence is about.
@@ -227,6 +238,8 @@ class Relater:
         for item in post.items:
             names = {item.category or item.head, *item.members} - {""}
             own = any((d.category or d.noun) in names for d in group)
+            if self._local and any((d.category or d.noun) in names for d in self.reading.objects):
+                continue  # "a spoon is on the tray, but no plates": they are elsewhere
             self.reading.excluded |= names
             if not group or own:
                 self.reading.banned |= names

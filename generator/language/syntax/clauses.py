@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 from ...catalogue import CATEGORIES
 from ..parsing.lexicon import singular
@@ -143,7 +144,9 @@ class Parser(ListReader):
     def _is_left_out(self) -> bool:
         """Read "should be left out", "stays in the attic", "are not wanted"."""
         k = 2 if self._text() in ("has", "have") and self._text(1) == "to" else 0
-        while self._text(k) in fw.BE or self._text(k) in ("that", "usually", "not", "always"):
+        while (self._text(k), self._text(k + 1)) not in fw.LEFT_OUT and (
+            self._text(k) in fw.BE or self._text(k) in ("that", "usually", "not", "always")
+        ):
             k += 1
         if k and (self._text(k), self._text(k + 1)) in fw.LEFT_OUT:
             self.i += k + 2
@@ -253,10 +256,9 @@ class Parser(ListReader):
                 self._text(1) in ("up", "down", *fw.DEFINITE) or self._starts_noun(1, determined=True)
             )
             if moved:
-                told = word in fw.TASKS or any(
-                    self._text(k) == "from" or self._tag(k) == "stop" for k in range(1, 12)
-                    if self._text(k) == "from" and word in ("take", "bring")
-                )
+                ahead = [self._text(k) for k in range(1, 14)]
+                later = any(a in ("put", "place") and b in fw.PRONOUNS for a, b in pairwise(ahead))
+                told = word in fw.TASKS or (word in ("take", "bring") and (later or "from" in ahead))
                 self._task = word if told else self._task
                 self.i += 1 + (self._text(1) in ("up", "down", "for"))
                 continue

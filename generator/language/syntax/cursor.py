@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
+from . import function_words as fw
 from .nouns import read_noun
 from .tokens import Token
 from .tree import (
@@ -78,7 +79,12 @@ class Cursor(ABC):
         before = self.i
         while self._tag() == "word" and self._text() in words:
             noun, _ = read_noun(self.tokens, self.i)
-            if noun is not None and noun.category is not None and self._text() in noun.head:
+            verbal = self._text(1) in (*fw.INDEFINITE, *fw.DEFINITE, *fw.NUMBERS) or (
+                self._tag(1) in ("relation", "posture", "number", "each", "arranged")
+            )  # "behind them stand two cups"
+            if noun is not None and noun.category and self._text() in noun.head and not (
+                verbal and self._text() in fw.BE
+            ):
                 break
             self.i += 1
         return self.i > before

@@ -97,6 +97,10 @@ class ListReader(PostReader):
         if noun is None:
             return []
         self.i = end
+        if noun.kind == "part" and self._tag() == "of":  # "the top drawer of the cabinet"
+            whole, beyond = read_noun(self.tokens, end + 1)
+            if whole is not None and whole.kind == "thing":
+                noun, self.i = whole, beyond
         self._posts(noun, noun.post)
         return [noun]
 

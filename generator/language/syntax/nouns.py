@@ -124,7 +124,8 @@ def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
         third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
         ahead_tag = following.tag if following is not None else ""
         inverted = ahead in fw.INDEFINITE | fw.DEFINITE or ahead in fw.NUMBERS
-        if word in ("can", "must", "should", "could", "may") and nouns and (
+        named_can = lexicon.category_of((*run.words[-1:], word)) is not None
+        if word in ("can", "must", "should", "could", "may") and nouns and not named_can and (
             ahead in fw.BE or (is_verb(ahead) and not lexicon.category_of((ahead,)))
         ):
             return True  # "the drill can go there"

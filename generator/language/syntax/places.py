@@ -52,7 +52,7 @@ class PlaceReader(Cursor):
         if self._task and self._text() in ("from", "to") and self._tag() == "word":
             kind = "from" if self._text() == "from" else "aim"
             self.i += 1
-            target = self._target(nested=False)
+            target = self._target(nested=True)
             if target is not None:
                 return Location(kind, target)
             self.i = before
@@ -131,6 +131,13 @@ class PlaceReader(Cursor):
         self.i = end
         if noun.kind == "part" and self.tokens[end - 1 - len(noun.words)].text in ("its", "their"):
             return Noun("pronoun", ("it",), noun.span, "it", definite=True)  # "around its base"
+        owned = [k for k in range(end - len(noun.words) - 2, end)
+                 if k >= 0 and self.tokens[k].tag == "possessive"]  # fmt: skip
+        if noun.kind == "part" and owned:  # "against the caddy's back"
+            first = next(k for k in range(owned[0], -1, -1) if k == 0 or self.tokens[k - 1].tag in (
+                "relation", "arranged", "word") and self.tokens[k].text in fw.DEFINITE)  # fmt: skip
+            whose, _ = read_noun(self.tokens[: owned[0]], first)
+            noun = whose or noun
         if noun.kind == "part" and self._tag() == "of":  # "the rim of the bowl"
             self.i += 1
             return self._target(nested=nested)

@@ -53,7 +53,20 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
         else:
             out.append(tokens[i])
             i += 1
-    return _answered(out), lost
+    return _answered(_unbracketed(out)), lost
+
+
+def _unbracketed(tokens: list[Token]) -> list[Token]:
+    """Return tokens where a bracket that is a statement of its own is a sentence."""
+    out = list(tokens)
+    for i, token in enumerate(tokens):
+        if token.tag != "open":
+            continue
+        end = next((k for k in range(i, len(tokens)) if tokens[k].tag == "close"), None)
+        if end is not None and any(t.text in ("is", "are", "stand", "stands") for t in tokens[i:end]):
+            out[i] = Token("stop", token.words)
+            out[end] = Token("stop", tokens[end].words)
+    return out
 
 
 _DOING = (["has", "to"], ["needs", "to"], ["should"], ["must"], ["can"], ["will"], ["is", "to"],
@@ -73,6 +86,13 @@ def _skipped(tokens: Sequence[Token], i: int) -> int:
     texts = [token.text for token in tokens[i : i + 10]]
     if skipped := _robot(texts):
         return i + skipped
+    if texts[:2] == ["in", "turn"]:
+        return i + 2
+    if texts[:2] in (["rotate", "it"], ["turn", "it"]):
+        k = i + 2
+        while k < len(tokens) and tokens[k].tag not in (*_PAUSES, "and"):
+            k += 1
+        return k
     if texts[:2] in (["if", "possible"], ["if", "needed"], ["where", "possible"]):
         return i + 2
     if texts[:1] in (["since"], ["because"]) and "," in texts:
