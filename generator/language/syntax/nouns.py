@@ -180,7 +180,8 @@ def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
 
 def _is_place(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     """Tell whether "front left" or a last "centre" says where the noun before it is."""
-    if tokens[i].text not in fw.SIDES or not _is_known(run.words):
+    opens = tokens[i].text in fw.SIDES or tokens[i].text in ("dead", "smack", "bang")
+    if not opens or not _is_known(run.words):
         return False
     found = read_zone(tokens, i)
     return found is not None and not found.of

@@ -86,20 +86,14 @@ class PlaceReader(Cursor):
         """Read "to the bowl's right" and "along the tray's left side"."""
         if self._text() not in ("to", "on", "at", "along", "by"):
             return None
-        noun, end = read_noun(self.tokens, self.i + 1)
-        if noun is None or end + 1 >= len(self.tokens) or noun.kind == "table":
+        first = self.i + 1
+        owned = next((k for k in range(first + 1, first + 6) if self._tag(k - self.i) == "possessive"), 0)
+        side = fw.SIDES.get(self._text(owned + 1 - self.i), (None, None)) if owned else (None, None)
+        kind = _SIDES.get(side)
+        whose, end = read_noun(self.tokens[:owned], first) if kind else (None, 0)
+        if kind is None or whose is None or end != owned or whose.kind == "table":
             return None
-        owned = [k for k in range(self.i + 1, end) if self.tokens[k].tag == "possessive"]
-        if not owned or (self.tokens[end - 1].text not in fw.SIDES and (
-            self.tokens[end - 2].text not in fw.SIDES
-        )):
-            return None
-        whose, _ = read_noun(self.tokens[: owned[0]], self.i + 1)
-        side = next(t.text for t in self.tokens[owned[0] + 1 : end] if t.text in fw.SIDES)
-        x, y = fw.SIDES[side]
-        kind = _SIDES.get((x, y)) if (x, y) != (0, 0) else None
-        if whose is None or kind is None:
-            return None
+        end = owned + 2 + (self._text(owned + 2 - self.i) == "side")
         self.i = end
         return Location(kind, whose)
 
