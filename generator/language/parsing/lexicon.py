@@ -78,6 +78,8 @@ def _index() -> Mapping[str, str]:
             if word not in index and meaning in index:
                 index[word] = index[meaning]
     index = {" ".join(tokens(word)): key for word, key in index.items()}
+    pairs = [word for word in index if word.count(" ") == 1]
+    index = {word.replace(" ", ""): index[word] for word in pairs} | index  # "chessboard"
     return MappingProxyType({word: key for word, key in index.items() if word not in NEVER_OBJECTS})
 
 
