@@ -85,7 +85,7 @@ class Interpreter(CarryReader):
             if group == TABLE and place.kind in ("on", "in"):
                 raise _TURNED
             own = isinstance(group, list) and group[0].placed
-            if isinstance(group, list) and not (own and place.kind not in ("on", "in")):
+            if isinstance(group, list) and not own:
                 self._attach(place, targets, group)
 
     def _predicate(self, post: Post, things: Sequence[Group], groups: Sequence[Target]) -> None:
@@ -290,7 +290,7 @@ class Interpreter(CarryReader):
             if target is not None:
                 self._attach(post, target, group)
                 for draft in group:
-                    draft.placed = draft.placed or post.kind not in ("on", "in")
+                    draft.placed = True
         elif isinstance(post, Carry):
             if post.back != "between":
                 self._carry(post, group, noun)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import Group, Grouping, Reading, assumed_relation
+from ..drafts import Draft, Group, Grouping, Reading, assumed_relation
 from ..syntax.tree import (
     Arranged,
     Lack,
@@ -175,6 +175,8 @@ class Relater:
                 if draft is not plate:
                     draft.relate("left_of" if zone.x < 0 else "right_of", plate)
             return
+        group = [_bottom(draft) for draft in group]
+        group = [draft for k, draft in enumerate(group) if draft not in group[:k]]
         owner = self._context.owner
         if loose and isinstance(owner, list) and len(owner) == 1 and zone.x and zone.y is None:
             inside = assumed_relation(group[0], owner[0], held=False) in ("on", "in")
@@ -243,3 +245,11 @@ class Relater:
             self.reading.excluded |= names
             if not group or own:
                 self.reading.banned |= names
+
+
+def _bottom(draft: Draft) -> Draft:
+    """Return what carries a thing, as far down as the text has said: the bowl of "nuts in a bowl"."""
+    for kind, to in draft.relations:
+        if kind in ("on", "in") and isinstance(to, Draft) and to is not draft and not to.placed:
+            return to
+    return draft

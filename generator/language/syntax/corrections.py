@@ -32,6 +32,7 @@ _LED = frozenset(
 )
 """Words between a marker and what is right."""
 
+_INTERJECTIONS = frozenset(["hm", "hmm", "oh", "er", "ah", "um", "well", "okay", "ok", "oops", "uh"])
 _PAUSES = ("comma", "dash", "stop", "open", "close", "colon")
 
 
@@ -77,10 +78,17 @@ def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
         or (tokens[end].tag == "word" and tokens[end].text in _LED)
     ):
         end += 1
+    if [t.text for t in tokens[end : end + 3]][:2] in (["too", "risky"], ["is", "too"]) or (
+        tokens[end - 1].tag not in _PAUSES and tokens[end].text == "too"
+    ):  # "no, that is too risky: ..."
+        pause = next((k for k in range(end, len(tokens)) if tokens[k].tag in _PAUSES), end)
+        end = pause + 1
+        while end < len(tokens) and tokens[end].text in _LED:
+            end += 1
     again = _marker(tokens, end) if tokens[end - 1].tag in _PAUSES else None
     end = again[1] if again else end  # "no, scratch that, ..."
     start = i
-    while start and tokens[start - 1].tag in _PAUSES:
+    while start and (tokens[start - 1].tag in _PAUSES or tokens[start - 1].text in _INTERJECTIONS):
         start -= 1
     return (start, end) if start and end < len(tokens) and tokens[end].tag not in ENDS else None
 

@@ -111,6 +111,9 @@ _NAMING = frozenset(["word", "name", "close", "arranged"])
 def _is_corner(tokens: Sequence[Token], i: int) -> bool:
     """Tell whether "front right" stands alone here, without a preposition."""
     sides = [fw.SIDES.get(_text(tokens, k), (None, None)) for k in (i, i + 1)]
+    named = next((k for k in (i + 1, i + 2) if _text(tokens, k) in fw.ZONE_NOUNS), 0)
+    if named and all(_text(tokens, k) in fw.SIDES for k in range(i, named)):
+        return _tag(tokens, named + 1) in ("stop", "line", "", "comma", "close")
     ended = _tag(tokens, i + 2) in ("stop", "line", "", "comma", "and", "close")
     return ended and any(x for x, _ in sides) and any(y for _, y in sides)
 
