@@ -240,7 +240,8 @@ class Relater:
         for item in post.items:
             names = {item.category or item.head, *item.members} - {""}
             own = any((d.category or d.noun) in names for d in group)
-            if self._local and any((d.category or d.noun) in names for d in self.reading.objects):
+            there = [d for d in self.reading.objects if (d.category or d.noun) in names]
+            if self._local and any(not d.implied for d in there):
                 continue  # "a spoon is on the tray, but no plates": they are elsewhere
             self.reading.excluded |= names
             if not group or own:

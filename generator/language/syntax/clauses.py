@@ -148,7 +148,7 @@ class Parser(ListReader):
             self._text(k) in fw.BE or self._text(k) in ("that", "usually", "not", "always")
         ):
             k += 1
-        if k and (self._text(k), self._text(k + 1)) in fw.LEFT_OUT:
+        if (k or self._tag() == "no") and (self._text(k), self._text(k + 1)) in fw.LEFT_OUT:
             self.i += k + 2
             return True
         if k and self._text(k) in ("gone", "absent", "missing"):
@@ -165,6 +165,8 @@ class Parser(ListReader):
         """Tell whether a verb follows that only says where its subject is: "sleeps", "comes"."""
         if not subjects or self._tag() != "word" or self._text() in fw.BE:
             return False
+        if self._text().endswith("s") and self._text(1) in ("it", "them"):
+            return True  # "guards it from the left"
         return is_verb(self._text()) and not self._starts_category()
 
     def _seats_named(self, subjects: list[Noun]) -> int:
@@ -194,6 +196,9 @@ class Parser(ListReader):
 
     def _read_headed(self, subjects: list[Noun], predicate: list[Post]) -> None:
         """Read "an office desk: a laptop, a mug": what follows belongs to the first."""
+        told = ("setting", "abstract", "title", "adjective")
+        if subjects and all(noun.kind in told for noun in subjects[:-1]):
+            del subjects[:-1]  # "a still life, everything on a cloth: ..."
         if len(subjects) != 1 or predicate:
             return
         first = subjects[0]

@@ -118,6 +118,10 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
     noun, end = read_noun(after, 0)
     if noun is None:
         return None
+    if end < len(after) and (after[end].tag == "no" or after[end].text in fw.BE) and (
+        noun.kind not in ("member", "adjective")
+    ):  # "no wait, the lamp is not there any more"
+        return [*before, Token("stop", after[0].words), *after]
     rest = _unpaused(after[end:], first=True)
     if noun.attributes and noun.kind in ("adjective", "member"):
         return _repaint(before, noun, rest)

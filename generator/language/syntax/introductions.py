@@ -13,7 +13,7 @@ from .tree import Arrangement
 
 MORE = frozenset({
     "medium", "sized", "middle", "smallest", "largest", "biggest", "tallest", "shortest", "opened",
-    "shut", "empty",
+    "shut", "empty", "topmost", "uppermost",
 })  # fmt: skip
 
 

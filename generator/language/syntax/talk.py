@@ -45,6 +45,10 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
         if (skipped := _skipped(tokens, i)) > i:
             i = skipped
             continue
+        if tokens[i].text == "please" and out and out[-1].tag == "comma":
+            out.pop()  # "one cup, please: ..."
+            i += 1
+            continue
         fresh = not out or out[-1].tag in _PAUSES or out[-1].tag == "and"
         end = _talk_end(tokens, i) if fresh else i
         if end > i:
@@ -194,6 +198,9 @@ def _answered(tokens: list[Token]) -> list[Token]:
     return out
 
 
+_ASKABLE = ("thing", "collective")
+
+
 def _is_number(tokens: Sequence[Token]) -> bool:
     return bool(tokens) and (tokens[0].tag == "number" or tokens[0].text in fw.NUMBERS)
 
@@ -204,4 +211,4 @@ def _asked_about(tokens: Sequence[Token]) -> int | None:
     if not start < len(tokens) <= start + 5:
         return None
     noun, end = read_noun(tokens, start)
-    return start if noun is not None and end == len(tokens) and noun.kind == "thing" else None
+    return start if noun is not None and end == len(tokens) and noun.kind in _ASKABLE else None
