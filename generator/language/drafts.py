@@ -12,7 +12,7 @@ from ..errors import InputError
 from ..scene import GroupKind
 from .relations import fits, is_shallow
 from .sizing import largest_size
-from .syntax.tree import Noun
+from .syntax.phrases.tree import Noun
 
 MAX_OBJECTS = 40
 """More objects than this no table of the catalogue holds."""

@@ -12,7 +12,7 @@ from ..catalogue import CATEGORIES
 from .parsing.vocabulary import SIZES
 from .planner import plan_scene
 from .reading import read_text
-from .syntax.tree import Arranged, Carry, Description, Lack, Location, Noun, Post, Zone
+from .syntax.phrases.tree import Arranged, Carry, Description, Lack, Location, Noun, Post, Zone
 
 Role = Literal[
     "thing", "count", "attribute", "relation", "arrangement", "place", "table", "style",

@@ -27,12 +27,12 @@ from .parsing.vocabulary import (
     VERBS,
 )
 from .semantics.interpreter import Interpreter
-from .syntax.clauses import Parser
-from .syntax.corrections import correct_course
-from .syntax.talk import drop_talk
-from .syntax.tokens import list_skipped, small_words, tokens_of
-from .syntax.tree import Sentence
-from .syntax.words import words_of
+from .syntax.clauses.parser import Parser
+from .syntax.phrases.tree import Sentence
+from .syntax.repairs.corrections import correct_course
+from .syntax.repairs.talk import drop_talk
+from .syntax.text.tokens import list_skipped, small_words, tokens_of
+from .syntax.text.words import words_of
 from .words.dictionary import is_english
 from .words.foreign import is_foreign
 from .words.spelling import correct

@@ -16,8 +16,8 @@ from pathlib import Path
 
 from generator.catalogue import CATEGORIES
 from generator.language.parsing.lexicon import singular
-from generator.language.syntax.function_words import NO_NOUNS
-from generator.language.syntax.tokens import small_words
+from generator.language.syntax.text.function_words import NO_NOUNS
+from generator.language.syntax.text.tokens import small_words
 
 from .wordnet import PHYSICAL, Synset, WordNet, read
 

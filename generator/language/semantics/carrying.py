@@ -11,7 +11,7 @@ from ..drafts import Draft, Group, assumed_relation
 from ..parsing.vocabulary import OPENED
 from ..relations import fits
 from ..sizing import largest_size
-from ..syntax.tree import (
+from ..syntax.phrases.tree import (
     Carry,
     Location,
     Noun,

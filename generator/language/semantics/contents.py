@@ -9,7 +9,7 @@ from ..drafts import Draft, Group
 from ..parsing.lexicon import category_of
 from ..parsing.vocabulary import PACKAGES, SUBSTANCES
 from ..relations import fits
-from ..syntax.tree import Noun
+from ..syntax.phrases.tree import Noun
 
 DEPICTIONS = frozenset({
     "photo", "photograph", "picture", "painting", "drawing", "poster", "portrait", "sketch",

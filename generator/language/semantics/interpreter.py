@@ -9,7 +9,7 @@ from itertools import pairwise
 from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import MAX_OBJECTS, Draft, Group, Grouping, Reading, phrase_text, shares
-from ..syntax.tree import (
+from ..syntax.phrases.tree import (
     EVERYONE,
     Arranged,
     Carry,

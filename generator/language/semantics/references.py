@@ -9,8 +9,8 @@ from ...catalogue import CATEGORIES
 from ...scene import TABLE
 from ..drafts import Draft, Group
 from ..parsing.lexicon import singular
-from ..syntax.function_words import GROUPS
-from ..syntax.tree import Noun
+from ..syntax.phrases.tree import Noun
+from ..syntax.text.function_words import GROUPS
 
 Target = Group | str
 

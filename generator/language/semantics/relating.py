@@ -10,7 +10,7 @@ import numpy as np
 from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Grouping, Reading, assumed_relation
-from ..syntax.tree import (
+from ..syntax.phrases.tree import (
     Arranged,
     Lack,
     Location,

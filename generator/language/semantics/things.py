@@ -9,8 +9,7 @@ from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group
 from ..parsing.lexicon import singular
 from ..parsing.vocabulary import MEANT_WITH
-from ..syntax import function_words as fw
-from ..syntax.tree import (
+from ..syntax.phrases.tree import (
     VARIED,
     Arranged,
     Carry,
@@ -20,6 +19,7 @@ from ..syntax.tree import (
     Post,
     Zone,
 )
+from ..syntax.text import function_words as fw
 from .linking import link
 from .ordering import size_rank
 from .references import find_referred, may_carry, pick

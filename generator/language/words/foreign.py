@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
 
-from ..syntax.tokens import small_words
+from ..syntax.text.tokens import small_words
 from .dictionary import entry_of, is_english
 
 _TABLES: Mapping[str, str] = MappingProxyType(

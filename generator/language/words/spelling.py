@@ -11,7 +11,7 @@ from rapidfuzz.distance import OSA
 from ...catalogue import CATEGORIES
 from ..parsing import lexicon
 from ..parsing.vocabulary import COLORS, PLACES
-from ..syntax.words import Word
+from ..syntax.text.words import Word
 from .dictionary import is_english
 
 _SHORTEST = 4

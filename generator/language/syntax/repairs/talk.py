@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..words.dictionary import entry_of
-from ..words.speech import is_verb
-from . import function_words as fw
-from .cursor import ENDS
-from .nouns import read_noun
-from .tokens import Token
+from ...words.dictionary import entry_of
+from ...words.speech import is_verb
+from ..clauses.cursor import ENDS
+from ..phrases.nouns import read_noun
+from ..text import function_words as fw
+from ..text.tokens import Token
 
 _SPEAKERS = frozenset(["i", "we", "he", "she", "you", "my", "our", "his", "her"])
 _WANTING = frozenset(

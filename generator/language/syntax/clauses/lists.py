@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from ...catalogue import CATEGORIES
-from ..relations import fits
-from ..words.speech import is_finite
-from . import function_words as fw
-from .cursor import ENDS, SUPPORTING
-from .nouns import read_noun
-from .posts import PostReader
-from .tree import (
+from ....catalogue import CATEGORIES
+from ...relations import fits
+from ...words.speech import is_finite
+from ..phrases.nouns import read_noun
+from ..phrases.tree import (
     How,
     Location,
     Noun,
 )
-from .zones import read_zone
+from ..phrases.zones import read_zone
+from ..text import function_words as fw
+from .cursor import ENDS, SUPPORTING
+from .posts import PostReader
 
 
 class ListReader(PostReader):

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from ..parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
-from ..words.speech import is_adjective
-from . import function_words as fw
-from .tokens import Token
+from ...parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
+from ...words.speech import is_adjective
+from ..text import function_words as fw
+from ..text.tokens import Token
 from .tree import Arrangement
 
 MORE = frozenset({

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from . import function_words as fw
-from .cursor import ENDS, SUPPORTING, Cursor
-from .nouns import read_noun
-from .tree import (
+from ..phrases.nouns import read_noun
+from ..phrases.tree import (
     Carry,
     Location,
     Noun,
     Zone,
 )
-from .zones import read_zone
+from ..phrases.zones import read_zone
+from ..text import function_words as fw
+from .cursor import ENDS, SUPPORTING, Cursor
 
 _SIDES = {(-1, None): "left_of", (1, None): "right_of", (None, -1): "in_front_of",
           (None, 1): "behind"}  # fmt: skip

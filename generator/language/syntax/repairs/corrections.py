@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from . import function_words as fw
-from .cursor import ENDS
-from .nouns import attributes_of, read_noun
-from .tokens import Token
-from .tree import Noun
-from .zones import read_zone
+from ..clauses.cursor import ENDS
+from ..phrases.nouns import attributes_of, read_noun
+from ..phrases.tree import Noun
+from ..phrases.zones import read_zone
+from ..text import function_words as fw
+from ..text.tokens import Token
 
 _MARKERS = tuple(
     tuple(phrase.split())

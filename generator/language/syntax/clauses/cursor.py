@@ -5,16 +5,16 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
-from . import function_words as fw
-from .nouns import read_noun
-from .tokens import Token
-from .tree import (
+from ..phrases.nouns import read_noun
+from ..phrases.tree import (
     Clause,
     How,
     Location,
     Noun,
     Post,
 )
+from ..text import function_words as fw
+from ..text.tokens import Token
 
 ENDS = ("stop", "line")
 """Tags of the end of a sentence."""

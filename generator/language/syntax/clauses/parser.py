@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from ...catalogue import CATEGORIES
-from ..parsing.lexicon import singular
-from ..parsing.vocabulary import COLORS
-from ..words.speech import is_verb
-from . import function_words as fw
-from .cursor import ENDS
-from .lists import ListReader
-from .nouns import read_noun
-from .tree import (
+from ....catalogue import CATEGORIES
+from ...parsing.lexicon import singular
+from ...parsing.vocabulary import COLORS
+from ...words.speech import is_verb
+from ..phrases.nouns import read_noun
+from ..phrases.tree import (
     EVERYONE,
     Arranged,
     Carry,
@@ -26,7 +23,10 @@ from .tree import (
     Sentence,
     Zone,
 )
-from .zones import read_zone
+from ..phrases.zones import read_zone
+from ..text import function_words as fw
+from .cursor import ENDS
+from .lists import ListReader
 
 
 class Parser(ListReader):

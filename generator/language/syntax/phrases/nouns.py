@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ...catalogue import CATEGORIES
-from ..parsing import lexicon
-from ..parsing.vocabulary import (
+from ....catalogue import CATEGORIES
+from ...parsing import lexicon
+from ...parsing.vocabulary import (
     COLLECTIVES,
     COLORS,
     LOOSE_NOUNS,
@@ -19,9 +19,10 @@ from ..parsing.vocabulary import (
     TABLE_NOUNS,
     VAGUE_THINGS,
 )
-from ..words.dictionary import entry_of, is_english
-from ..words.speech import IRREGULAR, is_finite, is_verb
-from . import function_words as fw
+from ...words.dictionary import entry_of, is_english
+from ...words.speech import IRREGULAR, is_finite, is_verb
+from ..text import function_words as fw
+from ..text.tokens import Token
 from .introductions import (
     MORE,
     PhraseStart,
@@ -30,7 +31,6 @@ from .introductions import (
     multiply,
     read_introduction,
 )
-from .tokens import Token
 from .tree import Noun, NounKind
 from .zones import read_zone
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ..parsing.vocabulary import TABLE_NOUNS
-from . import function_words as fw
-from .tokens import Token
+from ...parsing.vocabulary import TABLE_NOUNS
+from ..text import function_words as fw
+from ..text.tokens import Token
 from .tree import Zone
 
 _BEFORE = frozenset(

@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ..words.speech import is_verb
-from . import function_words as fw
-from .cursor import ENDS, SUPPORTING
-from .nouns import read_noun
-from .places import PlaceReader
-from .tree import (
+from ...words.speech import is_verb
+from ..phrases.nouns import read_noun
+from ..phrases.tree import (
     VARIED,
     Arranged,
     Carry,
@@ -22,7 +19,10 @@ from .tree import (
     Noun,
     Post,
 )
-from .zones import read_zone
+from ..phrases.zones import read_zone
+from ..text import function_words as fw
+from .cursor import ENDS, SUPPORTING
+from .places import PlaceReader
 
 _THERE_ARE = frozenset({"there", "are", "is", "with", "about", "say", "all"})
 _THEM = frozenset(

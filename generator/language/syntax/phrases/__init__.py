@@ -1,0 +1,1 @@
+"""Noun phrases and places on the table."""

@@ -1,0 +1,1 @@
+"""A text as words and tokens, and the small words that English goes by."""
