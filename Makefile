@@ -6,6 +6,9 @@ PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 WORKERS ?= 2
 PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 
+# Modules are compiled once, not anew by each process that the tests start.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: demo check test test-fast lint format types docs build clean
 
 $(BIN)/python:

@@ -6,6 +6,12 @@ from pathlib import Path
 
 import pytest
 
+# One thread a worker, and in each process it starts, for torch and NumPy: with more of them than
+# cores, each waits for the others. ``generator.threads`` goes by OMP_NUM_THREADS, which is as it
+# was, so that what the product spreads over threads of its own stays spread.
+for name in ("MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(name, "1")
+
 if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
     import typechecking
 

@@ -4,6 +4,7 @@ import zlib
 
 import numpy as np
 import pytest
+from built import Models
 from jaxtyping import Float
 
 from generator.catalogue import CATEGORIES, build
@@ -43,9 +44,9 @@ def count_looks(models: list[Model]) -> int:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key", SOME)
-def test_category_has_five_looks(key: str):
-    assert count_looks([build(key, seed) for seed in range(10)]) >= 5
+@pytest.mark.parametrize("models", SOME, indirect=True)
+def test_category_has_five_looks(models: Models):
+    assert count_looks(models.first(10)) >= 5
 
 
 def test_same_seed_counts_once():

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from built import Models
 from solidity import fingerprint, is_closed, mass_of
 
 from generator.catalogue import CATEGORIES, build, category
@@ -10,11 +11,9 @@ from generator.catalogue.sheet import draw
 from generator.errors import InputError
 from generator.scene import Mesh
 
-KEYS = sorted(CATEGORIES)
-
 
 def test_there_are_enough_categories():
-    assert len(KEYS) >= 390
+    assert len(CATEGORIES) >= 390
 
 
 def test_closedness_is_told_apart():
@@ -25,23 +24,20 @@ def test_closedness_is_told_apart():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key", KEYS)
-def test_model_is_sound(key: str):
-    for seed in range(3):
-        model = build(key, seed)
+def test_model_is_sound(models: Models):
+    for model in models.first(3):
         assert is_closed(model.mesh), "the surface has holes"
         assert signed_volume(model.mesh.vertices.astype(float), model.mesh.faces) > 0
         assert len(model.mesh.faces) <= 4000
         assert max(model.mesh.texture.shape[:2]) <= 640
         assert model.mesh.uv.min() >= 0 and model.mesh.uv.max() <= 1
-        assert model.category == key and model.label == CATEGORIES[key].noun
+        assert model.category == models.key
+        assert model.label == CATEGORIES[models.key].noun
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key", KEYS)
-def test_collision_parts_fit_the_mesh(key: str):
-    for seed in range(3):
-        model = build(key, seed)
+def test_collision_parts_fit_the_mesh(models: Models):
+    for model in models.first(3):
         assert 1 <= len(model.parts) <= 32
         bounds = np.stack([p.bounds for p in model.parts])
         assert np.abs(bounds).max() <= 0.5 + 0.004, "a part sticks out of the mesh"
@@ -53,18 +49,16 @@ def test_collision_parts_fit_the_mesh(key: str):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key", KEYS)
-def test_seed_decides_everything(key: str):
-    variants = [fingerprint(build(key, seed)) for seed in range(3)]
+def test_seed_decides_everything(models: Models):
+    variants = [fingerprint(model) for model in models.first(3)]
     assert len(set(variants)) == 3
-    assert fingerprint(build(key, 1)) == variants[1]
+    assert fingerprint(build(models.key, 1)) == variants[1]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key", KEYS)
-def test_nominal_size_is_true(key: str):
-    found = CATEGORIES[key]
-    sizes = np.array([build(key, seed).size for seed in range(8)])
+def test_nominal_size_is_true(models: Models):
+    found = CATEGORIES[models.key]
+    sizes = np.array([model.size for model in models.first(8)])
     ratio = sizes.mean(0) / np.array(found.size)
     assert (np.abs(np.log(ratio)) < np.log(1.35)).all(), f"{found.size} but {sizes.mean(0)}"
 
@@ -86,11 +80,11 @@ MASSES = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key", sorted(MASSES))
-def test_mass_is_plausible(key: str):
-    low, high = MASSES[key]
-    for seed in range(3):
-        assert low <= mass_of(build(key, seed)) <= high
+@pytest.mark.parametrize("models", sorted(MASSES), indirect=True)
+def test_mass_is_plausible(models: Models):
+    low, high = MASSES[models.key]
+    for model in models.first(3):
+        assert low <= mass_of(model) <= high
 
 
 @pytest.mark.parametrize(

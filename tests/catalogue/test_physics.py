@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from built import Models
 
 from generator.catalogue import CATEGORIES, build
 from generator.scene import Model
@@ -73,10 +74,9 @@ def test_ball_falls_into_hollow_things(key: str):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("key", sorted(CATEGORIES))
-def test_rests_as_it_is_made(key: str):
+def test_rests_as_it_is_made(models: Models):
     spec = room()
-    model = build(key, 0)
+    model = models[0]
     stand(spec, model, free=True)
     compiled = spec.compile()
     data = mujoco.MjData(compiled)

@@ -4,6 +4,7 @@ import zlib
 
 import numpy as np
 import pytest
+from built import Models
 from solidity import fingerprint, is_closed, mass_of
 
 from generator.catalogue import CATEGORIES, build
@@ -22,9 +23,9 @@ def in_style(key: str, style: str, seed: int = 0) -> Model:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("style", sorted(STYLES))
-@pytest.mark.parametrize("key", SOME)
-def test_styled_model_is_sound(key: str, style: str):
-    model = in_style(key, style)
+@pytest.mark.parametrize("models", SOME, indirect=True)
+def test_styled_model_is_sound(models: Models, style: str):
+    model = in_style(models.key, style)
     assert is_closed(model.mesh), "the surface has holes"
     assert signed_volume(model.mesh.vertices.astype(float), model.mesh.faces) > 0
     assert len(model.mesh.faces) <= 5000
@@ -35,7 +36,7 @@ def test_styled_model_is_sound(key: str, style: str):
     for part in model.parts:
         assert len(part.vertices) <= 32
         assert (np.ptp(part.vertices, axis=0) * model.size > 2e-4).all(), "a part is flat"
-    plain = build(key, 0)
+    plain = models[0]
     assert (np.abs(model.size - plain.size) <= 0.012 * plain.size.max()).all()
 
 

@@ -61,6 +61,8 @@ def serving(behaviour: Behaviour) -> Iterator[str]:
             yield f"http://127.0.0.1:{server.getsockname()[1]}"
         finally:
             over.set()
+            with contextlib.suppress(OSError):
+                server.shutdown(socket.SHUT_RDWR)  # it need not wait for its next look
             thread.join(5)
 
 

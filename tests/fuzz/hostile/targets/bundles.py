@@ -8,6 +8,7 @@ import random
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import numpy as np
 from toy import toy_object, toy_scene
@@ -343,8 +344,9 @@ def _run(place: Path, rng: random.Random) -> Run:
             accepts(lambda: load(place), lambda: load_segments(place))
             command("inspect", str(place), *(["--json"] if simulate else []))
         if stored:
-            assets_cache.verify(store)
-            accepts(lambda: assets_cache.find("toy", store))
+            with mock.patch.object(assets_cache.store, "_SHIPPED", ()):  # which are sound
+                assets_cache.verify(store)
+                accepts(lambda: assets_cache.find("toy", store))
         good = accepts(lambda: load_pictures(place), lambda: load_picture(place, "reference"))
         if verify(place) or not good:
             return False
