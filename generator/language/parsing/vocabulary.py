@@ -86,7 +86,8 @@ STATES = _words(
     "round circular square rectangular oval triangular flat heavy soft decorative classic typical "
     "traditional fancy plain delicate pretty lovely standard ordinary wireless mechanical "
     "electric digital portable retro toy uncapped spiral sharp dull neat neatly "
-    "packed filled unpacked rolled crumpled coiled crossed wrapped sealed washed dried carved peeled "
+    "packed filled unpacked rolled crumpled coiled crossed wrapped sealed washed dried carved "
+    "peeled "
     "scented knitted crocheted engraved bound printed blank unlit wilted"
 )
 """Describing words that are kept as an object's "state" or ignored; never objects themselves."""
@@ -360,10 +361,19 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
         "piece": (("chess_board", "chess_piece"),),
         "set": (("chess_board", "chess_piece"),),
         "bean": (("coffee_grinder", "coffee_bag"), ("espresso_machine", "coffee_bag")),
-        "slice": (("pizza_box", "pizza_slice"), ("pizza", "pizza_slice"), ("bread", "toast"),
-                  ("cake", "cake_slice"), ("pie", "cake_slice")),
-        "shaker": (("jigger", "cocktail_shaker"), ("strainer", "cocktail_shaker"),
-                   ("martini", "cocktail_shaker"), ("muddler", "cocktail_shaker")),
+        "slice": (
+            ("pizza_box", "pizza_slice"),
+            ("pizza", "pizza_slice"),
+            ("bread", "toast"),
+            ("cake", "cake_slice"),
+            ("pie", "cake_slice"),
+        ),
+        "shaker": (
+            ("jigger", "cocktail_shaker"),
+            ("strainer", "cocktail_shaker"),
+            ("martini", "cocktail_shaker"),
+            ("muddler", "cocktail_shaker"),
+        ),
         "card": (("poker_chips", "playing_cards"),),
         "chip": (("playing_cards", "poker_chips"),),
     }

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import MAX_OBJECTS, Draft, Group, Grouping, Reading, phrase_text, shares
+from ..drafts import MAX_OBJECTS, Draft, Group, Grouping, Reading, phrase_text
 from ..syntax.phrases.tree import (
     EVERYONE,
     Arranged,
@@ -23,8 +22,7 @@ from ..syntax.phrases.tree import (
     Sentence,
     Zone,
 )
-from .carrying import CarryReader
-from .linking import link
+from .listing import TURNED, ListInterpreter, is_supported
 from .references import Context, Target, antecedent, find_referred
 
 _SOME_PEOPLE = 4
@@ -32,7 +30,7 @@ _SOME_PEOPLE = 4
 
 
 @dataclass(eq=False)
-class Interpreter(CarryReader):
+class Interpreter(ListInterpreter):
     """Turns clauses into drafts."""
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
@@ -80,21 +78,13 @@ class Interpreter(CarryReader):
         if things and self._context.topic is None:
             self._context.topic = things[0]
 
-    def _attach_lead(self, place: Location, targets: Target, groups: Sequence[Target]) -> None:
-        for group in groups:
-            if group == TABLE and place.kind in ("on", "in"):
-                raise _TURNED
-            own = isinstance(group, list) and group[0].placed
-            if isinstance(group, list) and not own:
-                self._attach(place, targets, group)
-
     def _predicate(self, post: Post, things: Sequence[Group], groups: Sequence[Target]) -> None:
         if isinstance(post, Arranged):
             self._arrange(post, [draft for group in things for draft in group])
             return
         if isinstance(post, Location) and TABLE in groups and not things:
             if isinstance(post.target, Noun) and post.kind in ("on", "in"):
-                raise _TURNED
+                raise TURNED
             return
         if isinstance(post, Location) and len(things) > 1:
             everything = [draft for group in things for draft in group]
@@ -110,102 +100,6 @@ class Interpreter(CarryReader):
             self._carry(post, TABLE, None)
         if isinstance(post, Description) and TABLE in groups:
             self.reading.table.append(_describing(post))
-
-    def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
-        """Read a list; what is said of its last item only may be said of the others, too."""
-        found: list[Target] = []
-        context = self._context
-        parallel, context.parallel = context.parallel, None
-        for k, noun in enumerate(nouns):
-            target = self._noun(noun, owner)
-            if target is None:
-                brings = any(isinstance(post, Carry) for post in noun.post)
-                if noun.family == "place" and not brings and noun.kind == "setting":
-                    self.reading.lost.append(" ".join(noun.words))  # "a house on a table"
-                continue
-            found.append(target)
-            if isinstance(target, list):
-                if context.topic is None and owner is None:
-                    context.topic = target
-                self._share(nouns[: k + 1], noun, found)
-        context.parallel = parallel
-        for place in nouns[-1].post if nouns else ():
-            if isinstance(place, Location) and place.whole and len(found) > 1:  # "all on a tray"
-                self._place_all(place, found)
-        self._arrange_all(nouns, found)
-        return found
-
-    def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
-        """Arrange "an apple, a pear and a peach in a row": what is said of the last is of all."""
-        posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
-        groups = [group for group in found if isinstance(group, list)]
-        if not posts or len(groups) < 2:
-            return
-        if posts[0].order == "listed":
-            self._line_up(groups)
-        elif all(len(g) == 1 and not g[0].relations for g in groups):
-            self._arrange(posts[0], [draft for group in groups for draft in group])
-
-    def _line_up(self, groups: Sequence[Group]) -> None:
-        """Put groups beside one another in the order in which they were named."""
-        firsts = [group[:1] for group in groups if not is_supported(group[0])]
-        for one, other in pairwise(firsts):
-            link("left_of", one, other, self.reading.warnings)
-        if len(firsts) > 1:
-            self._arrange(Arranged("row"), [draft for group in firsts for draft in group])
-
-    def _gather(self, place: Location, found: Sequence[Target]) -> None:
-        """Put "an apple, a pear and a plum around a bowl" all around it."""
-        last = [group for group in found[-1:] if isinstance(group, list)]
-        inner = [to for d in last[0] for _, to in d.relations if isinstance(to, Draft)][:1]
-        ring = [d for group in found if isinstance(group, list) for d in group]
-        free = [d for d in ring if not d.relations or d in last[0]]
-        if inner and len(free) > len(last[0]) and all(d is not inner[0] for d in free):
-            self._attach(place, inner, free)
-
-    def _place_all(self, place: Location, found: Sequence[Target]) -> None:
-        """Put all things of a list where its last one is."""
-        last = found[-1]
-        if not isinstance(last, list):
-            return
-        if isinstance(place.target, Zone):
-            targets: Target = TABLE
-        else:
-            targets = [to for kind, to in last[0].relations
-                       if kind == place.kind and isinstance(to, Draft)]  # fmt: skip
-        for group in found[:-1]:
-            if targets and isinstance(group, list):
-                self._attach(replace(place, whole=False), targets, group)
-
-    def _share(self, nouns: Sequence[Noun], last: Noun, found: Sequence[Target]) -> None:
-        """Give "an apple and a pear on a plate" one place."""
-        places = [post for post in last.post if isinstance(post, Location)]
-        if last.joint != "and" or len(nouns) < 2 or not places or len(found) < 2:
-            return
-        if places[0].kind == "around":
-            self._gather(places[0], found)
-            return
-        other = found[-2]
-        previous = nouns[-2]
-        if not isinstance(other, list) or previous.post:
-            return
-        if isinstance(places[0].target, Zone):
-            if all(not draft.relations for draft in other):
-                self._attach(places[0], TABLE, other)
-            return
-        if places[0].each or (isinstance(places[0].target, Noun) and places[0].target.each):
-            self._attach(places[0], self._context.parallel or [], other)
-            return
-        listed = any(not noun.post for noun in nouns[:-2])
-        drafts = found[-1]
-        assert isinstance(drafts, list)
-        for kind, target in list(drafts[0].relations):
-            if target is not TABLE and all(target is not d for d in other):
-                targets = [to for d in drafts for k, to in d.relations if k == kind]
-                if listed and kind in ("on", "in"):
-                    continue
-                if shares(kind, other, targets):
-                    link(kind, other, targets[:1], self.reading.warnings)
 
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
@@ -276,7 +170,7 @@ class Interpreter(CarryReader):
                 self.reading.table.append(_describing(post))
             elif isinstance(post, Location) and isinstance(post.target, Noun):
                 if post.kind in ("on", "in") and post.target.kind == "thing":
-                    raise _TURNED
+                    raise TURNED
                 self._resolve(post, [])
         return TABLE
 
@@ -398,10 +292,6 @@ class Interpreter(CarryReader):
             self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
 
 
-def is_supported(draft: Draft) -> bool:
-    return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
-
-
 def _is_one(noun: Noun) -> bool:
     """Tell whether a noun phrase brings in one new thing of a known kind."""
     several = (noun.count or 1) != 1 or noun.plural or noun.each
@@ -411,9 +301,3 @@ def _is_one(noun: Noun) -> bool:
 def _describing(post: Description) -> Noun:
     words = tuple(word for each in post.each for value in each.values() for word in value.split())
     return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]))
-
-
-_TURNED = InputError(
-    "The text puts the table on an object; objects stand on the table. Turn it round, for example "
-    "'a mug on the table'."
-)

@@ -151,9 +151,10 @@ def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
     found = []
     for draft in objects:
         words = [singular(word) for word in draft.noun.split(" of ")[0].split()]
-        if head in (words[-1:], draft.noun.split()[-1:], draft.also.split()[-1:]) and _agrees(draft, noun):
+        if head in (words[-1:], draft.noun.split()[-1:], draft.also.split()[-1:]) and _agrees(
+            draft, noun
+        ):
             found.append(draft)
     if found or len(head[0]) < 3:
         return found
-    joined = [d for d in objects if d.noun.split()[-1].endswith(head[0]) and _agrees(d, noun)]
-    return joined  # "the pot": the teapot
+    return [d for d in objects if d.noun.split()[-1].endswith(head[0]) and _agrees(d, noun)]

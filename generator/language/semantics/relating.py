@@ -133,7 +133,8 @@ class Relater:
         """Multiply the subject so that each target gets its own ("on each plate")."""
         one, share = group[0], len(group)
         carried = [d for d in self.reading.objects
-                   if any(kind in ("on", "in") and to is one for kind, to in d.relations)]  # fmt: skip
+                   if any(kind in ("on", "in") and to is one for kind,
+                   to in d.relations)]  # fmt: skip
         for _ in range(len(targets) * share - len(group) if share < len(targets) else 0):
             copy = self.reading.add(one.noun, one.category, one.attributes)
             group.append(copy)
@@ -249,7 +250,10 @@ class Relater:
 
 
 def _bottom(draft: Draft) -> Draft:
-    """Return what carries a thing, as far down as the text has said: the bowl of "nuts in a bowl"."""
+    """Return what carries a thing, as far down as the text has said.
+
+    Of "nuts in a bowl" that is the bowl.
+    """
     for kind, to in draft.relations:
         if kind in ("on", "in") and isinstance(to, Draft) and to is not draft and not to.placed:
             return to

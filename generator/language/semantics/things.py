@@ -59,9 +59,9 @@ class ThingReader(Relater, ABC):
         if noun.kind == "collective":
             return self._collective(noun)
         known = any(d.category == noun.category for d in self.reading.objects if noun.category)
-        if noun.definite and not known and noun.head in fw.GROUPS:
-            if found := self._arranged_as(fw.GROUPS[noun.head]):
-                return found
+        arranged = noun.definite and not known and noun.head in fw.GROUPS
+        if arranged and (found := self._arranged_as(fw.GROUPS[noun.head])):
+            return found
         if noun.definite or noun.other or noun.each:
             known = self.reading.objects[self._seated or 0 :]
             found = find_referred(noun, known, self._context.subject)
@@ -156,7 +156,9 @@ class ThingReader(Relater, ABC):
             return best
         listed = any(isinstance(post, Carry) for post in noun.post)
         if noun.other and not noun.definite and listed:  # "another the four patties"
-            like = next((g[0] for g in reversed(self._context.mentioned) if may_carry(g[0], "on")), None)
+            like = next(
+                (g[0] for g in reversed(self._context.mentioned) if may_carry(g[0], "on")), None
+            )
             if like is not None:
                 made = [self.reading.add(like.noun, like.category, {}, family=like.family)]
                 self._context.mentioned.append(made)
@@ -167,7 +169,9 @@ class ThingReader(Relater, ABC):
             known = [d for d in self.reading.objects if wanted <= d.attributes.items()][-1:]
             several = [g for g in self._context.mentioned if len(g) > 1][-1:]
             if not known and several:  # "two mugs: the blue one left of the board, ..."
-                free = [d for d in several[0] if not (d.told or noun.attributes.keys() & d.attributes)]
+                free = [
+                    d for d in several[0] if not (d.told or noun.attributes.keys() & d.attributes)
+                ]
                 for draft in (known := free[:1]):
                     draft.told = True
                     draft.attributes.update(noun.attributes)
@@ -175,7 +179,11 @@ class ThingReader(Relater, ABC):
                 self._posts(noun, known)
             return known or None
         heaps = [{*g.members} for g in self.reading.groupings if g.kind == "pyramid"]
-        if self._context.mentioned and {*self._context.mentioned[-1]} in heaps and not noun.definite:
+        if (
+            self._context.mentioned
+            and {*self._context.mentioned[-1]} in heaps
+            and not noun.definite
+        ):
             return []  # "a pyramid of six blocks: three at the bottom, two on those, one on top"
         groups = [g for g in self._context.mentioned if len(g) > 1]
         latest = self._context.mentioned[-1:]
@@ -206,7 +214,12 @@ class ThingReader(Relater, ABC):
             made = self.reading.add(bare, like.category, noun.attributes, family=like.family)
             self._posts(noun, [made])
             return [made]
-        if groups and groups[-1] is self._uncounted and noun.count and not (noun.post or noun.words):
+        if (
+            groups
+            and groups[-1] is self._uncounted
+            and noun.count
+            and not (noun.post or noun.words)
+        ):
             self._recount(int(noun.count))  # "there are four of them"
             return groups[-1]
         if not groups or not (noun.post or noun.attributes):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import cache
@@ -96,7 +97,7 @@ def _candidates() -> tuple[str, ...]:
 def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> str | None:
     """Return the word that another one is a misspelling of, or None."""
     plural = word.endswith("s") and not word.endswith("ss")
-    before = {a.text for a, b in zip(words, words[1:], strict=False) if b.text == word}
+    before = {a.text for a, b in itertools.pairwise(words) if b.text == word}
     ranked = []
     for candidate in _candidates():
         if len(word) < _SHORTEST and candidate not in _SHORT:

@@ -82,8 +82,11 @@ class Cursor(ABC):
             verbal = self._text(1) in (*fw.INDEFINITE, *fw.DEFINITE, *fw.NUMBERS) or (
                 self._tag(1) in ("relation", "posture", "number", "each", "arranged")
             )  # "behind them stand two cups"
-            if noun is not None and noun.category and self._text() in noun.head and not (
-                verbal and self._text() in fw.BE
+            if (
+                noun is not None
+                and noun.category
+                and self._text() in noun.head
+                and not (verbal and self._text() in fw.BE)
             ):
                 break
             self.i += 1

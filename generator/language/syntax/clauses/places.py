@@ -87,7 +87,9 @@ class PlaceReader(Cursor):
         if self._text() not in ("to", "on", "at", "along", "by"):
             return None
         first = self.i + 1
-        owned = next((k for k in range(first + 1, first + 6) if self._tag(k - self.i) == "possessive"), 0)
+        owned = next(
+            (k for k in range(first + 1, first + 6) if self._tag(k - self.i) == "possessive"), 0
+        )
         side = fw.SIDES.get(self._text(owned + 1 - self.i), (None, None)) if owned else (None, None)
         kind = _SIDES.get(side)
         whose, end = read_noun(self.tokens[:owned], first) if kind else (None, 0)
@@ -128,9 +130,8 @@ class PlaceReader(Cursor):
         owned = [k for k in range(end - len(noun.words) - 2, end)
                  if k >= 0 and self.tokens[k].tag == "possessive"]  # fmt: skip
         if noun.kind == "part" and owned:  # "against the caddy's back"
-            first = next(k for k in range(owned[0], -1, -1) if k == 0 or self.tokens[k - 1].tag in (
-                "relation", "arranged", "word") and self.tokens[k].text in fw.DEFINITE)  # fmt: skip
-            whose, _ = read_noun(self.tokens[: owned[0]], first)
+            starts = [k for k in range(owned[0]) if self.tokens[k].text in fw.DEFINITE]
+            whose, _ = read_noun(self.tokens[: owned[0]], max(starts, default=0))
             noun = whose or noun
         if noun.kind == "part" and self._tag() == "of":  # "the rim of the bowl"
             self.i += 1

@@ -58,11 +58,15 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read articles, numbers, lengths and "a stack of"; return where they end."""
     while i < len(tokens) and not run.closed:
         token = tokens[i]
-        step = 0 if token.text == "both" else (
-            _weight(tokens, i)
-            or _measure(tokens, i, run)
-            or _group(tokens, i, run)
-            or _number(tokens, i, run)
+        step = (
+            0
+            if token.text == "both"
+            else (
+                _weight(tokens, i)
+                or _measure(tokens, i, run)
+                or _group(tokens, i, run)
+                or _number(tokens, i, run)
+            )
         )
         if step:
             i += step
@@ -95,7 +99,10 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             following = tokens[i] if i < len(tokens) else None
             if following is not None and (
                 following.tag == "number"
-                or (following.text != "one" and following.text in (*fw.NUMBERS, *fw.DEFINITE, "a", "an"))
+                or (
+                    following.text != "one"
+                    and following.text in (*fw.NUMBERS, *fw.DEFINITE, "a", "an")
+                )
             ):
                 run.closed = True  # "the third two doughnuts"
                 break
@@ -131,8 +138,10 @@ def may_continue(tokens: Sequence[Token], i: int) -> bool:
 def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     """Read "three", "2-3", "half a dozen of", "2 x"; return how many tokens they take."""
     value = _value(tokens[i])
-    if tokens[i].text == "another" and i + 1 < len(tokens) and (
-        tokens[i + 1].text in fw.DEFINITE | fw.INDEFINITE
+    if (
+        tokens[i].text == "another"
+        and i + 1 < len(tokens)
+        and (tokens[i + 1].text in fw.DEFINITE | fw.INDEFINITE)
     ):
         run.other, run.closed, run.numbers = True, True, [1.0]
         return 1

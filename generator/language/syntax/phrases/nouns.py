@@ -2,52 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from ....catalogue import CATEGORIES
-from ...parsing import lexicon
-from ...parsing.vocabulary import (
-    COLLECTIVES,
-    COLORS,
-    LOOSE_NOUNS,
-    MATERIALS,
-    OCCASIONS,
-    PARTS,
-    SHADES,
-    SIZES,
-    STATES,
-    TABLE_NOUNS,
-    VAGUE_THINGS,
-)
-from ...words.dictionary import entry_of, is_english
-from ...words.speech import IRREGULAR, is_finite, is_verb
 from ..text import function_words as fw
 from ..text.tokens import Token
-from .introductions import (
-    MORE,
-    PhraseStart,
-    is_describing,
-    may_continue,
-    multiply,
-    read_introduction,
-)
-from .tree import Noun, NounKind
-from .zones import read_zone
-
-_STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
-
-
-_COMPOUNDED = frozenset(["rest", "stand", "set", "kit", "press", "mount", "guard", "control"])
-"""Nouns that name a thing only after another one: "foot rest"."""
-
-_AMOUNTS = {"heap": (5, 5), "pyramid": (6, 6)}
-"""How many things an arrangement has where the text does not say; three in any other."""
-
-_POSITIONS = frozenset(
-    ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",
-     "lower", "topmost", "uppermost"]
-)  # fmt: skip
-"""What tells one of several alike from the others: "the left plate"."""
+from .endings import ends_here
+from .heads import noun_of
+from .introductions import PhraseStart, is_describing, may_continue, read_introduction
+from .tree import Noun
 
 
 def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
@@ -57,7 +19,7 @@ def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     i = i if run.closed else _content(tokens, i, run)
     if i == start:
         return None, start
-    noun = _noun(run)
+    noun = noun_of(run)
     noun.span = tokens[start].span[0], tokens[i - 1].span[1]
     return noun, i
 
@@ -89,7 +51,7 @@ def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             i += 1
         elif token.tag == "possessive":
             i += 1
-        elif token.tag == "word" and not _ends(tokens, i, run):
+        elif token.tag == "word" and not ends_here(tokens, i, run):
             run.words.append(token.text)
             i += 1
         elif step := _joined_adjectives(tokens, i, run):
@@ -97,135 +59,6 @@ def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         else:
             break
     return i
-
-
-_CLOSING = frozenset({"comma", "stop", "line", "and", "colon", "dash", "open", "close"})
-"""Tags of what may follow the last word of a noun phrase."""
-
-
-def _ends(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Tell whether a word is none of this noun phrase's any more."""
-    word = tokens[i].text
-    if word in ("one", "ones") and run.words and all(map(is_describing, run.words)):
-        return False
-    if word in fw.DEFINITE or word in fw.INDEFINITE or word in fw.PRONOUNS:
-        return True
-    nouns = [w for w in run.words if not is_describing(w)]
-    if nouns and word in fw.PARTICLES:
-        return True
-    if word in fw.AMOUNTS and nouns and word not in ("lot", "mixed", "assorted", "various"):
-        return True
-    if (word in fw.NUMBERS and nouns) or word in fw.NEVER_INSIDE or _is_around(tokens, i, nouns):
-        return True
-    if word in _STOPS or word in fw.STARTERS:
-        following = tokens[i + 1] if i + 1 < len(tokens) else None
-        ahead = following.text if following is not None and following.tag == "word" else ""
-        extended, longer = (*run.words, word), (*run.words, word, ahead)
-        third = tokens[i + 2].text if i + 2 < len(tokens) and tokens[i + 2].tag == "word" else ""
-        ahead_tag = following.tag if following is not None else ""
-        inverted = ahead in fw.INDEFINITE | fw.DEFINITE or ahead in fw.NUMBERS
-        named_can = lexicon.category_of((*run.words[-1:], word)) is not None
-        if word in ("can", "must", "should", "could", "may") and nouns and not named_can and (
-            ahead in fw.BE or (is_verb(ahead) and not lexicon.category_of((ahead,)))
-        ):
-            return True  # "the drill can go there"
-        if word in fw.BE and inverted and (run.words or run.ordinal):
-            return True  # "behind the biggest stands a roller"
-        alone = not run.words and (run.numbers or run.ordinal or run.other) and word in fw.BE
-        if alone and (ahead_tag == "relation" or read_zone(tokens, i + 1) is not None):
-            if (run.numbers or [1.0])[0] == 1.0 or not word.endswith("s"):
-                return True  # "one stands on a tray, both lie in it"
-        before = len(run.words) if nouns and word in fw.BE else len(extended)
-        named = any(
-            lexicon.category_of(some[k:]) or lexicon.collective_of(some[k:])
-            for some in (extended, longer, (*longer, third))
-            for k in range(before)
-        )  # a "cake stand", but a "bottle" that "stands"
-        if named and word in fw.BE and nouns and word.endswith("s") and _is_single(run):
-            return True
-        closed = following is None or following.tag in _CLOSING | {"close"}
-        named_so = run.article or (nouns and not _is_known(run.words))
-        if closed and named_so and word in fw.BE:
-            return False  # "a wrist rest", "on a stand"
-        if named and (nouns or following is None or following.text not in fw.DEFINITE):
-            return False
-        before_noun = not nouns and following is not None and following.tag in ("word", "name")
-        describes = is_describing(word) or word in (
-            "standing", "hanging", "left", "right"
-        )  # fmt: skip
-        return not (before_noun and describes)
-    if nouns and (_is_said_of(tokens, i, run) or _is_place(tokens, i, run)):
-        return True
-    closed = i + 1 >= len(tokens) or tokens[i + 1].tag in _CLOSING | {"colon"}
-    if closed and word.endswith("ing") and entry_of((word,)) and word not in fw.PARTICIPLES:
-        return False  # "a board meeting"
-    if nouns and (word.endswith(("ing", "ed")) or is_describing(word)) and _is_known(run.words):
-        extended = (*run.words, word)
-        ahead = [*extended, *(t.text for t in tokens[i + 1 : i + 3] if t.tag == "word")]
-        return not any(
-            lexicon.category_of(tuple(ahead[k:end]))
-            for end in range(len(extended), len(ahead) + 1)
-            for k in range(len(run.words) + 1)
-        )
-    return False
-
-
-def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
-    """Tell whether "round" is a preposition here: "six cups round it", no "round table"."""
-    if tokens[i].text != "round" or not nouns or i + 1 >= len(tokens):
-        return False
-    following = tokens[i + 1].text
-    return following in fw.DEFINITE | fw.INDEFINITE | fw.PRONOUNS
-
-
-def _is_place(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Tell whether "front left" or a last "centre" says where the noun before it is."""
-    opens = tokens[i].text in fw.SIDES or tokens[i].text in ("dead", "smack", "bang")
-    if not opens or not _is_known(run.words):
-        return False
-    found = read_zone(tokens, i)
-    return found is not None and not found.of
-
-
-_OBJECTS = fw.DEFINITE | fw.INDEFINITE | fw.PRONOUNS | frozenset(fw.NUMBERS)
-
-
-def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Tell whether a word is a verb that says something of the noun before it.
-
-    "A gnome watches them", "the salad comes in a bowl", "books piled on it", but "dinner plates
-    on it".
-    """
-    word = tokens[i].text
-    ahead_of_it = i + 1 < len(tokens) and tokens[i + 1].text in ("it", "them", "him", "her")
-    if not is_verb(word) and not (ahead_of_it and word.endswith("s") and _is_single(run)):
-        return False
-    following = tokens[i + 1] if i + 1 < len(tokens) else None
-    ahead = following.text if following is not None and following.tag == "word" else ""
-    for some in ((*run.words, word), (*run.words, word, ahead)):
-        if any(lexicon.category_of(some[k:]) for k in range(len(run.words))):
-            return False
-    if following is not None and following.tag in ("word", "number"):
-        return ahead in _OBJECTS and (is_finite(word) or _is_known(run.words))
-    if lexicon.category_of((word,)) is not None:
-        return is_finite(word) and run.article and following is not None
-    ended = following is None or following.tag in _CLOSING
-    if is_finite(word):
-        return _is_single(run) and not ended
-    participle = word.endswith(("ed", "ing", "en", "ung")) or word in IRREGULAR
-    return participle and _is_known(run.words) and not ended
-
-
-def _is_single(run: PhraseStart) -> bool:
-    """Tell whether a noun phrase began as one of a single thing: "a", "the", "one", "each"."""
-    return run.each or run.article or run.definite or run.numbers == [1.0]
-
-
-def _is_known(words: Sequence[str]) -> bool:
-    return any(
-        lexicon.category_of(tuple(words[k:])) or " ".join(words[k:]) in TABLE_NOUNS
-        for k in range(len(words))
-    )
 
 
 def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
@@ -244,7 +77,7 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
     if not described or k >= len(tokens):
         return 0
     more = tokens[k].tag in ("comma", "and") or tokens[k].tag in ("word", "name")
-    if not more or (tokens[k].tag == "word" and _ends(tokens, k, run)):
+    if not more or (tokens[k].tag == "word" and ends_here(tokens, k, run)):
         return 0
     start = i + 1 + (tokens[i].tag == "comma" and tokens[i + 1].tag == "and")
     run.variants.append(list(run.words))
@@ -253,227 +86,3 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
 
 
 # ---------------------------------------------------------------------------------- the noun
-
-
-def _noun(run: PhraseStart) -> Noun:
-    """Return the noun phrase of what was read."""
-    cut_plural = _cut_portion(run)
-    words = tuple(run.words)
-    kind, head, category, family = _head(words, run.name, definite=run.definite)
-    counted = run.article or run.definite or run.numbers or run.amount or run.each or run.groups
-    robot = run.definite and words in (("robot",), ("robot", "arm"), ("agent",), ("manipulator",))
-    if robot or (words and words[0] in fw.NOBODY):
-        kind, category = "setting", None
-    if kind == "thing" and not category and not (family or counted) and is_verb(words[-1]):
-        kind = "abstract"
-    if kind == "adjective" and run.groups and words and words[-1] in MATERIALS:
-        kind, head, category, family = _look_up(words[-1:])  # "a piece of fabric"
-        category = category or lexicon.category_of(words[-1:])
-    modifiers = words[: len(words) - len(head)] if head else words
-    count, amount = _count(run)
-    glasses = False
-    if head == ("glasses",) and not run.definite and (count or amount or not modifiers):
-        head, category = ("glass",), lexicon.category_of(("glass",))
-        glasses = True
-    attributes = attributes_of(modifiers)
-    noun = " ".join((*head[:-1], lexicon.singular(head[-1]))) if head else ""
-    if head and "of" in head:
-        noun = " ".join((lexicon.singular(head[0]), *head[1:]))
-    elif head and category and " ".join(head) != noun and not lexicon.is_plural(head):
-        noun = " ".join(head)
-    if kind == "thing" and category and not run.name:
-        noun = " ".join((*_compound(modifiers), noun))
-    plural = glasses or (bool(head) and lexicon.is_plural(tuple(run.words[-len(head) :])))
-    plural = plural or cut_plural
-    if run.posture:
-        attributes["posture"] = run.posture
-    variants = _variants(run, attributes, plural, count)
-    if run.variants and not variants:
-        attributes = _two_colored(run, attributes)
-    if run.arrangement is None and "stacked" in modifiers and plural:
-        run.arrangement = "stack"
-    paired = lexicon.PLURAL_ONLY | {"cutters"} if run.pair else lexicon.PLURAL_ONLY
-    single = bool(head) and run.words[-1:] == [head[-1]] and head[-1] in paired
-    if single:
-        plural = False
-        count = count / 2 if run.pair and count is not None else count
-    if run.groups and count is None and amount is None and not run.portion:
-        many = _AMOUNTS.get(run.arrangement or "", (3, 3))
-        if run.arrangement == "pyramid" and category and CATEGORIES[category].ball:
-            many = (4, 4)
-        count, amount = (None, many) if plural else (run.groups, None)
-        run.arrangement = run.arrangement if plural else None
-    return Noun(
-        kind, words, (0, 0), noun, category, count, amount,
-        definite=run.definite, other=run.other, each=run.each, plural=plural,
-        attributes=attributes, variants=variants,
-        members=lexicon.collective_of(head) if kind == "collective" else (),
-        lengths=tuple(run.lengths), arrangement=run.arrangement,
-        position=next((word for word in modifiers if word in _POSITIONS), None),
-        ordinal=run.ordinal,
-        family=family,
-    )  # fmt: skip
-
-
-_PORTIONS = frozenset(["half", "slice", "piece", "wedge", "chunk", "segment", "strip", "quarter", "stick"])
-
-
-def _cut_portion(run: PhraseStart) -> bool:
-    """Take the portion out of "lemon halves" and "tomato slices"; tell whether it was plural."""
-    if len(run.words) < 2 or lexicon.singular(run.words[-1]) not in _PORTIONS:
-        return False
-    whole = tuple(run.words)
-    if any(lexicon.category_of(whole[k:]) for k in range(len(whole) - 1)):
-        return False
-    key = lexicon.category_of(whole[-2:-1])
-    if key is None or "edible" not in CATEGORIES[key].roles:
-        return False
-    plural = lexicon.singular(run.words.pop()) != whole[-1]
-    return plural
-
-
-def _head(
-    words: tuple[str, ...], name: tuple[str, ...], *, definite: bool = False
-) -> tuple[NounKind, tuple[str, ...], str | None, str]:
-    """Return the kind of noun, its head (the longest known ending), its category and family."""
-    if name:
-        if lexicon.collective_of(name):
-            return "collective", name, None, ""
-        return "thing", name, lexicon.category_of(name), ""
-    if not words:
-        return "member", (), None, ""
-    if words[-1] in fw.GROUPS and definite and not lexicon.category_of(words[-1:]):
-        return "thing", words[-1:], None, ""  # "behind the stack"
-    last = words[-1]
-    if last in ("one", "ones") and len(words) > 1:
-        return "member", (last,), None, ""
-    for start in range(len(words)):
-        tail = words[start:]
-        named_so = start and not is_describing(words[start - 1]) and len(tail) == 1
-        if lexicon.collective_of(tail) and not named_so:
-            return "collective", tail, None, ""
-        if _only_describes(tail):
-            continue
-        if " ".join(tail) not in TABLE_NOUNS and (key := lexicon.category_of(tail)):
-            strange = not all(is_describing(word) or word in fw.SIDES for word in words[:start])
-            if not (strange and len(tail) == 1 and lexicon.singular(last) in LOOSE_NOUNS):
-                return "thing", tail, key, ""
-    kinds: tuple[tuple[NounKind, bool], ...] = (
-        ("table", last in TABLE_NOUNS), ("vague", last in VAGUE_THINGS),
-        ("part", last in PARTS or lexicon.singular(last) in PARTS),
-        ("setting", lexicon.is_setting(last) or " ".join(words[-2:]) in OCCASIONS),
-    )  # fmt: skip
-    for kind, holds in kinds:
-        if holds:
-            return kind, (last,), None, ""
-    if all(is_describing(word) or word in fw.SIDES for word in words):
-        return "adjective", (), None, ""
-    return _look_up(words)
-
-
-def _compound(modifiers: Sequence[str]) -> tuple[str, ...]:
-    """Return the nouns right before a head: "bleach cleanser" of a bleach cleanser bottle."""
-    start = len(modifiers)
-    while start and not is_describing(word := modifiers[start - 1]):
-        if word in fw.SIDES or word in fw.SUPERLATIVES or word in fw.ORDINALS or word in _STOPS:
-            break
-        start -= 1
-    return tuple(modifiers[start:])
-
-
-def _only_describes(tail: tuple[str, ...]) -> bool:
-    """Tell whether the first word of a name only describes: the colour of "green apple"."""
-    key = lexicon.category_of(tail[1:]) if len(tail) > 1 and tail[0] in COLORS else None
-    return key is not None and key == lexicon.category_of(tail)
-
-
-_BODIES = frozenset({"body", "unit", "model", "type"})
-_FIGURES = frozenset(
-    ["toy", "plastic", "ceramic", "porcelain", "wooden", "bronze", "lego", "tin", "miniature",
-     "little", "tiny", "clay", "chess", "felt", "knitted", "stuffed", "plush"]
-)  # fmt: skip
-"""What shows that a person is a figure: "a plastic soldier"."""
-_VERBAL = ("ed", "ing", "ly")
-
-
-def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
-    """Return what the dictionary knows of a noun phrase that the catalogue does not have."""
-    entry = entry_of(words)
-    last = words[-1]
-    strange = len(words) > 1 and not is_describing(words[-2])
-    if last in fw.NO_NOUNS or (last in fw.FORMS and not lexicon.category_of((last,))):
-        return "abstract", words[-1:], None, ""
-    if entry is None and (
-        last in fw.AMOUNTS or (last.endswith(_VERBAL) and is_english(last))
-    ):
-        return "abstract", words[-1:], None, ""
-    before = lexicon.category_of(words[-2:-1]) if len(words) > 1 else None
-    if last in _BODIES and before is not None:
-        return "thing", words[-2:-1], before, ""  # "a camera body"
-    if entry is None:
-        return "thing", words[-2:] if strange else words[-1:], None, ""
-    head = words[-max(len(entry.noun.split()), 1 + strange) :]
-    if not entry.family and strange and entry.noun in _COMPOUNDED:
-        return "thing", head, None, "block"
-    if entry.is_thing or (entry.family == "person" and _FIGURES & {*words[:-1]}):
-        return "thing", head, entry.category, entry.family
-    return "setting" if entry.family == "place" else "abstract", head, None, entry.family
-
-
-def _count(run: PhraseStart) -> tuple[float | None, tuple[int, int] | None]:
-    if run.amount is not None:
-        return None, run.amount
-    total = multiply(run.numbers)
-    if total is None and run.article and not run.groups:
-        total = 1.0
-    return total, None
-
-
-def attributes_of(modifiers: Sequence[str]) -> dict[str, str]:
-    """Return the "color", "material", "size" and "state" that describing words name."""
-    found: dict[str, str] = {}
-    for before, word in zip((None, *modifiers), modifiers, strict=False):
-        if word in COLORS and not (word in MATERIALS and "color" in found):
-            shade = f"{before} " if before in SHADES else ""
-            found.setdefault("color", shade + word)
-        elif word in MATERIALS:
-            found.setdefault("material", word)
-        elif word in SIZES:
-            found.setdefault("size", SIZES[word])
-        elif word == "medium":
-            found.setdefault("size", "medium")
-        elif word in STATES or word in MORE:
-            if found.get("state") == "half":  # "half open"
-                del found["state"]
-            found.setdefault("state", word)
-    return found
-
-
-def _variants(
-    run: PhraseStart, last: Mapping[str, str], plural: bool, count: float | None
-) -> tuple[Mapping[str, str], ...]:
-    """Return the attributes of single ones: "red, green and blue cubes" are three."""
-    if not run.variants or not (plural or not any(not is_describing(w) for w in run.words)):
-        return ()
-    each = (*(attributes_of(words) for words in run.variants), dict(last))
-    distinct = all(attributes.keys() == each[0].keys() for attributes in each) and len(
-        {tuple(sorted(a.items())) for a in each}
-    ) == len(each)
-    return each if distinct and (count is None or count == len(each)) else ()
-
-
-def _two_colored(run: PhraseStart, last: Mapping[str, str]) -> dict[str, str]:
-    """Return the attributes of "a yellow and white mug": a second colour beside the first."""
-    merged: dict[str, str] = {}
-    for attributes in (*(attributes_of(words) for words in run.variants), last):
-        for key, value in attributes.items():
-            if key == "color" and merged.get("color", value) != value:
-                merged.setdefault("accent", value)
-            else:
-                merged.setdefault(key, value)
-    return merged
-
-
-def is_collective(words: Sequence[str]) -> bool:
-    """Tell whether words name a mixed group."""
-    return " ".join(words) in COLLECTIVES

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ..clauses.cursor import ENDS
-from ..phrases.nouns import attributes_of, read_noun
+from ..phrases.heads import attributes_of
+from ..phrases.nouns import read_noun
 from ..phrases.tree import Noun
 from ..phrases.zones import read_zone
 from ..text import function_words as fw
@@ -17,22 +18,54 @@ _MARKERS = tuple(
     for phrase in (
         "no wait", "wait no", "wait", "hm no", "hmm no", "er no", "uh no", "oh no", "ah no",
         "sorry", "no sorry", "i mean", "i meant", "or rather", "scratch that", "correction",
-        "on second thought", "on second thoughts", "just kidding", "kidding", "hang on", "no", "oops",
+        "on second thought", "on second thoughts", "just kidding", "kidding", "hang on", "no",
+        "oops",
         "no actually", "actually no", "actually", "not that", "my mistake", "strike that", "nah",
-        "no hang on", "oh wait", "er", "better", "no make", "make", "change that", "change it", "no just",
+        "no hang on", "oh wait", "er", "better", "no make", "make", "change that", "change it",
+        "no just",
     )
 )  # fmt: skip
 """Words that take back what was said just before, or that change it."""
 
-_WEAK = frozenset({("no",), ("make",), ("wait",), ("better",), ("er",), ("actually",), ("no", "make")})
+_WEAK = frozenset(
+    {("no",), ("make",), ("wait",), ("better",), ("er",), ("actually",), ("no", "make")}
+)
 """Those that are such words only where what follows shows it."""
 
 _LED = frozenset(
-    ["make", "that", "it", "them", "just", "put", "let", "is", "s", "say", "rather", "actually", "to", "be", "there", "should", "have", "us", "i", "mean", "want", "but", "instead", "please", "change"]
+    [
+        "make",
+        "that",
+        "it",
+        "them",
+        "just",
+        "put",
+        "let",
+        "is",
+        "s",
+        "say",
+        "rather",
+        "actually",
+        "to",
+        "be",
+        "there",
+        "should",
+        "have",
+        "us",
+        "i",
+        "mean",
+        "want",
+        "but",
+        "instead",
+        "please",
+        "change",
+    ]
 )
 """Words between a marker and what is right."""
 
-_INTERJECTIONS = frozenset(["hm", "hmm", "oh", "er", "ah", "um", "well", "okay", "ok", "oops", "uh"])
+_INTERJECTIONS = frozenset(
+    ["hm", "hmm", "oh", "er", "ah", "um", "well", "okay", "ok", "oops", "uh"]
+)
 _PAUSES = ("comma", "dash", "stop", "open", "close", "colon")
 
 
@@ -118,8 +151,10 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
     noun, end = read_noun(after, 0)
     if noun is None:
         return None
-    if end < len(after) and (after[end].tag == "no" or after[end].text in fw.BE) and (
-        noun.kind not in ("member", "adjective")
+    if (
+        end < len(after)
+        and (after[end].tag == "no" or after[end].text in fw.BE)
+        and (noun.kind not in ("member", "adjective"))
     ):  # "no wait, the lamp is not there any more"
         return [*before, Token("stop", after[0].words), *after]
     rest = _unpaused(after[end:], first=True)

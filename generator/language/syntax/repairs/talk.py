@@ -16,13 +16,15 @@ _WANTING = frozenset(
     ["want", "wants", "need", "needs", "like", "love", "have", "has", "had", "see", "put", "place",
      "set", "imagine", "picture", "require", "prefer", "request", "think", "get", "make", "add",
      "wish", "keep", "ask", "give", "show", "do", "create", "generate", "build", "draw", "use",
-     "take", "bring", "choose", "would", "could", "can", "should", "will", "please", "find", "left", "leave", "d", "ll"]
+     "take", "bring", "choose", "would", "could", "can", "should", "will", "please", "find",
+     "left", "leave", "d", "ll"]
 )  # fmt: skip
 """Verbs by which somebody asks for things."""
 
 _MODIFYING = frozenset(
     ["really", "just", "also", "am", "was", "were", "is", "are", "always", "never", "only", "do",
-     "m", "re", "ve", "been", "about", "to", "going", "gonna", "trying", "be", "often", "usually", "now", "not", "d", "ll", "would", "will"]
+     "m", "re", "ve", "been", "about", "to", "going", "gonna", "trying", "be", "often", "usually",
+     "now", "not", "d", "ll", "would", "will"]
 )  # fmt: skip
 _MODALS = frozenset(["can", "could", "would", "will", "might"])
 _ASKED = frozenset(["you", "we", "i", "someone", "somebody", "u"])
@@ -67,7 +69,9 @@ def _unbracketed(tokens: list[Token]) -> list[Token]:
         if token.tag != "open":
             continue
         end = next((k for k in range(i, len(tokens)) if tokens[k].tag == "close"), None)
-        if end is not None and any(t.text in ("is", "are", "stand", "stands") for t in tokens[i:end]):
+        if end is not None and any(
+            t.text in ("is", "are", "stand", "stands") for t in tokens[i:end]
+        ):
             out[i] = Token("stop", token.words)
             out[end] = Token("stop", tokens[end].words)
     return out
@@ -118,7 +122,16 @@ def _skipped(tokens: Sequence[Token], i: int) -> int:
 def _talk_end(tokens: Sequence[Token], i: int) -> int:
     """Return where a clause ends in which somebody only tells something; ``i`` if it is none."""
     k = i
-    while k < len(tokens) and tokens[k].text in ("because", "since", "as", "so", "but", "oh", "if", "what"):
+    while k < len(tokens) and tokens[k].text in (
+        "because",
+        "since",
+        "as",
+        "so",
+        "but",
+        "oh",
+        "if",
+        "what",
+    ):
         k += 1
     if k >= len(tokens) or tokens[k].text not in _SPEAKERS:
         return i
@@ -164,8 +177,8 @@ def _answered(tokens: list[Token]) -> list[Token]:
     i = 0
     while i < len(tokens):
         texts = [token.text for token in tokens[i : i + 4]]
-        unwanted = texts[:1] and texts[0] in ("we", "i") and any(
-            w in ("need", "want") for w in texts[2:4]
+        unwanted = (
+            texts[:1] and texts[0] in ("we", "i") and any(w in ("need", "want") for w in texts[2:4])
         )
         if unwanted and tokens[i + 1].tag == "no" and (start := _asked_about(out)) is not None:
             out.insert(start, Token("no", tokens[i + 1].words, "no"))  # "salt we do not need"

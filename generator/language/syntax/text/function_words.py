@@ -27,7 +27,8 @@ NUMBERS: Mapping[str, float] = MappingProxyType(
         "nineteen": 19, "twenty": 20, "thirty": 30, "forty": 40, "fifty": 50, "sixty": 60,
         "seventy": 70, "eighty": 80, "ninety": 90, "hundred": 100, "hundreds": 200,
         "thousand": 1000, "thousands": 2000, "million": 1_000_000, "millions": 2_000_000,
-        "dozen": 12, "dozens": 36, "brace": 2, "pair": 2, "pairs": 2, "couple": 2, "trio": 3, "both": 2,
+        "dozen": 12, "dozens": 36, "brace": 2, "pair": 2, "pairs": 2, "couple": 2, "trio": 3,
+        "both": 2,
         "single": 1, "another": 1, "twin": 2, "twins": 2, "quartet": 4, "lone": 1,
     }
 )  # fmt: skip
@@ -78,9 +79,11 @@ EACH = _words("each every")
 
 RELATIONS = _table(
     """
-    left_of: to the left of, on the left of, at the left of, left of, to left of, on left of, at left of, just left of
+    left_of: to the left of, on the left of, at the left of, left of, to left of, on left of
+    left_of: at left of, just left of
     left_of: leftwards of, left from
-    right_of: to the right of, on the right of, at the right of, right of, to right of, on right of, at right of, just right of
+    right_of: to the right of, on the right of, at the right of, right of, to right of
+    right_of: on right of, at right of, just right of
     in_front_of: in front of, at the front of, ahead of, just in front of, before
     behind: behind, in back of, at the back of, beyond, at the rear of, to the rear of
     next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby
@@ -133,7 +136,8 @@ CARRIES = _table(
     """
     with: composed of, made up of, consists of, consist of, comprising, comprises
     with: with, has, have, having, featuring, including, includes, include, bearing, plus
-    with: such as, along with, complete with, as well as, accompanied by, paired with, decorated with
+    with: such as, along with, complete with, as well as, accompanied by, paired with
+    with: decorated with
     with: set with, equipped with, laid with, furnished with, arranged with, stocked with
     with: decked with, laden with, adorned with, strewn with, littered with, scattered with
     with: covered with, covered in, showing, lined with, cluttered with, dressed with, loaded with
@@ -153,7 +157,8 @@ NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any",
            "with out", "other than", "instead of", "devoid of", "empty of", "not a",
            "apart from", "has no", "have no", "do not", "does not", "leave out", "leave off",
            "skip the", "hold the", "scrap the", "ditch the", "remove the", "lose the",
-           "no need for", "get rid of", "take away", "omit", "forget the", "rather than", "free from")  # fmt: skip
+           "no need for", "get rid of", "take away", "omit", "forget the", "rather than",
+           "free from")  # fmt: skip
 
 ARRANGED = _table(
     """
@@ -205,16 +210,19 @@ GROUPS = _table(
     group: slices, type, types, kind, kinds, sort, sorts, lot, sheet, sheets, serving, portion
     group: clove, cloves, head, heads, stalk, stalks, strip, strips, wedge, wedges, chunk, chunks
     group: roll, rolls, reel, reels, thumb, pinch, dash, drizzle, pat, knob, stick, sticks
-    group: half, halves, quarter, quarters, trio, brace, lump, lumps, helping, unit, units, item, items, plenty, spread, sprig, clump
+    group: half, halves, quarter, quarters, trio, brace, lump, lumps, helping, unit, units, item
+    group: items, plenty, spread, sprig, clump
     """
 )
 """Nouns before "of" that only say how many, or how they are arranged."""
 
 FORMING = ("in", "into", "as", "forming", "form", "forms", "to form", "making", "make", "makes",
-           "to make", "to build", "building", "arranged in", "set in", "set out in", "laid out in", "standing in",
+           "to make", "to build", "building", "arranged in", "set in", "set out in",
+           "laid out in", "standing in",
            "placed in", "all in", "making up")  # fmt: skip
 FORM_ARTICLES = ("a", "one", "a single", "a straight", "a neat", "a little", "a small", "a big",
-                 "a tidy", "a loose", "a long", "one long", "one single", "one straight")  # fmt: skip
+                 "a tidy", "a loose", "a long", "one long", "one single",
+                 "one straight")  # fmt: skip
 FORMS = ("stack", "tower", "pile", "heap", "pyramid", "row", "line", "column", "circle", "ring",
          "arc", "semicircle", "fan", "grid", "cluster", "bunch")  # fmt: skip
 """Phrases for arrangements: one word of each, in this order: "forming a neat circle"."""
@@ -280,15 +288,18 @@ BE = _words("is are was were be been being sits sit stands stand lies lie lays r
 SINGULAR = _words("is sits stands lies rests hangs leans goes stays belongs was remains faces")
 """Verbs of one thing: in a list they are said of its last thing alone."""
 
-MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put bring "
-                "sweep reach weigh rotate open close wipe hang insert press pour stack")  # fmt: skip
+MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put "
+                "bring "
+                "sweep reach weigh rotate open close wipe hang insert press pour "
+                "stack")  # fmt: skip
 """Verbs by which a robot is told what to do."""
 TASKS = MOVING - _words("place put drop stack open close hang turn bring take pour press")
 """Those that tell of a task, so that what is moved is not yet where it is to go."""
 CARRYING = _words("move slide push pull bring drag sweep")
 """Those of them after which each place is where a thing is to go."""
 
-HANDLED = _words("sorted moved grasped picked handled cleaned cleared used seen made tidied collected "
+HANDLED = _words("sorted moved grasped picked handled cleaned cleared used seen made tidied "
+                 "collected "
                  "done packed eaten washed left arranged")  # fmt: skip
 """What somebody does with things: "sorted by the robot"."""
 
@@ -306,7 +317,8 @@ STARTERS = _words(
     "make create generate show draw give build design render want need like please imagine shows "
     "depicts depict there here place put set add arrange prepare get bring display lay position "
     "compose produce simulate i we you me us he she let lets could would can should will have "
-    "am just also then and so well ok okay hi hello hey thanks thank to be is are it this that think "
+    "am just also then and so well ok okay hi hello hey thanks thank to be is are it this that "
+    "think "
     "picture consider suppose visualize visualise assume what how about provide do try load plan "
     "setup up out help ll d with scene showing includes including ideally maybe perhaps finally "
     "lastly next now additionally furthermore moreover besides first second third drop throw toss "
@@ -361,7 +373,8 @@ AT_SEATS = frozenset(
 
 WEIGHTS = _words(
     "kg g gram grams kilo kilos kilogram kilograms ml l litre litres liter liters oz "
-    "degree degrees percent ounce ounces lb lbs pound pounds pint pints cl dl watt w v volt volts gb tb"
+    "degree degrees percent ounce ounces lb lbs pound pounds pint pints cl dl watt w v volt "
+    "volts gb tb"
 )
 """Units of weight, volume and the like, which say nothing of a thing's place or form."""
 

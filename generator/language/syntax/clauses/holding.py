@@ -1,0 +1,144 @@
+"""What a thing is said to hold, bring along, lack or be for."""
+
+from __future__ import annotations
+
+from ..phrases.nouns import read_noun
+from ..phrases.tree import VARIED, Carry, Description, How, Lack, Noun, Post
+from ..text import function_words as fw
+from .brackets import BracketReader
+from .cursor import SUPPORTING
+
+
+class HoldingReader(BracketReader):
+    """Reads "with", "holding", "of" and "without"."""
+
+    def _lacks(self, out: list[Post]) -> bool:
+        self.i += 1
+        if self._place() is not None:
+            return True  # "that is not on the book"
+        self._skip(fw.STARTERS)  # "do not want any plates"
+        items: list[Noun] = []
+        while True:
+            noun, end = read_noun(self.tokens, self.i)
+            if noun is None:
+                break
+            self.i = end
+            items.append(noun)
+            if self._tag() in ("relation", "here") and self._value() in SUPPORTING:
+                step = 1 if self._tag() == "here" else 2
+                if step == 1 or self._text(1) in fw.PRONOUNS:
+                    self.i += step
+            more = self._tag() in ("and", "comma") and self._tag(1) != "relation"
+            following, _ = read_noun(self.tokens, self.i + 1) if more else (None, 0)
+            if following is None or following.determined:
+                break
+            self.i += 1
+        if self._text() in ("there", "here"):
+            self.i += 1  # elsewhere there may be some
+            return True
+        out.append(Lack(tuple(items)))
+        return bool(items)
+
+    def _carried(self, noun: Noun | None, out: list[Post], each: bool) -> bool:
+        how: How = "hold" if self._value() in ("hold", "top") else "with"
+        self.i += 1
+        if self._tag() == "no" or self._text() == "not":
+            return self._lacks(out)
+        back = self._returns()
+        full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
+        items = self._items(noun, how)
+        if not items:
+            return False
+        for item in items if full else ():
+            if item.plural and not item.determined:
+                item.amount = (4, 5)
+        out.append(Carry(how, tuple(items), each, back))
+        return True
+
+    def _contents(self, noun: Noun, out: list[Post]) -> bool:
+        self.i += 1
+        inner, end = read_noun(self.tokens, self.i)
+        if inner is None:
+            return False
+        self.i = end
+        if inner.lengths and not inner.words:
+            out.append(Description(({},), inner.lengths))
+            return True
+        if noun.kind == "table" and inner.family == "person":
+            return True  # "the desk of a pupil"
+        if kinds := self._kinds(noun, inner):
+            noun.count = float(len(kinds))
+            out.append(Carry("of", kinds, each=True))
+            return True
+        items = [inner]
+        while self._tag() in ("and", "comma"):
+            before = self.i
+            joint = self._connector()
+            more, end = read_noun(self.tokens, self.i)
+            mixed = more is not None and more.plural and not inner.plural  # "flour and two cups"
+            if more is None or more.determined or mixed or joint != "and" or self._is_clause(end):
+                self.i = before
+                break
+            self.i = end
+            items.append(more)
+        out.append(Carry("of", tuple(items)))
+        return True
+
+    def _kinds(self, noun: Noun, inner: Noun) -> tuple[Noun, ...]:
+        """Read "bottles of gin, rum and vermouth": one of each."""
+        several = noun.plural and noun.amount is None
+        if (
+            not several
+            or inner.determined
+            or inner.plural
+            or inner.kind not in ("thing", "abstract")
+        ):
+            return ()
+        before, items = self.i, [inner]
+        while self._tag() in ("and", "comma"):
+            ends = self._tag() == "and" or self._tag(1) == "and"
+            self._connector()
+            more, end = read_noun(self.tokens, self.i)
+            if more is None or more.determined or more.plural:
+                break
+            self.i = end
+            items.append(more)
+            if ends:
+                if noun.count in (None, float(len(items))):
+                    return tuple(items)
+                break
+        self.i = before
+        return ()
+
+    def _purpose(self) -> bool:
+        """Skip what something is for ("for meal prep"), unless it is for so many people."""
+        before = self.i
+        if self._people():
+            self.i = before
+            return False
+        noun, end = read_noun(self.tokens, self.i + 1)
+        if noun is None:
+            return False
+        self.i = end
+        return True
+
+    def _aspect(self, out: list[Post]) -> bool:
+        """Read "in different colours", "of various sizes", "in red"."""
+        if self._text() not in ("in", "of"):
+            return False
+        noun, end = read_noun(self.tokens, self.i + 1)
+        if noun is None or noun.definite:
+            return False
+        last = noun.head.split()[-1:]
+        aspect = "color" if last == ["colour"] else "".join(last)
+        if noun.kind == "adjective" and set(noun.attributes) == {"color"}:
+            out.append(Description(noun.variants or (noun.attributes,)))
+        elif noun.kind in ("part", "abstract", "thing") and aspect in VARIED and noun.plural:
+            out.append(Description(VARIED[aspect]))
+        else:
+            return False
+        self.i = end
+        return True
+
+    def _is_clause(self, end: int) -> bool:
+        return end < len(self.tokens) and self.tokens[end].text in fw.BE
