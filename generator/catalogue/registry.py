@@ -57,6 +57,7 @@ from .things.home import (
     open_vessels,
     ornaments,
     plants,
+    slotted,
     vanity,
 )
 from .things.kitchen import (
@@ -221,6 +222,7 @@ _ON_REQUEST = (
     chores,
     pets,
     open_vessels,
+    slotted,
     machines,
     mixing,
     jars,

@@ -122,6 +122,22 @@ def is_container(planned: PlannedObject) -> bool:
     return CATEGORIES[planned.category].container
 
 
+_STEMS: Mapping[str, float] = {
+    "rose": 0.3, "tulip": 0.3, "daisy": 0.3, "sunflower": 0.2, "lily": 0.2, "carnation": 0.3,
+    "lavender": 0.5, "orchid": 0.3, "dried_flower": 0.4, "spoon": 0.4, "wooden_spoon": 0.4,
+    "spatula": 0.4, "whisk": 0.4, "ladle": 0.3, "fork": 0.6, "lollipop": 0.3, "hairbrush": 0.5,
+    "paint_brush": 0.6, "makeup_brush": 0.6, "straw": 0.4, "skimmer": 0.3,
+}  # fmt: skip
+"""What share of its width and height a long thing has below its head, where it is in a vessel."""
+
+
+def body_size(category: str) -> tuple[float, float, float]:
+    """Return the extent in metres of what goes into a vessel: a flower without its blossom."""
+    x, y, z = CATEGORIES[category].size
+    share = _STEMS.get(category, 1.0)
+    return x, y * share, z * share
+
+
 _FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "laptop": 0.9}
 """What share of its width and depth a thing with a foot stands on."""
 
@@ -131,6 +147,14 @@ def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
     x, y, z = size_of(planned)
     share = _FOOT.get(planned.category, 1.0)
     return x * share, y * share, z
+
+
+def has_place(planned: PlannedObject, target: PlannedObject) -> bool:
+    """Tell whether a holder can have a place for a planned thing."""
+    holder = None if target.category == GENERIC else CATEGORIES[target.category].holder
+    if holder is None:
+        return "places" in target.attributes
+    return holder.takes(size_of(planned))
 
 
 _CLOSED = frozenset({"jar", "bottle", "can", "tea_tin", "milk_carton", "screw_box", "wine_bottle"})
@@ -148,9 +172,12 @@ def _plausible(
         relation = Relation("on" if relation.kind == "center" else "next_to", target.name)
     if relation.kind not in _SUPPORTED:
         return relation
-    if "places" in target.attributes:
+    if "places" in target.attributes and has_place(planned, target):
         return Relation("in", target.name)
-    inner, outer = standing_size(planned), size_of(target)
+    outer = size_of(target)
+    stem = _STEMS.get(planned.category, 1.0) if relation.kind == "in" else 1.0
+    x, y, z = standing_size(planned)
+    inner = x, y * stem, z * stem
     container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation

@@ -1,4 +1,4 @@
-"""Vessels and carriers grown to hold what the text puts in or on them.
+"""Vessels and carriers that stand open, and are large enough, for what a text puts there.
 
 A fruit bowl is larger than a cereal bowl, a tray for a tea service larger than one for two cups:
 what carries something is as large as it has to be, within what such things can be.
@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
+from ..catalogue import CATEGORIES, open_category
 from ..scene import PlannedObject
 from . import relations
 
@@ -42,7 +42,11 @@ def largest_size(category: str) -> Extent:
 
 
 def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, those that carry too much for their usual size grown."""
+    """Return the objects, those that carry too much for their usual size grown.
+
+    What is closed or full, and holds something, stands open; a rack has as many places as it holds.
+    """
+    objects = _open(objects)
     names = {o.name: o for o in objects}
     held: dict[str, list[str]] = {}
     kinds: dict[str, set[str]] = {}
@@ -64,17 +68,44 @@ def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     return [done[o.name] for o in objects]
 
 
+def holds_things(category: str) -> bool:
+    """Tell whether a category is a vessel, as it stands or with its lid off."""
+    return CATEGORIES[open_category(category)].container
+
+
+def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, vessels and racks that something is in open and empty."""
+    inside: dict[str, PlannedObject] = {}
+    for planned in objects:
+        for relation in planned.relations:
+            if relation.kind == "in":
+                inside.setdefault(relation.target, planned)
+    return [
+        o if o.name not in inside
+        else replace(o, category=open_category(o.category, o.noun, inside[o.name].category))
+        for o in objects
+    ]  # fmt: skip
+
+
 def _grow(
     planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]
 ) -> PlannedObject:
     if planned.category in _PLACES and held:
-        places = {"state": "empty", "places": str(len(held))}
+        count = len(held)
+    else:
+        count = sum(relations.has_place(o, planned) for o in held) if _is_holder(planned) else 0
+    if count:
+        places = {"state": "empty", "places": str(count)}
         return replace(planned, attributes={**planned.attributes, **places})
     factor = _factor(planned, held, kinds)
     if factor <= 1.0 or planned.size is not None:
         return planned
     x, y, z = relations.size_of(planned)
     return replace(planned, size=(factor * x, factor * y, factor * z))
+
+
+def _is_holder(planned: PlannedObject) -> bool:
+    return planned.category in CATEGORIES and CATEGORIES[planned.category].holder is not None
 
 
 def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]) -> float:

@@ -6,11 +6,8 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group, assumed_relation
-from ..parsing.vocabulary import OPENED
-from ..relations import fits
-from ..sizing import largest_size
+from ..sizing import holds_things
 from ..syntax.tree import (
     Carry,
     Location,
@@ -18,7 +15,6 @@ from ..syntax.tree import (
     Post,
 )
 from . import contents
-from .linking import open_up
 from .references import Target
 from .things import ThingReader
 
@@ -50,8 +46,6 @@ class CarryReader(ThingReader, ABC):
                 context.owner = outer
                 self._posts(items[0], owner)
                 return
-            if isinstance(owner, list) and items and _is_filled(post, owner, items):
-                open_up(owner)
             moved = _owners_places(owner, items, post.how, first=len(context.mentioned) < 2)
             if moved and isinstance(owner, list):
                 items = (*items[:-1], replace(items[-1], post=[
@@ -75,7 +69,6 @@ class CarryReader(ThingReader, ABC):
             if contents.labels(noun, inner):
                 contents.label(noun, inner, owner)
                 continue
-            open_up(owner)
             group = self._noun(_times(inner, len(owner)) if len(owner) > 1 else inner, owner)
             if isinstance(group, list):
                 self._assume(group, owner, post)
@@ -87,11 +80,7 @@ class CarryReader(ThingReader, ABC):
                 continue
             owner = owners[min(k // share, len(owners) - 1)]
             kind = post.back or assumed_relation(draft, owner, held=post.how != "with")
-            if (
-                post.back in ("on", "in")
-                and owner.category
-                and CATEGORIES[owner.category].container
-            ):
+            if post.back in ("on", "in") and owner.category and holds_things(owner.category):
                 kind = "in" if post.back == "in" else kind
             draft.relations.append((kind, owner))
             draft.provisional = True
@@ -103,24 +92,6 @@ class CarryReader(ThingReader, ABC):
     @abstractmethod
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
-
-
-def _is_filled(post: Carry, owner: Group, items: Sequence[Noun]) -> bool:
-    """Tell whether what a thing brings along goes into it, rather than next to it."""
-    category = OPENED.get(owner[0].category or "")
-    if category is None:
-        return False
-    if post.how == "hold" or post.back == "in":
-        return True
-    places = [p for p in items[-1].post if isinstance(p, Location) and isinstance(p.target, Noun)]
-    if any(place.kind != "in" for place in places) or post.back is not None:
-        return False
-    known = [item for item in items if item.category is not None]
-    vessel = CATEGORIES[category]
-    return any(
-        fits("in", CATEGORIES[str(item.category)].size, largest_size(category), vessel.container)
-        for item in known
-    )
 
 
 def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:
@@ -135,7 +106,7 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
     if owner[0].category is None:
         return []
     inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
-    if item.category is None and CATEGORIES[owner[0].category].container:
+    if item.category is None and holds_things(owner[0].category):
         inside = "in"
     if inside not in ("on", "in"):
         return []

@@ -1,0 +1,208 @@
+"""Long things in a vessel: each leans in its own direction, none through another or the wall.
+
+Their feet stand at the far side of the floor and their stems at the rim, as flowers are put in a
+vase: turned about the axis, lines like that pass each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float
+from scipy.spatial import ConvexHull, QhullError
+
+from ...geometry import rotation_z
+from ...physics.parts import body_parts
+from ...scene import Model
+from .cavities import Cavity
+
+_SLICES = 18
+_POINTS = 40  # places along a thing's axis that are compared
+_CLEAR = 6e-4  # metres that things keep from each other and from the wall
+_TILT = np.deg2rad(58.0)  # how far a thing may lean
+
+Rotation = Float[np.ndarray, "3 3"]
+
+
+@dataclass(frozen=True, eq=False)
+class Stem:
+    """A standing thing along its height: its axis starts at ``foot``; all in metres.
+
+    ``core`` is its usual radius; ``spheres`` are (x, y, z, radius) from the foot up.
+    """
+
+    foot: Float[np.ndarray, "3"]
+    length: float
+    core: float
+    spheres: Float[np.ndarray, "k 4"]
+
+
+@dataclass(frozen=True, eq=False)
+class Stance:
+    """How a thing is turned in the vessel's frame, and where its foot then is, metres."""
+
+    turn: Rotation
+    foot: Float[np.ndarray, "3"]
+
+
+def measure_stem(model: Model) -> Stem:
+    """Return the axis and the thickness of a model that stands, in the frame of its box."""
+    points = _surface(model)
+    low, high = points[:, 2].min(), points[:, 2].max()
+    edges = np.linspace(low, high, _SLICES + 1)
+    found = []
+    for a, b in zip(edges[:-1], edges[1:], strict=True):
+        slab = points[(points[:, 2] >= a) & (points[:, 2] <= b), :2]
+        if len(slab):
+            centre = (slab.min(0) + slab.max(0)) / 2
+            found.append((*centre, (a + b) / 2, float(np.hypot(*(slab - centre).T).max())))
+    spheres = np.array(found)
+    foot = np.array([*spheres[: max(2, len(spheres) // 4), :2].mean(0), low])
+    core = float(np.median(spheres[: max(2, 2 * len(spheres) // 3), 3]))
+    return Stem(foot, float(high - low), core, spheres - [*foot, 0.0])
+
+
+def _surface(model: Model) -> Float[np.ndarray, "n 3"]:
+    """Return points on a model's collision shape, metres."""
+    steps = 12
+    weights = np.array([(i, j, steps - i - j) for i in range(steps + 1)
+                        for j in range(steps + 1 - i)]) / steps  # fmt: skip
+    found = []
+    for points in (part.vertices for part in body_parts(model, model.size)):
+        try:
+            corners = points[ConvexHull(points).simplices]
+        except (QhullError, ValueError):
+            corners = points[None, :3]
+        found.append(np.einsum("wk,tkd->twd", weights, corners).reshape(-1, 3))
+    return np.concatenate(found)
+
+
+def arrange_bunch(
+    stems: Sequence[Stem], cavity: Cavity, upright: Sequence[bool]
+) -> list[Stance | None]:
+    """Return how each thing stands in a vessel; None for one that finds no room.
+
+    What is ``upright`` by itself stands straight where it can; all else leans against the rim.
+    """
+    order = sorted(range(len(stems)), key=lambda k: -stems[k].core)
+    placed: list[tuple[Stem, Stance]] = []
+    found: list[Stance | None] = [None] * len(stems)
+    for number, k in enumerate(order):
+        wanted = 2 * np.pi * number / len(stems) + 0.7
+        stance = _stand(stems[k], cavity, placed, wanted, len(stems), straight=upright[k])
+        if stance is not None:
+            placed.append((stems[k], stance))
+            found[k] = stance
+    return found
+
+
+def _stand(
+    stem: Stem,
+    cavity: Cavity,
+    placed: Sequence[tuple[Stem, Stance]],
+    wanted: float,
+    count: int,
+    *,
+    straight: bool,
+) -> Stance | None:
+    """Return the best free stance of a thing among those ``placed``."""
+    feet, tops, cost = _proposals(stem, cavity, wanted, count, straight=straight)
+    way = tops - feet
+    lean = np.arctan2(np.hypot(way[:, 0], way[:, 1]), way[:, 2])
+    keep = lean <= _TILT
+    feet, way, lean, cost = feet[keep], way[keep], lean[keep], cost[keep]
+    feet[:, 2] += stem.core * np.sin(lean)
+    axes = way / np.linalg.norm(way, axis=1, keepdims=True)
+    order = np.argsort(cost, kind="stable")
+    for chunk in np.array_split(order, max(1, len(order) // 200)):
+        turns = np.stack([_turn(axis) for axis in axes[chunk]]) if len(chunk) else np.empty(0)
+        if not len(chunk):
+            continue
+        free = _is_free(stem, feet[chunk], axes[chunk], turns, cavity, placed)
+        if free.any():
+            best = int(np.flatnonzero(free)[0])
+            return Stance(turns[best], feet[chunk[best]])
+    return None
+
+
+def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
+    """Return the rotation that leans +z along ``axis``, the -x side turned outwards."""
+    lean = float(np.arctan2(np.hypot(axis[0], axis[1]), axis[2]))
+    heading = float(np.arctan2(axis[1], axis[0]))
+    c, s = np.cos(lean), np.sin(lean)
+    tip = np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    return rotation_z(heading) @ tip @ rotation_z(np.pi)
+
+
+def _proposals(
+    stem: Stem, cavity: Cavity, wanted: float, count: int, *, straight: bool
+) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Float[np.ndarray, "n"]]:
+    """Return feet on the floor, where the axes pass the rim, and how bad each is."""
+    spread = np.array([0.0, *(s * v for v in (0.2, 0.45, 0.8, 1.3, 2.0, 3.0) for s in (1, -1))])
+    across = np.pi - np.array([0.0] if count == 1 else [0.5, 0.9, 0.25, 1.3, 0.0, 1.8, 2.4, np.pi])
+    at_rim = np.array([1.0, 0.7, 0.4, 0.1])
+    at_foot = np.array([1.0, 0.6, 0.25, 0.0])
+    turn, twist, high, low = (
+        v.ravel() for v in np.meshgrid(spread, across, at_rim, at_foot, indexing="ij")
+    )
+    tops = _at(cavity, wanted + turn, high, cavity.rim, stem.core)
+    feet = _at(cavity, wanted + turn + twist, low, cavity.floor, stem.core)
+    cost = 0.12 * np.abs(turn) + 1.5 * (1 - high) + 0.4 * (1 - low)
+    if straight:  # above its foot, at any place of the floor
+        tops = np.concatenate([feet + [0, 0, cavity.depth], tops])
+        even = 0.3 * np.abs(low - (0.0 if count == 1 else 0.6 if count < 7 else 1.0))
+        cost = np.concatenate([0.05 * np.abs(turn) + even, 3.0 + cost])
+        feet = np.concatenate([feet, feet])
+    return feet, tops, cost
+
+
+def _at(
+    cavity: Cavity,
+    angle: Float[np.ndarray, "n"],
+    share: Float[np.ndarray, "n"],
+    z: float,
+    radius: float,
+) -> Float[np.ndarray, "n 3"]:
+    """Return places at a height, at a share of the way from the axis to the wall."""
+    ways = np.column_stack([np.cos(angle), np.sin(angle)])
+    height = min(max(z, float(cavity.levels[0])), float(cavity.levels[-1]))
+    probe = np.column_stack([cavity.middle + 1e-3 * ways, np.full(len(angle), height)])
+    away = share * np.maximum(cavity.wall(probe) - 1.15 * radius - 2 * _CLEAR, 0)
+    return np.column_stack([cavity.middle + away[:, None] * ways, np.full(len(angle), z)])
+
+
+def _is_free(
+    stem: Stem,
+    feet: Float[np.ndarray, "n 3"],
+    axes: Float[np.ndarray, "n 3"],
+    turns: Float[np.ndarray, "n 3 3"],
+    cavity: Cavity,
+    placed: Sequence[tuple[Stem, Stance]],
+) -> Bool[np.ndarray, "n"]:
+    """Tell which stances keep clear of the vessel's wall and of what is placed."""
+    balls = np.einsum("nij,kj->nki", turns, stem.spheres[:, :3]) + feet[:, None]
+    radii = stem.spheres[:, 3]
+    within = balls[..., 2] - radii < cavity.rim
+    away = np.hypot(*np.moveaxis(balls[..., :2] - cavity.middle, -1, 0))
+    low = balls.copy()
+    low[..., 2] = np.minimum(low[..., 2], cavity.rim - 1e-4)
+    free = (~within | (away + radii <= cavity.wall(low))).all(1)
+    free &= (balls[..., 2] + radii >= cavity.floor).all(1)
+    steps = np.linspace(0, stem.length, _POINTS)
+    line = feet[:, None] + steps[None, :, None] * axes[:, None]
+    heads = radii > 1.25 * stem.core
+    for other, stance in placed:
+        there = other.spheres[:, :3] @ stance.turn.T + stance.foot
+        axis = stance.turn[:, 2]
+        along = np.clip((line - stance.foot) @ axis, 0, other.length)
+        near = np.linalg.norm(line - stance.foot - along[..., None] * axis, axis=-1).min(1)
+        free &= near >= stem.core + other.core + _CLEAR
+        big = other.spheres[:, 3] > 1.25 * other.core
+        for own, theirs in ((heads, np.ones_like(big)), (np.ones_like(heads), big)):
+            if own.any() and theirs.any():
+                gap = np.linalg.norm(balls[:, own, None] - there[None, None, theirs], axis=-1)
+                gap -= radii[None, own, None] + other.spheres[None, None, theirs, 3]
+                free &= gap.min((1, 2)) >= _CLEAR
+    return free

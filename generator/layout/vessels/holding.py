@@ -1,0 +1,105 @@
+"""Models made to stand in what holds them, and the places that it has for them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Float
+
+from ...catalogue.build.holder import Extent, Holder
+from ...geometry import parts_to_unit_box, to_unit_box
+from ...physics.parts import body_parts
+from ...scene import ConvexPart, Mesh, Model, Slot
+from ...scene.turning import Steps, turn
+from .bunches import Stance, Stem, arrange_bunch, measure_stem
+from .cavities import Cavity, find_cavity
+
+LIES = 0.95
+"""Share of a vessel's mouth up to whose length a long thing lies in it."""
+
+_SLENDER = 1.9  # height to width from which a thing leans in a vessel
+_LARGER = (1.0, 1.12, 1.25, 1.4)  # how much a vessel may grow until all find room
+
+_WAYS: Mapping[str, tuple[Steps, ...]] = {
+    "edge": ((("y", -90),), (("z", 90), ("y", -90)), (), (("z", 90),), (("x", 90), ("z", 90)),
+             (("y", -90), ("x", 90))),
+    "end": ((("y", -90), ("z", 90)), (("y", -90),), (), (("z", 90),), (("x", 90),),
+            (("x", 90), ("z", 90))),
+    "side": ((("x", 90),), (), (("z", 90),), (("y", 90), ("z", 90))),
+}  # fmt: skip
+"""Turns to try, for each stance in a holder."""
+
+
+def stand_in_holder(model: Model, holder: Holder) -> Model:
+    """Return a model turned as it stands in its place of a holder."""
+    wanted = np.array(holder.stand((float(model.size[0]), float(model.size[1]),
+                                    float(model.size[2]))))  # fmt: skip
+    turned = [turn(model, steps) for steps in _WAYS[holder.stance]]
+    return min(turned, key=lambda m: round(float(np.abs(m.size - wanted).max()), 6))
+
+
+def room_of(models: Sequence[Model]) -> Extent:
+    """Return the extent of the largest of things that stand, metres."""
+    across, along, up = np.max([model.size for model in models], axis=0)
+    return float(across), float(along), float(up)
+
+
+def name_slots(holder: Model, names: Sequence[str]) -> Model:
+    """Return a holder's model with its places given to things, in order."""
+    pairs = zip(holder.slots, names, strict=False)
+    return replace(holder, slots=tuple(replace(slot, name=name) for slot, name in pairs))
+
+
+def fill_vessel(
+    vessel: Model, things: Mapping[str, Model], upright: Mapping[str, bool], *, may_grow: bool
+) -> tuple[Model, dict[str, Model]]:
+    """Return a vessel with places for long things, and those as they lean in it.
+
+    ``things`` stand straight; the vessel grows a little where it has no room for all, if it may.
+    What finds no room is not among those returned.
+    """
+    stems = {name: measure_stem(model) for name, model in things.items()}
+    best: tuple[Model, Cavity, list[Stance | None]] | None = None
+    for factor in _LARGER if may_grow else (1.0,):
+        larger = replace(vessel, size=vessel.size * factor)
+        cavity = find_cavity(larger)
+        if cavity is None:
+            return vessel, {}
+        stances = arrange_bunch(list(stems.values()), cavity, [upright[n] for n in stems])
+        missing = stances.count(None)
+        if best is None or missing < best[2].count(None):
+            best = larger, cavity, stances
+        if not missing:
+            break
+    assert best is not None
+    slots, made = [], {}
+    for name, stance in zip(stems, best[2], strict=True):
+        if stance is not None:
+            made[name], at = _lean(things[name], stems[name], stance)
+            slots.append(Slot(at / best[0].size, name=name))
+    return replace(best[0], slots=tuple(slots)), made
+
+
+def leans(model: Model, cavity: Cavity) -> bool:
+    """Tell whether a standing thing is so long that it leans in a vessel, or stands out of it."""
+    slender = float(model.size[2]) > _SLENDER * float(model.size[:2].min())
+    return slender and float(model.size[2]) > 0.6 * cavity.depth
+
+
+def _lean(model: Model, stem: Stem, stance: Stance) -> tuple[Model, Float[np.ndarray, "3"]]:
+    """Return a model as it leans, and the middle of its underside in the vessel's frame, metres."""
+    mesh = model.mesh
+    turned = (mesh.vertices * model.size - stem.foot) @ stance.turn.T + stance.foot
+    unit, center, extent = to_unit_box(
+        Mesh(turned.astype(np.float32), mesh.faces, mesh.uv, mesh.texture, mesh.opacity)
+    )
+    parts = tuple(
+        ConvexPart((part.vertices - stem.foot) @ stance.turn.T + stance.foot)
+        for part in body_parts(model, model.size)
+    )
+    leaning = replace(
+        model, mesh=unit, size=extent, parts=parts_to_unit_box(parts, center, extent), slots=()
+    )
+    return leaning, center - np.array([0.0, 0.0, float(extent[2]) / 2])
