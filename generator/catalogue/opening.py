@@ -20,6 +20,7 @@ OPENED: Mapping[str, str] = MappingProxyType(
             "open_ice_bucket": "ice_bucket",
             "open_pot": "pot casserole",
             "open_can": "can soup_can",
+            "empty_beaker": "beaker",
             "plastic_cup": "toothbrush_cup",
             "empty_toast_rack": "toast_rack",
             "empty_dish_rack": "dish_rack",

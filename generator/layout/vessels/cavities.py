@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Bool, Float
-from scipy.spatial import ConvexHull, QhullError
 
+from ...physics.covering import outside
 from ...physics.parts import body_parts
 from ...scene import ConvexPart, Model
 
@@ -16,6 +17,9 @@ SECTORS = 24
 
 _LEVELS = 14
 _STEPS = 48  # places looked at between the middle and the outside
+_CLOSED = 0.9  # share of the directions in which a rim has a wall
+_ANGLES = 2 * np.pi * np.arange(SECTORS) / SECTORS
+_WAYS = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])
 _ROUNDS = 3  # times that the middle is moved to where the walls are equally far
 
 
@@ -59,67 +63,55 @@ class Cavity:
 
 def find_cavity(model: Model) -> Cavity | None:
     """Return the room inside a vessel; None where it has no wall around its middle."""
-    parts = [_planes(part) for part in body_parts(model, model.size)]
+    parts = body_parts(model, model.size)
     height, reach = float(model.size[2]), float(np.hypot(*model.size[:2])) / 2
+    column = np.linspace(-height / 2, height / 2, 8 * _LEVELS)
     middle = np.zeros(2)
     for _ in range(_ROUNDS):
-        column = np.linspace(-height / 2, height / 2, 8 * _LEVELS)
-        line = np.column_stack([np.tile(middle, (len(column), 1)), column])
-        solid = _inside(parts, line)
+        solid = _inside(parts, np.column_stack([np.tile(middle, (len(column), 1)), column]))
         if not solid.any() or solid[-1]:
             return None
         floor = float(column[np.flatnonzero(solid)[-1] + 1])
-        levels = np.linspace(floor + 1e-3, height / 2, _LEVELS)
-        radii = _look_around(parts, middle, levels, reach)
-        tops = np.isfinite(radii)
-        closed = tops.mean(1) > 0.9
-        if not closed[: _LEVELS // 2].any():
-            return None
-        last = int(np.flatnonzero(closed)[-1])
-        ring = np.where(tops[last], radii[last], reach)
-        angles = 2 * np.pi * np.arange(SECTORS) / SECTORS
-        edge = ring[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+        half = np.array([floor + 0.4 * (height / 2 - floor)])
+        ring = np.minimum(_look_around(parts, middle, half, reach)[0], reach)
+        edge = ring[:, None] * _WAYS
         middle = middle + (edge.max(0) + edge.min(0)) / 2
+    levels = np.linspace(floor + 1e-3, height / 2 - 1e-4, _LEVELS)
+    radii = _look_around(parts, middle, levels, reach)
+    closed = np.isfinite(radii).mean(1) > _CLOSED
+    if not closed[: _LEVELS // 2].any():
+        return None
+    last = int(np.flatnonzero(closed)[-1])
     rim = float(levels[last])
-    levels = np.linspace(floor + 1e-3, rim - 1e-3, _LEVELS)
-    radii = np.minimum(_look_around(parts, middle, levels, reach), reach)
+    radii = np.minimum(radii[: last + 1], reach)
     reached = np.minimum.accumulate(radii[::-1], axis=0)[::-1]
-    return Cavity(middle, floor, rim, levels, reached)
+    return Cavity(middle, floor, rim, levels[: last + 1], reached)
 
 
 def _look_around(
-    parts: list[Float[np.ndarray, "_k 4"]],
+    parts: Sequence[ConvexPart],
     middle: Float[np.ndarray, "2"],
     levels: Float[np.ndarray, "l"],
     reach: float,
 ) -> Float[np.ndarray, "l s"]:
     """Return how far the first wall is at each level in each direction; inf where there is none."""
-    angles = 2 * np.pi * np.arange(SECTORS) / SECTORS
     away = np.linspace(0, reach, _STEPS)
-    z, angle, r = np.meshgrid(levels, angles, away, indexing="ij")
-    points = np.stack([middle[0] + r * np.cos(angle), middle[1] + r * np.sin(angle), z], -1)
-    solid = _inside(parts, points.reshape(-1, 3)).reshape(z.shape)
+    flat = middle + away[:, None, None] * _WAYS  # (steps, sectors, 2)
+    points = np.empty((len(levels), SECTORS, _STEPS, 3))
+    points[..., :2] = flat.transpose(1, 0, 2)
+    points[..., 2] = levels[:, None, None]
+    solid = _inside(parts, points.reshape(-1, 3)).reshape(points.shape[:-1])
     first = away[np.maximum(solid.argmax(-1) - 1, 0)]
     return np.where(solid.any(-1), first, np.inf)
 
 
-def _planes(part: ConvexPart) -> Float[np.ndarray, "k 4"]:
-    """Return the sides of a part: inside is where n·p + c <= 0."""
-    points = part.vertices
-    try:
-        return np.unique(ConvexHull(points).equations.round(9), axis=0)
-    except (QhullError, ValueError):
-        low, high = points.min(0), points.max(0)
-        return np.column_stack([np.vstack([np.eye(3), -np.eye(3)]), np.append(-high, low)])
-
-
 def _inside(
-    parts: list[Float[np.ndarray, "_k 4"]], points: Float[np.ndarray, "n 3"]
+    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]
 ) -> Bool[np.ndarray, "n"]:
     """Tell which points are inside of a part."""
     found = np.zeros(len(points), bool)
-    for planes in parts:
-        left = np.flatnonzero(~found)
-        deep = (points[left] @ planes[:, :3].T + planes[:, 3] <= 1e-9).all(1)
-        found[left[deep]] = True
+    for part in parts:
+        low, high = part.bounds
+        near = np.flatnonzero(((points >= low) & (points <= high)).all(1) & ~found)
+        found[near[outside(part, points[near]) <= 0]] = True
     return found

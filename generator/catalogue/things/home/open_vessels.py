@@ -89,10 +89,10 @@ def steamer(look: Look) -> Shape:
     r, h = look.between(0.09, 0.11), look.between(0.05, 0.058)
     color = look.color("tan", "beige", "wooden")
     body, parts = open_vessel([(r, 0), (r, h)], 0.005, 0.008)
-    bands = [lathe([(r, z), (1.02 * r, z), (1.02 * r, z + 0.009), (r, z + 0.009)], 40, loop=True)
-             for z in (0.0, h - 0.012)]  # fmt: skip
+    weave = textures.basketwork(look.rng, color, 16)
     dark = textures.speckles(look.rng, tint_color(color, 0.78), 8)
-    return shape([(body, textures.basketwork(look.rng, color, 16)), (join(bands), dark)], parts)
+    skin = textures.stack((dark, 0.08), (weave, 0.3), (dark, 0.08), (weave, 0.54), side=128)
+    return shape([(body, skin)], parts)
 
 
 def ice_bucket(look: Look) -> Shape:

@@ -246,7 +246,7 @@ CATEGORIES = (
         0.16,
         ("glass beaker",),
         ("lab",),
-        ("container", "round"),
+        ("round",),
         ("clear",),
     ),
     Category(
