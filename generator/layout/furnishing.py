@@ -20,7 +20,15 @@ from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, Sce
 from .footprint import footprint
 from .postures import pose, stand_up
 from .vessels.cavities import find_cavity
-from .vessels.holding import LIES, fill_vessel, leans, name_slots, room_of, stand_in_holder
+from .vessels.holding import (
+    LIES,
+    fill_vessel,
+    head_up,
+    leans,
+    name_slots,
+    room_of,
+    stand_in_holder,
+)
 
 _FILLING: Mapping[Density, float] = {"sparse": 0.25, "normal": 0.42, "dense": 0.62}
 """Share of a tabletop that objects and the room around them may take."""
@@ -41,9 +49,12 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
     seeds_of: dict[str, int] = {}
+    standing = {o.name for o in plan.objects if any(r.kind == "in" for r in o.relations)}
     for planned in plan.objects:
         kind = (planned.category, planned.noun, str(sorted(planned.attributes.items())))
         number = seeds.setdefault(kind, len(seeds))
+        if planned.name in standing:
+            planned = replace(planned, attributes={**planned.attributes, "stands": "in a vessel"})
         built = _build(planned, style=plan.style, seed=seed * 1009 + number)
         seeds_of[planned.name] = seed * 1009 + number
         models[planned.name] = pose(built, planned.attributes.get("posture", ""))
@@ -90,7 +101,8 @@ def _put_in_vessel(
     for planned in held:
         own = models[planned.name]
         if own.size[:2].max() > LIES * cavity.mouth or own.size[2] > own.size[:2].max():
-            standing[planned.name] = stand_up(own, 2.0)
+            upright = stand_up(own, 2.0)
+            standing[planned.name] = upright if upright is own else head_up(upright)
     long = {n: m for n, m in standing.items() if leans(m, cavity)}
     alone = {n: models[n].size[2] > models[n].size[:2].max() for n in long}
     vessel, leaning = fill_vessel(vessel, long, alone, may_grow=target.size is None)

@@ -15,10 +15,11 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy.ndimage import maximum_filter
 from scipy.spatial import ConvexHull, QhullError
 
 from ..scene import ConvexPart
@@ -143,8 +144,14 @@ class _Sky:
         corners = part.vertices
         one, other = np.triu_indices(len(corners), 1)
         middles = (corners[one] + corners[other]) / 2
-        top = self.height(middles)
+        cells = ((middles[:, :2] - self.low) / self.cell).astype(int)
+        top = self.around[tuple(cells.T)]
         return bool((np.isfinite(top) & (middles[:, 2] > top + _HOLLOW)).any())
+
+    @cached_property
+    def around(self) -> Float[np.ndarray, "49 49"]:
+        """The highest surface within two cells of each: the grid has gaps."""
+        return maximum_filter(self.top, 5, mode="nearest")
 
 
 def _seen_from_above(drawn: Points, normals: Points, sky: _Sky) -> Bool[np.ndarray, "n"]:

@@ -173,6 +173,14 @@ def _at(
     return np.column_stack([cavity.middle + away[:, None] * ways, np.full(len(angle), z)])
 
 
+def _thickness(
+    stem: Stem, along: Float[np.ndarray, "*n"]
+) -> Float[np.ndarray, "*n"]:
+    """Return the radius of a stem at places along its axis, a head's no larger than the stem's."""
+    radii = np.minimum(stem.spheres[:, 3], 1.25 * stem.core)
+    return np.interp(along, stem.spheres[:, 2], radii)
+
+
 def _is_free(
     stem: Stem,
     feet: Float[np.ndarray, "n 3"],
@@ -191,14 +199,15 @@ def _is_free(
     free = (~within | (away + radii <= cavity.wall(low))).all(1)
     free &= (balls[..., 2] + radii >= cavity.floor).all(1)
     steps = np.linspace(0, stem.length, _POINTS)
+    thick = _thickness(stem, steps)
     line = feet[:, None] + steps[None, :, None] * axes[:, None]
     heads = radii > 1.25 * stem.core
     for other, stance in placed:
         there = other.spheres[:, :3] @ stance.turn.T + stance.foot
         axis = stance.turn[:, 2]
         along = np.clip((line - stance.foot) @ axis, 0, other.length)
-        near = np.linalg.norm(line - stance.foot - along[..., None] * axis, axis=-1).min(1)
-        free &= near >= stem.core + other.core + _CLEAR
+        near = np.linalg.norm(line - stance.foot - along[..., None] * axis, axis=-1)
+        free &= (near - _thickness(other, along) - thick).min(1) >= _CLEAR
         big = other.spheres[:, 3] > 1.25 * other.core
         for own, theirs in ((heads, np.ones_like(big)), (np.ones_like(heads), big)):
             if own.any() and theirs.any():

@@ -16,7 +16,7 @@ SECTORS = 24
 """Directions from a vessel's middle in which its wall is looked for."""
 
 _LEVELS = 14
-_STEPS = 48  # places looked at between the middle and the outside
+_STEPS = 64  # places looked at between the middle and the outside
 _CLOSED = 0.9  # share of the directions in which a rim has a wall
 _ANGLES = 2 * np.pi * np.arange(SECTORS) / SECTORS
 _WAYS = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])

@@ -20,6 +20,8 @@ LIES = 0.95
 """Share of a vessel's mouth up to whose length a long thing lies in it."""
 
 _SLENDER = 1.9  # height to width from which a thing leans in a vessel
+_WIDER = 1.4  # how much wider than its other end a thing's head is
+_LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # of flowers that stand together
 _LARGER = (1.0, 1.12, 1.25, 1.4)  # how much a vessel may grow until all find room
 
 _WAYS: Mapping[str, tuple[Steps, ...]] = {
@@ -50,6 +52,13 @@ def name_slots(holder: Model, names: Sequence[str]) -> Model:
     """Return a holder's model with its places given to things, in order."""
     pairs = zip(holder.slots, names, strict=False)
     return replace(holder, slots=tuple(replace(slot, name=name) for slot, name in pairs))
+
+
+def head_up(model: Model) -> Model:
+    """Return a standing model with its wide end up: bristles, blossoms, the wires of a whisk."""
+    thirds = np.array_split(measure_stem(model).spheres[:, 3], 3)
+    foot, head = float(thirds[0].max()), float(thirds[-1].max())
+    return turn(model, (("x", 180),)) if foot > _WIDER * head else model
 
 
 def fill_vessel(
