@@ -11,6 +11,7 @@ from ..catalogue.stand_ins import FAMILIES, GENERIC, stand_in_size
 from ..errors import InputError
 from ..scene import TABLE, PlannedObject, Relation, RelationKind
 
+Extent = tuple[float, float, float]
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))
 OPPOSITE: Mapping[str, str] = {
     "left_of": "right_of", "right_of": "left_of", "behind": "in_front_of", "in_front_of": "behind",
@@ -157,6 +158,15 @@ def has_place(planned: PlannedObject, target: PlannedObject) -> bool:
     return holder.takes(size_of(planned))
 
 
+def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> Extent:
+    """Return the extent of a thing in a vessel: a long one stands there, its head above the rim."""
+    x, y, z = standing_size(planned)
+    stem = _STEMS.get(planned.category, 1.0)
+    if x < 0.85 * min(vessel[:2]) or x < 2.2 * max(y, z):
+        return x, y, z
+    return z * stem, y * stem, x
+
+
 _CLOSED = frozenset({"jar", "bottle", "can", "tea_tin", "milk_carton", "screw_box", "wine_bottle"})
 """What has a lid: nothing is put in it."""
 
@@ -175,9 +185,7 @@ def _plausible(
     if "places" in target.attributes and has_place(planned, target):
         return Relation("in", target.name)
     outer = size_of(target)
-    stem = _STEMS.get(planned.category, 1.0) if relation.kind == "in" else 1.0
-    x, y, z = standing_size(planned)
-    inner = x, y * stem, z * stem
+    inner = put_in_size(planned, outer) if relation.kind == "in" else standing_size(planned)
     container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation
@@ -205,5 +213,5 @@ def fits(
         mouth = 0.85 * min(outer[:2])
         upright = inner[2] == longest or narrow < 0.5 * mouth
         widest = middle if upright else max(inner[:2])
-        return container and widest <= mouth and longest < 2.6 * outer[2]
+        return container and widest <= mouth and longest < 2.8 * outer[2]
     return min(inner[:2]) <= 1.25 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])

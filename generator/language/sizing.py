@@ -116,8 +116,10 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
     container = relations.is_container(planned)
     most = _GROWTH.get(planned.category, _OTHERS)
     sizes = [relations.standing_size(thing) for thing in held]
-    area = sum(float(size[0] * size[1]) for size in sizes)
     inside = container and not relations.is_shallow(usual) and "in" in kinds
+    if inside:
+        sizes = [relations.put_in_size(thing, usual) for thing in held]
+    area = sum(float(size[0] * size[1]) for size in sizes)
     filled = _FILLED * (_LAYERS if len(held) > 3 else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0

@@ -21,6 +21,8 @@ from .cavities import Cavity
 _SLICES = 18
 _POINTS = 40  # places along a thing's axis that are compared
 _CLEAR = 6e-4  # metres that things keep from each other and from the wall
+_HEAD = 1.25  # how much thicker than a stem its head is
+_MANY = 7  # from so many things on some stand inside of the others
 _TILT = np.deg2rad(58.0)  # how far a thing may lean
 
 Rotation = Float[np.ndarray, "3 3"]
@@ -45,6 +47,19 @@ class Stance:
 
     turn: Rotation
     foot: Float[np.ndarray, "3"]
+
+
+@dataclass(frozen=True)
+class _Ring:
+    """Where one of ``count`` things is to stand: its angle, radians, and its share of the radius.
+
+    ``twist`` is how far its foot is from being right across from its top, radians.
+    """
+
+    angle: float
+    share: float
+    twist: float
+    count: int
 
 
 def measure_stem(model: Model) -> Stem:
@@ -80,21 +95,23 @@ def _surface(model: Model) -> Float[np.ndarray, "n 3"]:
 
 
 def arrange_bunch(
-    stems: Sequence[Stem], cavity: Cavity, upright: Sequence[bool]
+    stems: Sequence[Stem], cavity: Cavity, upright: Sequence[bool], *, strict: bool
 ) -> list[Stance | None]:
     """Return how each thing stands in a vessel; None for one that finds no room.
 
-    What is ``upright`` by itself stands straight where it can; all else leans against the rim.
+    ``strict`` gives up at the first of these. What is ``upright`` by itself stands straight where it can; all else leans against the rim.
     """
     order = sorted(range(len(stems)), key=lambda k: -stems[k].core)
     placed: list[tuple[Stem, Stance]] = []
     found: list[Stance | None] = [None] * len(stems)
     for number, k in enumerate(order):
-        wanted = 2 * np.pi * number / len(stems) + 0.7
-        stance = _stand(stems[k], cavity, placed, wanted, len(stems), straight=upright[k])
+        ring = _ring(number, len(stems), stems[k], cavity)
+        stance = _stand(stems[k], cavity, placed, ring, straight=upright[k])
         if stance is not None:
             placed.append((stems[k], stance))
             found[k] = stance
+        elif strict:
+            break
     return found
 
 
@@ -102,13 +119,12 @@ def _stand(
     stem: Stem,
     cavity: Cavity,
     placed: Sequence[tuple[Stem, Stance]],
-    wanted: float,
-    count: int,
+    ring: _Ring,
     *,
     straight: bool,
 ) -> Stance | None:
     """Return the best free stance of a thing among those ``placed``."""
-    feet, tops, cost = _proposals(stem, cavity, wanted, count, straight=straight)
+    feet, tops, cost = _proposals(stem, cavity, ring, straight=straight)
     way = tops - feet
     lean = np.arctan2(np.hypot(way[:, 0], way[:, 1]), way[:, 2])
     keep = lean <= _TILT
@@ -136,24 +152,45 @@ def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
     return rotation_z(heading) @ tip @ rotation_z(np.pi)
 
 
+def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
+    """Return where the ``number``-th of so many things is to stand: of many, some are inside.
+
+    All are twisted as little as lets them pass each other where they are closest to the axis.
+    """
+    inner = 0 if count < _MANY else round(count / 4)
+    outer = count - inner
+    share = 1.0 if number < outer else 0.4
+    place, among = (number, outer) if number < outer else (number - outer, inner)
+    if count == 1:
+        return _Ring(0.7, 1.0, 0.0, 1)
+    wide = among * (2.4 * stem.core + 2 * _CLEAR) / (2 * np.pi)
+    waist = share * float(min(cavity.radii[0].min(), cavity.radii[-1].min()))
+    return _Ring(
+        2 * np.pi * place / among + 0.7, share,
+        float(np.clip(2 * np.arcsin(min(wide / waist, 1.0)), 0.3, np.pi)), count,
+    )  # fmt: skip
+
+
 def _proposals(
-    stem: Stem, cavity: Cavity, wanted: float, count: int, *, straight: bool
+    stem: Stem, cavity: Cavity, ring: _Ring, *, straight: bool
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Float[np.ndarray, "n"]]:
     """Return feet on the floor, where the axes pass the rim, and how bad each is."""
-    spread = np.array([0.0, *(s * v for v in (0.2, 0.45, 0.8, 1.3, 2.0, 3.0) for s in (1, -1))])
-    across = np.pi - np.array([0.0] if count == 1 else [0.5, 0.9, 0.25, 1.3, 0.0, 1.8, 2.4, np.pi])
-    at_rim = np.array([1.0, 0.7, 0.4, 0.1])
-    at_foot = np.array([1.0, 0.6, 0.25, 0.0])
+    steps = (0.15, 0.3, 0.5, 0.75, 1.0, 1.3, 1.6, 2.0, 2.4, 2.8, 3.1)
+    spread = np.array([0.0, *(s * v for v in steps for s in (1, -1))])
+    twists = np.array([ring.twist] if ring.count == 1 else
+                      [ring.twist, 0.3, 0.8, 1.3, 1.8, 2.4, np.pi])  # fmt: skip
+    shares = np.array([1.0, 0.7, 0.4, 0.15])
     turn, twist, high, low = (
-        v.ravel() for v in np.meshgrid(spread, across, at_rim, at_foot, indexing="ij")
+        v.ravel() for v in np.meshgrid(spread, twists, shares, shares, indexing="ij")
     )
-    tops = _at(cavity, wanted + turn, high, cavity.rim, stem.core)
-    feet = _at(cavity, wanted + turn + twist, low, cavity.floor, stem.core)
-    cost = 0.12 * np.abs(turn) + 1.5 * (1 - high) + 0.4 * (1 - low)
+    tops = _at(cavity, ring.angle + turn, high, cavity.rim, stem.core)
+    feet = _at(cavity, ring.angle + turn + np.pi - twist, low, cavity.floor, stem.core)
+    cost = 0.12 * np.abs(turn) + 1.5 * np.abs(high - ring.share)
+    cost += 0.4 * np.abs(low - ring.share) + 0.2 * np.abs(twist - ring.twist)
     if straight:  # above its foot, at any place of the floor
         tops = np.concatenate([feet + [0, 0, cavity.depth], tops])
-        even = 0.3 * np.abs(low - (0.0 if count == 1 else 0.6 if count < 7 else 1.0))
-        cost = np.concatenate([0.05 * np.abs(turn) + even, 3.0 + cost])
+        best = 0.15 if ring.count == 1 else 0.7 if ring.count < _MANY else ring.share
+        cost = np.concatenate([0.05 * np.abs(turn) + 0.3 * np.abs(low - best), 3.0 + cost])
         feet = np.concatenate([feet, feet])
     return feet, tops, cost
 
@@ -177,7 +214,7 @@ def _thickness(
     stem: Stem, along: Float[np.ndarray, "*n"]
 ) -> Float[np.ndarray, "*n"]:
     """Return the radius of a stem at places along its axis, a head's no larger than the stem's."""
-    radii = np.minimum(stem.spheres[:, 3], 1.25 * stem.core)
+    radii = np.minimum(stem.spheres[:, 3], _HEAD * stem.core)
     return np.interp(along, stem.spheres[:, 2], radii)
 
 
@@ -190,28 +227,31 @@ def _is_free(
     placed: Sequence[tuple[Stem, Stance]],
 ) -> Bool[np.ndarray, "n"]:
     """Tell which stances keep clear of the vessel's wall and of what is placed."""
-    balls = np.einsum("nij,kj->nki", turns, stem.spheres[:, :3]) + feet[:, None]
-    radii = stem.spheres[:, 3]
-    within = balls[..., 2] - radii < cavity.rim
-    away = np.hypot(*np.moveaxis(balls[..., :2] - cavity.middle, -1, 0))
-    low = balls.copy()
-    low[..., 2] = np.minimum(low[..., 2], cavity.rim - 1e-4)
-    free = (~within | (away + radii <= cavity.wall(low))).all(1)
-    free &= (balls[..., 2] + radii >= cavity.floor).all(1)
     steps = np.linspace(0, stem.length, _POINTS)
     thick = _thickness(stem, steps)
     line = feet[:, None] + steps[None, :, None] * axes[:, None]
-    heads = radii > 1.25 * stem.core
+    free = np.ones(len(feet), bool)
+    for other, stance in placed:
+        axis = stance.turn[:, 2]
+        offset = line[free] - stance.foot
+        along = np.clip(offset @ axis, 0, other.length)
+        near = np.linalg.norm(offset - along[..., None] * axis, axis=-1)
+        free[free] = (near - _thickness(other, along) - thick).min(1) >= _CLEAR
+    left = np.flatnonzero(free)
+    balls = np.einsum("nij,kj->nki", turns[left], stem.spheres[:, :3]) + feet[left, None]
+    radii = stem.spheres[:, 3]
+    away = np.hypot(*np.moveaxis(balls[..., :2] - cavity.middle, -1, 0))
+    low = np.minimum(balls, [np.inf, np.inf, cavity.rim - 1e-4])
+    inner = (balls[..., 2] - radii >= cavity.rim) | (away + radii <= cavity.wall(low))
+    clear = (inner & (balls[..., 2] + radii >= cavity.floor)).all(1)
+    heads = radii > _HEAD * stem.core
     for other, stance in placed:
         there = other.spheres[:, :3] @ stance.turn.T + stance.foot
-        axis = stance.turn[:, 2]
-        along = np.clip((line - stance.foot) @ axis, 0, other.length)
-        near = np.linalg.norm(line - stance.foot - along[..., None] * axis, axis=-1)
-        free &= (near - _thickness(other, along) - thick).min(1) >= _CLEAR
-        big = other.spheres[:, 3] > 1.25 * other.core
-        for own, theirs in ((heads, np.ones_like(big)), (np.ones_like(heads), big)):
+        big = other.spheres[:, 3] > _HEAD * other.core
+        for own, theirs in ((heads, ~big), (heads, big), (~heads, big)):
             if own.any() and theirs.any():
                 gap = np.linalg.norm(balls[:, own, None] - there[None, None, theirs], axis=-1)
                 gap -= radii[None, own, None] + other.spheres[None, None, theirs, 3]
-                free &= gap.min((1, 2)) >= _CLEAR
+                clear &= gap.min((1, 2)) >= _CLEAR
+    free[left] = clear
     return free

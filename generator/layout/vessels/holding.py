@@ -21,6 +21,9 @@ LIES = 0.95
 
 _SLENDER = 1.9  # height to width from which a thing leans in a vessel
 _WIDER = 1.4  # how much wider than its other end a thing's head is
+_BLOSSOM = 4.0  # how much thicker than its stem a thing's head is that is to be seen
+_SHOWN = 0.56  # share of its length that such a thing may be in a vessel
+_FEW = 4  # of more things that stand together some are longer than others
 _LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # of flowers that stand together
 _LARGER = (1.0, 1.12, 1.25, 1.4)  # how much a vessel may grow until all find room
 
@@ -69,14 +72,23 @@ def fill_vessel(
     ``things`` stand straight; the vessel grows a little where it has no room for all, if it may.
     What finds no room is not among those returned.
     """
+    if len(things) > _FEW:
+        things = {
+            name: replace(model, size=model.size * [1, 1, _LENGTHS[k % len(_LENGTHS)]])
+            for k, (name, model) in enumerate(things.items())
+        }
     stems = {name: measure_stem(model) for name, model in things.items()}
+    if may_grow:
+        vessel = _make_shallow(vessel, [s for n, s in stems.items() if not upright[n]])
     best: tuple[Model, Cavity, list[Stance | None]] | None = None
-    for factor in _LARGER if may_grow else (1.0,):
-        larger = replace(vessel, size=vessel.size * factor)
+    factors = _LARGER if may_grow else (1.0,)
+    for factor in factors:
+        larger = replace(vessel, size=vessel.size * [factor, factor, 1 + 0.25 * (factor - 1)])
         cavity = find_cavity(larger)
         if cavity is None:
             return vessel, {}
-        stances = arrange_bunch(list(stems.values()), cavity, [upright[n] for n in stems])
+        stances = arrange_bunch(list(stems.values()), cavity, [upright[n] for n in stems],
+                                strict=factor < factors[-1])  # fmt: skip
         missing = stances.count(None)
         if best is None or missing < best[2].count(None):
             best = larger, cavity, stances
@@ -89,6 +101,16 @@ def fill_vessel(
             made[name], at = _lean(things[name], stems[name], stance)
             slots.append(Slot(at / best[0].size, name=name))
     return replace(best[0], slots=tuple(slots)), made
+
+
+def _make_shallow(vessel: Model, stems: Sequence[Stem]) -> Model:
+    """Return a vessel that is not so deep that flowers vanish in it."""
+    cavity = find_cavity(vessel)
+    heads = [s.length for s in stems if s.spheres[:, 3].max() > _BLOSSOM * s.core]
+    if cavity is None or not heads:
+        return vessel
+    share = float(np.clip(_SHOWN * min(heads) / cavity.depth, 0.55, 1.0))
+    return replace(vessel, size=vessel.size * [1.0, 1.0, share])
 
 
 def leans(model: Model, cavity: Cavity) -> bool:

@@ -168,9 +168,9 @@ def _straight(
     back = min(float(s.bounds[0, 0]) for s, _ in bloom)
     bloom = [(s.move(0.5 * length - max(back, -0.012)), t) for s, t in bloom]
     stalk = rod([(-0.5 * length, 0, 0), (0, 0, 0), (0.5 * length, 0, 0)], 0.0022, 7)
-    wide, deep = min(leaf[0], 0.055), min(leaf[1], 0.02)
+    wide, deep = min(leaf[0], 0.045), min(leaf[1], 0.018)
     blades = [blade([(0, 0, 0), (0.5 * wide, 0, 0.006), (wide, 0, 0.003)], deep, thick=0.15)
-              .turn(1, -0.5).turn(0, 2.4 * k).move((0.3 - 0.07 * k) * length)
+              .turn(1, -0.4).turn(0, 2.4 * k).move((0.32 - 0.06 * k) * length)
               for k in range(2)]  # fmt: skip
     pieces: Pieces = [*bloom, (stalk, textures.plain(stem)),
                       (join(blades), textures.plain(tint_color(stem, 0.85)))]  # fmt: skip
