@@ -22,6 +22,7 @@ _GROWTH: Mapping[str, float] = {
     "cutting_board": 1.6, "book": 1.35, "toolbox": 1.4, "cake_stand": 1.4, "generic": 1.6,
     "serving_bowl": 1.6, "mixing_bowl": 1.4, "serving_platter": 1.5, "crate": 1.5, "open_box": 1.8,
     "tool_caddy": 1.4, "lunch_box": 1.3, "cooling_rack": 1.4, "baking_dish": 1.3, "desk_tray": 1.3,
+    "bucket": 1.6, "open_ice_bucket": 1.3,
 }  # fmt: skip
 """How much larger than usual a carrier may be."""
 

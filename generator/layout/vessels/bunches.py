@@ -67,16 +67,33 @@ def measure_stem(model: Model) -> Stem:
     points = _surface(model)
     low, high = points[:, 2].min(), points[:, 2].max()
     edges = np.linspace(low, high, _SLICES + 1)
-    found = []
+    middles, radii, spheres = [], [], []
     for a, b in zip(edges[:-1], edges[1:], strict=True):
         slab = points[(points[:, 2] >= a) & (points[:, 2] <= b), :2]
         if len(slab):
-            centre = (slab.min(0) + slab.max(0)) / 2
-            found.append((*centre, (a + b) / 2, float(np.hypot(*(slab - centre).T).max())))
-    spheres = np.array(found)
-    foot = np.array([*spheres[: max(2, len(spheres) // 4), :2].mean(0), low])
-    core = float(np.median(spheres[: max(2, 2 * len(spheres) // 3), 3]))
-    return Stem(foot, float(high - low), core, spheres - [*foot, 0.0])
+            balls = _cover(slab, (a + b) / 2)
+            middles.append((slab.min(0) + slab.max(0)) / 2)
+            radii.append(float(balls[:, 3].max()))
+            spheres.append(balls)
+    foot = np.array([*np.mean(middles[: max(2, len(middles) // 4)], axis=0), low])
+    core = float(np.median(radii[: max(2, 2 * len(radii) // 3)]))
+    return Stem(foot, float(high - low), core, np.concatenate(spheres) - [*foot, 0.0])
+
+
+def _cover(slab: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "k 4"]:
+    """Return a few spheres in a row that cover a slice at height ``z``: of what is flat, several."""
+    middle = (slab.min(0) + slab.max(0)) / 2
+    _, axes = np.linalg.eigh(np.cov((slab - slab.mean(0)).T))
+    spread = (slab - middle) @ axes
+    low, high = spread.min(0), spread.max(0)
+    narrow, wide = high - low
+    count = int(np.clip(round(wide / max(narrow, 0.2 * wide, 1e-4)), 1, 5))
+    if count == 1:
+        return np.array([[*middle, z, np.hypot(*(slab - middle).T).max()]])
+    along = low[1] + (np.arange(count) + 0.5) * wide / count
+    places = middle + np.column_stack([np.full(count, (low[0] + high[0]) / 2), along]) @ axes.T
+    radius = np.hypot(narrow / 2, wide / count / 2)
+    return np.column_stack([places, np.full(count, z), np.full(count, radius)])
 
 
 def _surface(model: Model) -> Float[np.ndarray, "n 3"]:
@@ -214,8 +231,10 @@ def _thickness(
     stem: Stem, along: Float[np.ndarray, "*n"]
 ) -> Float[np.ndarray, "*n"]:
     """Return the radius of a stem at places along its axis, a head's no larger than the stem's."""
-    radii = np.minimum(stem.spheres[:, 3], _HEAD * stem.core)
-    return np.interp(along, stem.spheres[:, 2], radii)
+    heights, where = np.unique(stem.spheres[:, 2], return_inverse=True)
+    radii = np.zeros(len(heights))
+    np.maximum.at(radii, where, np.minimum(stem.spheres[:, 3], _HEAD * stem.core))
+    return np.interp(along, heights, radii)
 
 
 def _is_free(

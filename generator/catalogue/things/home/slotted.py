@@ -99,7 +99,7 @@ def dish_rack(look: Look) -> Shape:
 def letter_rack(look: Look) -> Shape:
     """A rack of upright boards, rising to the back, for letters and magazines."""
     count, (a, b, c) = _asked(look, 3, (0.012, 0.19, 0.12))
-    color = look.color("wooden", "walnut", "white", "black", "brass", "wooden", "teal")
+    color = look.color("wooden", "brown", "white", "black", "gold", "wooden", "teal")
     skin = look.surface(color, look.pick(["wood", "metal"]))
     wall, floor = 0.005, 0.01
     pitch = max(a + _PLAY, 0.014) + wall

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import hull_part
+from ...build.collision import hull_part, whole_hull
 from ...build.forms import above, blade
 from ...build.recipes import Pieces, ball, rod
 from ...build.shape import Shape, shape
@@ -178,7 +178,7 @@ def _straight(
     pieces = [(s.move(z=-low), t) for s, t in pieces]
     crown = np.concatenate([s.vertices for s, _ in pieces[: len(bloom)]])
     solids = [pieces[len(bloom)][0], *(s.move(z=-low) for s in blades)]
-    return shape(pieces, [hull_part(crown), *(hull_part(s.vertices) for s in solids)])
+    return shape(pieces, [whole_hull(crown), *(whole_hull(s.vertices) for s in solids)])
 
 
 def _row(
