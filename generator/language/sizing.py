@@ -121,7 +121,8 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
     if inside:
         sizes = [relations.put_in_size(thing, usual) for thing in held]
     area = sum(float(size[0] * size[1]) for size in sizes)
-    filled = _FILLED * (_LAYERS if len(held) > 3 else 1.0)
+    tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # no layers of these
+    filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
     for factor in np.linspace(1.0, most, 16):

@@ -181,7 +181,8 @@ def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
     if count == 1:
         return _Ring(0.7, 1.0, 0.0, 1)
     wide = among * (2.4 * stem.core + 2 * _CLEAR) / (2 * np.pi)
-    waist = share * float(min(cavity.radii[0].min(), cavity.radii[-1].min()))
+    room = float(min(cavity.radii[0].min(), cavity.radii[-1].min())) - 1.15 * stem.core
+    waist = share * max(room, 1e-4)
     return _Ring(
         2 * np.pi * place / among + 0.7, share,
         float(np.clip(2 * np.arcsin(min(wide / waist, 1.0)), 0.3, np.pi)), count,
@@ -202,7 +203,7 @@ def _proposals(
     )
     tops = _at(cavity, ring.angle + turn, high, cavity.rim, stem.core)
     feet = _at(cavity, ring.angle + turn + np.pi - twist, low, cavity.floor, stem.core)
-    cost = 0.12 * np.abs(turn) + 1.5 * np.abs(high - ring.share)
+    cost = 0.35 * np.abs(turn) + 1.5 * np.abs(high - ring.share)
     cost += 0.4 * np.abs(low - ring.share) + 0.2 * np.abs(twist - ring.twist)
     if straight:  # above its foot, at any place of the floor
         tops = np.concatenate([feet + [0, 0, cavity.depth], tops])

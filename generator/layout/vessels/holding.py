@@ -20,12 +20,12 @@ LIES = 0.95
 """Share of a vessel's mouth up to whose length a long thing lies in it."""
 
 _SLENDER = 1.9  # height to width from which a thing leans in a vessel
-_WIDER = 1.4  # how much wider than its other end a thing's head is
+_WIDER = 1.1  # how much wider than its other end a thing's head is
 _BLOSSOM = 4.0  # how much thicker than its stem a thing's head is that is to be seen
 _SHOWN = 0.56  # share of its length that such a thing may be in a vessel
 _FEW = 4  # of more things that stand together some are longer than others
 _LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # of flowers that stand together
-_LARGER = (1.0, 1.12, 1.25, 1.4)  # how much a vessel may grow until all find room
+_LARGER = (1.0, 1.12, 1.25, 1.4, 1.55)  # how much a vessel may grow until all find room
 
 _WAYS: Mapping[str, tuple[Steps, ...]] = {
     "edge": ((("y", -90),), (("z", 90), ("y", -90)), (), (("z", 90),), (("x", 90), ("z", 90)),
@@ -59,8 +59,10 @@ def name_slots(holder: Model, names: Sequence[str]) -> Model:
 
 def head_up(model: Model) -> Model:
     """Return a standing model with its wide end up: bristles, blossoms, the wires of a whisk."""
-    thirds = np.array_split(measure_stem(model).spheres[:, 3], 3)
-    foot, head = float(thirds[0].max()), float(thirds[-1].max())
+    spheres = measure_stem(model).spheres
+    wide = np.hypot(spheres[:, 0], spheres[:, 1]) + spheres[:, 3]
+    share = spheres[:, 2] / float(model.size[2])
+    foot, head = float(wide[share < 0.45].max()), float(wide[share > 0.55].max())
     return turn(model, (("x", 180),)) if foot > _WIDER * head else model
 
 
