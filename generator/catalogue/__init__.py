@@ -4,8 +4,8 @@
 """
 
 from .build.category import Category
-from .opening import open_category
+from .opening import cut_category, open_category
 from .registry import CATEGORIES, build, category
 from .tables import build_table
 
-__all__ = ["CATEGORIES", "Category", "build", "build_table", "category", "open_category"]
+__all__ = ["CATEGORIES", "Category", "build", "build_table", "category", "cut_category", "open_category"]

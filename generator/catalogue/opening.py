@@ -50,6 +50,21 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
 """A bare word and what is put there, and the category that the word then means."""
 
 
+_FLOWERS = ("rose", "tulip", "daisy", "carnation")
+
+
+def cut_category(category: str, vessel: str, number: int) -> str:
+    """Return the category of what is put into a vessel: of flowers in a vase, cut ones.
+
+    ``number`` counts what is put there.
+    """
+    if open_category(vessel) == "empty_vase":
+        if category == "vase":  # the catalogue's word for flowers
+            return _FLOWERS[number % len(_FLOWERS)]
+        return "posy" if category == "bouquet" else category
+    return category
+
+
 def open_category(category: str, noun: str = "", contents: str = "") -> str:
     """Return the category of a thing called ``noun`` where ``contents`` (a category) goes in it."""
     return _MEANT.get((noun, contents), OPENED.get(category, category))

@@ -86,7 +86,7 @@ from .things.leisure import (
     toys,
 )
 from .things.music import instruments, music, percussion
-from .things.nature import finds, flowers, gardening, greenery
+from .things.nature import finds, flowers, gardening, greenery, posies
 from .things.nursery import animals, baby, dinosaurs, play, vehicles
 from .things.office import (
     cards,
@@ -202,6 +202,7 @@ _ON_REQUEST = (
     flowers,
     gardening,
     greenery,
+    posies,
     candlelight,
     characters,
     christmas,

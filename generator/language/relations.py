@@ -125,7 +125,7 @@ def is_container(planned: PlannedObject) -> bool:
 
 _STEMS: Mapping[str, float] = {
     "rose": 0.3, "tulip": 0.3, "daisy": 0.3, "sunflower": 0.2, "lily": 0.2, "carnation": 0.3,
-    "lavender": 0.5, "orchid": 0.3, "dried_flower": 0.4, "spoon": 0.4, "wooden_spoon": 0.4,
+    "lavender": 0.5, "posy": 0.2, "bouquet": 0.2, "orchid": 0.3, "dried_flower": 0.4, "spoon": 0.4, "wooden_spoon": 0.4,
     "spatula": 0.4, "whisk": 0.4, "ladle": 0.3, "fork": 0.6, "lollipop": 0.3, "hairbrush": 0.5,
     "paint_brush": 0.6, "makeup_brush": 0.6, "straw": 0.4, "skimmer": 0.3,
 }  # fmt: skip
@@ -213,5 +213,6 @@ def fits(
         mouth = 0.85 * min(outer[:2])
         upright = inner[2] == longest or narrow < 0.5 * mouth
         widest = middle if upright else max(inner[:2])
-        return container and widest <= mouth and longest < 2.8 * outer[2]
+        on_edge = narrow < 0.15 * middle and middle <= 0.85 * max(outer[:2])
+        return container and (widest <= mouth or on_edge) and longest < 2.8 * outer[2]
     return min(inner[:2]) <= 1.25 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import CATEGORIES, open_category
+from ..catalogue import CATEGORIES, cut_category, open_category
 from ..scene import PlannedObject
 from . import relations
 
@@ -32,6 +32,7 @@ _PLACES = ("egg_carton",)
 
 _FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
 _LAYERS = 1.6  # layers in which more than three things lie
+_FLOOR = 0.72  # width of a round vessel's floor, as a share of its box's
 _COVERED = 0.7  # share of a tray that things may cover
 
 
@@ -76,16 +77,22 @@ def holds_things(category: str) -> bool:
 
 def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     """Return the objects, vessels and racks that something is in open and empty."""
-    inside: dict[str, PlannedObject] = {}
+    names = {o.name: o for o in objects}
+    inside: dict[str, list[PlannedObject]] = {}
     for planned in objects:
         for relation in planned.relations:
-            if relation.kind == "in":
-                inside.setdefault(relation.target, planned)
-    return [
-        o if o.name not in inside
-        else replace(o, category=open_category(o.category, o.noun, inside[o.name].category))
-        for o in objects
-    ]  # fmt: skip
+            if relation.kind == "in" and relation.target in names:
+                inside.setdefault(relation.target, []).append(planned)
+    changed: dict[str, PlannedObject] = {}
+    for name, held in inside.items():
+        target = names[name]
+        for k, thing in enumerate(held):
+            kind = cut_category(thing.category, target.category, k)
+            changed[thing.name] = replace(thing, category=kind)
+    for name, held in inside.items():
+        kind = open_category(names[name].category, names[name].noun, held[0].category)
+        changed[name] = replace(changed.get(name, names[name]), category=kind)
+    return [changed.get(o.name, o) for o in objects]
 
 
 def _grow(
@@ -109,6 +116,17 @@ def _is_holder(planned: PlannedObject) -> bool:
     return planned.category in CATEGORIES and CATEGORIES[planned.category].holder is not None
 
 
+def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
+    """Return the width of a vessel in which things stand side by side, metres.
+
+    About 0.9 + 0.87 sqrt(n) diameters hold n circles in a circle; what is round narrows downwards.
+    """
+    known = CATEGORIES.get(vessel.category)
+    floor = _FLOOR if known is not None and "round" in known.roles else 0.95
+    wide = float(np.mean([max(size[:2]) for size in sizes]))
+    return 1.1 * wide * (0.9 + 0.87 * float(np.sqrt(len(sizes)))) / floor
+
+
 def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]) -> float:
     """Return how much larger than usual a thing has to be, at most what it can be."""
     if not held:
@@ -125,6 +143,8 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
     filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
+    if inside and tall:
+        needed = _across(sizes, planned) / min(usual[:2])
     for factor in np.linspace(1.0, most, 16):
         extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)
         fit = all(

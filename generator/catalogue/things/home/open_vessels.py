@@ -91,7 +91,8 @@ def steamer(look: Look) -> Shape:
     body, parts = open_vessel([(r, 0), (r, h)], 0.005, 0.008)
     weave = textures.basketwork(look.rng, color, 16)
     dark = textures.speckles(look.rng, tint_color(color, 0.78), 8)
-    skin = textures.stack((dark, 0.08), (weave, 0.3), (dark, 0.08), (weave, 0.54), side=128)
+    inside = textures.speckles(look.rng, color, 8)
+    skin = textures.stack((dark, 0.08), (weave, 0.3), (dark, 0.08), (inside, 0.54), side=128)
     return shape([(body, skin)], parts)
 
 
