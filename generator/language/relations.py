@@ -162,7 +162,7 @@ def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> E
     """Return the extent of a thing in a vessel: a long one stands there, its head above the rim."""
     x, y, z = standing_size(planned)
     stem = _STEMS.get(planned.category, 1.0)
-    if x < 0.85 * min(vessel[:2]) or x < 2.2 * max(y, z):
+    if x < 0.85 * min(vessel[:2]) or (stem == 1.0 and x < 2.2 * max(y, z)):
         return x, y, z
     return z * stem, y * stem, x
 

@@ -20,8 +20,10 @@ from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, Sce
 from .footprint import footprint
 from .postures import pose, stand_up
 from .vessels.cavities import find_cavity
+from .vessels.filing import is_flat
 from .vessels.holding import (
     LIES,
+    file_in_box,
     fill_vessel,
     head_up,
     leans,
@@ -97,11 +99,17 @@ def _put_in_vessel(
     cavity = find_cavity(vessel)
     if cavity is None:
         return {p.name: stand_up(models[p.name], 3.0) for p in held}
+    flat = {p.name: models[p.name] for p in held if is_flat(models[p.name])}
+    wide = max((float(min(m.size[:2])) for m in flat.values()), default=0.0)
+    if len(flat) == len(held) and (len(flat) > 2 or wide > LIES * cavity.mouth):
+        filed = file_in_box(vessel, flat, cavity)
+        if filed is not None:
+            return {**filed[1], target.name: filed[0]}
     standing: dict[str, Model] = {}
     for planned in held:
         own = models[planned.name]
         if own.size[:2].max() > LIES * cavity.mouth or own.size[2] > own.size[:2].max():
-            upright = stand_up(own, 2.0)
+            upright = stand_up(own, 1.7)
             standing[planned.name] = upright if upright is own else head_up(upright)
     long = {n: m for n, m in standing.items() if leans(m, cavity)}
     alone = {n: models[n].size[2] > models[n].size[:2].max() for n in long}

@@ -15,6 +15,7 @@ from ...scene import ConvexPart, Mesh, Model, Slot
 from ...scene.turning import Steps, turn
 from .bunches import Stance, Stem, arrange_bunch, measure_stem
 from .cavities import Cavity, find_cavity
+from .filing import file_away
 
 LIES = 0.95
 """Share of a vessel's mouth up to whose length a long thing lies in it."""
@@ -119,6 +120,21 @@ def leans(model: Model, cavity: Cavity) -> bool:
     """Tell whether a standing thing is so long that it leans in a vessel, or stands out of it."""
     slender = float(model.size[2]) > _SLENDER * float(model.size[:2].min())
     return slender and float(model.size[2]) > 0.6 * cavity.depth
+
+
+def file_in_box(
+    vessel: Model, flat: Mapping[str, Model], cavity: Cavity
+) -> tuple[Model, dict[str, Model]] | None:
+    """Return a box with places for flat things on their edges, and those; None: no room."""
+    turned = file_away(flat, cavity)
+    if turned is None:
+        return None
+    slots, made = list(vessel.slots), {}
+    for name, (rotation, middle) in turned.items():
+        stem = Stem(np.zeros(3), 0.0, 0.0, np.zeros((0, 4)))
+        made[name], at = _lean(flat[name], stem, Stance(rotation, middle))
+        slots.append(Slot(at / vessel.size, name=name))
+    return replace(vessel, slots=tuple(slots)), made
 
 
 def _lean(model: Model, stem: Stem, stance: Stance) -> tuple[Model, Float[np.ndarray, "3"]]:

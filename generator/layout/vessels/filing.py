@@ -1,0 +1,94 @@
+"""Flat things in a box: on their edges in a row, all leaning against one end, as records are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from ...scene import Model
+from .cavities import SECTORS, Cavity
+
+_LEAN = np.deg2rad(9.0)  # towards the end
+_SQUARE = 1.2  # how much farther a box's corners are from its middle than its sides
+_FLAT = 0.22  # thickness to width of what is filed
+_LEAST = 0.1  # metres that it is wide
+_GAP = 8e-4  # metres between things
+
+
+@dataclass(frozen=True)
+class _Box:
+    """Half of a box's inner length and width, and which of x (0) and y (1) is the longer one."""
+
+    length: float
+    width: float
+    axis: int
+
+
+def _box(cavity: Cavity) -> _Box | None:
+    """Return the room of a rectangular vessel, None for a round one."""
+    radii = cavity.radii[0]
+    across, corner = radii[:: SECTORS // 4], radii[SECTORS // 8 :: SECTORS // 4]
+    if corner.min() < _SQUARE * across.min():
+        return None
+    half = min(across[0], across[2]), min(across[1], across[3])
+    axis = int(half[1] > half[0])
+    return _Box(float(half[axis]), float(half[1 - axis]), axis)
+
+
+def is_flat(model: Model) -> bool:
+    """Tell whether a lying thing is as flat and wide as a book or a record."""
+    x, y, z = (float(v) for v in model.size)
+    return z < _FLAT * min(x, y) and min(x, y) > _LEAST
+
+
+def file_away(
+    things: Mapping[str, Model], cavity: Cavity
+) -> dict[str, tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]] | None:
+    """Return how each of flat lying things is turned in a box, and where its middle then is.
+
+    None where the box is round, or has no room for the row.
+    """
+    box = _box(cavity)
+    if box is None:
+        return None
+    sizes = [np.sort(np.asarray(m.size, float)) for m in things.values()]
+    thick = sum(float(size[0]) for size in sizes) / np.cos(_LEAN) + _GAP * len(sizes)
+    tall = max(min(float(size[1]), cavity.depth) for size in sizes)
+    if max(float(size[2]) for size in sizes) > 2 * box.width - 2 * _GAP:
+        return None
+    if thick + tall * np.sin(_LEAN) > 1.9 * box.length:
+        return None
+    return _row(things, sizes, box, cavity, tall)
+
+
+def _row(
+    things: Mapping[str, Model],
+    sizes: Sequence[Float[np.ndarray, "3"]],
+    box: _Box,
+    cavity: Cavity,
+    tall: float,
+) -> dict[str, tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]]:
+    c, s = np.cos(_LEAN), np.sin(_LEAN)
+    tip = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])  # +z leans towards -x
+    quarter = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    into = quarter if box.axis else np.eye(3)
+    at = -box.length + tall * s + _GAP
+    found = {}
+    for (name, model), size in zip(things.items(), sizes, strict=True):
+        upright = _on_edge(model)
+        foot = np.array([at + size[0] / 2 / c, 0.0, cavity.floor + size[0] / 2 * s + _GAP])
+        middle = foot + tip @ [0.0, 0.0, size[1] / 2]
+        found[name] = (into @ tip @ upright, into @ middle + [*cavity.middle, 0.0])
+        at += size[0] / c + _GAP
+    return found
+
+
+def _on_edge(model: Model) -> Float[np.ndarray, "3 3"]:
+    """Return the turn that stands a lying thing on its longer edge, its face to +x."""
+    face = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x, x down
+    if model.size[0] <= model.size[1]:
+        return face
+    return face @ np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
