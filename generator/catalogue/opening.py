@@ -41,7 +41,11 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
             ("rack", "empty_toast_rack", "toast bread_slice"),
             ("rack", "empty_wine_rack", "wine_bottle"),
             ("rack", "letter_rack", "letter envelope magazine newspaper postcard vinyl_record"),
-            ("flower pot", "plant_pot", "seedling cactus succulent rose tulip daisy sunflower lily"),
+            (
+                "flower pot",
+                "plant_pot",
+                "seedling cactus succulent rose tulip daisy sunflower lily",
+            ),
             ("pot", "plant_pot", "seedling cactus succulent rose tulip daisy sunflower lily"),
         )
         for kind in kinds.split()

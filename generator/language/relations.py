@@ -125,7 +125,8 @@ def is_container(planned: PlannedObject) -> bool:
 
 _STEMS: Mapping[str, float] = {
     "rose": 0.3, "tulip": 0.3, "daisy": 0.3, "sunflower": 0.2, "lily": 0.2, "carnation": 0.3,
-    "lavender": 0.5, "posy": 0.2, "bouquet": 0.2, "orchid": 0.3, "dried_flower": 0.4, "spoon": 0.4, "wooden_spoon": 0.4,
+    "lavender": 0.5, "posy": 0.2, "bouquet": 0.2, "orchid": 0.3, "dried_flower": 0.4,
+    "spoon": 0.4, "wooden_spoon": 0.4,
     "spatula": 0.4, "whisk": 0.4, "ladle": 0.3, "fork": 0.6, "lollipop": 0.3, "hairbrush": 0.5,
     "paint_brush": 0.6, "makeup_brush": 0.6, "straw": 0.4, "skimmer": 0.3,
 }  # fmt: skip

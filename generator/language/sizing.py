@@ -32,6 +32,8 @@ _PLACES = ("egg_carton",)
 
 _FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
 _LAYERS = 1.6  # layers in which more than three things lie
+_FLAT = 0.22  # thickness to width of what is filed in a box
+_LEAST = 0.1  # metres that it is wide
 _FLOOR = 0.72  # width of a round vessel's floor, as a share of its box's
 _COVERED = 0.7  # share of a tray that things may cover
 
@@ -138,12 +140,14 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
     inside = container and not relations.is_shallow(usual) and "in" in kinds
     if inside:
         sizes = [relations.put_in_size(thing, usual) for thing in held]
+        if len(sizes) > 2 and all(x > _LEAST < y and z < _FLAT * min(x, y) for x, y, z in sizes):
+            sizes = [(z, max(x, y), min(x, y)) for x, y, z in sizes]  # filed on their edges
     area = sum(float(size[0] * size[1]) for size in sizes)
     tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # no layers of these
     filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
-    if inside and tall:
+    if inside and tall and max(max(size[:2]) for size in sizes) < 0.5 * min(usual[:2]):
         needed = _across(sizes, planned) / min(usual[:2])
     for factor in np.linspace(1.0, most, 16):
         extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)

@@ -281,4 +281,5 @@ def _patches(
     first = np.argsort(middles[:, axis], kind="stable")[: len(faces) // 2]
     half = np.zeros(len(faces), bool)
     half[first] = True
-    return [p for side in (half, ~half) for p in _patches(places, faces[side], bare, sky, halvings - 1)]
+    halves = (faces[half], faces[~half])
+    return [p for few in halves for p in _patches(places, few, bare, sky, halvings - 1)]

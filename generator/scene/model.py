@@ -118,7 +118,8 @@ class Model:
     pieces in the canonical frame; without any, assembly decomposes the mesh. Things can be put into
     a ``container``. ``orientation``, a rotation matrix whose columns are the model's axes in the
     world, is how the modeler saw the thing in the picture, if it says: a hint that no bundle keeps.
-    Neither keeps it the ``slots``, which are the places for things in a holder. ``stand_in`` marks a plain thing that only stands for what it is called.
+    Neither keeps it the ``slots``, which are the places for things in a holder. ``stand_in`` marks
+    a plain thing that only stands for what it is called.
     """
 
     name: str

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -68,7 +69,7 @@ def measure_stem(model: Model) -> Stem:
     low, high = points[:, 2].min(), points[:, 2].max()
     edges = np.linspace(low, high, _SLICES + 1)
     middles, radii, spheres = [], [], []
-    for a, b in zip(edges[:-1], edges[1:], strict=True):
+    for a, b in pairwise(edges):
         slab = points[(points[:, 2] >= a) & (points[:, 2] <= b), :2]
         if len(slab):
             balls = _cover(slab, (a + b) / 2)
@@ -81,7 +82,7 @@ def measure_stem(model: Model) -> Stem:
 
 
 def _cover(slab: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "k 4"]:
-    """Return a few spheres in a row that cover a slice at height ``z``: of what is flat, several."""
+    """Return spheres in a row that cover a slice at height ``z``: of what is flat, several."""
     middle = (slab.min(0) + slab.max(0)) / 2
     _, axes = np.linalg.eigh(np.cov((slab - slab.mean(0)).T))
     spread = (slab - middle) @ axes
@@ -116,7 +117,8 @@ def arrange_bunch(
 ) -> list[Stance | None]:
     """Return how each thing stands in a vessel; None for one that finds no room.
 
-    ``strict`` gives up at the first of these. What is ``upright`` by itself stands straight where it can; all else leans against the rim.
+    ``strict`` gives up at the first of these. What is ``upright`` by itself stands straight where
+    it can; all else leans against the rim.
     """
     order = sorted(range(len(stems)), key=lambda k: -stems[k].core)
     placed: list[tuple[Stem, Stance]] = []
@@ -206,7 +208,7 @@ def _proposals(
     cost = 0.35 * np.abs(turn) + 1.5 * np.abs(high - ring.share)
     cost += 0.4 * np.abs(low - ring.share) + 0.2 * np.abs(twist - ring.twist)
     if straight:  # above its foot, at any place of the floor
-        tops = np.concatenate([feet + [0, 0, cavity.depth], tops])
+        tops = np.concatenate([feet + np.array([0, 0, cavity.depth]), tops])
         best = 0.15 if ring.count == 1 else 0.7 if ring.count < _MANY else ring.share
         cost = np.concatenate([0.05 * np.abs(turn) + 0.3 * np.abs(low - best), 3.0 + cost])
         feet = np.concatenate([feet, feet])
@@ -228,9 +230,7 @@ def _at(
     return np.column_stack([cavity.middle + away[:, None] * ways, np.full(len(angle), z)])
 
 
-def _thickness(
-    stem: Stem, along: Float[np.ndarray, "*n"]
-) -> Float[np.ndarray, "*n"]:
+def _thickness(stem: Stem, along: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
     """Return the radius of a stem at places along its axis, a head's no larger than the stem's."""
     heights, where = np.unique(stem.spheres[:, 2], return_inverse=True)
     radii = np.zeros(len(heights))

@@ -42,6 +42,7 @@ class Cavity:
 
     @property
     def depth(self) -> float:
+        """How deep it is."""
         return self.rim - self.floor
 
     @property
@@ -105,9 +106,7 @@ def _look_around(
     return np.where(solid.any(-1), first, np.inf)
 
 
-def _inside(
-    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]
-) -> Bool[np.ndarray, "n"]:
+def _inside(parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
     """Tell which points are inside of a part."""
     found = np.zeros(len(points), bool)
     for part in parts:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,22 +20,21 @@ _GAP = 8e-4  # metres between things
 
 @dataclass(frozen=True)
 class _Box:
-    """Half of a box's inner length and width, and which of x (0) and y (1) is the longer one."""
+    """Half of a box's room along a row of things and across it; it runs along x (0) or y (1)."""
 
     length: float
     width: float
     axis: int
 
 
-def _box(cavity: Cavity) -> _Box | None:
-    """Return the room of a rectangular vessel, None for a round one."""
+def _boxes(cavity: Cavity) -> list[_Box]:
+    """Return the two ways in which a row may run in a rectangular vessel; none in a round one."""
     radii = cavity.radii[0]
     across, corner = radii[:: SECTORS // 4], radii[SECTORS // 8 :: SECTORS // 4]
     if corner.min() < _SQUARE * across.min():
-        return None
-    half = min(across[0], across[2]), min(across[1], across[3])
-    axis = int(half[1] > half[0])
-    return _Box(float(half[axis]), float(half[1 - axis]), axis)
+        return []
+    x, y = float(min(across[0], across[2])), float(min(across[1], across[3]))
+    return sorted([_Box(x, y, 0), _Box(y, x, 1)], key=lambda box: -box.length)
 
 
 def is_flat(model: Model) -> bool:
@@ -51,22 +50,21 @@ def file_away(
 
     None where the box is round, or has no room for the row.
     """
-    box = _box(cavity)
-    if box is None:
-        return None
     sizes = [np.sort(np.asarray(m.size, float)) for m in things.values()]
     thick = sum(float(size[0]) for size in sizes) / np.cos(_LEAN) + _GAP * len(sizes)
-    tall = max(min(float(size[1]), cavity.depth) for size in sizes)
-    if max(float(size[2]) for size in sizes) > 2 * box.width - 2 * _GAP:
-        return None
-    if thick + tall * np.sin(_LEAN) > 1.9 * box.length:
-        return None
-    return _row(things, sizes, box, cavity, tall)
+    for box in _boxes(cavity):
+        for side in (1, 2):  # how high things stand: on the longer edge, or on the shorter one
+            tall = max(min(float(size[side]), cavity.depth) for size in sizes)
+            wide = max(float(size[3 - side]) for size in sizes)
+            room = 1.9 * box.length - tall * np.sin(_LEAN)
+            if wide <= 2 * box.width - 2 * _GAP and thick <= room:
+                return _row(things, side, box, cavity, tall)
+    return None
 
 
 def _row(
     things: Mapping[str, Model],
-    sizes: Sequence[Float[np.ndarray, "3"]],
+    side: int,
     box: _Box,
     cavity: Cavity,
     tall: float,
@@ -77,18 +75,19 @@ def _row(
     into = quarter if box.axis else np.eye(3)
     at = -box.length + tall * s + _GAP
     found = {}
-    for (name, model), size in zip(things.items(), sizes, strict=True):
-        upright = _on_edge(model)
+    for name, model in things.items():
+        size = np.sort(np.asarray(model.size, float))
+        upright = _on_edge(model, side)
         foot = np.array([at + size[0] / 2 / c, 0.0, cavity.floor + size[0] / 2 * s + _GAP])
-        middle = foot + tip @ [0.0, 0.0, size[1] / 2]
+        middle = foot + tip @ [0.0, 0.0, size[side] / 2]
         found[name] = (into @ tip @ upright, into @ middle + [*cavity.middle, 0.0])
         at += size[0] / c + _GAP
     return found
 
 
-def _on_edge(model: Model) -> Float[np.ndarray, "3 3"]:
-    """Return the turn that stands a lying thing on its longer edge, its face to +x."""
+def _on_edge(model: Model, side: int) -> Float[np.ndarray, "3 3"]:
+    """Return the turn that stands a lying thing as high as its ``side``, its face to +x."""
     face = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x, x down
-    if model.size[0] <= model.size[1]:
+    if (model.size[0] <= model.size[1]) == (side == 1):
         return face
     return face @ np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])

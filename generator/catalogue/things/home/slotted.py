@@ -15,7 +15,6 @@ from ...build.collision import box_part, hull_of
 from ...build.holder import Extent, Holder, read_room
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, tube
-from ...surfaces import textures
 from ...surfaces.look import Look
 
 _PLAY = 0.003  # metres of room in a place beside the thing
@@ -130,8 +129,11 @@ def wine_rack(look: Look) -> Shape:
     boards += [(post, back - front, bar, s * (x - post) / 2, (front + back) / 2, z)
                for s in (-1, 1) for z in (0.012, h - bar)]  # fmt: skip
     solids, parts = _boards(boards)
-    slots = [Slot(np.array([_centres(columns, pitch)[k % columns], 0.0,
-                            k // columns * level + 0.012 + bar])) for k in range(count)]  # fmt: skip
+    at = _centres(columns, pitch)
+    slots = [
+        Slot(np.array([at[k % columns], 0.0, k // columns * level + 0.012 + bar]))
+        for k in range(count)
+    ]
     return shape([(join(solids), wood)], parts, slots=slots)
 
 

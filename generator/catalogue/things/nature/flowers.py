@@ -167,7 +167,7 @@ def _straight(
     bloom = [(s.scale(1.1, 1.1, 1.1).turn(1, np.pi / 2 - nod), t) for s, t in head(look, color)]
     back = min(float(s.bounds[0, 0]) for s, _ in bloom)
     bloom = [(s.move(0.5 * length - max(back, -0.012)), t) for s, t in bloom]
-    stalk = rod([(-0.5 * length, 0, 0), (0, 0, 0), (0.5 * length, 0, 0)], 0.0022, 7)
+    stalk = rod([(-0.5 * length, 0, 0), (0, 0, 0), (0.5 * length, 0, 0)], 0.0022, 5)
     wide, deep = min(leaf[0], 0.045), min(leaf[1], 0.018)
     blades = [blade([(0, 0, 0), (0.5 * wide, 0, 0.006), (wide, 0, 0.003)], deep, thick=0.15)
               .turn(1, -0.4).turn(0, 2.4 * k).move((0.32 - 0.06 * k) * length)

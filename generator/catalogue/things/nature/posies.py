@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from ...build.category import Category
@@ -10,7 +12,6 @@ from ...build.recipes import rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, ellipsoid, join
 from ...surfaces import textures
-from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
 _COUNT = 11
@@ -28,26 +29,26 @@ def posy(look: Look) -> Shape:
         away, turn = np.sqrt((n + 0.5) / _COUNT), 2.4 * n
         way = np.array([0.0, np.cos(turn), np.sin(turn)])
         tip = way * 0.07 * away + [0.17 - 0.04 * away**2, 0, 0]
-        stems.append(rod([np.array([-0.17, 0, 0]) - 0.008 * away * way,
-                          way * 0.006 * away, tip], 0.0024, 6))  # fmt: skip
+        stems.append(rod([np.array([-0.17, 0, 0]) - 0.024 * away * way,
+                          way * 0.012 * away, tip], 0.0024, 6))  # fmt: skip
         bloom = join([ellipsoid(0.02, 0.046 * s, 0.046 * s, 8, 5).move(x=0.006 * m)
                       for m, s in enumerate((1.0, 0.78, 0.5))])  # fmt: skip
         heading = np.arctan2(way[1], way[2])
-        blooms[n % 3 == 2].append(
-            bloom.turn(1, 0.7 * away).turn(0, -heading).move(*tip)
-        )
+        blooms[n % 3 == 2].append(bloom.turn(1, 0.7 * away).turn(0, -heading).move(*tip))
         leaves.append(ellipsoid(0.06, 0.022, 0.005, 8, 4).turn(1, -0.3).turn(0, turn)
                       .move(*(0.55 * tip + [0.03, 0, 0])))  # fmt: skip
     pieces = [(join(stems), (84, 126, 64)), (join(leaves), (66, 110, 58))]
     skins = [(solid, textures.plain(tone)) for solid, tone in pieces]
-    skins += [(join(some), textures.speckles(look.rng, tone, 8))
-              for some, tone in zip(blooms, (color, tint_color(other, 1.0)), strict=True)]  # fmt: skip
+    skins += [
+        (join(some), textures.speckles(look.rng, tone, 8))
+        for some, tone in zip(blooms, (color, other), strict=True)
+    ]
     low = min(float(solid.bounds[0, 2]) for solid, _ in skins)
     made = [(solid.move(z=-low).scale(k, k, k), skin) for solid, skin in skins]
     points = np.concatenate([solid.vertices for solid, _ in made])
     cuts = (-1.0, 0.0, 0.09 * k, 1.0)
     near = [points[(points[:, 0] >= a - 0.02 * k) & (points[:, 0] <= b + 0.02 * k)]
-            for a, b in zip(cuts[:-1], cuts[1:], strict=True)]  # fmt: skip
+            for a, b in pairwise(cuts)]  # fmt: skip
     return shape(made, [whole_hull(p) for p in near])
 
 
