@@ -26,7 +26,7 @@ OPENED: Mapping[str, str] = MappingProxyType(
             "empty_dish_rack": "dish_rack",
             "empty_wine_rack": "wine_rack",
             "empty_knife_block": "knife_block",
-            "tube_rack": "test_tube_rack tube_stand",
+            "empty_tube_rack": "test_tube_rack tube_stand",
         }.items()
         for closed in kinds.split()
     }
@@ -37,7 +37,7 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
     {
         (word, kind): holder
         for word, holder, kinds in (
-            ("rack", "tube_rack", "test_tube"),
+            ("rack", "empty_tube_rack", "test_tube"),
             ("rack", "empty_toast_rack", "toast bread_slice"),
             ("rack", "empty_wine_rack", "wine_bottle"),
             ("rack", "letter_rack", "letter envelope magazine newspaper postcard vinyl_record"),

@@ -57,7 +57,6 @@ from .things.home import (
     open_vessels,
     ornaments,
     plants,
-    slotted,
     vanity,
 )
 from .things.kitchen import (
@@ -101,7 +100,7 @@ from .things.office import (
     supplies,
     writing,
 )
-from .things.parlour import keepers
+from .things.parlour import keepers, slotted
 from .things.sewing import cloths, notions
 from .things.sports import balls, sports, sportsgear
 from .things.tools import (

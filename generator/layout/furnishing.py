@@ -11,8 +11,8 @@ from jaxtyping import Float
 
 from .. import catalogue
 from ..catalogue.build.collision import resting_ball
-from ..catalogue.build.holder import write_room
 from ..catalogue.build.styles import STYLES
+from ..catalogue.holder import write_room
 from ..catalogue.stand_ins import build_stand_in
 from ..errors import SceneError
 from ..geometry import convex_outline

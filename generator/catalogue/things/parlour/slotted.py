@@ -12,16 +12,16 @@ import numpy as np
 from ....scene import ConvexPart, Slot
 from ...build.category import Category
 from ...build.collision import box_part, hull_of
-from ...build.holder import Extent, Holder, read_room
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, tube
+from ...holder import Extent, Holder, read_room
 from ...surfaces.look import Look
 
 _PLAY = 0.003  # metres of room in a place beside the thing
 _Placed = tuple[float, float, float, float, float, float]  # sides of a box, and where it stands
 
 
-def _asked(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
+def _read_request(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
     """Return how many places are asked for, and for how large things."""
     count = int(look.attributes.get("places", places))
     return count, read_room(look.attributes.get("room"), room)
@@ -32,7 +32,7 @@ def _centres(count: int, pitch: float) -> list[float]:
     return [(k - (count - 1) / 2) * pitch for k in range(count)]
 
 
-def _chosen(centres: list[float], count: int, z: float) -> list[Slot]:
+def _choose_slots(centres: list[float], count: int, z: float) -> list[Slot]:
     """Return ``count`` of the places, spread over the row."""
     which = np.linspace(0, len(centres) - 1, count).round().astype(int)
     return [Slot(np.array([centres[k], 0.0, z])) for k in which]
@@ -50,7 +50,7 @@ def _wire(a: Extent, b: Extent, r: float = 0.0025) -> Solid:
 
 def toast_rack(look: Look) -> Shape:
     """A rack of hoops on a base, empty."""
-    count, (a, b, c) = _asked(look, 4, (0.0144, 0.116, 0.116))
+    count, (a, b, c) = _read_request(look, 4, (0.0144, 0.116, 0.116))
     color = look.color("silver", "silver", "black", "copper", "white", "wooden")
     skin = look.surface(color, "metal")
     cells, r, floor = max(count, 4), 0.0024, 0.018
@@ -64,13 +64,13 @@ def toast_rack(look: Look) -> Shape:
            (0.2 * y, 0.91 * h), (0.4 * y, 0.66 * h), (0.42 * y, floor - 0.002)]  # fmt: skip
     hoops = [_wire((u, *a), (u, *b), r) for u in at for a, b in pairwise(bow)]
     parts = [hull_of(base), *map(hull_of, feet), *map(hull_of, hoops)]
-    slots = _chosen(_centres(cells, pitch), count, floor)
+    slots = _choose_slots(_centres(cells, pitch), count, floor)
     return shape([(join([base, *feet, *hoops]), skin)], parts, slots=slots)
 
 
 def dish_rack(look: Look) -> Shape:
     """A wire rack for dishes on its drip tray, empty: two rails carry what stands between pegs."""
-    count, (a, b, c) = _asked(look, 4, (0.024, 0.25, 0.25))
+    count, (a, b, c) = _read_request(look, 4, (0.024, 0.25, 0.25))
     color = look.color("silver", "black", "white", "silver", "copper", "sage")
     wire = look.surface(color, "metal")
     tray_tile = look.surface(look.own_color("white", "black", "gray", "sky"), "plastic")
@@ -91,13 +91,13 @@ def dish_rack(look: Look) -> Shape:
         rods.append(_wire((-x / 2, v, rail), (x / 2, v, rail), r))
         rods += [_wire((u, v, rail), (u, v, rail + peg), r) for u in _centres(cells + 1, pitch)]
     parts = [hull_of(tray), *map(hull_of, rods)]
-    slots = _chosen(_centres(cells, pitch), count, rail + r)
+    slots = _choose_slots(_centres(cells, pitch), count, rail + r)
     return shape([(tray, tray_tile), (join(rods), wire)], parts, slots=slots)
 
 
 def letter_rack(look: Look) -> Shape:
     """A rack of upright boards, rising to the back, for letters and magazines."""
-    count, (a, b, c) = _asked(look, 3, (0.012, 0.19, 0.12))
+    count, (a, b, c) = _read_request(look, 3, (0.012, 0.19, 0.12))
     color = look.color("wooden", "brown", "white", "black", "gold", "wooden", "teal")
     skin = look.surface(color, look.pick(["wood", "metal"]))
     wall, floor = 0.005, 0.01
@@ -109,13 +109,13 @@ def letter_rack(look: Look) -> Shape:
     rows = [(wall, y, float(h), u, 0.0, floor)
             for u, h in zip(_centres(cells + 1, pitch), heights, strict=True)]  # fmt: skip
     solids, parts = _boards([base, *rows])
-    slots = _chosen(_centres(cells, pitch), count, floor)
+    slots = _choose_slots(_centres(cells, pitch), count, floor)
     return shape([(join(solids), skin)], parts, slots=slots)
 
 
 def wine_rack(look: Look) -> Shape:
     """A wooden rack for bottles of wine lying down, empty."""
-    count, (a, b, c) = _asked(look, 4, (0.075, 0.31, 0.075))
+    count, (a, b, c) = _read_request(look, 4, (0.075, 0.31, 0.075))
     wood = look.surface(look.color("wooden", "brown", "black", "tan", "charcoal"), "wood")
     columns = max(2, min(3, count))
     rows = max(-(-count // columns), 1 if columns == 3 else 2)
@@ -139,7 +139,7 @@ def wine_rack(look: Look) -> Shape:
 
 def knife_block(look: Look) -> Shape:
     """A wooden block with slots for knives, empty."""
-    count, (a, b, c) = _asked(look, 5, (0.014, 0.04, 0.25))
+    count, (a, b, c) = _read_request(look, 5, (0.014, 0.04, 0.25))
     skin = look.surface(look.color("wooden", "brown", "black", "tan", "white"), "wood")
     wall, floor, h = 0.007, 0.012, 0.62 * c
     cells, pitch = max(count, 3), a + _PLAY + wall
@@ -148,13 +148,13 @@ def knife_block(look: Look) -> Shape:
     boards += [(wall, y, h - floor, u, 0.0, floor) for u in _centres(cells + 1, pitch)]
     boards += [(x, wall, h - floor, 0.0, s * (y + wall) / 2, floor) for s in (-1, 1)]
     solids, parts = _boards(boards)
-    slots = _chosen(_centres(cells, pitch), count, floor)
+    slots = _choose_slots(_centres(cells, pitch), count, floor)
     return shape([(join(solids), skin)], parts, slots=slots)
 
 
 def tube_rack(look: Look) -> Shape:
     """An empty rack for test tubes: a board with holes over a base."""
-    count, (a, b, c) = _asked(look, 6, (0.0214, 0.0214, 0.142))
+    count, (a, b, c) = _read_request(look, 6, (0.0214, 0.0214, 0.142))
     color = look.color("wooden", "white", "blue", "wooden", "beige")
     wood = look.surface(color, "wood")
     hole, wall, cells = max(a, b) / 2 + 0.001, 0.007, max(count, 4)
@@ -167,7 +167,7 @@ def tube_rack(look: Look) -> Shape:
     bars = _centres(cells + 1, pitch)
     boards += [(pitch - 2 * hole, 2 * hole, wall, u, 0.0, top - wall) for u in bars]
     solids, parts = _boards(boards)
-    slots = _chosen(_centres(cells, pitch), count, wall)
+    slots = _choose_slots(_centres(cells, pitch), count, wall)
     return shape([(join(solids), wood)], parts, slots=slots)
 
 
@@ -187,7 +187,7 @@ CATEGORIES = (
     Category("empty_knife_block", knife_block, (0.127, 0.057, 0.155), 1.2,
              ("empty knife holder",), ("kitchen",), ("tall",), ("wooden",),
              holder=Holder("end", (0.04, 0.09, 0.38))),
-    Category("tube_rack", tube_rack, (0.2124, 0.0594, 0.0639), 0.15, ("vial stand",),
+    Category("empty_tube_rack", tube_rack, (0.2124, 0.0594, 0.0639), 0.15, ("vial stand",),
              ("lab",), ("big",), ("wooden",), holder=Holder("end", (0.04, 0.04, 0.22))),
 )  # fmt: skip
 """The module's categories."""
