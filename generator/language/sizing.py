@@ -34,6 +34,7 @@ _FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
 _LAYERS = 1.6  # layers in which more than three things lie
 _FLAT = 0.22  # thickness to width of what is filed in a box
 _LEAST = 0.1  # metres that it is wide
+_LITTLE = 1.35
 _FLOOR = 0.72  # width of a round vessel's floor, as a share of its box's
 _COVERED = 0.7  # share of a tray that things may cover
 
@@ -147,8 +148,9 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
     filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
-    if inside and tall and max(max(size[:2]) for size in sizes) < 0.5 * min(usual[:2]):
+    if inside and tall:  # where a little more is enough, the layout finds out how much
         needed = _across(sizes, planned) / min(usual[:2])
+        needed = needed if needed > _LITTLE else 1.0
     for factor in np.linspace(1.0, most, 16):
         extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)
         fit = all(

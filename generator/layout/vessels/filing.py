@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
@@ -56,10 +56,25 @@ def file_away(
         for side in (1, 2):  # how high things stand: on the longer edge, or on the shorter one
             tall = max(min(float(size[side]), cavity.depth) for size in sizes)
             wide = max(float(size[3 - side]) for size in sizes)
-            room = 1.9 * box.length - tall * np.sin(_LEAN)
+            start = _start(box, wide, cavity)
+            room = 1.9 * box.length - tall * np.sin(_LEAN) - start
             if wide <= 2 * box.width - 2 * _GAP and thick <= room:
-                return _row(things, side, box, cavity, tall)
+                return _row(things, side, replace(box, length=box.length - start), cavity, tall)
     return None
+
+
+def _start(box: _Box, wide: float, cavity: Cavity) -> float:
+    """Return how far from the end a row has room for its width: boxes have posts in corners."""
+    for start in np.linspace(0.0, 0.2 * box.length, 12):
+        ends = np.array([[start - box.length, s * wide / 2, z] for s in (-1, 1)
+                         for z in (cavity.floor, cavity.rim)])  # fmt: skip
+        if box.axis:
+            ends[:, :2] = ends[:, 1::-1] * [-1, 1]
+        ends[:, :2] += cavity.middle
+        away = np.hypot(*(ends[:, :2] - cavity.middle).T)
+        if (away <= cavity.wall(ends) + _GAP).all():
+            return float(start)
+    return 0.2 * box.length
 
 
 def _row(
