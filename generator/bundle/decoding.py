@@ -61,6 +61,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
         key: arguments(
             Model, model, f"scene.json.models[{key[:40]!r}]",
             frozenset({"stand_in"}), mesh=str, texture=str, opacity=float, orientation=None,
+            slots=None,
         )
         for key, model in entry.pop("models").items()
     }  # fmt: skip

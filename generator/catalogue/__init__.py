@@ -4,7 +4,16 @@
 """
 
 from .build.category import Category
+from .opening import cut_category, open_category
 from .registry import CATEGORIES, build, category
 from .tables import build_table
 
-__all__ = ["CATEGORIES", "Category", "build", "build_table", "category"]
+__all__ = [
+    "CATEGORIES",
+    "Category",
+    "build",
+    "build_table",
+    "category",
+    "cut_category",
+    "open_category",
+]

@@ -85,7 +85,7 @@ from .things.leisure import (
     toys,
 )
 from .things.music import instruments, music, percussion
-from .things.nature import finds, flowers, gardening, greenery
+from .things.nature import finds, flowers, gardening, greenery, posies
 from .things.nursery import animals, baby, dinosaurs, play, vehicles
 from .things.office import (
     cards,
@@ -100,7 +100,7 @@ from .things.office import (
     supplies,
     writing,
 )
-from .things.parlour import keepers
+from .things.parlour import keepers, slotted
 from .things.sewing import cloths, notions
 from .things.sports import balls, sports, sportsgear
 from .things.tools import (
@@ -201,6 +201,7 @@ _ON_REQUEST = (
     flowers,
     gardening,
     greenery,
+    posies,
     candlelight,
     characters,
     christmas,
@@ -221,6 +222,7 @@ _ON_REQUEST = (
     chores,
     pets,
     open_vessels,
+    slotted,
     machines,
     mixing,
     jars,

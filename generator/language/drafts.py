@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
+from ..catalogue import CATEGORIES, open_category
 from ..errors import InputError
 from ..scene import GroupKind
-from .relations import fits, is_shallow
+from .relations import body_size, fits, is_shallow
 from .sizing import largest_size
 from .syntax.phrases.tree import Noun
 
@@ -143,10 +143,10 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
         return not any(d.relations for d in group)
     if any(not d.category for d in (group[0], target)):
         return False
-    outer = CATEGORIES[str(target.category)]
+    outer = CATEGORIES[open_category(str(target.category))]
     room = largest_size(outer.key)
     return all(
-        fits(kind, CATEGORIES[str(d.category)].size, room, outer.container) and not d.relations
+        fits(kind, body_size(str(d.category)), room, outer.container) and not d.relations
         for d in group
     )
 
@@ -162,11 +162,13 @@ def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
     if owner.category is None:
         return "in" if held else "next_to"
-    outer = CATEGORIES[owner.category]
+    outer = CATEGORIES[open_category(owner.category, owner.noun, draft.category or "")]
     if draft.category is None:
         return "next_to" if not held else "in" if outer.container else "on"
-    inner = CATEGORIES[draft.category].size
-    open_to = held or min(inner) < 0.06 or owner.category in _CARRIERS
+    inner = body_size(draft.category)
+    if outer.holder is not None and outer.holder.takes(CATEGORIES[draft.category].size):
+        return "in"
+    open_to = held or min(inner) < 0.06 or outer.key in _CARRIERS
     room = largest_size(outer.key)
     laid = is_shallow(room) and "support" in outer.roles
     if fits("in", inner, room, outer.container) and open_to and not laid:

@@ -11,6 +11,7 @@ from ..catalogue.stand_ins import FAMILIES, GENERIC, stand_in_size
 from ..errors import InputError
 from ..scene import TABLE, PlannedObject, Relation, RelationKind
 
+Extent = tuple[float, float, float]
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))
 OPPOSITE: Mapping[str, str] = {
     "left_of": "right_of", "right_of": "left_of", "behind": "in_front_of", "in_front_of": "behind",
@@ -122,6 +123,23 @@ def is_container(planned: PlannedObject) -> bool:
     return CATEGORIES[planned.category].container
 
 
+_STEMS: Mapping[str, float] = {
+    "rose": 0.3, "tulip": 0.3, "daisy": 0.3, "sunflower": 0.2, "lily": 0.2, "carnation": 0.3,
+    "lavender": 0.5, "posy": 0.2, "bouquet": 0.2, "orchid": 0.3, "dried_flower": 0.4,
+    "spoon": 0.4, "wooden_spoon": 0.4,
+    "spatula": 0.4, "whisk": 0.4, "ladle": 0.3, "fork": 0.6, "lollipop": 0.3, "hairbrush": 0.5,
+    "paint_brush": 0.6, "makeup_brush": 0.6, "straw": 0.4, "skimmer": 0.3,
+}  # fmt: skip
+"""What share of its width and height a long thing has below its head, where it is in a vessel."""
+
+
+def body_size(category: str) -> tuple[float, float, float]:
+    """Return the extent in metres of what goes into a vessel: a flower without its blossom."""
+    x, y, z = CATEGORIES[category].size
+    share = _STEMS.get(category, 1.0)
+    return x, y * share, z * share
+
+
 _FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "laptop": 0.9}
 """What share of its width and depth a thing with a foot stands on."""
 
@@ -131,6 +149,23 @@ def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
     x, y, z = size_of(planned)
     share = _FOOT.get(planned.category, 1.0)
     return x * share, y * share, z
+
+
+def has_place(planned: PlannedObject, target: PlannedObject) -> bool:
+    """Tell whether a holder can have a place for a planned thing."""
+    holder = None if target.category == GENERIC else CATEGORIES[target.category].holder
+    if holder is None:
+        return "places" in target.attributes
+    return holder.takes(size_of(planned))
+
+
+def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> Extent:
+    """Return the extent of a thing in a vessel: a long one stands there, its head above the rim."""
+    x, y, z = standing_size(planned)
+    stem = _STEMS.get(planned.category, 1.0)
+    if x < 0.85 * min(vessel[:2]) or (stem == 1.0 and x < 2.2 * max(y, z)):
+        return x, y, z
+    return z * stem, y * stem, x
 
 
 _CLOSED = frozenset({"jar", "bottle", "can", "tea_tin", "milk_carton", "screw_box", "wine_bottle"})
@@ -148,9 +183,10 @@ def _plausible(
         relation = Relation("on" if relation.kind == "center" else "next_to", target.name)
     if relation.kind not in _SUPPORTED:
         return relation
-    if "places" in target.attributes:
+    if "places" in target.attributes and has_place(planned, target):
         return Relation("in", target.name)
-    inner, outer = standing_size(planned), size_of(target)
+    outer = size_of(target)
+    inner = put_in_size(planned, outer) if relation.kind == "in" else standing_size(planned)
     container = is_container(target)
     if relation.kind == "in" and fits("in", inner, outer, container):
         return relation
@@ -178,5 +214,6 @@ def fits(
         mouth = 0.85 * min(outer[:2])
         upright = inner[2] == longest or narrow < 0.5 * mouth
         widest = middle if upright else max(inner[:2])
-        return container and widest <= mouth and longest < 2.6 * outer[2]
+        on_edge = narrow < 0.15 * middle and middle <= 0.85 * max(outer[:2])
+        return container and (widest <= mouth or on_edge) and longest < 2.8 * outer[2]
     return min(inner[:2]) <= 1.25 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])

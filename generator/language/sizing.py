@@ -1,4 +1,4 @@
-"""Vessels and carriers grown to hold what the text puts in or on them.
+"""Vessels and carriers that stand open, and are large enough, for what a text puts there.
 
 A fruit bowl is larger than a cereal bowl, a tray for a tea service larger than one for two cups:
 what carries something is as large as it has to be, within what such things can be.
@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
+from ..catalogue import CATEGORIES, cut_category, open_category
 from ..scene import PlannedObject
 from . import relations
 
@@ -22,6 +22,7 @@ _GROWTH: Mapping[str, float] = {
     "cutting_board": 1.6, "book": 1.35, "toolbox": 1.4, "cake_stand": 1.4, "generic": 1.6,
     "serving_bowl": 1.6, "mixing_bowl": 1.4, "serving_platter": 1.5, "crate": 1.5, "open_box": 1.8,
     "tool_caddy": 1.4, "lunch_box": 1.3, "cooling_rack": 1.4, "baking_dish": 1.3, "desk_tray": 1.3,
+    "bucket": 1.6, "open_ice_bucket": 1.3,
 }  # fmt: skip
 """How much larger than usual a carrier may be."""
 
@@ -31,6 +32,10 @@ _PLACES = ("egg_carton",)
 
 _FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
 _LAYERS = 1.6  # layers in which more than three things lie
+_FLAT = 0.22  # thickness to width of what is filed in a box
+_LEAST = 0.1  # metres that it is wide
+_LITTLE = 1.35
+_FLOOR = 0.72  # width of a round vessel's floor, as a share of its box's
 _COVERED = 0.7  # share of a tray that things may cover
 
 
@@ -42,7 +47,11 @@ def largest_size(category: str) -> Extent:
 
 
 def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, those that carry too much for their usual size grown."""
+    """Return the objects, those that carry too much for their usual size grown.
+
+    What is closed or full, and holds something, stands open; a rack has as many places as it holds.
+    """
+    objects = _open(objects)
     names = {o.name: o for o in objects}
     held: dict[str, list[str]] = {}
     kinds: dict[str, set[str]] = {}
@@ -64,17 +73,61 @@ def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     return [done[o.name] for o in objects]
 
 
+def holds_things(category: str) -> bool:
+    """Tell whether a category is a vessel, as it stands or with its lid off."""
+    return CATEGORIES[open_category(category)].container
+
+
+def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, vessels and racks that something is in open and empty."""
+    names = {o.name: o for o in objects}
+    inside: dict[str, list[PlannedObject]] = {}
+    for planned in objects:
+        for relation in planned.relations:
+            if relation.kind == "in" and relation.target in names:
+                inside.setdefault(relation.target, []).append(planned)
+    changed: dict[str, PlannedObject] = {}
+    for name, held in inside.items():
+        target = names[name]
+        for k, thing in enumerate(held):
+            kind = cut_category(thing.category, target.category, k)
+            changed[thing.name] = replace(thing, category=kind)
+    for name, held in inside.items():
+        kind = open_category(names[name].category, names[name].noun, held[0].category)
+        changed[name] = replace(changed.get(name, names[name]), category=kind)
+    return [changed.get(o.name, o) for o in objects]
+
+
 def _grow(
     planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]
 ) -> PlannedObject:
     if planned.category in _PLACES and held:
-        places = {"state": "empty", "places": str(len(held))}
+        count = len(held)
+    else:
+        count = sum(relations.has_place(o, planned) for o in held) if _is_holder(planned) else 0
+    if count:
+        places = {"state": "empty", "places": str(count)}
         return replace(planned, attributes={**planned.attributes, **places})
     factor = _factor(planned, held, kinds)
     if factor <= 1.0 or planned.size is not None:
         return planned
     x, y, z = relations.size_of(planned)
     return replace(planned, size=(factor * x, factor * y, factor * z))
+
+
+def _is_holder(planned: PlannedObject) -> bool:
+    return planned.category in CATEGORIES and CATEGORIES[planned.category].holder is not None
+
+
+def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
+    """Return the width of a vessel in which things stand side by side, metres.
+
+    About 0.9 + 0.87 sqrt(n) diameters hold n circles in a circle; what is round narrows downwards.
+    """
+    known = CATEGORIES.get(vessel.category)
+    floor = _FLOOR if known is not None and "round" in known.roles else 0.95
+    wide = float(np.mean([max(size[:2]) for size in sizes]))
+    return 1.1 * wide * (0.9 + 0.87 * float(np.sqrt(len(sizes)))) / floor
 
 
 def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]) -> float:
@@ -85,11 +138,19 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
     container = relations.is_container(planned)
     most = _GROWTH.get(planned.category, _OTHERS)
     sizes = [relations.standing_size(thing) for thing in held]
-    area = sum(float(size[0] * size[1]) for size in sizes)
     inside = container and not relations.is_shallow(usual) and "in" in kinds
-    filled = _FILLED * (_LAYERS if len(held) > 3 else 1.0)
+    if inside:
+        sizes = [relations.put_in_size(thing, usual) for thing in held]
+        if len(sizes) > 2 and all(x > _LEAST < y and z < _FLAT * min(x, y) for x, y, z in sizes):
+            sizes = [(z, max(x, y), min(x, y)) for x, y, z in sizes]  # filed on their edges
+    area = sum(float(size[0] * size[1]) for size in sizes)
+    tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # no layers of these
+    filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
+    if inside and tall:  # where a little more is enough, the layout finds out how much
+        needed = _across(sizes, planned) / min(usual[:2])
+        needed = needed if needed > _LITTLE else 1.0
     for factor in np.linspace(1.0, most, 16):
         extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)
         fit = all(

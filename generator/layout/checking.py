@@ -41,17 +41,19 @@ NEAR = 0.15
 
 _TOUCH = 1e-3  # metres within which things touch
 _CLEAR = 0.01  # metres by which a side must be told apart
+_FOOT = 0.1  # share of a thing's height that its foot is
 _RIM = 0.04  # metres that the centre of what is in a vessel may be above its rim
 
 
 @dataclass(frozen=True, eq=False)
 class _Thing:
-    """Where one thing rests: its outline from above, lowest and highest point, metres."""
+    """Where one thing rests: its outline from above, its foot, lowest and highest point, metres."""
 
     center: Float[np.ndarray, "3"]
     outline: Float[np.ndarray, "k 2"]
     low: float
     high: float
+    foot: Float[np.ndarray, "2"]
 
     @property
     def half(self) -> Float[np.ndarray, "2"]:
@@ -177,10 +179,9 @@ def correct_supports(scene: Scene, rest: Rest) -> Scene:
 def _rest(model: Model, scale: Float[np.ndarray, "3"], pose: Pose) -> _Thing:
     turn = quaternion_matrix(pose.quaternion)
     points = np.asarray(model.mesh.vertices, float) * scale @ turn.T + pose.position
-    return _Thing(
-        np.asarray(pose.position), convex_outline(points[:, :2]),
-        float(points[:, 2].min()), float(points[:, 2].max()),
-    )  # fmt: skip
+    low, high = float(points[:, 2].min()), float(points[:, 2].max())
+    foot = points[points[:, 2] <= low + _FOOT * (high - low), :2].mean(0)
+    return _Thing(np.asarray(pose.position), convex_outline(points[:, :2]), low, high, foot)
 
 
 def _margin(
@@ -218,7 +219,8 @@ def _is_carried(name: str, support: str, rest: Rest, inside: bool) -> bool:
     """Tell whether a thing rests on (or in) another, perhaps by way of what is there with it."""
     own, target = rest.things[name], rest.things[support]
     if inside:
-        within = float(inside_margin(own.center[None, :2], target.outline)[0]) > 0
+        either = np.stack([own.center[:2], own.foot])
+        within = float(inside_margin(either, target.outline).max()) > 0
         deep = own.center[2] < target.high + _RIM or own.low < target.high - 1e-3
         if not (within and deep):
             return False

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from jaxtyping import Float
@@ -11,12 +12,25 @@ from jaxtyping import Float
 from .. import catalogue
 from ..catalogue.build.collision import resting_ball
 from ..catalogue.build.styles import STYLES
+from ..catalogue.holder import write_room
 from ..catalogue.stand_ins import build_stand_in
 from ..errors import SceneError
 from ..geometry import convex_outline
 from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, ScenePlan
 from .footprint import footprint
 from .postures import pose, stand_up
+from .vessels.cavities import find_cavity
+from .vessels.filing import is_flat
+from .vessels.holding import (
+    LIES,
+    file_in_box,
+    fill_vessel,
+    head_up,
+    leans,
+    name_slots,
+    room_of,
+    stand_in_holder,
+)
 
 _FILLING: Mapping[Density, float] = {"sparse": 0.25, "normal": 0.42, "dense": 0.62}
 """Share of a tabletop that objects and the room around them may take."""
@@ -31,31 +45,76 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     The plan's style decides how they are drawn, if it is one of the catalogue's.
 
     Equal planned things ("two red mugs") look alike, since they share the seed. A long thin thing
-    that goes into a vessel stands upright, as a pencil does in a mug, unless the vessel is as wide
-    as it is long, and so does an egg in the place that a carton has for it.
+    that goes into a vessel stands and leans, as a pencil does in a mug, unless the vessel is as
+    wide as it is long; what a rack or a carton has a place for stands in its place.
     """
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
-    holding = {r.target for o in plan.objects for r in o.relations if r.kind == "in"}
+    seeds_of: dict[str, int] = {}
+    standing = {o.name for o in plan.objects if any(r.kind == "in" for r in o.relations)}
     for planned in plan.objects:
         kind = (planned.category, planned.noun, str(sorted(planned.attributes.items())))
         number = seeds.setdefault(kind, len(seeds))
-        if planned.category == "vase" and planned.name in holding:  # without flowers of its own
-            planned = replace(planned, attributes={"state": "empty", **planned.attributes})
-        built = _build(planned, plan.style, seed * 1009 + number)
+        if planned.name in standing:
+            planned = replace(planned, attributes={**planned.attributes, "stands": "in a vessel"})
+        built = _build(planned, style=plan.style, seed=seed * 1009 + number)
+        seeds_of[planned.name] = seed * 1009 + number
         models[planned.name] = pose(built, planned.attributes.get("posture", ""))
-    by_name = {o.name: o for o in plan.objects}
+    held: dict[str, list[PlannedObject]] = {}
     for planned in plan.objects:
         for relation in planned.relations:
-            if relation.kind == "in" and relation.target in by_name:
-                own = models[planned.name]
-                fitted = "places" in by_name[relation.target].attributes
-                mouth = float(models[relation.target].size[:2].min())
-                if not fitted and own.size[0] < mouth / _LIES:
-                    continue
-                model = stand_up(own, 1.0 if fitted else 3.0)
-                models[planned.name] = replace(model, parts=_FITTED) if fitted else model
+            if relation.kind == "in" and relation.target in models:
+                held.setdefault(relation.target, []).append(planned)
+    for holder in plan.objects:
+        if holder.name in held:
+            rebuild = partial(_build, style=plan.style, seed=seeds_of[holder.name])
+            models |= _put_in(holder, held[holder.name], models, rebuild)
     return models
+
+
+def _put_in(
+    target: PlannedObject,
+    held: Sequence[PlannedObject],
+    models: Mapping[str, Model],
+    rebuild: Callable[[PlannedObject], Model],
+) -> dict[str, Model]:
+    """Return the models of things as they are in a vessel or a rack, and its own."""
+    names = [planned.name for planned in held]
+    if "places" not in target.attributes:
+        return _put_in_vessel(target, held, models)
+    kind = catalogue.CATEGORIES[target.category].holder
+    if kind is None:
+        return {n: replace(stand_up(models[n], 1.0), parts=_FITTED) for n in names}
+    standing = {n: stand_in_holder(models[n], kind) for n in names}
+    room = write_room(room_of(list(standing.values())))
+    made = rebuild(replace(target, attributes={**target.attributes, "room": room}, size=None))
+    return {**standing, target.name: name_slots(made, names)}
+
+
+def _put_in_vessel(
+    target: PlannedObject, held: Sequence[PlannedObject], models: Mapping[str, Model]
+) -> dict[str, Model]:
+    """Return the models of things in a vessel; long ones stand, and lean as they find room."""
+    vessel = models[target.name]
+    cavity = find_cavity(vessel)
+    if cavity is None:
+        return {p.name: stand_up(models[p.name], 3.0) for p in held}
+    flat = {p.name: models[p.name] for p in held if is_flat(models[p.name])}
+    wide = max((float(min(m.size[:2])) for m in flat.values()), default=0.0)
+    if len(flat) == len(held) and (len(flat) > 2 or wide > LIES * cavity.mouth):
+        filed = file_in_box(vessel, flat, cavity)
+        if filed is not None:
+            return {**filed[1], target.name: filed[0]}
+    standing: dict[str, Model] = {}
+    for planned in held:
+        own = models[planned.name]
+        if own.size[:2].max() > LIES * cavity.mouth or own.size[2] > own.size[:2].max():
+            upright = stand_up(own, 1.7)
+            standing[planned.name] = upright if upright is own else head_up(upright)
+    long = {n: m for n, m in standing.items() if leans(m, cavity)}
+    alone = {n: models[n].size[2] > models[n].size[:2].max() for n in long}
+    vessel, leaning = fill_vessel(vessel, long, alone, may_grow=target.size is None)
+    return {**standing, **leaning, target.name: vessel}
 
 
 def find_fitted(plan: ScenePlan) -> set[str]:
@@ -68,13 +127,11 @@ def find_fitted(plan: ScenePlan) -> set[str]:
     return vessels | contents
 
 
-_LIES = 0.9  # share of its length that a vessel's mouth has where a long thing lies in it
-
 _FITTED = (ConvexPart(resting_ball(1.0, 1.0, 1.0).vertices - [0.0, 0.0, 0.5]),)
 """Collision shape of a round thing that stands in its place, in the canonical frame."""
 
 
-def _build(planned: PlannedObject, style: str, seed: int) -> Model:
+def _build(planned: PlannedObject, *, style: str, seed: int) -> Model:
     if planned.category == "generic":
         return build_stand_in(planned.family, planned.noun, seed, planned.attributes, planned.size)
     drawn = {"style": style} if style in STYLES else {}

@@ -9,7 +9,8 @@ import numpy as np
 from jaxtyping import Float
 
 from ..catalogue import CATEGORIES
-from ..scene import TABLE, Density, Model, Placement, PlannedObject, ScenePlan
+from ..geometry import rotation_z
+from ..scene import TABLE, Density, Model, Placement, PlannedObject, ScenePlan, Slot
 from . import stacking
 from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
@@ -51,8 +52,15 @@ def put_on(
     state: State,
     shapes: dict[str, Footprint],
 ) -> bool:
-    """Lower an object onto or into its support, at the place where it comes to lie deepest."""
+    """Lower an object onto or into its support, at the place where it comes to lie deepest.
+
+    What has a place of its own there, as in a rack, goes there.
+    """
     base = state.places[support]
+    slot = next((s for s in models[support].slots if s.name == planned.name), None)
+    if slot is not None:
+        _put_in_slot(planned.name, slot, models[planned.name], base, state, shapes)
+        return True
     inside = any(r.kind == "in" and r.target == support for r in planned.relations)
     sharing = [o.name for o in plan.objects if support_of(o) == support]
     alone = len(sharing) == 1
@@ -84,6 +92,23 @@ def put_on(
                 state.fields[support] = ground.with_thing(model, placement)
                 return True
     return False
+
+
+def _put_in_slot(
+    name: str,
+    slot: Slot,
+    model: Model,
+    base: Placement,
+    state: State,
+    shapes: dict[str, Footprint],
+) -> None:
+    """Put a thing in its place of a holder that stands at ``base``."""
+    yaw = base.yaw + slot.yaw
+    at = base.translation + rotation_z(base.yaw) @ (slot.at * base.scale)
+    at = at + np.array([0.0, 0.0, float(model.size[2]) / 2])
+    shapes[name] = footprint(model, yaw)
+    state.places[name] = Placement(name, yaw, at, model.size, base.name, True)
+    state.neighbours[name] = Neighbour(shapes[name], at[:2])
 
 
 _TURNS = (0.0, np.pi / 3, -np.pi / 3, np.pi / 2)

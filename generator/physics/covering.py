@@ -14,10 +14,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy.ndimage import maximum_filter
 from scipy.spatial import ConvexHull, QhullError
 
 from ..scene import ConvexPart
@@ -33,6 +35,7 @@ _REACH = 6e-3  # a part grows at most by this, metres; what is farther out gets 
 _ROUNDS = 8  # most times that a hull is grown
 _BURIED = 1e-3  # growth may cover what is drawn by this much, metres
 _OVERHANG = 3e-3  # what lies this far below the top of its column is covered, metres
+_HOLLOW = 0.01  # metres over a surface from which on a hull fills what is hollow
 _MUCH = 1e-3  # a convex piece is hulled as it is if it is _LARGE and sticks out by this, metres
 _LARGE = 0.3  # share of the shape's longest side
 _FEW = 48  # corners that need no thinning
@@ -60,7 +63,8 @@ def covering(
         lacking = _lacking(parts, drawn)
     if not len(lacking):
         return tuple(parts)
-    bare = drawn[_seen_from_above(drawn, normals)]
+    sky = _Sky.over(drawn)
+    bare = drawn[_seen_from_above(drawn, normals, sky)]
     bare = bare[_lacking(parts, bare, _BURIED / 2)]
     grown = list(parts)
     out = np.stack([outside(part, drawn[lacking]) for part in parts])
@@ -75,7 +79,7 @@ def covering(
     bad[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
     left = np.asarray(bad[: len(places)][faces].any(1))
     left[owner[bad[len(places) :]]] = True
-    return (*grown, *_patches(places, faces[left], bare))
+    return (*grown, *_patches(places, faces[left], bare, sky))
 
 
 def _lacking(
@@ -116,13 +120,44 @@ def _surface(
     return np.concatenate([places, between]), np.concatenate([normals, turn[owner]]), owner
 
 
-def _seen_from_above(drawn: Points, normals: Points) -> Bool[np.ndarray, "n"]:
+@dataclass(frozen=True, eq=False)
+class _Sky:
+    """How high the drawn surface is in each cell of a grid; -inf where none was looked at."""
+
+    low: Float[np.ndarray, "2"]
+    cell: float
+    top: Float[np.ndarray, "49 49"]
+
+    @classmethod
+    def over(cls, drawn: Points) -> _Sky:
+        low, cell = drawn[:, :2].min(0), float(np.ptp(drawn, axis=0).max()) / 48
+        top = np.full((49, 49), -np.inf)
+        np.maximum.at(top, tuple(((drawn[:, :2] - low) / cell).astype(int).T), drawn[:, 2])
+        return cls(low, cell, top)
+
+    def height(self, points: Points) -> Float[np.ndarray, "n"]:
+        """Return how high the surface is where points are."""
+        return self.top[tuple(((points[:, :2] - self.low) / self.cell).astype(int).T)]
+
+    def fills(self, part: ConvexPart) -> bool:
+        """Whether a part spans room that is open from above, as a lid on a jar does."""
+        corners = part.vertices
+        one, other = np.triu_indices(len(corners), 1)
+        middles = (corners[one] + corners[other]) / 2
+        cells = ((middles[:, :2] - self.low) / self.cell).astype(int)
+        top = self.around[tuple(cells.T)]
+        return bool((np.isfinite(top) & (middles[:, 2] > top + _HOLLOW)).any())
+
+    @cached_property
+    def around(self) -> Float[np.ndarray, "49 49"]:
+        """The highest surface within two cells of each: the grid has gaps."""
+        return maximum_filter(self.top, 5, mode="nearest")
+
+
+def _seen_from_above(drawn: Points, normals: Points, sky: _Sky) -> Bool[np.ndarray, "n"]:
     """Whether points face up with nothing above them: on these, other things may come to lie."""
     steep = normals[:, 2] < 0.3 * np.linalg.norm(normals, axis=1)
-    column = ((drawn[:, :2] - drawn[:, :2].min(0)) / (np.ptp(drawn, axis=0).max() / 48)).astype(int)
-    top = np.full((49, 49), -np.inf)
-    np.maximum.at(top, tuple(column.T), drawn[:, 2])
-    return ~steep & (drawn[:, 2] > top[tuple(column.T)] - _OVERHANG)
+    return ~steep & (drawn[:, 2] > sky.height(drawn) - _OVERHANG)
 
 
 def _convex_pieces(
@@ -225,9 +260,12 @@ def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
 
 
 def _patches(
-    places: Vertices, faces: Faces, bare: Float[np.ndarray, "k 3"], halvings: int = 3
+    places: Vertices, faces: Faces, bare: Float[np.ndarray, "k 3"], sky: _Sky, halvings: int = 4
 ) -> list[ConvexPart]:
-    """Return hulls of triangles, halved along their longest side while they bury ``bare``."""
+    """Return hulls of triangles, halved along their longest side while they bury ``bare``.
+
+    So they are while they fill what is hollow.
+    """
     if not len(faces):
         return []
     points = places[np.unique(faces)]
@@ -235,11 +273,13 @@ def _patches(
         hull = _thin(points[ConvexHull(points).vertices])
     except QhullError:  # flat
         hull = ConvexPart((points[:, None] + _SPECK).reshape(-1, 3).round(6))
-    if not halvings or len(faces) <= 2 or not _buries(hull, bare):
+    in_the_way = halvings > 0 and len(faces) > 2 and _buries(hull, bare)
+    if len(faces) == 1 or not (in_the_way or sky.fills(hull)):
         return [hull]
     middles = places[faces].mean(1)
     axis = int(np.ptp(middles, axis=0).argmax())
     first = np.argsort(middles[:, axis], kind="stable")[: len(faces) // 2]
     half = np.zeros(len(faces), bool)
     half[first] = True
-    return [p for side in (half, ~half) for p in _patches(places, faces[side], bare, halvings - 1)]
+    halves = (faces[half], faces[~half])
+    return [p for few in halves for p in _patches(places, few, bare, sky, halvings - 1)]

@@ -134,6 +134,10 @@ def _seat(
     for offset in spiral(reach, reach / 5):
         xy = thing.pose.position[:2] + offset
         top, fall = rim - lowest(thing) + 0.002, highest(support) - lowest(support)
+        if thing.placement.inside and not offset.any():
+            simulation.positions[index] = thing.pose.position
+            if _depth(simulation, index, present) <= TOLERANCE:
+                top = min(top, float(thing.pose.position[2]))
         z = _lower(simulation, index, present, xy, top, fall)
         if z is None:
             continue

@@ -33,6 +33,7 @@ from .model import Model as Model
 from .model import PartKind as PartKind
 from .model import Physics as Physics
 from .model import SizePrior as SizePrior
+from .model import Slot as Slot
 from .picture import USUAL_VIEW as USUAL_VIEW
 from .picture import Detection as Detection
 from .picture import Instance as Instance

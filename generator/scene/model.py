@@ -75,6 +75,22 @@ class ConvexPart:
         return np.stack([self.vertices.min(0), self.vertices.max(0)])
 
 
+@dataclass(frozen=True, eq=False)
+class Slot:
+    """A place that a holder has for one thing.
+
+    ``at`` is where the middle of the thing's underside goes, in the holder's canonical frame;
+    ``yaw`` is the thing's turn to the holder's, radians; ``name`` is the thing, if that is decided.
+    """
+
+    at: Float[np.ndarray, "3"]
+    yaw: float = 0.0
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        freeze(self, FARTHEST, at=(np.float64, (3,)))
+
+
 @dataclass(frozen=True)
 class Physics:
     """What an object is made of. ``density`` in kg/m^3, ``friction`` the sliding coefficient.
@@ -102,7 +118,8 @@ class Model:
     pieces in the canonical frame; without any, assembly decomposes the mesh. Things can be put into
     a ``container``. ``orientation``, a rotation matrix whose columns are the model's axes in the
     world, is how the modeler saw the thing in the picture, if it says: a hint that no bundle keeps.
-    ``stand_in`` marks a plain thing that only stands for what it is called.
+    Neither keeps it the ``slots``, which are the places for things in a holder. ``stand_in`` marks
+    a plain thing that only stands for what it is called.
     """
 
     name: str
@@ -115,6 +132,7 @@ class Model:
     container: bool = False
     orientation: Float[np.ndarray, "3 3"] | None = None
     stand_in: bool = False
+    slots: tuple[Slot, ...] = ()
 
     def __post_init__(self) -> None:
         freeze(self, FARTHEST, size=VECTOR)

@@ -23,7 +23,7 @@ def turn(model: Model, steps: Steps) -> Model:
     mesh, parts = apply_quarter_turns(model.mesh, model.parts, steps)
     seen = None if model.orientation is None else model.orientation @ turn.T
     size = np.abs(turn) @ model.size
-    return dataclasses.replace(model, mesh=mesh, parts=parts, size=size, orientation=seen)
+    return dataclasses.replace(model, mesh=mesh, parts=parts, size=size, orientation=seen, slots=())
 
 
 def quarter_turn(steps: Steps) -> Int[np.ndarray, "3 3"]:

@@ -58,7 +58,7 @@ def test_counts(text: str, expected: dict[str, int]) -> None:
         ("a plank with a ruler across it", ("ruler_1", "on", "plank_1")),
         ("three bowls from the largest to the smallest, with a strawberry in the smallest",
          ("strawberry_1", "in", "bowl_1")),
-        ("a hammer in a toolbox", ("hammer_1", "in", "tool_caddy_1")),
+        ("a hammer in a toolbox", ("hammer_1", "in", "toolbox_1")),
     ],
 )  # fmt: skip
 def test_relations(text: str, expected: tuple[str, str, str]) -> None:

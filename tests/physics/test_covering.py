@@ -84,3 +84,13 @@ def test_walls_beside_a_wide_bottom_do_not_touch_the_table() -> None:
     assert first is bottom
     assert 0 < raised.bounds[0, 2] < 5e-4
     assert [part.bounds[0, 2] for part in on_base(legs)] == [0.0, 0.0]
+
+
+@pytest.mark.parametrize("key", ["open_jar", "pitcher", "empty_vase"])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_no_hull_closes_what_is_hollow(key: str, seed: int) -> None:
+    model = build(key, seed)
+    axis = np.zeros((20, 3))
+    axis[:, 2] = np.linspace(-0.3, 0.49, 20) * model.size[2]
+    for part in body_parts(model, model.size):
+        assert (outside(part, axis) > 0).all()

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
 
 from ...geometry import parts_to_unit_box, to_unit_box
 from ...scene import Mesh, Model, Physics
+from ..holder import Holder
 from ..surfaces.look import SIZE_FACTORS, Look
 from .matter import HOLLOW, friction, growth
 from .shape import Shape, mesh_of
@@ -37,6 +38,7 @@ class Category:
         colors: usual colours, for a plan that names none.
         friction: sliding friction coefficient; None takes that of its material.
         state: how it lies, for size priors.
+        holder: what things it has a place each for, if it is a rack or the like.
     """
 
     key: str
@@ -49,6 +51,7 @@ class Category:
     colors: tuple[str, ...] = ()
     friction: float | None = None
     state: str = "standing upright"
+    holder: Holder | None = None
 
     @property
     def noun(self) -> str:
@@ -96,6 +99,7 @@ def model_of(
         parts=parts_to_unit_box(made.parts, center, extent),
         category=category.key,
         container=category.container,
+        slots=tuple(replace(slot, at=(slot.at - center) / extent) for slot in made.slots),
     )
 
 

@@ -7,6 +7,7 @@ from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import Float
+from scipy.spatial import ConvexHull
 
 from ...scene import ConvexPart
 from .outlines import ellipse, lift
@@ -37,6 +38,12 @@ def hull_part(points: Any) -> ConvexPart:
     if len(points) > MOST_VERTICES:
         points = _extremes(points)
     return ConvexPart(points)
+
+
+def whole_hull(points: Any) -> ConvexPart:
+    """Return the convex hull of ``points`` with all of its corners, so that no point is outside."""
+    points = np.asarray(points, float)
+    return ConvexPart(points[ConvexHull(points).vertices])
 
 
 def hull_of(*solids: Solid) -> ConvexPart:

@@ -36,14 +36,16 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 """Sliding friction by material; "device" is plastic or metal on rubber feet."""
 
 _MADE_OF: Mapping[str, str] = {
-    "ceramic": "empty_vase mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl "
+    "ceramic": "utensil_crock "
+    "empty_vase mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl "
     "mortar sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter "
     "plant_pot cactus succulent ice_cream sink crucible jelly roast_chicken noodles ramen "
     "salad spaghetti curry stew mashed_potatoes bowl_of_rice bowl_of_cereal oatmeal dip "
     "gravy_boat butter_dish tureen serving_platter cloche egg_cup baking_dish pie_dish "
     "tagine sake_bottle sake_cup chopstick_rest cookie_jar storage_jar frog bird fern ivy "
     "bonsai herb_pot oil_burner trinket_dish soap_dish dog_bone honey_pot piggy_bank",
-    "glass": "open_jar glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker "
+    "glass": "empty_beaker glass_rod "
+    "open_jar glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker "
     "flask petri_dish reagent_bottle perfume_bottle nail_polish hourglass "
     "magnifying_glass salt_shaker pepper_shaker cream_jar carafe cocktail_glass "
     "champagne_flute beer_mug shot_glass beer_bottle milk_bottle honey_jar jam_jar "
@@ -52,7 +54,8 @@ _MADE_OF: Mapping[str, str] = {
     "medicine_bottle go_stone ice_cube spice_jar bauble votive_candle aftershave "
     "foundation fish_bowl pint_glass whiskey_glass whiskey_bottle milkshake pickle_jar "
     "olive_jar mayonnaise hot_sauce oil_bottle vinegar_bottle",
-    "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
+    "metal": "empty_toast_rack empty_dish_rack open_ice_bucket open_pot open_can "
+    "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy "
     "dumbbell button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can "
     "tongs grater corkscrew bottle_opener pizza_cutter mixing_bowl colander baking_tray "
@@ -76,7 +79,8 @@ _MADE_OF: Mapping[str, str] = {
     "eyelash_curler bobby_pin shaving_foam hairspray earring brooch cufflink tie_clip "
     "pocket_watch crown pendant iron coffee_pod portafilter cocktail_shaker jigger "
     "ice_tongs hip_flask bottle_cap beer_can energy_drink laptop_stand eiffel_tower",
-    "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
+    "wood": "letter_rack empty_wine_rack empty_knife_block empty_tube_rack open_steamer "
+    "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder "
     "clipboard chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack "
     "napkin_holder chopsticks cabinet drawer_box desk_caddy stamp violin ukulele "
@@ -153,7 +157,7 @@ _MADE_OF: Mapping[str, str] = {
     "pomegranate star_fruit passion_fruit date zucchini radish beetroot turnip parsnip "
     "sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
     "cashew pistachio chestnut acorn olive pickle sugar_cube rose tulip daisy sunflower "
-    "lily carnation lavender orchid dried_flower flower_bulb gingerbread_house "
+    "lily carnation lavender orchid dried_flower posy seedling flower_bulb gingerbread_house "
     "jack_o_lantern birthday_cake easter_egg cigar",
     "leather": "wallet ring_box american_football baseball dice_cup volleyball cricket_ball "
     "rugby_ball baseball_glove boxing_glove handbag purse clutch suitcase belt boot "

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Int, UInt8
 
-from ...scene import ConvexPart, Mesh
+from ...scene import ConvexPart, Mesh, Slot
 from ..surfaces.textures import Tile, plain
 from .solids import Solid
 
@@ -26,11 +26,15 @@ class Piece:
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """An object as its category's function makes it, in metres, standing on z = 0."""
+    """An object as its category's function makes it, in metres, standing on z = 0.
+
+    ``slots`` are the places that a holder has, in metres.
+    """
 
     pieces: tuple[Piece, ...]
     parts: tuple[ConvexPart, ...]
     opacity: float = 1.0
+    slots: tuple[Slot, ...] = ()
 
     def scale(self, factor: float) -> Shape:
         """Return the shape enlarged by ``factor``."""
@@ -38,6 +42,7 @@ class Shape:
             self,
             pieces=tuple(Piece(p.solid.scale(factor, factor, factor), p.tile) for p in self.pieces),
             parts=tuple(ConvexPart(p.vertices * factor, p.kind, p.axis) for p in self.parts),
+            slots=tuple(replace(slot, at=slot.at * factor) for slot in self.slots),
         )
 
 
@@ -45,12 +50,14 @@ def shape(
     pieces: Iterable[tuple[Solid, Tile]],
     parts: Sequence[ConvexPart],
     opacity: float = 1.0,
+    slots: Sequence[Slot] = (),
 ) -> Shape:
-    """Return a shape from (solid, tile) pairs and convex parts.
+    """Return a shape from (solid, tile) pairs, convex parts and places for things.
 
     What dips below z = 0 is pressed flat there.
     """
-    return Shape(tuple(Piece(_press(s), t) for s, t in pieces), tuple(parts), opacity)
+    flat = tuple(Piece(_press(s), t) for s, t in pieces)
+    return Shape(flat, tuple(parts), opacity, tuple(slots))
 
 
 def _press(solid: Solid) -> Solid:

@@ -380,19 +380,6 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
 )
 """Words that mean a category where another one is there: pieces by a chess board."""
 
-OPENED: Mapping[str, str] = _table(
-    """
-    open_box: box, parcel, shipping_carton, gift_box
-    open_jar: jar, cookie_jar
-    open_lunch_box: lunch_box, food_container
-    open_suitcase: suitcase
-    tool_caddy: toolbox, tool_kit
-    empty_vase: vase
-    empty_pencil_holder: pencil_holder
-    """
-)
-"""Categories that are closed, or full already, and what is there where a text fills them."""
-
 COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "tools": ("hammer", "screwdriver", "wrench", "pliers"),

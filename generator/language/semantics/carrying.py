@@ -6,11 +6,8 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group, assumed_relation
-from ..parsing.vocabulary import OPENED
-from ..relations import fits
-from ..sizing import largest_size
+from ..sizing import holds_things
 from ..syntax.phrases.tree import (
     Carry,
     Location,
@@ -19,7 +16,7 @@ from ..syntax.phrases.tree import (
     Zone,
 )
 from . import contents
-from .linking import open_up, topmost
+from .linking import topmost
 from .references import Target
 from .relating import CUTLERY
 from .things import ThingReader
@@ -54,8 +51,6 @@ class CarryReader(ThingReader, ABC):
                 context.owner = outer
                 self._posts(items[0], owner)
                 return
-            if isinstance(owner, list) and items and _is_filled(post, owner, items):
-                open_up(owner)
             moved = _owners_places(owner, items, post.how, first=len(context.mentioned) < 2)
             if moved and isinstance(owner, list):
                 items = (*items[:-1], replace(items[-1], post=[
@@ -84,7 +79,6 @@ class CarryReader(ThingReader, ABC):
             if contents.labels(noun, inner):
                 contents.label(noun, inner, owner)
                 continue
-            open_up(owner)
             group = self._noun(_times(inner, len(owner)) if len(owner) > 1 else inner, owner)
             if isinstance(group, list):
                 self._assume(group, owner, post)
@@ -99,11 +93,7 @@ class CarryReader(ThingReader, ABC):
                 top = topmost(owners[0])
                 owner = top if isinstance(top, Draft) else owner
             kind = post.back or assumed_relation(draft, owner, held=post.how != "with")
-            if (
-                post.back in ("on", "in")
-                and owner.category
-                and CATEGORIES[owner.category].container
-            ):
+            if post.back in ("on", "in") and owner.category and holds_things(owner.category):
                 kind = "in" if post.back == "in" else kind
             draft.relations.append((kind, owner))
             draft.provisional = True
@@ -122,24 +112,6 @@ def _is_pile(group: Group) -> bool:
     return len(group) > 1 and group[0].stacked_under is not None
 
 
-def _is_filled(post: Carry, owner: Group, items: Sequence[Noun]) -> bool:
-    """Tell whether what a thing brings along goes into it, rather than next to it."""
-    category = OPENED.get(owner[0].category or "")
-    if category is None:
-        return False
-    if post.how == "hold" or post.back == "in":
-        return True
-    places = [p for p in items[-1].post if isinstance(p, Location) and isinstance(p.target, Noun)]
-    if any(place.kind != "in" for place in places) or post.back is not None:
-        return False
-    known = [item for item in items if item.category is not None]
-    vessel = CATEGORIES[category]
-    return any(
-        fits("in", CATEGORIES[str(item.category)].size, largest_size(category), vessel.container)
-        for item in known
-    )
-
-
 def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:
     """Return the places said of a thing in a vessel that are the vessel's.
 
@@ -152,7 +124,7 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
     if owner[0].category is None:
         return []
     inside = assumed_relation(Draft("", item.category, {}), owner[0], held=how != "with")
-    if item.category is None and CATEGORIES[owner[0].category].container:
+    if item.category is None and holds_things(owner[0].category):
         inside = "in"
     inside = "in" if how == "hold" else inside
     if inside not in ("on", "in") or item.category in CUTLERY:

@@ -9,6 +9,7 @@ from ..drafts import Draft, Group
 from ..parsing.lexicon import category_of
 from ..parsing.vocabulary import PACKAGES, SUBSTANCES
 from ..relations import fits
+from ..sizing import holds_things
 from ..syntax.phrases.tree import Noun
 
 DEPICTIONS = frozenset({
@@ -63,7 +64,7 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     if len(items) != 1 or owner.category is None:
         return False
     (item,) = items
-    if item.kind == "collective" and not item.determined and CATEGORIES[owner.category].container:
+    if item.kind == "collective" and not item.determined and holds_things(owner.category):
         return item.head.split()[-1] in ("food", "foods", "snacks")
     vessel = item.category is None or owner.category in _VESSELS
     plain = not item.determined and not item.plural and vessel

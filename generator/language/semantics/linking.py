@@ -8,7 +8,6 @@ from itertools import pairwise
 from ...catalogue import CATEGORIES
 from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
-from ..parsing.vocabulary import OPENED
 
 SIDES = ("left_of", "right_of", "in_front_of", "behind")
 _FEW = 3  # of so many things one is beside all
@@ -29,13 +28,6 @@ def stack(group: Group) -> None:
     for below, above in pairwise(group):
         above.relate("on", below)
         below.stacked_under = above
-
-
-def open_up(group: Sequence[Draft | str]) -> None:
-    """Have vessels stand open and empty that are to be filled."""
-    for draft in group:
-        if isinstance(draft, Draft) and draft.category is not None:
-            draft.category = OPENED.get(draft.category, draft.category)
 
 
 def unstack(group: Group) -> None:

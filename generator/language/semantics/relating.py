@@ -17,7 +17,7 @@ from ..syntax.phrases.tree import (
     Noun,
     Zone,
 )
-from .linking import flank, lies_flat, link, open_up, stack, unstack
+from .linking import flank, lies_flat, link, stack, unstack
 from .ordering import put_in_order
 from .references import Context, Target
 
@@ -93,8 +93,6 @@ class Relater:
         if place.each or (isinstance(place.target, Noun) and place.target.each):
             self._one_each(group, target)
         self._drop_assumed(group, target)
-        if kind == "in":
-            open_up(target)
         if kind in ("left_of", "right_of", "in_front_of", "behind"):
             self._side = kind, target
         if kind == "against":

@@ -111,7 +111,8 @@ def draft_scene(
             warnings.append(f"{name} is built from the plan: the drawing shows another shape.")
         else:
             yaw = placed[name].yaw
-            chosen[name] = replace(models[name], size=scales[name] * factor)
+            size = scales[name] * factor
+            chosen[name] = replace(models[name], size=size, slots=own[name].slots)
         if factor is not None and abs(np.log(factor)) > _HARDLY:
             warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
         below = support_of(planned) or TABLE

@@ -7,11 +7,13 @@ from collections.abc import Callable
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import box_part, frame_parts
+from ...build.collision import box_part, frame_parts, hull_of
 from ...build.hollow import open_vessel
+from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import Solid, box
+from ...build.solids import Solid, box, join, lathe, torus, tube
 from ...surfaces import textures
+from ...surfaces.colors import tint_color
 from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
@@ -82,9 +84,64 @@ def open_jar(look: Look) -> Shape:
     return shape([(body, look.surface(tint, "glass"))], parts, opacity=0.55)
 
 
+def steamer(look: Look) -> Shape:
+    """One tier of a bamboo steamer without its lid."""
+    r, h = look.between(0.09, 0.11), look.between(0.05, 0.058)
+    color = look.color("tan", "beige", "wooden")
+    body, parts = open_vessel([(r, 0), (r, h)], 0.005, 0.008)
+    weave = textures.basketwork(look.rng, color, 16)
+    dark = textures.speckles(look.rng, tint_color(color, 0.78), 8)
+    inside = textures.speckles(look.rng, color, 8)
+    skin = textures.stack((dark, 0.08), (weave, 0.3), (dark, 0.08), (inside, 0.54), side=128)
+    return shape([(body, skin)], parts)
+
+
+def ice_bucket(look: Look) -> Shape:
+    """A bucket for bottles on ice, with two ring handles, empty."""
+    r, h = look.between(0.085, 0.1), look.between(0.17, 0.2)
+    color = look.color("silver", "silver", "copper", "gold", "black", "white")
+    skin = look.surface(color, "metal")
+    body, parts = open_vessel([(0.76 * r, 0), (r, h)], 0.004, 0.008)
+    ring = torus(0.022, 0.0035, 20, 6).turn(1, np.pi / 2)
+    ears = [ring.move(s * (0.93 * r + 0.003), 0, 0.74 * h) for s in (-1, 1)]
+    return shape([(body, skin), (join(ears), skin)], [*parts, *(hull_of(e) for e in ears)])
+
+
+def pot(look: Look) -> Shape:
+    """A cooking pot without its lid."""
+    r, h = look.between(0.1, 0.118), look.between(0.1, 0.125)
+    color = look.color("silver", "silver", "red", "black", "blue", "copper", "cream")
+    skin = look.surface(color, "metal")
+    body, parts = open_vessel([(0.97 * r, 0), (r, 0.06 * h), (r, h)], 0.003, 0.006, 40)
+    ears = [tube(smooth([(s * 0.99 * r, -0.03, 0.8 * h), (s * (r + 0.022), -0.02, 0.82 * h),
+                         (s * (r + 0.022), 0.02, 0.82 * h), (s * 0.99 * r, 0.03, 0.8 * h)], 3),
+                 0.0045, 8) for s in (-1, 1)]  # fmt: skip
+    return shape([(body, skin), *((e, skin) for e in ears)], [*parts, *map(hull_of, ears)])
+
+
+def tin_can(look: Look) -> Shape:
+    """A tin can without its lid."""
+    r, h = look.between(0.036, 0.042), look.between(0.105, 0.118)
+    metal = textures.brushed_metal(look.rng, (176, 178, 182))
+    color = look.own_color("silver", "red", "green", "navy", "cream")
+    body, parts = open_vessel([(r, 0), (r, h)], 0.0025, 0.004)
+    sleeve = lathe([(r, 0.1 * h), (r + 0.0006, 0.1 * h), (r + 0.0006, 0.9 * h), (r, 0.9 * h)], 32,
+                   loop=True)  # fmt: skip
+    return shape([(body, metal), (sleeve, textures.speckles(look.rng, color, 4))], parts)
+
+
+def utensil_crock(look: Look) -> Shape:
+    """A stoneware crock for wooden spoons and whisks, empty."""
+    r, h = look.between(0.058, 0.066), look.between(0.15, 0.175)
+    color = look.color("white", "cream", "sage", "navy", "terracotta", "charcoal")
+    side = [(0.92 * r, 0), (r, 0.12 * h), (0.98 * r, 0.85 * h), (r, h)]
+    body, parts = open_vessel(side, 0.005, 0.01)
+    return shape([(body, textures.fit(glaze_tile(look, color), 128, 128))], parts)
+
+
 def empty_vase(look: Look) -> Shape:
     """A vase with nothing in it."""
-    r, h = look.between(0.06, 0.068), look.between(0.13, 0.15)
+    r, h = look.between(0.05, 0.057), look.between(0.155, 0.175)
     t = np.linspace(0, 1, 8)
     swell = 0.62 + 0.38 * np.sin(np.pi * (0.12 + 0.72 * t))
     color = look.color("white", "teal", "terracotta", "navy", "cream", "sage", "mustard", "pink")
@@ -114,6 +171,18 @@ CATEGORIES = (
              ("office", "craft"), ("container", "round"), ("black", "white")),
     Category("open_jar", open_jar, (0.097, 0.097, 0.13), 0.3, ("jar without a lid",), ("kitchen",),
              ("container", "round"), ("clear",)),
-    Category("empty_vase", empty_vase, (0.128, 0.128, 0.14), 0.6, ("vase for flowers",),
+    Category("open_steamer", steamer, (0.2, 0.2, 0.054), 0.25, ("open bamboo steamer",),
+             ("kitchen",), ("container", "round", "big"), ("tan",)),
+    Category("open_ice_bucket", ice_bucket, (0.2, 0.185, 0.185), 1.0, ("empty ice bucket",),
+             ("kitchen", "dining"), ("container", "round", "big"), ("silver",)),
+    Category("open_pot", pot, (0.263, 0.218, 0.1125), 0.9, ("open pot", "pot without a lid"),
+             ("kitchen",), ("container", "round", "big"), ("silver",)),
+    Category("open_can", tin_can, (0.079, 0.079, 0.1115), 0.06, ("empty can", "empty tin can",
+             "open can"), ("kitchen",), ("container", "round"), ("silver",)),
+    Category("utensil_crock", utensil_crock, (0.124, 0.124, 0.1625), 0.9, ("utensil holder",
+             "utensil crock", "utensil jar", "utensil pot", "cutlery holder", "spoon holder",
+             "kitchen utensil holder"), ("kitchen",), ("container", "round", "tall"),
+             ("white", "cream")),
+    Category("empty_vase", empty_vase, (0.107, 0.107, 0.165), 0.6, ("vase for flowers",),
              ("living",), ("container", "round", "tall"), ("white", "teal")),
 )  # fmt: skip

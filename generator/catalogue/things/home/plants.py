@@ -199,7 +199,31 @@ def _bonsai(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[Co
     return [(trunk, bark), (crown, needles)], [hull_of(trunk), hull_of(crown)]
 
 
+def seedling(look: Look) -> Shape:
+    """A seedling with the soil around its roots, out of its pot."""
+    r, h, tall = look.between(0.019, 0.024), look.between(0.03, 0.036), look.between(0.085, 0.105)
+    soil = cylinder(r, h, 14, top=1.15 * r, bevel=0.002)
+    stem = tube([(0, 0, h - 0.004), (0.002, 0, 0.6 * tall), (0, 0, 0.9 * tall)], 0.0022, 7)
+    leaves = [leaf_blade(0.036 + 0.006 * (k % 2), 0.018, 2.4 * k, 0.75 - 0.15 * (k // 2))
+              .move(z=(0.9 - 0.12 * (k // 2)) * tall) for k in range(6)]  # fmt: skip
+    green = look.own_color("green", "lime", "olive")
+    earth = textures.spots(look.rng, (84, 60, 44), (52, 38, 28), 0.3)
+    return shape([(soil, earth), (stem, textures.plain(tint_color(green, 0.8))),
+                  (join(leaves), textures.speckles(look.rng, green, 8))],
+                 [hull_of(soil), hull_of(stem)])  # fmt: skip
+
+
 CATEGORIES = (
+    Category(
+        "seedling",
+        seedling,
+        (0.08, 0.08, 0.11),
+        0.04,
+        ("plant seedling", "plug plant", "young plant"),
+        ("living",),
+        (),
+        ("green",),
+    ),
     Category(
         "potted_plant",
         potted_plant,

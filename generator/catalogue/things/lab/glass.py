@@ -175,6 +175,25 @@ def micropipette(look: Look) -> Shape:
                   hull_of(hook)])  # fmt: skip
 
 
+def glass_rod(look: Look) -> Shape:
+    """A glass rod for stirring, lying."""
+    k = look.between(0.9, 1.1)
+    r, long = 0.0032 * k, 0.2 * k
+    side = [(0, 0), (0.7 * r, 0.0006), (r, 0.003), (r, long - 0.003), (0.7 * r, long - 0.0006),
+            (0, long)]  # fmt: skip
+    body = lay_down(lathe(side, 14), -long / 2, r)
+    return shape([(body, textures.plain(look.color("clear", "sky", "clear")))],
+                 [flat_foot(body.vertices, 0.1)], opacity=0.8)  # fmt: skip
+
+
+def empty_beaker(look: Look) -> Shape:
+    """A glass beaker with a scale and nothing in it."""
+    r, h = look.between(0.036, 0.042), look.between(0.095, 0.11)
+    side = [(r, 0), (r, h - 0.003), (1.06 * r, h)]
+    body, parts = open_vessel(side, 0.003, 0.005)
+    return shape([(body, marks(GLASS))], parts, opacity=0.6)
+
+
 def weighing_boat(look: Look) -> Shape:
     """A small open plastic tray for powders, a little powder in it."""
     k = look.between(0.85, 1.15)
@@ -218,6 +237,11 @@ CATEGORIES = (
     Category("micropipette", keep_still(micropipette), (0.236, 0.045, 0.033), 0.1, ("lab pipette",
              "pipettor", "automatic pipette", "pipette gun"), ("lab",), (), ("white",), None,
              "lying flat"),
+    Category("glass_rod", glass_rod, (0.2, 0.0064, 0.0064), 0.02, ("stirring rod", "stir rod",
+             "glass stirring rod", "glass stirrer", "stirring stick"), ("lab",), (), ("clear",),
+             None, "lying flat"),
+    Category("empty_beaker", empty_beaker, (0.0827, 0.0827, 0.1025), 0.12, ("open beaker",),
+             ("lab",), ("container", "round"), ("clear",)),
     Category("weighing_boat", weighing_boat, (0.075, 0.06, 0.016), 0.008, ("weigh boat",
              "weighing dish", "weighing tray"), ("lab",), ("container",), ("white",)),
     Category("crucible", crucible, (0.055, 0.055, 0.042), 0.05, ("porcelain crucible",), ("lab",),

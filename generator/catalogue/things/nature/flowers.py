@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import hull_part
+from ...build.collision import hull_part, whole_hull
 from ...build.forms import above, blade
 from ...build.recipes import Pieces, ball, rod
 from ...build.shape import Shape, shape
@@ -118,9 +118,14 @@ def on_stem(
     head: Head, colors: tuple[str, ...], long: float, *, leaves: int = 2, nod: float = 0.5,
     leaf: tuple[float, float] = (0.06, 0.018), stem: RGB = (84, 126, 64),
 ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return the shape of a cut flower that lies on the table, its blossom to the right."""
+    """Return the shape of a cut flower that lies on the table, its blossom to the right.
+
+    With the attribute "stands" it is one for a vase: long and straight, with leaves only high up.
+    """
 
     def make(look: Look) -> Shape:
+        if "stands" in look.attributes:
+            return _straight(look, head, colors, long, min(nod, 0.4), leaf, stem)
         color = look.color(*colors)
         length = 0.88 * long * look.between(0.9, 1.1)
         blossom = [(s.scale(1.15, 1.15, 1.15), t) for s, t in head(look, color)]
@@ -151,6 +156,29 @@ def on_stem(
         return shape(pieces, [hull_part(p) for p in parts])
 
     return make
+
+
+def _straight(
+    look: Look, head: Head, colors: tuple[str, ...], long: float, nod: float,
+    leaf: tuple[float, float], stem: RGB,
+) -> Shape:  # fmt: skip
+    """Return a cut flower with a straight bare stem along x, its blossom to the right."""
+    color, length = look.color(*colors), 1.25 * long * look.between(0.92, 1.08)
+    bloom = [(s.scale(1.1, 1.1, 1.1).turn(1, np.pi / 2 - nod), t) for s, t in head(look, color)]
+    back = min(float(s.bounds[0, 0]) for s, _ in bloom)
+    bloom = [(s.move(0.5 * length - max(back, -0.012)), t) for s, t in bloom]
+    stalk = rod([(-0.5 * length, 0, 0), (0, 0, 0), (0.5 * length, 0, 0)], 0.0022, 5)
+    wide, deep = min(leaf[0], 0.045), min(leaf[1], 0.018)
+    blades = [blade([(0, 0, 0), (0.5 * wide, 0, 0.006), (wide, 0, 0.003)], deep, thick=0.15)
+              .turn(1, -0.4).turn(0, 2.4 * k).move((0.32 - 0.06 * k) * length)
+              for k in range(2)]  # fmt: skip
+    pieces: Pieces = [*bloom, (stalk, textures.plain(stem)),
+                      (join(blades), textures.plain(tint_color(stem, 0.85)))]  # fmt: skip
+    low = min(float(s.bounds[0, 2]) for s, _ in pieces)
+    pieces = [(s.move(z=-low), t) for s, t in pieces]
+    crown = np.concatenate([s.vertices for s, _ in pieces[: len(bloom)]])
+    solids = [pieces[len(bloom)][0], *(s.move(z=-low) for s in blades)]
+    return shape(pieces, [whole_hull(crown), *(whole_hull(s.vertices) for s in solids)])
 
 
 def _row(

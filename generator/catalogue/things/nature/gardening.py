@@ -272,7 +272,7 @@ CATEGORIES = (
              "plant tag", "garden marker", "garden label", "seedling label"), ("living",),
              ("flat",), ("white", "wooden"), state="lying flat"),
     Category("seed_tray", seed_tray, (0.18, 0.12, 0.085), 0.5, ("seedling tray",
-             "tray of seedlings", "seedling", "seedling pot", "propagator", "starter tray"),
+             "tray of seedlings", "seedling pot", "propagator", "starter tray"),
              ("living",), (), ("black",)),
     Category("hose_nozzle", garden_hose_nozzle, (0.155, 0.125, 0.04), 0.15, ("spray nozzle",
              "garden hose nozzle", "hose gun", "garden nozzle", "hose sprayer"), ("living",), (),

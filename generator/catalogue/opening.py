@@ -1,0 +1,74 @@
+"""What is there where a text fills a thing that is closed, or full already."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+OPENED: Mapping[str, str] = MappingProxyType(
+    {
+        closed: opened
+        for opened, kinds in {
+            "open_box": "box parcel shipping_carton gift_box",
+            "open_jar": "jar cookie_jar storage_jar",
+            "open_lunch_box": "lunch_box food_container",
+            "open_suitcase": "suitcase",
+            "tool_caddy": "toolbox tool_kit",
+            "empty_vase": "vase",
+            "empty_pencil_holder": "pencil_holder",
+            "open_steamer": "bamboo_steamer",
+            "open_ice_bucket": "ice_bucket",
+            "open_pot": "pot casserole",
+            "open_can": "can soup_can",
+            "empty_beaker": "beaker",
+            "plastic_cup": "toothbrush_cup",
+            "empty_toast_rack": "toast_rack",
+            "empty_dish_rack": "dish_rack",
+            "empty_wine_rack": "wine_rack",
+            "empty_knife_block": "knife_block",
+            "empty_tube_rack": "test_tube_rack tube_stand",
+        }.items()
+        for closed in kinds.split()
+    }
+)
+"""Categories that are closed or full, and the open or empty one that things can be put into."""
+
+_MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
+    {
+        (word, kind): holder
+        for word, holder, kinds in (
+            ("rack", "empty_tube_rack", "test_tube"),
+            ("rack", "empty_toast_rack", "toast bread_slice"),
+            ("rack", "empty_wine_rack", "wine_bottle"),
+            ("rack", "letter_rack", "letter envelope magazine newspaper postcard vinyl_record"),
+            (
+                "flower pot",
+                "plant_pot",
+                "seedling cactus succulent rose tulip daisy sunflower lily",
+            ),
+            ("pot", "plant_pot", "seedling cactus succulent rose tulip daisy sunflower lily"),
+        )
+        for kind in kinds.split()
+    }
+)
+"""A bare word and what is put there, and the category that the word then means."""
+
+
+_FLOWERS = ("rose", "tulip", "daisy", "carnation")
+
+
+def cut_category(category: str, vessel: str, number: int) -> str:
+    """Return the category of what is put into a vessel: of flowers in a vase, cut ones.
+
+    ``number`` counts what is put there.
+    """
+    if open_category(vessel) == "empty_vase":
+        if category == "vase":  # the catalogue's word for flowers
+            return _FLOWERS[number % len(_FLOWERS)]
+        return "posy" if category == "bouquet" else category
+    return category
+
+
+def open_category(category: str, noun: str = "", contents: str = "") -> str:
+    """Return the category of a thing called ``noun`` where ``contents`` (a category) goes in it."""
+    return _MEANT.get((noun, contents), OPENED.get(category, category))
