@@ -45,7 +45,7 @@ _PARTS = re.compile(
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
 """How many there are, said last: "forks x4"."""
 _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
-_JOINED_UP = re.compile(r"(?i)(?<=[a-z])-(?:up|down|out|off)\b")
+_JOINED_UP = re.compile(r"(?i)(?<=[a-z])(?<!upside)-(?:up|down|out|off)\b")
 _BAKERS = re.compile(r"(?i)\bbaker[’']s dozen\b")
 _VAGUE_COUNT = re.compile(r"(?i)\b(?:some|several|a few|a couple of) ?\((?=\d+(?: ?[-–] ?\d+)?\))")
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
