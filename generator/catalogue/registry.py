@@ -13,8 +13,27 @@ from ..errors import InputError, choices
 from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
+from .things.archive import charts, documents, money
+from .things.bakehouse import biscuits, buns, cakes, loaves
 from .things.bar import barista, glassware, mixing, openers
+from .things.benchkit import robots, sundry
+from .things.blossoms import sprigs, stems
+from .things.cafe import fireside, gear, levant, morsels, service
+from .things.chapel import altar, statues, tomes
+from .things.chapel import relics as chapel_relics
 from .things.circuits import circuits, components, parts
+from .things.closet import hats, sundries, underwear
+from .things.collection import (
+    amusements,
+    curios,
+    dwellings,
+    novelties,
+    shopfigures,
+    showpieces,
+    signage,
+)
+from .things.collection import contraptions as collection_contraptions
+from .things.conservatory import foliage
 from .things.cookery import (
     blades,
     gadgetry,
@@ -27,6 +46,8 @@ from .things.cookery import (
     storage,
     teatime,
 )
+from .things.creatures import insects
+from .things.delicatessen import catch, cheeses, hot, shore, sweetmeats
 from .things.electronics import (
     counter,
     desktop,
@@ -40,9 +61,16 @@ from .things.electronics import (
     portables,
     stands,
 )
+from .things.fantasy import armoury, sorcery, stationer, studio, washday
 from .things.fare import bowls, confections, dishes, meats, pastries, seafood, snacks, sushi
+from .things.feast import candies, desserts, fiesta, gums, japanese, mexican, savouries, tubs
 from .things.festive import candlelight, characters, christmas, party, seasons
+from .things.fixtures import lamps, switches
 from .things.food import bakery, food, fruit, groceries, meals, orchard, pantry, produce, sweets
+from .things.gaming import boards, casino, chessmen, luck, polyhedra, tabletop
+from .things.garage import car, cockpit, engine, gearing
+from .things.greengrocer import cuts, globes, halves, heaps, leaves, pods
+from .things.grocer import packets, shopfront, slips, tins
 from .things.grooming import bath, hair, makeup, shaving, toiletries
 from .things.harvest import berries, exotic, greens, nuts, roots
 from .things.home import (
@@ -59,6 +87,8 @@ from .things.home import (
     plants,
     vanity,
 )
+from .things.homestead import cleaning, fixtures
+from .things.ironware import catches, fixings, grinders, plugs, powertools, sawblades
 from .things.kitchen import (
     appliances,
     bakeware,
@@ -73,6 +103,7 @@ from .things.kitchen import (
 )
 from .things.lab import apparatus, checkup, clinic, firstaid, glass, lab, surgery
 from .things.larder import boxes, condiments, jars, packs, preserves
+from .things.leftovers import rubbish
 from .things.leisure import (
     blocks,
     boardgames,
@@ -84,9 +115,13 @@ from .things.leisure import (
     playthings,
     toys,
 )
+from .things.merry import cardtable, dressup, garlands, hangings, headwear, partyware, yuletide
+from .things.minerals import fossils, gems, specimens
+from .things.museum import relics, stones
 from .things.music import instruments, music, percussion
 from .things.nature import finds, flowers, gardening, greenery, posies
 from .things.nursery import animals, baby, dinosaurs, play, vehicles
+from .things.occasions import barware, ceremony, eastertide, refreshment, stationery
 from .things.office import (
     cards,
     clips,
@@ -100,8 +135,27 @@ from .things.office import (
     supplies,
     writing,
 )
+from .things.orchestra import beats, bellows, stagegear, strings, winds
 from .things.parlour import keepers, slotted
+from .things.pastimes import cycling, fishing, papercraft, pitch, science
+from .things.petshop import aquarium, critters, petcare, petfood, pettoys, reptiles
+from .things.science import anatomy, classroom, distilling, labware, observatory, skymodels
+from .things.science import gauges as science_gauges
+from .things.scullery import (
+    contraptions,
+    electrics,
+    fountains,
+    implements,
+    makers,
+    moulders,
+    picks,
+    scrapers,
+    teaware,
+    urns,
+)
 from .things.sewing import cloths, notions
+from .things.shapes import polyhedra as shapes_polyhedra
+from .things.spooky import creatures, graveyard, props, remains
 from .things.sports import balls, sports, sportsgear
 from .things.tools import (
     benchwork,
@@ -117,7 +171,10 @@ from .things.tools import (
 )
 from .things.travel import papers
 from .things.upkeep import chores, pets
+from .things.ward import aids, dentistry, sickroom
 from .things.wardrobe import bags, bathroom, clothes, footwear, garments, gifts, jewelry, trinkets
+from .things.workshop import electrics as workshop_electrics
+from .things.workshop import gauges
 
 _DRAWN_BY_THEME = (
     *(cups, dining, cutlery, brewing, cooking, bottles, pantry, food, bakery),
@@ -241,6 +298,148 @@ _ON_REQUEST = (
     papers,
     keepers,
     holders,
+    stems,
+    sprigs,
+    loaves,
+    buns,
+    cakes,
+    cheeses,
+    shore,
+    hot,
+    packets,
+    shopfront,
+    creatures,
+    props,
+    garlands,
+    yuletide,
+    cardtable,
+    gear,
+    morsels,
+    fireside,
+    lamps,
+    biscuits,
+    catch,
+    sweetmeats,
+    tins,
+    slips,
+    remains,
+    graveyard,
+    hangings,
+    partyware,
+    levant,
+    switches,
+    service,
+    headwear,
+    dressup,
+    globes,
+    pods,
+    cuts,
+    halves,
+    leaves,
+    heaps,
+    chessmen,
+    polyhedra,
+    boards,
+    tabletop,
+    casino,
+    luck,
+    critters,
+    reptiles,
+    petcare,
+    pettoys,
+    aquarium,
+    petfood,
+    foliage,
+    implements,
+    scrapers,
+    electrics,
+    makers,
+    fountains,
+    contraptions,
+    moulders,
+    urns,
+    teaware,
+    candies,
+    gums,
+    desserts,
+    savouries,
+    mexican,
+    japanese,
+    tubs,
+    fiesta,
+    ceremony,
+    stationery,
+    eastertide,
+    refreshment,
+    barware,
+    picks,
+    relics,
+    stones,
+    insects,
+    cycling,
+    fishing,
+    papercraft,
+    pitch,
+    science,
+    rubbish,
+    hats,
+    sundries,
+    underwear,
+    workshop_electrics,
+    gauges,
+    cleaning,
+    fixtures,
+    robots,
+    sundry,
+    shapes_polyhedra,
+    fossils,
+    gems,
+    specimens,
+    altar,
+    statues,
+    tomes,
+    beats,
+    strings,
+    winds,
+    car,
+    engine,
+    documents,
+    money,
+    curios,
+    novelties,
+    fixings,
+    labware,
+    observatory,
+    aids,
+    armoury,
+    studio,
+    powertools,
+    cockpit,
+    gearing,
+    charts,
+    amusements,
+    dwellings,
+    shopfigures,
+    showpieces,
+    signage,
+    catches,
+    sawblades,
+    anatomy,
+    classroom,
+    science_gauges,
+    dentistry,
+    sickroom,
+    sorcery,
+    stationer,
+    washday,
+    chapel_relics,
+    bellows,
+    stagegear,
+    collection_contraptions,
+    grinders,
+    plugs,
+    distilling,
+    skymodels,
 )
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)
@@ -268,7 +467,9 @@ def category(word: str) -> Category:
 def _words() -> Mapping[str, str]:
     """Return every known word and the key it means; keys win over aliases."""
     words = {alias: c.key for c in reversed(tuple(CATEGORIES.values())) for alias in c.aliases}
-    words |= {c.noun: c.key for c in CATEGORIES.values()}
+    words |= {
+        word: c.key for c in CATEGORIES.values() for word in (c.key.replace("_", " "), c.noun)
+    }
     return MappingProxyType(words)
 
 

@@ -189,7 +189,7 @@ def test_unknown_words_become_generic_with_a_warning() -> None:
 
 def test_a_head_noun_decides_not_its_modifier() -> None:
     plan = plan_scene("a mouse trap and a coffee mug on a table", 0)
-    assert [o.category for o in plan.objects] == ["generic", "mug"]
+    assert [o.category for o in plan.objects] == ["mouse_trap", "mug"]
 
 
 @pytest.mark.parametrize(

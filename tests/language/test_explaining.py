@@ -12,14 +12,14 @@ from generator.language.explaining import Explained, explain
 
 def test_every_role_is_told() -> None:
     rows = explain(
-        "A round table with three red mugs in a row, happiness and a zither on the left, "
+        "A round table with three red mugs in a row, happiness and a clavichord on the left, "
         "but no plates."
     )
     assert {row.role for row in rows} >= {
         "table", "thing", "count", "attribute", "arrangement", "place", "absent", "not understood",
     }  # fmt: skip
     assert Explained("attribute", "red", "color of mug") in rows
-    assert Explained("thing", "a zither", "a stand-in (stringed)") in rows
+    assert Explained("thing", "a clavichord", "a stand-in (keyed)") in rows
     assert rows[-1] == Explained("not understood", "happiness")
 
 

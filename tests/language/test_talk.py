@@ -39,7 +39,7 @@ def related(text: str) -> set[tuple[str, str, str]]:
         ("cookie cutters (star, heart, moon) and a mug", {"cookie_cutter": 3, "mug": 1}),
         ("forks x4, a 3x3 grid of cupcakes", {"fork": 4, "cupcake": 9}),
         ("half a dozen eggs and a baker's dozen of cookies", {"egg": 6, "cookie": 13}),
-        ("two tomatoes, lemon halves", {"tomato": 2, "lemon": 2}),
+        ("two tomatoes, radish slices", {"tomato": 2, "radish": 2}),
         ("Two places laid side by side: a plate each, a fork to the left", {"plate": 2, "fork": 2}),
         ("Books in one stack on the tray (there are 5)", {"book": 5, "tray": 1}),
         ("four bottles, one at each corner; next to each bottle a notepad with a pen on it",
@@ -101,7 +101,9 @@ def test_a_robot_is_told_where_things_go_and_they_are_not_there_yet(text: str, a
 
 
 def test_bottles_of_several_kinds_are_one_of_each() -> None:
-    nouns = [o.noun for o in plan_scene("bottles of gin, rum and vermouth, all in one row", 0).objects]
+    nouns = [
+        o.noun for o in plan_scene("bottles of gin, rum and vermouth, all in one row", 0).objects
+    ]
     assert nouns == ["bottle of gin", "bottle of rum", "bottle of vermouth"]
 
 

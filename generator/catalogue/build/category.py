@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
 import numpy as np
 from jaxtyping import Float
@@ -19,6 +20,16 @@ from .styles import apply_style
 
 _VARIATION = 0.5, 2.0  # a variant's mass, in nominal ones
 _WALL_DENSITY = 2000.0  # kg/m^3; only its product with the wall's thickness counts
+
+SETS: Mapping[str, str] = MappingProxyType(
+    {
+        "coins": "pile of coins",
+        "dominoes": "set of dominoes",
+        "paper_clips": "pile of paper clips",
+        "thumbtacks": "pile of thumbtacks",
+    }
+)
+"""Categories of several things at once and their nouns; the plural alone means single things."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +67,7 @@ class Category:
     @property
     def noun(self) -> str:
         """The word for it in a sentence."""
-        return self.key.replace("_", " ")
+        return SETS.get(self.key, self.key.replace("_", " "))
 
     @property
     def container(self) -> bool:

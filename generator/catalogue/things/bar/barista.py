@@ -229,8 +229,8 @@ def ice_bucket(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("moka_pot", moka_pot, (0.16, 0.09, 0.19), 0.5, ("stovetop espresso maker",
-             "espresso pot", "moka", "bialetti", "espresso maker", "italian coffee maker",
-             "percolator"), ("coffee", "kitchen"), ("tall",), ("silver", "red")),
+             "espresso pot", "moka", "bialetti", "espresso maker", "italian coffee maker"),
+             ("coffee", "kitchen"), ("tall",), ("silver", "red")),
     Category("espresso_machine", espresso_machine, (0.248, 0.329, 0.322), 6.0,
              ("espresso coffee machine", "cappuccino machine", "nespresso machine",
              "capsule machine"), ("coffee", "kitchen"), ("tall", "big"), ("silver", "red")),

@@ -139,16 +139,19 @@ def pizza_cutter(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("corkscrew", corkscrew, (0.134, 0.106, 0.0271), 0.12, ("cork screw", "wine opener",
-             "wine bottle opener", "winged corkscrew"), ("kitchen", "dining"), (), ("silver",
+                 "wine bottle opener", "winged corkscrew", "waiters friend", "waiter's friend",
+                 "sommelier knife"), ("kitchen", "dining"), (), ("silver",
              "wooden"), state="lying flat"),
     Category("bottle_opener", bottle_opener, (0.115, 0.038, 0.01), 0.06, ("beer opener",
-             "church key"), ("kitchen", "dining"), ("flat",), ("silver", "black"),
+                 "church key", "bar blade", "bar key"),
+             ("kitchen", "dining"), ("flat",), ("silver", "black"),
              state="lying flat"),
     Category("chopsticks", chopsticks, (0.224, 0.0273, 0.00755), 0.018, ("pair of chopsticks",
              "chopstick", "chop sticks"), ("dining",), ("flat",), ("wooden", "black"),
              state="lying flat"),
     Category("pizza_cutter", pizza_cutter, (0.215, 0.08, 0.019), 0.12, ("pizza wheel",
-             "pizza slicer", "rolling cutter"), ("kitchen",), ("flat",), ("black",
+             "pizza slicer", "rolling cutter", "tracing wheel"), ("kitchen",),
+             ("flat",), ("black",
              "red"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

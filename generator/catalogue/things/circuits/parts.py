@@ -186,10 +186,12 @@ CATEGORIES = (
     Category("capacitor", capacitor, (0.0138, 0.0138, 0.0195), 0.003, ("electrolytic capacitor",),
              ("electronics",), ("round",), ("black",)),
     Category("ic_chip", _chip(0.02, 0.0066, 8), (0.025, 0.0105, 0.007), 0.002, ("microchip",
-             "chip", "integrated circuit", "ic", "computer chip"), ("electronics",), ("flat",),
+             "chip", "integrated circuit", "ic", "computer chip", "crystal oscillator",
+             "optocoupler"), ("electronics",), ("flat",),
              ("black",)),
     Category("jumper_wire", jumper_wire, (0.145, 0.028, 0.0027), 0.002, ("dupont wire", "wire",
-             "jumper cable", "electric wire", "hookup wire"), ("electronics",), ("flat",),
+             "jumper cable", "electric wire", "hookup wire",
+             "coil of wire"), ("electronics",), ("flat",),
              ("red", "black")),
     Category("cpu", cpu, (0.041, 0.041, 0.0041), 0.03, ("processor", "computer processor",
              "microprocessor"), ("electronics",), ("flat",), ("green",)),
@@ -198,6 +200,7 @@ CATEGORIES = (
              ("blue",)),
     Category("push_button", push_button, (0.093, 0.093, 0.036), 0.15, ("button switch",
              "red button", "emergency button", "buzzer", "arcade button", "quiz buzzer",
-             "emergency stop", "emergency stop button"), ("electronics",), ("round",), ("red",)),
+             "emergency stop", "emergency stop button", "keycap", "door bell button"),
+             ("electronics",), ("round",), ("red",)),
 )  # fmt: skip
 """The module's categories."""

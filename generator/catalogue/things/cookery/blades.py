@@ -162,7 +162,8 @@ _K = ("kitchen",)
 CATEGORIES = (
     Category("chef_knife", chef_knife, (0.314, 0.0454, 0.016), 0.2, ("chef's knife", "chefs knife",
              "kitchen knife", "santoku", "cooking knife", "carving knife", "chopping knife",
-             "santoku knife", "sashimi knife"), _K, ("flat",), ("black", "wooden"),
+             "santoku knife", "sashimi knife", "bloody knife", "bloody knife prop", "prop knife",
+             "fake knife"), _K, ("flat",), ("black", "wooden"),
              state="lying flat"),
     Category("bread_knife", bread_knife, (0.327, 0.0299, 0.016), 0.15, ("serrated knife",
              "cake knife"), _K, ("flat",), ("black", "wooden"), state="lying flat"),

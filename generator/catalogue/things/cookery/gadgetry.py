@@ -176,7 +176,7 @@ CATEGORIES = (
              "flour sifter", "sifter", "fine mesh sieve", "mesh sieve"), _K, ("container", "big"),
              ("silver", "black")),
     Category("lid", lid, (0.214, 0.214, 0.0552), 0.45, ("pot lid", "pan lid", "saucepan lid",
-             "glass lid", "lid of a pot", "jar lid"), _K, ("round", "flat"), ("silver",),
+             "glass lid", "lid of a pot","pitcher lid", "yoghurt lid", "yogurt lid", "plastic lid" ), _K, ("round", "flat"), ("silver",),
              state="lying flat"),
     Category("can_opener", can_opener, (0.2, 0.0595, 0.024), 0.16, ("tin opener",), _K, (),
              ("black", "red"), state="lying flat"),
@@ -185,7 +185,7 @@ CATEGORIES = (
     Category("potato_masher", potato_masher, (0.0862, 0.0761, 0.243), 0.18, ("masher",), _K,
              ("tall",), ("black", "silver")),
     Category("mandoline", mandoline, (0.29, 0.109, 0.0985), 0.5, ("mandolin slicer",
-             "vegetable slicer", "mandoline slicer", "food slicer"), _K, ("big",), ("white",
+                 "vegetable slicer", "mandoline slicer"), _K, ("big",), ("white",
              "black")),
 )  # fmt: skip
 """The module's categories."""

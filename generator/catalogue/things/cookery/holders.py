@@ -199,8 +199,9 @@ def knife_block(look: Look) -> Shape:
 _K = ("kitchen",)
 CATEGORIES = (
     Category("citrus_juicer", citrus_juicer, (0.179, 0.126, 0.056), 0.2, ("lemon squeezer",
-             "juice squeezer", "citrus squeezer", "lemon juicer", "orange squeezer",
-             "orange juicer", "citrus press", "reamer", "juicer"), _K, ("round",), ("yellow",
+                 "juice squeezer", "citrus squeezer", "lemon juicer", "orange squeezer",
+                 "orange juicer", "citrus press", "reamer", "juicer", "lime squeezer",
+                 "lemon press"), _K, ("round",), ("yellow",
              "white")),
     Category("cookie_cutter", cookie_cutter, (0.0761, 0.0725, 0.0243), 0.025, ("biscuit cutter",
              "pastry cutter", "cookie stamp"), _K, ("flat",), ("silver", "red"),

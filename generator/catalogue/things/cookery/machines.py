@@ -276,10 +276,10 @@ def milk_frother(look: Look) -> Shape:
 
 _K = ("kitchen",)
 CATEGORIES = (
-    Category("waffle_iron", waffle_iron, (0.202, 0.272, 0.278), 2.2, ("waffle maker",
-             "sandwich maker", "panini press", "sandwich toaster"), _K, ("big",), ("black",
+    Category("waffle_iron", waffle_iron, (0.202, 0.272, 0.278), 2.2, ("waffle maker",),
+             _K, ("big",), ("black",
              "silver")),
-    Category("air_fryer", air_fryer, (0.273, 0.331, 0.307), 4.5, ("airfryer", "deep fryer"), _K,
+    Category("air_fryer", air_fryer, (0.273, 0.331, 0.307), 4.5, ("airfryer",), _K,
              ("big", "tall"), ("black",)),
     Category("slow_cooker", slow_cooker, (0.387, 0.262, 0.227), 4.5, ("crockpot", "crock pot",
              "pressure cooker", "multicooker", "instant pot"), _K, ("big",), ("silver", "red")),
@@ -299,7 +299,8 @@ CATEGORIES = (
     Category("portafilter", portafilter, (0.21, 0.082, 0.0524), 0.5, ("portafilter handle",
              "espresso handle", "filter holder"), ("coffee",), (), ("black",), state="lying flat"),
     Category("milk_frother", milk_frother, (0.223, 0.0295, 0.0311), 0.12, ("frother",
-             "electric frother", "milk foamer", "handheld frother"), ("coffee",), (), ("black",),
+                 "electric frother", "milk foamer", "handheld frother", "milk warmer"),
+             ("coffee",), (), ("black",),
              state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

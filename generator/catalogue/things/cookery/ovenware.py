@@ -254,7 +254,8 @@ def tagine(look: Look) -> Shape:
 
 _K = ("kitchen",)
 CATEGORIES = (
-    Category("wok", wok, (0.471, 0.303, 0.113), 1.3, ("stir fry pan", "wok pan"), _K, ("container",
+    Category("wok", wok, (0.471, 0.303, 0.113), 1.3, ("stir fry pan", "wok pan", "karahi",
+             "kadai"), _K, ("container",
              "big"), ("charcoal",)),
     Category("casserole", casserole, (0.324, 0.234, 0.154), 3.2, ("dutch oven", "casserole dish",
              "cast iron pot", "casserole pot", "cocotte", "stew pot", "crock", "enamel pot"), _K,
@@ -267,7 +268,8 @@ CATEGORIES = (
              "lasagna dish", "ovenproof dish", "casserole pan", "lasagne dish"), _K, ("container",
              "big"), ("white", "red")),
     Category("cake_tin", cake_tin, (0.223, 0.228, 0.0633), 0.5, ("cake pan", "springform pan",
-             "springform", "cake mould", "round baking tin"), _K, ("container", "round", "big"),
+                 "springform", "cake mould", "round baking tin", "springform tin",
+                 "springform cake tin"), _K, ("container", "round", "big"),
              ("charcoal",)),
     Category("pie_dish", pie_dish, (0.265, 0.265, 0.0382), 0.8, ("pie tin", "pie plate",
              "quiche dish", "flan dish", "tart tin", "tart pan", "pie pan"), _K, ("container",
@@ -275,10 +277,11 @@ CATEGORIES = (
     Category("cooling_rack", cooling_rack, (0.372, 0.258, 0.028), 0.4, ("wire rack", "cake rack",
              "baking rack", "cake cooling rack"), _K, ("support", "flat", "big"), ("silver",)),
     Category("bamboo_steamer", bamboo_steamer, (0.203, 0.203, 0.147), 0.45, ("steamer",
-             "dim sum steamer", "steamer basket", "dumpling steamer", "bamboo basket"), _K,
+                 "dim sum steamer", "steamer basket", "dumpling steamer", "bamboo basket",
+                 "tortilla warmer"), _K,
              ("round", "big"), ("tan",)),
-    Category("griddle", griddle, (0.414, 0.254, 0.0496), 2, ("grill pan", "griddle pan"), _K,
-             ("container", "big"), ("charcoal",)),
+    Category("griddle", griddle, (0.414, 0.254, 0.0496), 2, ("grill pan", "griddle pan","comal", "tawa",  "tawa"),
+             _K, ("container", "big"), ("charcoal",)),
     Category("tagine", tagine, (0.269, 0.269, 0.205), 2.6, ("tajine", "tagine pot"), _K, ("big",
              "tall", "round"), ("terracotta",)),
 )  # fmt: skip

@@ -218,10 +218,12 @@ def power_strip(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("printer", printer, (0.4, 0.45, 0.26), 4.5, ("inkjet printer", "copier"),
+    Category("printer", printer, (0.4, 0.45, 0.26), 4.5, ("inkjet printer", "copier",
+             "fax machine", "laminator", "franking machine"),
              ("office",), ("big",), ("white", "black")),
     Category("router", router, (0.21, 0.15, 0.155), 0.4,
-             ("wifi router", "wi-fi router", "modem", "wireless router", "access point"),
+             ("wifi router", "wi-fi router", "modem", "wireless router", "access point",
+             "wi-fi extender", "wifi extender"),
              ("office", "gaming"), (), ("black", "white")),
     Category("vr_headset", vr_headset, (0.18, 0.26, 0.13), 0.5,
              ("vr goggles", "virtual reality headset", "vr glasses", "vr"),
@@ -230,10 +232,12 @@ CATEGORIES = (
              ("mic", "podcast microphone", "usb microphone", "desk microphone"),
              ("gaming", "office"), ("tall", "round"), ("black", "silver")),
     Category("desk_fan", desk_fan, (0.185, 0.15, 0.235), 0.9,
-             ("fan", "table fan", "electric fan", "usb fan"), ("office", "living"), ("tall", "big"),
+             ("fan", "table fan", "electric fan", "usb fan", "fan heater", "desk heater"),
+             ("office", "living"), ("tall", "big"),
              ("white", "black")),
     Category("power_strip", power_strip, (0.35, 0.085, 0.042), 0.4,
-             ("extension cord", "power bar", "socket strip", "multi socket", "power outlet strip"),
+             ("extension cord", "power bar", "socket strip", "multi socket", "power outlet strip",
+             "multi plug adaptor", "multi-plug adaptor", "surge protector"),
              ("office", "workbench"), (), ("white", "black"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

@@ -268,7 +268,7 @@ CATEGORIES = (
         computer_mouse,
         (0.062, 0.108, 0.037),
         0.09,
-        ("mouse", "wireless mouse"),
+        ("mouse", "wireless mouse", "trackball"),
         ("office",),
         (),
         ("black", "white"),

@@ -69,7 +69,7 @@ CATEGORIES = (
         smartphone,
         (0.074, 0.153, 0.0086),
         0.18,
-        ("phone", "mobile phone", "cell phone", "cellphone", "mobile"),
+        ("phone", "mobile phone", "cell phone", "cellphone", "mobile", "iphone"),
         ("office", "coffee", "living", "vanity"),
         ("flat", "screen"),
         ("black", "silver"),

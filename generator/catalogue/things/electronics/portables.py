@@ -158,16 +158,19 @@ def handheld_console(look: Look) -> Shape:
 CATEGORIES = (
     Category("hard_drive", hard_drive, (0.11, 0.16, 0.017), 0.2,
              ("external hard drive", "hard disk", "external drive", "ssd", "portable drive",
-              "hdd"), ("office", "gaming"), ("flat",), ("black", "silver"),
+              "hdd", "server blade"), ("office", "gaming"), ("flat",), ("black", "silver"),
              state="lying flat"),
     Category("action_camera", action_camera, (0.067, 0.043, 0.055), 0.15,
-             ("gopro", "action cam", "sports camera"), ("office", "gaming"), (), ("black",)),
+             ("gopro", "action cam", "sports camera", "dashcam", "dash cam"), ("office",
+             "gaming"), (), ("black",)),
     Category("wristwatch", wristwatch, (0.041, 0.062, 0.052), 0.07,
-             ("watch", "wrist watch", "smartwatch", "smart watch", "hand watch"),
+             ("watch", "wrist watch", "smartwatch", "smart watch", "hand watch",
+             "digital watch", "nurse watch", "gold watch", "kid watch", "kids watch", "swatch",
+             "chronograph", "fitness tracker", "fitness band", "watch strap", "smart band"),
              ("vanity", "office"), (), ("brown", "black"), state="lying, strap closed"),
     Category("handheld_console", handheld_console, (0.235, 0.1, 0.0225), 0.4,
              ("handheld game", "portable console", "nintendo switch",
-              "handheld game console"), ("gaming", "toys"), ("flat",),
+              "handheld game console", "game boy", "gameboy"), ("gaming", "toys"), ("flat",),
              ("red", "black"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

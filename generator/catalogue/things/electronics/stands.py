@@ -207,9 +207,12 @@ CATEGORIES = (
              "cctv camera", "ip camera", "cctv", "baby camera"), ("electronics",), (),
              ("white",)),
     Category("ring_light", ring_light, (0.18, 0.13, 0.327), 0.45, ("selfie light", "ring lamp",
-             "photo light", "studio light"), ("office",), ("tall", "big"), ("black",)),
+             "photo light", "studio light", "camera flash"), ("office",), ("tall", "big"),
+             ("black",)),
     Category("laser_pointer", laser_pointer, (0.1365, 0.014, 0.0145), 0.04, ("laser pen",
-             "laser", "presentation pointer"), ("office",), (), ("silver", "black"), None,
+             "laser", "presentation pointer",
+             "presentation clicker", "presentation remote"), ("office",), (),
+             ("silver", "black"), None,
              "lying flat"),
     Category("headphone_stand", headphone_stand, (0.125, 0.125, 0.25), 0.5, ("headphone holder",
              "headset stand", "headphones stand", "headphones holder", "headset holder"),
@@ -224,6 +227,7 @@ CATEGORIES = (
              "extension cable reel", "cable drum", "extension lead", "extension cable"),
              ("workbench",), ("big",), ("orange",)),
     Category("label_maker", label_maker, (0.123, 0.1665, 0.045), 0.4, ("label printer",
-             "labelmaker", "labeler", "labeller", "label writer"), ("office",), (), ("white",)),
+             "labelmaker", "labeler", "labeller", "label writer", "label machine"), ("office",),
+             (), ("white",)),
 )  # fmt: skip
 """The module's categories."""

@@ -184,8 +184,9 @@ def stew(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("noodles", noodles, (0.2, 0.159, 0.0752), 0.7, ("bowl of noodles", "noodle bowl",
-             "noodle", "chow mein", "fried noodles", "pad thai", "plate of noodles", "udon",
-             "noodle dish"), ("dining",), ("edible", "round"), ("white", "navy")),
+                 "noodle", "chow mein", "fried noodles", "pad thai", "plate of noodles", "udon",
+                 "noodle dish", "bowl of udon"),
+             ("dining",), ("edible", "round"), ("white", "navy")),
     Category("ramen", ramen, (0.158, 0.158, 0.079), 0.85, ("bowl of ramen", "noodle soup", "pho",
              "ramen bowl", "bowl of pho", "miso soup", "laksa"), ("dining",), ("edible", "round"),
              ("black", "red")),
@@ -197,7 +198,8 @@ CATEGORIES = (
              "pasta", "bowl of pasta", "spaghetti plate", "bowl of spaghetti", "penne",
              "fettuccine"), ("dining",), ("edible", "round", "big"), ("white",)),
     Category("curry", curry, (0.156, 0.156, 0.0719), 0.7, ("bowl of curry", "chicken curry",
-             "curry and rice", "curry bowl", "dal", "tikka masala", "curry rice"), ("dining",),
+             "curry and rice", "curry bowl", "dal", "tikka masala", "curry rice", "bowl of dal",
+             "balti dish", "dal bowl", "bowl of daal", "daal", "balti"), ("dining",),
              ("edible", "round"), ("white",)),
     Category("stew", stew, (0.163, 0.163, 0.0623), 0.75, ("bowl of stew", "beef stew", "goulash",
              "bowl of chili", "chili con carne", "hotpot", "stew bowl"), ("dining",), ("edible",

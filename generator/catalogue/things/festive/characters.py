@@ -119,9 +119,10 @@ def nutcracker(look: Look) -> Shape:
 CATEGORIES = (
     Category("santa", santa, (0.082, 0.1, 0.148), 0.2, ("santa claus", "santa figure",
              "father christmas", "santa figurine", "saint nicholas", "santa claus figure",
-             "christmas gnome"), ("living",), (), ("red",)),
+             "christmas gnome", "father christmas ornament", "santa ornament", "chocolate santa"),
+             ("living",), (), ("red",)),
     Category("snowman", snowman, (0.13, 0.08, 0.167), 0.15, ("snowman figure", "snow man",
-             "snowman figurine"), ("living",), (), ("white",)),
+             "snowman figurine", "snowman ornament"), ("living",), (), ("white",)),
     Category("nutcracker", nutcracker, (0.085, 0.062, 0.205), 0.25, ("nutcracker figure",
              "nutcracker soldier", "wooden nutcracker", "christmas nutcracker"), ("living",),
              ("tall",), ("red",)),

@@ -283,7 +283,8 @@ def sushi_rolls(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("peach", peach, (0.0758, 0.0683, 0.0671), 0.15, ("nectarine", "apricot"), ("kitchen",
+    Category("peach", peach, (0.0758, 0.0683, 0.0671), 0.15, ("nectarine", "apricot",
+             "plastic peach"), ("kitchen",
              "food"), ("round", "edible"), ("coral",)),
     Category("plum", plum, (0.048, 0.047, 0.055), 0.07, ("damson",), ("kitchen", "food"),
              ("round", "edible"), ("purple",)),
@@ -299,13 +300,14 @@ CATEGORIES = (
     Category("ice_cream", ice_cream, (0.0994, 0.0981, 0.116), 0.3, ("gelato", "ice cream bowl",
              "sundae",
              "ice cream sundae",
-             "bowl of ice cream", "cup of ice cream", "ice cream cup", "frozen yogurt"), ("dining",
+             "bowl of ice cream", "cup of ice cream", "ice cream cup", "frozen yogurt",
+             "affogato"), ("dining",
              "food"), ("edible", "tall"), ("pink", "white")),
     Category("soup", soup, (0.16, 0.16, 0.057), 0.6, ("bowl of soup", "broth"), ("dining", "food"),
              ("round", "edible"),
              ("white",)),
     Category("steak", steak, (0.151, 0.0943, 0.0214), 0.25, ("beef steak", "meat", "beef",
-             "piece of meat", "pork chop", "beefsteak", "raw steak", "grilled steak",
+             "piece of meat", "beefsteak", "raw steak", "grilled steak",
              "meat slice"), ("dining", "food"), ("flat", "edible"), ("brown",),
              state="lying flat"),
     Category("sushi_rolls", sushi_rolls, (0.151, 0.0458, 0.0288), 0.1, ("maki rolls",

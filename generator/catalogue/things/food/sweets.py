@@ -116,10 +116,10 @@ def chocolate_bar(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("pancakes", pancakes, (0.13, 0.13, 0.06), 0.35,
-             ("pancake stack", "stack of pancakes", "pancake", "hotcake"),
+             ("pancake stack", "stack of pancakes", "pancake", "hotcake", "plate of pancakes"),
              ("breakfast", "food"), ("round", "edible")),
     Category("cookie", cookie, (0.07, 0.07, 0.018), 0.022,
-             ("biscuit", "cracker", "chocolate chip cookie"), ("tea", "coffee", "food"),
+             ("biscuit", "chocolate chip cookie", "rusk" ), ("tea", "coffee", "food"),
              ("round", "flat", "edible"), ("tan", "brown"), state="lying flat"),
     Category("chocolate_bar", chocolate_bar, (0.16, 0.076, 0.011), 0.1,
              ("chocolate", "bar of chocolate", "candy bar"),

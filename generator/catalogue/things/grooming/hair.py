@@ -171,12 +171,14 @@ def straightener(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("hair_clip", hair_clip, (0.06, 0.05, 0.05), 0.015, ("claw clip", "hairclip",
-             "hair claw", "barrette", "hair slide"), ("vanity",), (), ("pink", "black")),
+             "hair claw", "barrette", "hair slide", "barber's cape clip"), ("vanity",), (),
+             ("pink", "black")),
     Category("hair_tie", scrunchie, (0.0872, 0.0858, 0.0254), 0.006, ("scrunchie",
-             "hair elastic", "hair scrunchie", "hair bobble"),
+             "hair elastic", "hair scrunchie", "hair bobble", "hair extension"),
              ("vanity",), ("flat",), ("pink", "black"), state="lying flat"),
     Category("headband", headband, (0.15, 0.105, 0.02), 0.03, ("hairband", "alice band",
-             "head band"), ("vanity",), (), ("pink", "black"), state="lying flat"),
+             "head band", "reindeer antlers","snorkel band", "sweat headband" ), ("vanity",), (), ("pink", "black"),
+             state="lying flat"),
     Category("bobby_pin", bobby_pin, (0.0644, 0.00789, 0.00263), 0.001, ("hair pin", "hairpin",
              "hair grip", "kirby grip"), ("vanity",), (), ("black",), state="lying flat"),
     Category("hair_roller", hair_roller, (0.063, 0.039, 0.038), 0.012, ("hair curler", "curler",

@@ -19,7 +19,7 @@ from ..food.food import skin
 STEM: RGB = (110, 90, 52)
 
 
-def _wheel(color: RGB, pith: RGB, count: int = 9) -> textures.Tile:
+def wheel(color: RGB, pith: RGB, count: int = 9) -> textures.Tile:
     """Return the cut face of a citrus fruit: its segments like spokes."""
     y, x = np.mgrid[0:128, 0:128] / 127 * 2 - 1
     away, turn = np.hypot(x, y), np.arctan2(y, x)
@@ -39,7 +39,7 @@ def _citrus(look: Look, d: tuple[float, float], flesh: RGB, palette: tuple[str, 
         half = lathe([(0, 0), (0.2, 0), (0.42, 0.12), (0.5, 0.36), (0.5, 0.5), (0, 0.5)], 30)
         half = half.scale(size, size, size)
         face = cylinder(0.49 * size, 0.001, 30).move(z=0.5 * size - 0.0004)
-        return shape([(half, peel), (face, _wheel(flesh, (246, 240, 214)))], [hull_of(half)])
+        return shape([(half, peel), (face, wheel(flesh, (246, 240, 214)))], [hull_of(half)])
     body = ellipsoid((1 + nub) * size, size, 0.97 * size, 26, 16)
     pieces = [(body, peel)]
     if nub > 0.05:
@@ -66,7 +66,7 @@ def _slice(look: Look, d: float, flesh: RGB, rind: RGB) -> Shape:
     t = look.between(0.004, 0.006)
     disc = cylinder(d / 2, t, 32, bevel=0.0005)
     face = cylinder(0.98 * d / 2, 0.0006, 32).move(z=t - 0.0003)
-    return shape([(disc, textures.plain(rind)), (face, _wheel(flesh, (250, 244, 214)))],
+    return shape([(disc, textures.plain(rind)), (face, wheel(flesh, (250, 244, 214)))],
                  [hull_of(disc, face)])  # fmt: skip
 
 
@@ -193,8 +193,9 @@ CATEGORIES = (
     Category("lemon_slice", lemon_slice, (0.0586, 0.0586, 0.00511), 0.012, ("slice of lemon",
              "lime slice", "orange slice", "slice of orange", "slice of lime", "lime wedge",
              "lemon wedge"), _K, ("edible", "flat", "round"), ("yellow",), state="lying flat"),
-    Category("melon", melon, (0.154, 0.14, 0.139), 1.2, ("cantaloupe", "honeydew", "honeydew melon",
-             "galia melon", "whole melon", "rockmelon"), _K, ("round", "edible", "big"), ("tan",)),
+    Category("melon", melon, (0.154, 0.14, 0.139), 1.2, ("cantaloupe", "honeydew",
+                 "galia melon", "whole melon", "rockmelon", "honeydew melon"),
+             _K, ("round", "edible", "big"), ("tan",)),
     Category("watermelon", in_sizes(watermelon, 0.12), (0.238, 0.181, 0.169), 3.5,
              ("whole watermelon",
              "water melon"), _K, ("edible", "big"), ("green",)),

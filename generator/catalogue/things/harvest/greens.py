@@ -17,7 +17,7 @@ from ...surfaces.look import Look
 WHITE: RGB = (240, 238, 222)
 
 
-def _leafy(look: Look, color: RGB) -> textures.Tile:
+def leafy(look: Look, color: RGB) -> textures.Tile:
     """Return a leaf's skin: veins paler than ``color``."""
     tile = textures.noise(look.rng, 96, 96, (5, 5), 3)[..., None] * 22
     veins = np.abs(np.sin(np.linspace(0, 22, 96)))[None, :, None] < 0.16
@@ -25,7 +25,7 @@ def _leafy(look: Look, color: RGB) -> textures.Tile:
     return np.clip(image, 0, 255).astype(np.uint8)
 
 
-def _head(look: Look, r: float, layers: int, frill: float) -> Solid:
+def head(look: Look, r: float, layers: int, frill: float) -> Solid:
     """Return a head of leaves: cupped sheets around a ball."""
     made = [ellipsoid(1.7 * r, 1.7 * r, 1.6 * r, 18, 10).move(z=0.82 * r)]
     for k in range(layers):
@@ -53,15 +53,15 @@ def lettuce(look: Look) -> Shape:
     """A head of lettuce with frilled leaves."""
     r = look.between(0.062, 0.075)
     color = look.color("lime", "green", "lime", "maroon")
-    leaves = _head(look, r, 9, 0.4)
-    return settle([(leaves, _leafy(look, tint_color(color, 1.05)))], 0.06)
+    leaves = head(look, r, 9, 0.4)
+    return settle([(leaves, leafy(look, tint_color(color, 1.05)))], 0.06)
 
 
 def cabbage(look: Look) -> Shape:
     """A round cabbage, green, white or red, its outer leaves a little open."""
     r = look.between(0.068, 0.08)
     color = look.color("lime", "purple", "sage")
-    return settle([(_head(look, r, 7, 0.08), _leafy(look, color))], 0.07)
+    return settle([(head(look, r, 7, 0.08), leafy(look, color))], 0.07)
 
 
 def celery(look: Look) -> Shape:
@@ -251,18 +251,19 @@ def rosemary(look: Look) -> Shape:
 
 _K = ("kitchen", "food")
 CATEGORIES = (
-    Category("lettuce", lettuce, (0.173, 0.173, 0.104), 0.35, ("head of lettuce", "lettuce head",
-             "salad head", "spinach", "kale", "bok choy", "chard", "iceberg lettuce"), _K,
+    Category("lettuce", lettuce, (0.173, 0.173, 0.104), 0.35, ("head of lettuce",
+                 "lettuce head", "salad head", "kale", "iceberg lettuce"), _K,
              ("edible", "round"), ("lime",)),
-    Category("cabbage", cabbage, (0.161, 0.165, 0.108), 0.9, ("head of cabbage", "cabbage head",
-             "brussels sprout"), _K, ("edible", "round"), ("sage", "purple")),
+    Category("cabbage", cabbage, (0.161, 0.165, 0.108), 0.9, ("head of cabbage", "cabbage head"),
+             _K, ("edible", "round"), ("sage", "purple")),
     Category("celery", celery, (0.239, 0.145, 0.046), 0.35, ("celery stalk", "bunch of celery",
              "celery stick", "stick of celery", "rhubarb", "fennel"), _K, ("edible",), ("lime",),
              state="lying flat"),
     Category("leek", leek, (0.326, 0.0632, 0.0331), 0.2, (), _K, ("edible",), ("green",),
              state="lying flat"),
-    Category("spring_onion", spring_onion, (0.269, 0.058, 0.0165), 0.06, ("scallion", "green onion",
-             "chive", "bunch of spring onions", "bunch of chives"), _K, ("edible",), ("green",),
+    Category("spring_onion", spring_onion, (0.269, 0.058, 0.0165), 0.06, ("scallion",
+                 "green onion", "chive", "bunch of spring onions", "bunch of chives",
+                 "chive bunch"), _K, ("edible",), ("green",),
              state="lying flat"),
     Category("asparagus", asparagus, (0.2, 0.035, 0.0299), 0.2, ("bunch of asparagus",
              "bundle of asparagus", "asparagus spear", "asparagus bundle"), _K, ("edible",),
@@ -273,11 +274,14 @@ CATEGORIES = (
              ("edible", "round"), ("sage",)),
     Category("basil", basil, (0.151, 0.125, 0.0142), 0.03, ("bunch of basil", "basil leaf",
              "fresh basil"), _K, ("edible",), ("green",), state="lying flat"),
-    Category("mint", mint, (0.15, 0.117, 0.0139), 0.03, ("bunch of mint", "mint leaf", "fresh mint",
-             "sage", "mint sprig", "sprig of mint", "bay leaf"), _K, ("edible",), ("green",),
+    Category("mint", mint, (0.15, 0.117, 0.0139), 0.03, ("bunch of mint", "mint leaf",
+                 "fresh mint", "sage", "mint sprig", "sprig of mint"), _K, ("edible",), ("green",),
              state="lying flat"),
-    Category("parsley", parsley, (0.142, 0.0999, 0.0127), 0.03, ("bunch of parsley", "coriander",
-             "cilantro", "fresh herbs", "herb", "bunch of herbs", "dill", "bunch of coriander"), _K,
+    Category("parsley", parsley, (0.142, 0.0999, 0.0127), 0.03, ("bunch of parsley",
+                 "coriander", "cilantro", "fresh herbs", "herb", "bunch of herbs", "dill",
+                 "bunch of coriander", "parsley bunch", "coriander bunch", "cilantro bunch",
+                 "dill frond", "sprig of dill", "chervil", "watercress", "watercress bunch",
+                 "samphire bunch", "samphire"), _K,
              ("edible",), ("green",), state="lying flat"),
     Category("rosemary", rosemary, (0.156, 0.11, 0.0137), 0.02, ("sprig of rosemary",
              "rosemary sprig", "thyme", "bunch of rosemary", "sprig of thyme"), _K, ("edible",),

@@ -237,9 +237,14 @@ def _paint(look: Look, color: RGB, scarf: RGB) -> Tile:
 
 CATEGORIES = (
     Category("figurine", figurine, (0.062, 0.066, 0.105), 0.12,
-             ("small statue", "porcelain figurine", "ceramic figurine", "animal figurine",
-              "cat figurine", "owl figurine", "elephant figurine", "bird figurine",
-              "angel figurine", "penguin figurine", "rabbit figurine", "porcelain figure"),
+             ("small statue", "porcelain figurine",
+             "ceramic figurine", "animal figurine",
+                 "cat figurine", "owl figurine",
+             "elephant figurine", "bird figurine",
+                 "angel figurine", "penguin figurine",
+             "rabbit figurine", "porcelain figure",
+              "fairy ornament", "angel ornament", "angel figure", "fairy figurine",
+              "black cat figurine", "owl figure","tea pet","venus figurine", "cycladic figure", "terracotta warrior figure", "terracotta warrior", "benin bronze", "inca figure", "netsuke", "shabti", "taxidermy owl", "staffordshire figure", "big ben model", "big ben","glass animal", "crystal swan", "swan ornament", "owl ornament", "elephant ornament", "angel wings ornament", "ceramic owl", "gryphon figure", "smurf figurine", "bonnet ornament", "lladro figurine", "kissing couple figurine"   ),
              ("living", "office"), (), ("white", "brown")),
     Category("matryoshka", matryoshka, (0.065, 0.065, 0.112), 0.08,
              ("matryoshka doll", "matrioshka", "russian doll", "nesting doll",

@@ -197,7 +197,7 @@ CATEGORIES = (
         candle,
         (0.075, 0.075, 0.12),
         0.2,
-        ("scented candle", "pillar candle"),
+        ("scented candle", "pillar candle", "candle wick"),
         ("dining", "vanity", "living"),
         ("round",),
         ("cream", "white"),

@@ -206,7 +206,10 @@ CATEGORIES = (
         knife,
         (0.25, 0.028, 0.012),
         0.09,
-        ("table knife",),
+        (
+            "table knife",
+            "letter opener",
+        ),
         ("dining", "kitchen"),
         ("flat",),
         ("silver", "black"),

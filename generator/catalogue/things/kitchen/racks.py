@@ -191,6 +191,8 @@ CATEGORIES = (
              ("dining", "kitchen"), ("tall", "round"), ("clear", "silver")),
     Category("dish_soap", dish_soap, (0.082, 0.046, 0.24), 0.55, ("washing up liquid",
              "dishwashing liquid", "dish soap bottle", "dish detergent", "detergent",
-             "detergent bottle", "dishwasher soap"), ("kitchen",), ("tall",), ("green", "yellow")),
+             "detergent bottle", "dishwasher soap", "washing-up liquid bottle",
+             "washing-up liquid", "washing up liquid bottle"), ("kitchen",), ("tall",), ("green",
+             "yellow")),
 )  # fmt: skip
 """The module's categories."""

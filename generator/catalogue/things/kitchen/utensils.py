@@ -242,7 +242,7 @@ CATEGORIES = (
     Category("ladle", ladle, (0.331, 0.082, 0.0593), 0.14, ("soup ladle", "serving ladle",
              "dipper"), ("kitchen", "dining"), (), ("silver", "black"), state="lying down"),
     Category("tongs", tongs, (0.29, 0.08, 0.02), 0.13, ("kitchen tongs", "cooking tongs",
-             "pair of tongs", "serving tongs", "barbecue tongs"), ("kitchen",),
+             "pair of tongs", "serving tongs", "barbecue tongs", "sugar nips"), ("kitchen",),
              ("flat",), ("silver", "black"), state="lying flat"),
     Category("peeler", peeler, (0.149, 0.0548, 0.0125), 0.045, ("vegetable peeler",
              "potato peeler", "y peeler", "swivel peeler"), ("kitchen",), ("flat",), ("black",

@@ -146,15 +146,19 @@ def bandage_roll(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("syringe", syringe, (0.165, 0.043, 0.0195), 0.012,
-             ("injection", "hypodermic needle", "medical syringe", "needle syringe"),
+             ("injection", "hypodermic needle", "medical syringe", "needle syringe",
+             "solder sucker", "desoldering pump","butterfly needle", "cannula", "epipen", "amalgam gun" ),
              ("medical", "lab"), ("flat",), ("sky", "orange"), state="lying flat"),
     Category("thermometer", thermometer, (0.126, 0.0195, 0.0125), 0.015,
              ("digital thermometer", "medical thermometer", "fever thermometer",
-              "clinical thermometer", "clinical digital thermometer"),
+              "clinical thermometer", "clinical digital thermometer", "depth sounder","galileo thermometer", "barometer tube" ),
              ("medical",), ("flat",), ("white", "sky"), state="lying flat"),
     Category("bandage_roll", bandage_roll, (0.063, 0.055, 0.07), 0.03,
              ("bandage", "roll of bandage", "gauze roll", "roll of gauze",
-              "elastic bandage", "medical bandage"),
+              "elastic bandage", "medical bandage",
+             "triangular bandage", "cotton wool roll", "cotton roll", "arm sling", "knee brace",
+             "neck brace", "wrist splint", "finger splint", "compression bandage", "sam splint",
+             "sling"),
              ("medical",), ("round",), ("white", "tan")),
 )  # fmt: skip
 """The module's categories."""

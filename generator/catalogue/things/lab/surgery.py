@@ -217,7 +217,9 @@ def oximeter(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("scalpel", scalpel, (0.149, 0.0115, 0.0046), 0.02, ("surgical knife",
-             "lancet", "surgical scalpel"), ("medical",), ("flat",), ("silver",), None,
+             "lancet", "surgical scalpel",
+             "scalpel blade", "dental probe", "dental scaler", "lino cutter", "cuticle pusher"),
+             ("medical",), ("flat",), ("silver",), None,
              "lying flat"),
     Category("kidney_dish", kidney_dish, (0.213, 0.12, 0.033), 0.15, ("emesis basin",
              "kidney bowl", "kidney tray", "instrument tray", "surgical tray", "medical tray"),
@@ -225,7 +227,8 @@ CATEGORIES = (
     Category("inhaler", inhaler, (0.0736, 0.0911, 0.0243), 0.04, ("asthma inhaler", "puffer",
              "asthma spray"), ("medical",), (), ("blue",)),
     Category("face_mask", face_mask, (0.228, 0.093, 0.011), 0.005, ("surgical mask",
-             "medical mask", "dust mask", "facemask", "disposable mask"),
+             "medical mask", "dust mask", "facemask", "disposable mask",
+             "cpr mask"),
              ("medical",), ("flat",), ("blue", "white"), 0.6),
     Category("glove_box", glove_box, (0.215, 0.117, 0.099), 0.3, ("box of gloves",
              "box of disposable gloves", "box of latex gloves", "glove dispenser"), ("medical",),

@@ -104,16 +104,18 @@ def toothpick(look: Look) -> Shape:
 CATEGORIES = (
     Category("cookie_box", cookie_box, (0.17, 0.058, 0.115), 0.28, ("box of cookies",
              "biscuit box", "box of biscuits", "cookies box", "box of crackers", "cookie packet",
-             "biscuit packet"), ("kitchen", "tea"), (), ("blue", "red")),
+             "biscuit packet", "packet of biscuits", "packet of cookies", "packet of crackers",
+             "cracker packet"), ("kitchen", "tea"), (), ("blue", "red")),
     Category("pudding_box", pudding_box, (0.098, 0.036, 0.083), 0.12, ("box of pudding",
              "chocolate pudding", "pudding", "gelatin box", "jello box", "pudding mix",
-             "chocolate pudding box", "gelatin", "baking mix"), ("kitchen",), (), ("brown",
+             "chocolate pudding box", "gelatin", "baking mix", "gelatin packet", "jelly packet"),
+             ("kitchen",), (), ("brown",
              "red")),
     Category("popcorn", popcorn, (0.116, 0.116, 0.175), 0.12, ("popcorn box", "popcorn bucket",
              "box of popcorn", "bag of popcorn", "popcorn tub", "bucket of popcorn",
              "popcorn bag"), ("living",), ("edible",), ("red",)),
-    Category("toothpicks", toothpick, (0.04, 0.04, 0.067), 0.05, ("toothpick", "toothpick holder",
-             "box of toothpicks", "cocktail sticks"), ("dining",), ("round",), ("white",
-             "wooden")),
+    Category("toothpicks", toothpick, (0.04, 0.04, 0.067), 0.05, ("toothpick holder",
+                 "box of toothpicks", "cocktail sticks", "toothpick dispenser"), ("dining",),
+             ("round",), ("white", "wooden")),
 )  # fmt: skip
 """The module's categories."""

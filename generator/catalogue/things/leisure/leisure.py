@@ -204,10 +204,13 @@ def cap(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("cap", cap, (0.18, 0.275, 0.12), 0.09,
-             ("baseball cap", "ball cap", "baseball hat"), ("living",), ("big",),
+             ("baseball cap", "ball cap", "baseball hat", "green visor", "visor", "beret", "peaked cap", "shower cap", "swimming cap" ),
+             ("living",), ("big",),
              ("navy", "red")),
     Category("ball", ball, (0.09, 0.09, 0.088), 0.09,
-             ("toy ball", "rubber ball", "bouncy ball"), ("toys", "sports", "pets"), ("round",),
+             ("toy ball", "rubber ball", "bouncy ball", "sphero ball", "eight ball",
+             "bath toy ball", "bowls jack", "petanque jack", "boilie"), ("toys", "sports",
+             "pets"), ("round",),
              ("red", "blue"), 0.8),
     Category("dumbbell", dumbbell, (0.22, 0.085, 0.087), 3.0,
              ("hand weight", "weight", "barbell", "free weight"), ("sports",), (),

@@ -238,7 +238,8 @@ def boomerang(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("spinning_top", spinning_top, (0.0472, 0.0584, 0.0487), 0.03, ("top spinner",
-             "toy top", "whipping top", "humming top"), ("toys",), (), ("red",)),
+             "toy top", "whipping top", "humming top", "tippe top", "anti-gravity spinner",
+             "thaumatrope", "wooden spinning disc", "rattleback"), ("toys",), (), ("red",)),
     Category("yo_yo", yo_yo, (0.093, 0.057, 0.0405), 0.055, ("yoyo", "yo-yo"), ("toys",), (),
              ("red", "blue")),
     Category("kite", kite, (0.15, 0.34, 0.003), 0.03, ("diamond kite", "toy kite"), ("toys",),
@@ -246,7 +247,8 @@ CATEGORIES = (
     Category("slingshot", slingshot, (0.1, 0.17, 0.026), 0.07, ("catapult", "sling shot"),
              ("toys",), (), ("wooden",), None, "lying flat"),
     Category("frisbee", frisbee, (0.235, 0.235, 0.0256), 0.12, ("flying disc", "disc golf disc",
-             "flying disk"), ("toys",), ("round", "flat", "big"), ("red", "blue")),
+             "flying disk", "discus", "newton disc"), ("toys",), ("round", "flat", "big"), ("red",
+             "blue")),
     Category("table_tennis_bat", table_tennis_bat, (0.15, 0.243, 0.02), 0.17,
              ("ping pong paddle", "table tennis paddle", "table tennis racket", "ping pong bat",
               "ping pong racket", "ping-pong paddle", "paddle"), ("sports",), ("flat",), ("red",),
@@ -260,8 +262,8 @@ CATEGORIES = (
     Category("skipping_rope", skipping_rope, (0.165, 0.185, 0.024), 0.12, ("jump rope",
              "jumping rope", "skip rope", "jumprope"), ("sports",), (), ("red",), 0.6),
     Category("bubbles_tub", bubbles_tub, (0.042, 0.042, 0.11), 0.09, ("bubble bottle",
-             "soap bubbles", "bubble wand", "bubble tub", "bubble solution"), ("toys",),
-             ("round", "tall"), ("blue", "pink")),
+             "soap bubbles", "bubble wand", "bubble tub", "bubble solution", "bubble tube"),
+             ("toys",), ("round", "tall"), ("blue", "pink")),
     Category("boomerang", boomerang, (0.265, 0.104, 0.007), 0.08, ("toy boomerang",),
              ("toys",), ("flat",), ("wooden",), None, "lying flat"),
 )  # fmt: skip

@@ -53,7 +53,7 @@ def posy(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("posy", posy, (0.36, 0.17, 0.17), 0.25, ("nosegay", "bundle of flowers"), ("living",),
+    Category("posy", posy, (0.36, 0.17, 0.17), 0.25, ("bundle of flowers",), ("living",),
              ("big",), ("red", "pink"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

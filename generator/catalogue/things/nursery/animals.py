@@ -228,8 +228,8 @@ CATEGORIES = (
     _row("giraffe", (0.125, 0.03, 0.17), 0.06),
     _row("lion", (0.165, 0.05, 0.085), 0.06),
     _row("tiger", (0.17, 0.035, 0.085), 0.06),
-    _row("dog", (0.14, 0.035, 0.09), 0.05, "puppy", "toy puppy"),
-    _row("cat", (0.115, 0.03, 0.09), 0.04, "kitten", "toy kitten"),
+    _row("dog", (0.14, 0.035, 0.09), 0.05, "puppy", "toy puppy", "pull along dog"),
+    _row("cat", (0.115, 0.03, 0.09), 0.04, "kitten", "toy kitten", "ceramic cat"),
     _row("rabbit", (0.0868, 0.0506, 0.1), 0.04, "bunny", "bunny figure", "toy bunny"),
     _row("fox", (0.192, 0.0413, 0.118), 0.05),
 )

@@ -156,7 +156,9 @@ def skittle(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("toy_soldier", toy_soldier, (0.05, 0.04, 0.1), 0.03, ("soldier", "tin soldier",
-             "lead soldier", "army man", "plastic soldier", "soldier figure"), ("toys",), ("tall",),
+                 "lead soldier", "army man", "plastic soldier", "soldier figure",
+                 "painted miniature", "miniature", "wargaming miniature", "gaming miniature","warhammer figure", "wargame miniature", "warhammer miniature" ),
+             ("toys",), ("tall",),
              ("red", "blue")),
     Category("puppet", puppet, (0.175, 0.106, 0.24), 0.12, ("hand puppet", "glove puppet",
              "marionette", "finger puppet"), ("toys",), ("tall",), ("red", "green")),
@@ -167,6 +169,7 @@ CATEGORIES = (
              "beach spade", "sand shovel", "toy shovel", "plastic shovel", "beach shovel"),
              ("toys",), (), ("red", "blue"), state="lying flat"),
     Category("beach_ball", beach_ball, (0.19, 0.19, 0.19), 0.09, ("inflatable ball",
-             "inflatable beach ball"), ("toys",), ("round", "big"), ("red", "blue")),
+             "inflatable beach ball", "water wings", "inflatable armband"), ("toys",), ("round",
+             "big"), ("red", "blue")),
 )  # fmt: skip
 """The module's categories."""

@@ -146,18 +146,21 @@ def thumbtacks(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("paper_clips", paper_clips, (0.0768, 0.0844, 0.00257), 0.004,
-        ("pile of paper clips",), ("office",), ("flat",),
+        ("box of paper clips",), ("office",), ("flat",),
              ("silver",), state="lying flat"),
     Category("binder_clip", binder_clip, (0.0323, 0.0335, 0.0483), 0.015, ("bulldog clip",
              "foldback clip", "fold back clip", "document clip"), ("office",), (), ("black",)),
     Category("hole_punch", hole_punch, (0.17, 0.1, 0.0716), 0.3, ("hole puncher", "paper punch",
-             "puncher", "hole-punch", "paper puncher"), ("office",), (), ("black", "red")),
+             "puncher", "hole-punch", "paper puncher", "corner rounder", "embossing tool",
+             "leather hole punch"), ("office",), (), ("black", "red")),
     Category("stamp", stamp, (0.045, 0.028, 0.08), 0.05, ("rubber stamp", "seal",
-             "self inking stamp", "wooden stamp", "seal stamp", "ink stamp"), ("office",),
+             "self inking stamp", "wooden stamp", "seal stamp", "ink stamp", "seal matrix",
+             "date stamp","signet seal" ), ("office",),
              ("tall",), ("wooden", "black")),
     Category("ink_pad", ink_pad, (0.0984, 0.105, 0.0668), 0.09, ("inkpad", "stamp pad",
              "stamp ink pad", "ink"), ("office",), (), ("black", "navy"), state="lying open"),
-    Category("thumbtacks", thumbtacks, (0.0752, 0.074, 0.0118), 0.004, ("thumbtack",), ("office",),
+    Category("thumbtacks", thumbtacks, (0.0752, 0.074, 0.0118), 0.004, (
+             "brad fastener","box of thumbtacks", "box of drawing pins" ), ("office",),
              ("flat",), ("red", "blue"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

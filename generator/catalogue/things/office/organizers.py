@@ -178,7 +178,9 @@ def cable_coil(look: Look) -> Shape:
 CATEGORIES = (
     Category("desk_caddy", desk_caddy, (0.225, 0.135, 0.113), 0.5, ("caddy", "desktop organizer",
              "desk organiser", "book caddy", "desk tidy", "stationery organizer", "pen organizer",
-             "desktop caddy", "stationery holder"), ("office",), ("container",), ("wooden",
+             "desktop caddy", "stationery holder", "drawer organiser", "cutlery organiser",
+             "drawer organiser", "drawer organizer tray"),
+             ("office",), ("container",), ("wooden",
              "white")),
     Category("cabinet", cabinet, (0.275, 0.235, 0.305), 3.0, ("wooden cabinet", "desk cabinet",
              "small cabinet", "white cabinet", "dollhouse cabinet", "chest of drawers", "cupboard",
@@ -194,7 +196,9 @@ CATEGORIES = (
              "recycling bin"), ("office", "kitchen"), ("round", "tall", "big"), ("white", "gray")),
     Category("cable", cable_coil, (0.18, 0.101, 0.0137), 0.08, ("usb cable", "charging cable",
              "coiled cable", "cable coil", "charger cable", "coil of cable", "power cable",
-             "hdmi cable", "ethernet cable"), ("office", "gaming"), ("flat",), ("black", "white"),
+             "hdmi cable", "ethernet cable", "inner tube", "bike cable", "cable connector",
+             "heat shrink tube","kettle lead", "guitar lead", "jump lead", "scart lead", "micro usb cable", "figure eight lead", "figure-eight lead", "guitar cable", "audio cable", "air line", "rubber tubing", "catheter", "speaker wire coil", "cable sleeve", "aux cable", "power lead", "mains lead", "phone lead" ), ("office", "gaming"),
+             ("flat",), ("black", "white"),
              state="lying coiled"),
 )  # fmt: skip
 """The module's categories."""

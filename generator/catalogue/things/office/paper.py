@@ -210,7 +210,9 @@ CATEGORIES = (
              state="lying open"),
     Category("photo_print", photo_print, (0.135, 0.125, 0.0045), 0.006,
              ("polaroid", "polaroid photo", "snapshot", "instant photo", "printed photo",
-              "printed photograph", "loose photo", "old photo", "old photograph"),
+              "printed photograph", "loose photo", "old photo", "old photograph", "daguerreotype",
+             "tintype", "silhouette portrait", "miniature portrait", "carte de visite", "slide",
+             "slide transparency"),
              ("living", "office", "craft"), ("flat",), ("white",), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

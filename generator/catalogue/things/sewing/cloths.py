@@ -227,7 +227,8 @@ def mannequin(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("cushion", cushion, (0.27, 0.25, 0.085), 0.3, ("throw pillow", "decorative pillow",
-             "square cushion", "sofa cushion", "seat cushion"), ("living",), ("big", "support"),
+             "square cushion", "sofa cushion", "seat cushion", "breast pad", "shoulder pad",
+             "sanitary pad"), ("living",), ("big", "support"),
              ("teal", "mustard")),
     Category("pillow", pillow_shape, (0.37, 0.23, 0.09), 0.4, ("bed pillow", "small pillow",
              "head pillow", "white pillow"), ("living",), ("big", "support"), ("white",)),
@@ -241,11 +242,15 @@ CATEGORIES = (
              "folded tablecloth", "tablecover"), ("dining",), ("support", "flat"), ("red",
              "white"), state="lying folded"),
     Category("fabric_square", fabric_square, (0.185, 0.185, 0.0036), 0.015, ("fabric",
-             "piece of fabric", "piece of cloth", "cloth square", "handkerchief", "bandana",
-             "hankie", "pocket square", "folded fabric", "microfiber cloth", "cleaning cloth"),
+             "piece of fabric",
+             "piece of cloth", "cloth square", "handkerchief", "bandana", "hankie",
+             "pocket square", "folded fabric", "microfiber cloth", "cleaning cloth",
+             "fabric swatch", "patchwork square", "granny square", "crochet square",
+             "leather strip", "laptop sleeve","challah cover" ),
              ("craft",), ("flat",), ("red", "teal"), state="lying flat"),
     Category("felt_sheet", felt_sheet, (0.25, 0.18, 0.0028), 0.02, ("sheet of felt",
-             "felt square", "craft felt", "piece of felt"), ("craft",), ("flat", "support"),
+             "felt square", "craft felt", "piece of felt", "felt pad", "kneeling pad", "kneeler"),
+             ("craft",), ("flat", "support"),
              ("red", "green"), state="lying flat"),
     Category("doily", doily, (0.22, 0.22, 0.0012), 0.01, ("lace doily", "crochet doily",
              "paper doily"), ("living",), ("flat", "support"), ("white",), state="lying flat"),
@@ -253,7 +258,8 @@ CATEGORIES = (
              "patchwork blanket"), ("living",), ("big", "support"), ("red", "blue"),
              state="lying folded"),
     Category("mannequin", mannequin, (0.104, 0.104, 0.24), 0.4, ("dress form", "tailor dummy",
-             "dressmaker dummy", "small mannequin", "mini mannequin", "tailors dummy"),
+             "dressmaker dummy", "small mannequin", "mini mannequin", "tailors dummy",
+             "mannequin head","artist mannequin", "wooden mannequin" ),
              ("craft",), ("tall",), ("beige",)),
 )  # fmt: skip
 """The module's categories."""

@@ -176,7 +176,8 @@ def yoga_block(look: Look) -> Shape:
 CATEGORIES = (
     Category("volleyball", volleyball, (0.17, 0.17, 0.17), 0.2, ("beach volleyball",
              "mini volleyball"), ("sports",), ("round", "big")),
-    Category("cricket_ball", cricket_ball, (0.0715, 0.0715, 0.0715), 0.16, ("leather ball",),
+    Category("cricket_ball", cricket_ball, (0.0715, 0.0715, 0.0715), 0.16, ("leather ball",
+             "shot put", "cannonball",),
              ("sports",), ("round",), ("crimson",)),
     Category("bowling_ball", bowling_ball, (0.115, 0.115, 0.115), 1.2, ("mini bowling ball",),
              ("sports",), ("round",), ("navy", "black")),

@@ -270,12 +270,16 @@ def sewing_machine(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("metal_file", metal_file, (0.268, 0.025, 0.0248), 0.22, ("steel file", "rasp",
-             "hand file", "flat file", "wood file", "wood rasp"), ("workbench",), (), ("wooden",
+             "hand file", "flat file", "wood file", "wood rasp", "foot file"), ("workbench",), (),
+             ("wooden",
              "red"), state="lying flat"),
     Category("chisel", chisel, (0.25, 0.03, 0.03), 0.16, ("wood chisel", "carving chisel",
-             "gouge"), ("workbench",), (), ("wooden", "red"), state="lying flat"),
+             "gouge", "cold chisel", "spokeshave", "quilling tool"), ("workbench",), (),
+             ("wooden", "red"), state="lying flat"),
     Category("paint_roller", paint_roller, (0.281, 0.202, 0.0447), 0.25, ("roller brush",
-             "paint roll"), ("workbench", "craft"), ("big",), ("red", "blue"), state="lying flat"),
+             "paint roll",
+             "mini roller", "brayer", "printing roller", "lino roller"), ("workbench", "craft"),
+             ("big",), ("red", "blue"), state="lying flat"),
     Category("sewing_machine", sewing_machine, (0.36, 0.155, 0.285), 6.0, ("toy sewing machine",
              "sewing-machine"), ("craft",), ("big", "tall"), ("white", "black")),
 )  # fmt: skip

@@ -217,17 +217,23 @@ def padlock(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("screw", screw, (0.0452, 0.0113, 0.0113), 0.008, ("wood screw", "metal screw",
-             "loose screw"), ("workbench",), ("flat",), ("silver", "gold"), state="lying flat"),
+             "loose screw",
+             "self tapping screw", "self-tapping screw", "thumbscrew", "grub screw",
+             "machine screw"), ("workbench",), ("flat",), ("silver", "gold"), state="lying flat"),
     Category("nail", nail, (0.0663, 0.00899, 0.00904), 0.006, ("iron nail",), ("workbench",),
              ("flat",), ("silver",), state="lying flat"),
     Category("bolt", bolt, (0.0376, 0.0206, 0.04), 0.035, ("hex bolt", "machine bolt",
-             "threaded bolt"), ("workbench",), (), ("silver",)),
+             "threaded bolt", "wheel axle", "axle", "spoke nipple","carriage bolt", "dental implant" ), ("workbench",),
+             (),
+             ("silver",)),
     Category("nut", nut, (0.0197, 0.0213, 0.00567), 0.01, ("hex nut", "metal nut",
-             "hexagon nut"), ("workbench",), ("flat",), ("silver",), state="lying flat"),
+             "hexagon nut",
+             "square nut", "wing nut"), ("workbench",), ("flat",), ("silver",), state="lying flat"),
     Category("hex_key", hex_key, (0.105, 0.0562, 0.0089), 0.03, ("allen key", "allen wrench",
              "hex wrench", "hex keys", "allen keys", "hexagon key"), ("workbench",), ("flat",),
              ("charcoal",), state="lying flat"),
     Category("padlock", padlock, (0.044, 0.02, 0.07), 0.14, ("lock", "combination lock",
-             "pad lock"), ("workbench",), (), ("brass", "silver")),
+             "pad lock", "d-lock", "bike lock", "key safe"), ("workbench",), (), ("brass",
+             "silver")),
 )  # fmt: skip
 """The module's categories."""

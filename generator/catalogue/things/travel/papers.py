@@ -218,24 +218,28 @@ def travel_adapter(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("passport", passport, (0.091, 0.13, 0.0061), 0.035, ("travel passport",), ("living",
+    Category("passport", passport, (0.091, 0.13, 0.0061), 0.035, ("travel passport", "visa",
+             "passport cover", "travel document",), ("living",
              "office"), ("flat",), ("maroon", "navy"), state="lying flat"),
     Category("boarding_pass", boarding_pass, (0.195, 0.078, 0.00145), 0.005, ("plane ticket",
              "flight ticket", "airline ticket", "boarding card"), ("living", "office"), ("flat",),
              ("blue",), state="lying flat"),
     Category("ticket", ticket, (0.103, 0.045, 0.0016), 0.002, ("cinema ticket", "movie ticket",
-             "train ticket", "concert ticket", "raffle ticket", "theatre ticket", "bus ticket"),
+                 "train ticket", "concert ticket", "raffle ticket", "theatre ticket",
+                 "bus ticket", "betting slip", "lottery ticket"),
              ("living",), ("flat",), ("red", "yellow"), state="lying flat"),
     Category("luggage_tag", luggage_tag, (0.165, 0.0619, 0.00802), 0.02, ("baggage tag",
-             "suitcase tag", "bag tag"), ("living",), ("flat",), ("brown", "red"),
+             "suitcase tag", "bag tag", "bookmark tag"), ("living",), ("flat",), ("brown", "red"),
              state="lying flat"),
     Category("travel_pillow", travel_pillow, (0.25, 0.2, 0.085), 0.25, ("neck pillow",
              "neck cushion", "travel cushion"), ("living",), ("big",), ("gray", "navy"),
              state="lying flat"),
     Category("eye_mask", eye_mask, (0.2, 0.125, 0.0125), 0.03, ("sleep mask", "sleeping mask",
-             "blindfold"), ("living",), ("flat",), ("black", "navy"), state="lying flat"),
+             "blindfold"), ("living",),
+             ("flat",), ("black", "navy"), state="lying flat"),
     Category("travel_adapter", travel_adapter, (0.068, 0.05, 0.0515), 0.1, ("plug adapter",
-             "adapter plug", "travel plug", "universal adapter", "socket adapter"), ("living",
+             "adapter plug", "travel plug", "universal adapter", "socket adapter", "smart plug",
+             "timer switch","travel adaptor", "plug adaptor", "gender changer" ), ("living",
              "office"), (), ("white", "black")),
 )  # fmt: skip
 """The module's categories."""

@@ -149,15 +149,17 @@ def fish_bowl(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("dog_bone", dog_bone, (0.14, 0.064, 0.03), 0.06, ("bone", "chew bone", "dog treat",
-             "dog biscuit", "chew toy", "dog toy"), ("living",), (), ("ivory",), state="lying"),
+                 "dog biscuit", "chew toy", "rawhide chew", "dog chew", "rawhide", "dental chew"),
+             ("living",), (), ("ivory",), state="lying"),
     Category("dog_collar", collar, (0.113, 0.145, 0.024), 0.05, ("collar", "cat collar",
-             "pet collar"), ("living",), (), ("red", "blue"), state="lying"),
+                 "pet collar", "dog harness", "harness", "cat harness"),
+             ("living",), (), ("red", "blue"), state="lying"),
     Category("leash", leash, (0.15, 0.16, 0.018), 0.12, ("dog leash", "dog lead", "pet leash"),
              ("living",), (), ("red", "blue"), state="lying coiled"),
     Category("cat_toy", toy_mouse, (0.168, 0.0472, 0.046), 0.02, ("toy mouse", "cat toy mouse",
              "pet toy", "cloth mouse", "pet mouse"), ("living", "toys"), (), ("gray",)),
-    Category("fish_bowl", fish_bowl, (0.165, 0.165, 0.135), 2.0, ("fishbowl", "goldfish bowl",
-             "goldfish", "fish tank", "aquarium", "small aquarium"), ("living",), ("round",),
+    Category("fish_bowl", fish_bowl, (0.165, 0.165, 0.135), 2.0, ("fishbowl", "goldfish bowl"),
+             ("living",), ("round",),
              ("sky",)),
 )  # fmt: skip
 """The module's categories."""

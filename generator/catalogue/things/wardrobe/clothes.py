@@ -255,14 +255,17 @@ def shoe(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("hat", hat, (0.283, 0.322, 0.103), 0.12, ("straw hat", "fedora", "sun hat",
-             "bowler hat", "cowboy hat", "top hat", "panama hat"), ("living",), ("big",), ("tan",
+                  "cowboy hat", "panama hat", "panama hat", "easter bonnet",
+                 "fascinator", "bonnet","trilby" ), ("living",), ("big",), ("tan",
              "black")),
     Category("blanket", blanket, (0.297, 0.269, 0.0886), 0.8, ("folded blanket", "throw blanket",
              "wool blanket", "folded blankets"), ("living",),
              ("big", "support"), ("gray", "cream"), state="lying folded"),
     Category("scarf", scarf, (0.25, 0.169, 0.0469), 0.2, ("folded scarf", "wool scarf", "shawl",
-             "knitted scarf"), ("living",), (), ("red", "gray"), state="lying folded"),
+             "knitted scarf", "cummerbund"), ("living",), (), ("red", "gray"),
+             state="lying folded"),
     Category("shoe", shoe, (0.27, 0.095, 0.095), 0.32, ("sneaker", "trainer", "running shoe",
-             "sports shoe", "tennis shoe", "gym shoe"), ("living",), (), ("white", "black")),
+             "sports shoe", "tennis shoe", "gym shoe", "loafer", "brogue", "moccasin",
+             "espadrille", "ballet flat", "plimsoll","miniature shoe" ), ("living",), (), ("white", "black")),
 )  # fmt: skip
 """The module's categories."""

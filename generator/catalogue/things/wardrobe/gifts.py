@@ -143,11 +143,15 @@ def paper_bag(look: Look) -> Shape:
 CATEGORIES = (
     Category("gift_box", gift_box, (0.155, 0.14, 0.13), 0.4, ("gift", "present", "wrapped gift",
              "wrapped present", "birthday present", "christmas present", "birthday gift",
-             "gift package"), ("living",), (), ("red", "teal")),
+             "gift package", "pass the parcel", "pass-the-parcel parcel"), ("living",), (),
+             ("red", "teal")),
     Category("gift_bag", gift_bag, (0.148, 0.0814, 0.261), 0.15, ("present bag", "party bag",
-             "shopping bag", "goodie bag"), ("living",), ("tall",), ("red", "pink")),
+                 "shopping bag", "goodie bag", "party favour", "party favor","wedding favour", "favour bag" ),
+             ("living",), ("tall",),
+             ("red", "pink")),
     Category("paper_bag", paper_bag, (0.14, 0.085, 0.235), 0.05, ("lunch bag", "brown bag",
-             "brown paper bag", "takeaway bag", "bag", "grocery bag", "takeout bag"), ("kitchen",
+             "brown paper bag", "takeaway bag", "bag", "grocery bag", "takeout bag", "bin liner",
+             "bin bag", "plastic bag", "carrier bag", "anti-static bag", "rubbish bag"), ("kitchen",
              "office"), ("tall",), ("tan",)),
 )  # fmt: skip
 """The module's categories."""

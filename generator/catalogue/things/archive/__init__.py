@@ -1,0 +1,1 @@
+"""Papers, certificates, coins and notes."""

@@ -1,0 +1,1 @@
+"""Loaves, buns, pastries, cakes and biscuits."""

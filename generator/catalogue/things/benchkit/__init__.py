@@ -1,0 +1,1 @@
+"""Robots and boards for their tests, and devices of several kinds."""

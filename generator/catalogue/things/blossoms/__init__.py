@@ -1,0 +1,1 @@
+"""Garden and meadow flowers by the stem, sprigs, petals."""

@@ -1,0 +1,1 @@
+"""Coffee gear, small morsels by the piece, and things for a fire."""

@@ -1,0 +1,1 @@
+"""Of worship: holy books, altar things, statues, lamps, beads."""

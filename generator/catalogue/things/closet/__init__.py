@@ -1,0 +1,1 @@
+"""Clothes and what goes with them: underwear, hats, bags, laces, buckles."""

@@ -1,0 +1,1 @@
+"""What people collect and decorate with: figures, models, curios, toys, fantasy."""

@@ -1,0 +1,1 @@
+"""House plants by their kind, in pots."""

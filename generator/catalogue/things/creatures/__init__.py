@@ -1,0 +1,1 @@
+"""Small animals, as models or alive: insects, snails, worms."""

@@ -1,0 +1,1 @@
+"""Cheese, seafood, roasts and snacks from far and near."""

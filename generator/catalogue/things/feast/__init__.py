@@ -1,0 +1,1 @@
+"""Sweets, street food and dishes from many kitchens."""

@@ -1,0 +1,1 @@
+"""Games and gambling: chess men, dice of many sides, boards, wheels, chips and machines."""

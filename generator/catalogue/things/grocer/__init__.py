@@ -1,0 +1,1 @@
+"""Packed groceries, and the things on a shop's counter."""

@@ -1,0 +1,1 @@
+"""What is fixed to a house, cleans it, or stands in its garden."""

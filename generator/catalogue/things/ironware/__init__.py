@@ -1,0 +1,1 @@
+"""Small iron things and power tools: fixings, catches, plugs, saws, sanders."""

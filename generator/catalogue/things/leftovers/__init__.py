@@ -1,0 +1,1 @@
+"""What is thrown away: wrappers, peels, ends and scraps."""

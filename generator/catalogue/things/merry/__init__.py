@@ -1,0 +1,1 @@
+"""Garlands, trimmings, party things, collectors' cards."""

@@ -1,0 +1,1 @@
+"""Out of the ground: cut gems, rough stones, ores, fossils."""

@@ -1,0 +1,188 @@
+"""Cut gems, pearls, tumbled stones: one to three centimetres."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ...build.category import Category
+from ...build.making import Drawing, faceted, of
+from ...build.outlines import ellipse, lift
+from ...build.recipes import Pieces, ball
+from ...build.solids import Solid
+from ...surfaces import textures
+from ...surfaces.colors import RGB, tint_color
+from ...surfaces.look import Look
+
+
+def _facets(look: Look, color: RGB) -> textures.Tile:
+    """The glitter of facets: light and dark triangles of one colour."""
+    tones = [tint_color(color, f) for f in (0.55, 0.8, 1.0, 1.25, 1.6)]
+    image = np.zeros((16, 16, 3))
+    y, x = np.mgrid[0:16, 0:16]
+    band = ((x + 2 * y) // 5) % 5
+    order = look.rng.permutation(5)
+    for k in range(5):
+        image[band == k] = tones[order[k]]
+    return np.clip(image, 0, 255).astype(np.uint8)
+
+
+def _shaded(look: Look, body: Solid, color: RGB) -> Pieces:
+    """A body whose faces have tones of their own."""
+    faces = body.faces
+    a, b, c = body.vertices[faces].transpose(1, 0, 2)
+    normal = np.cross(b - a, c - a).round(9)
+    up = normal / np.linalg.norm(normal, axis=1, keepdims=True)
+    group = (np.abs(up @ np.array([3.1, 5.3, 2.2])) * 3.7).astype(int) % 4
+    tones = [tint_color(color, f) for f in (0.6, 0.9, 1.15, 1.5)]
+    tile = np.zeros((8, 32, 3))
+    for k in range(4):
+        tile[:, 8 * k : 8 * k + 8] = tones[k]
+    uv = np.repeat((group + 0.5) / 4, 3)
+    spread = np.column_stack([uv, np.full(len(uv), 0.5)])
+    return [(Solid(body.vertices, body.faces, spread), tile.astype(np.uint8))]
+
+
+def _brilliant() -> np.ndarray:
+    r = 0.5
+    table = lift(ellipse(1.1 * r, 1.1 * r, 8, np.pi / 8), 0.16)
+    crown = lift(ellipse(1.55 * r, 1.55 * r, 8), 0.09)
+    girdle = [lift(ellipse(2 * r, 2 * r, 16), z) for z in (0.02, -0.01)]
+    lower = lift(ellipse(0.44, 0.44, 8, np.pi / 8), -0.23)
+    return np.concatenate([table, crown, *girdle, lower, [(0, 0, -0.43)]])
+
+
+def _step() -> np.ndarray:
+    rows = [(0.6, 0.14), (0.85, 0.08), (1.0, 0.01), (1.0, -0.02), (0.68, -0.13), (0.32, -0.24)]
+    made = []
+    for s, z in rows:
+        x, y, c = 0.5 * s, 0.36 * s, 0.11 * s
+        corners = [(x - c, -y), (x, -y + c), (x, y - c), (x - c, y), (-x + c, y), (-x, y - c),
+                   (-x, -y + c), (-x + c, -y)]  # fmt: skip
+        made.append(lift(np.array(corners), z))
+    return np.concatenate(made)
+
+
+def _oval() -> np.ndarray:
+    return _brilliant() * [1.0, 0.76, 0.9]
+
+
+def _drop() -> np.ndarray:
+    p = _brilliant()
+    point = np.where(p[:, 0] > 0, 1.35, 1.0)
+    return np.column_stack(
+        [p[:, 0] * point, p[:, 1] * (1 - 0.35 * np.maximum(p[:, 0], 0)), p[:, 2]]
+    )
+
+
+_CUTS: tuple[Callable[[], np.ndarray], ...] = (_brilliant, _step, _oval, _drop)
+
+
+def _cut(*cuts: int, colors: tuple[str, ...], size: float = 0.018) -> Drawing:
+    """A cut stone lying on one of its lower facets."""
+
+    def draw(look: Look) -> Pieces:
+        points = _CUTS[look.pick(cuts)]() * size
+        body = faceted(points)
+        return _shaded(look, _tilted(body), look.color(*colors))
+
+    return draw
+
+
+def _tilted(body: Solid) -> Solid:
+    """A cut stone leaning as it comes to rest: on a facet of its underside."""
+    v, f = body.vertices, body.faces
+    cross = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
+    size = np.linalg.norm(cross, axis=1)
+    normal = cross / size[:, None]
+    lower = (normal[:, 2] < -0.3) & (normal[:, 2] > -0.98)
+    n = normal[int(np.argmax(np.where(lower, size, 0)))]
+    made = body.turn(2, -float(np.arctan2(n[1], n[0])))
+    made = made.turn(1, float(np.arctan2(np.hypot(n[0], n[1]), -n[2])))
+    return made.move(z=-float(made.bounds[0, 2]))
+
+
+def _dome(colors: tuple[str, ...], size: float, vein: float = 0.0) -> Drawing:
+    """A polished stone with a domed top."""
+
+    def draw(look: Look) -> Pieces:
+        color = look.color(*colors)
+        body = ball(size, 0.75 * size, 0.8 * size, (0, 0, 0.1 * size), 20)
+        if vein == 0:
+            return [(body, textures.gradient(color, tint_color(color, 1.35), look.rng))]
+        other = tint_color(color, vein)
+        return [(body, textures.stripes([color, tint_color(color, 0.8), other, color], 2))]
+
+    return draw
+
+
+def _tumbled(colors: tuple[str, ...], vein: float | None, size: float = 0.028) -> Drawing:
+    """A small polished stone, rounded all over."""
+
+    def draw(look: Look) -> Pieces:
+        color = look.color(*colors)
+        swell = look.rng.uniform(0, 6.28, 2)
+
+        def warp(p: np.ndarray) -> np.ndarray:
+            a = np.arctan2(p[:, 1], p[:, 0])
+            f = 1 + 0.1 * np.sin(2 * a + swell[0]) + 0.07 * np.sin(3 * a + swell[1])
+            return p * np.column_stack([f, f, np.ones(len(p))])
+
+        body = ball(size, 0.78 * size, 0.6 * size, (0, 0, 0), 18).bend(warp).move(z=0.26 * size)
+        skin = (textures.speckles(look.rng, color, 9) if vein is None else
+                textures.marble(look.rng, color, tint_color(color, vein)))  # fmt: skip
+        return [(body, skin)]
+
+    return draw
+
+
+def _pearl(look: Look) -> Pieces:
+    color = look.color("ivory", "white", "cream", "pink")
+    return [(ball(0.012, 0.012, 0.012, (0, 0, 0.0057), 20),
+             textures.gradient(tint_color(color, 0.9), tint_color(color, 1.3),
+             look.rng))]  # fmt: skip
+
+
+def _row(key: str, colors: tuple[str, ...], cuts: tuple[int, ...], *words: str) -> Category:
+    return Category(key, of(_cut(*cuts, colors=colors)), (0.0108, 0.018, 0.0103), 0.004, words,
+                    ("vanity",), (), colors[:2], state="lying")  # fmt: skip
+
+
+def _stone(key: str, colors: tuple[str, ...], vein: float | None, *words: str) -> Category:
+    return Category(key, of(_tumbled(colors, vein), 0.06), (0.029, 0.022, 0.016), 0.015, words,
+                    ("vanity",), (), colors[:2], state="lying")  # fmt: skip
+
+
+CATEGORIES = (
+    _row("gemstone", ("red", "green", "blue", "purple", "clear", "amber", "pink"), (0, 1, 2, 3),
+         "gem", "cut gem", "cut gemstone", "precious stone", "jewel", "faceted gem", "cut stone",
+         "cut crystal"),
+    _row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon"),
+    _row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel"),
+    _row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline"),
+    _row("sapphire", ("blue",), (2, 0), "cut sapphire", "tanzanite"),
+    _row("topaz", ("amber", "yellow"), (1, 3), "cut topaz", "citrine", "yellow topaz"),
+    _row("garnet", ("maroon",), (0, 2), "cut garnet"),
+    _row("aquamarine", ("sky",), (1, 3), "cut aquamarine", "blue topaz"),
+    Category("opal", of(_dome(("white", "mint"), 0.018)), (0.0185, 0.0139, 0.00924), 0.004,
+             ("moonstone", "cabochon"), ("vanity",), (), ("white",), state="lying"),
+    Category("tigers_eye", of(_dome(("amber", "bronze"), 0.026, 1.5)), (0.026, 0.0195, 0.013),
+             0.012, ("tiger eye", "tiger eye stone", "cat eye stone"), ("vanity",), (), ("amber",),
+             state="lying"),
+    Category("pearl", of(_pearl, 0.05), (0.012, 0.012, 0.0115), 0.002, ("single pearl",
+             "loose pearl"), ("vanity",), (), ("ivory",), state="lying"),
+    _stone("jade", ("green", "sage"), 1.5, "jade stone", "piece of jade", "aventurine",
+           "green stone"),
+    _stone("turquoise_stone", ("turquoise",), 0.35, "turquoise nugget", "piece of turquoise"),
+    _stone("onyx", ("black",), 1.6, "onyx stone", "black stone", "agate"),
+    _stone("jasper", ("terracotta", "crimson"), 0.5, "jasper stone", "carnelian",
+           "tumbled stone", "red stone", "polished stone"),
+    _stone("labradorite", ("charcoal",), 1.3, "haematite stone", "labradorite stone"),
+    _stone("rhodochrosite", ("pink",), 1.8, "rhodonite", "pink stone"),
+    _stone("amber", ("amber",), None, "amber piece", "piece of amber", "amber stone",
+           "insect in amber", "lump of amber"),
+    _stone("lapis_lazuli", ("blue", "navy"), 1.5, "lapis", "lapis stone", "sodalite",
+           "azurite"),
+)  # fmt: skip
+"""The module's categories."""

@@ -1,0 +1,1 @@
+"""What museums and antique shops show: stones, vessels, arms, old machines."""

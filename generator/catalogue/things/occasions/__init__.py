@@ -1,0 +1,1 @@
+"""Weddings, Easter, picnics and the bar: signs, cards, favours, hampers, spouts."""

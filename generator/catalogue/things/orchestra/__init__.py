@@ -1,0 +1,1 @@
+"""For the music room: strings, winds, drums and what belongs to them."""

@@ -1,0 +1,1 @@
+"""What people make and play with: folded paper, crafts, sports, bicycles, fishing, science toys."""

@@ -1,0 +1,265 @@
+"""Fishing tackle: reels, floats, lures, flies, weights, nets."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...build.category import Category
+from ...build.outlines import ellipse
+from ...build.recipes import ball, put_down, rod, straight
+from ...build.shape import Shape
+from ...build.sketch import BRASS, DARK, bar, cut, disc, lies, plain, steel, turned
+from ...build.solids import Solid, block, join, torus
+from ...surfaces import textures
+from ...surfaces.colors import tint_color
+from ...surfaces.look import Look
+
+
+def _hook(x: float, z: float = 0.0015, size: float = 1.0) -> Solid:
+    """Return a bent hook lying, its eye at ``x`` and its bend to the left of it."""
+    s = 0.012 * size
+    path = [(x, 0, z), (x - 1.6 * s, 0, z), (x - 2.3 * s, 0.35 * s, z), (x - 2.1 * s, 0.9 * s, z),
+            (x - 1.5 * s, 0.95 * s, z)]  # fmt: skip
+    return rod(path, [0.0009, 0.0009, 0.0009, 0.0003], 6)
+
+
+def reel(look: Look) -> Shape:
+    """A fishing reel on its side: a spool of line, a bail, a foot and a crank."""
+    color = look.color("black", "silver", "gold", "navy", "red")
+    k = look.between(0.85, 1.15)
+    body = block(0.04, 0.045, 0.044, 0.012, 0.005)
+    rotor = disc(0.025, 0.03, (0.02, 0, 0.028), 0, top=0.028, fine=24)
+    spool = disc(0.022, 0.03, (0.048, 0, 0.028), 0, fine=24)
+    lip = [disc(0.0255, 0.004, (x, 0, 0.028), 0, fine=24) for x in (0.048, 0.077)]
+    knob = disc(0.011, 0.012, (0.08, 0, 0.028), 0, fine=14, bevel=0.002)
+    bail = rod(
+        [
+            (0.04, 0.026, 0.028),
+            (0.072, 0.032, 0.038),
+            (0.082, 0, 0.058),
+            (0.072, -0.032, 0.038),
+            (0.04, -0.026, 0.028),
+        ],
+        0.0015,
+        6,
+    )
+    stem = bar(0.012, 0.014, 0.03, (-0.008, 0, 0.04))
+    foot = bar(0.075, 0.014, 0.005, (-0.008, 0, 0.068))
+    arm = [straight((-0.004, -0.02, 0.026), (-0.004, -0.042, 0.026), 0.0045, 8),
+           straight((-0.004, -0.042, 0.026), (-0.05, -0.046, 0.012), 0.0038, 8),
+           ball(0.02, 0.026, 0.02, (-0.05, -0.054, 0.0095), 10)]  # fmt: skip
+    line = textures.stripes([(226, 232, 210), (190, 200, 176)], 12)
+    shell = look.surface(color, "metal" if look.chance(0.5) else "plastic")
+    return put_down(
+        [(join([body, rotor, stem, foot]), shell), (spool, line), (join([*lip, bail]), steel(look)),
+         (join([knob, *arm]), plain(DARK))], body, rotor, join([spool, *lip]), stem, foot, arm[2],
+        factor=k, foot=0.2)  # fmt: skip
+
+
+def fishing_float(look: Look) -> Shape:
+    """A red and white float lying, its thin stem through it."""
+    color = look.color("red", "orange", "yellow", "green", "pink")
+    k = look.between(0.75, 1.25)
+    body = ball(0.032, 0.028, 0.028, (0, 0, 0.0132), 20)
+    if look.chance(0.5):
+        body = ball(0.05, 0.02, 0.02, (0, 0, 0.0094), 20)
+    z = float(body.bounds.mean(0)[2])
+    halves = textures.stripes([(244, 242, 236), color], 1)
+    r = float(body.bounds[1, 2] - z)
+    shell = turned([(0.0012, -1.6 * r), (0.62 * r, -1.25 * r), (r, -0.2 * r), (r, 0.2 * r),
+                    (0.62 * r, 1.25 * r), (0.0012, 1.6 * r)], fine=22)  # fmt: skip
+    shell = lies(shell, 0, 0, 0.94 * r)
+    stem = straight((-1.5 * r - 0.022, 0, 0.94 * r), (1.5 * r + 0.03, 0, 0.94 * r), 0.0012, 8)
+    tip = straight((1.5 * r + 0.018, 0, 0.94 * r), (1.5 * r + 0.032, 0, 0.94 * r), 0.0021, 8)
+    return put_down([(shell, halves), (stem, plain((60, 50, 44))), (tip, plain((250, 120, 40)))],
+                    shell, factor=k, foot=0.2)  # fmt: skip
+
+
+def lure(look: Look) -> Shape:
+    """A fish-shaped lure with hooks under it, lying."""
+    color = look.color("silver", "green", "gold", "red", "blue", "orange")
+    k = look.between(0.8, 1.2)
+    body = ball(0.075, 0.022, 0.02, (0, 0, 0.0095), 18)
+    tail = cut([(-0.032, 0), (-0.052, 0.014), (-0.047, 0), (-0.052, -0.014)], 0.004, (0, 0, 0.0075))
+    lip = cut([(0.032, -0.006), (0.05, -0.009), (0.05, 0.009), (0.032, 0.006)], 0.002).move(
+        0, 0, 0.006
+    )
+    eyes = [disc(0.0035, 0.0012, (0.026, 0.0, 0.0163), fine=10)]
+    hooks = [_hook(0.0, 0.0015, 0.9).turn(2, 1.1 + 0.5 * n).move(x, -0.009, 0)
+             for x in (-0.022, 0.014) for n in (0, 1)]  # fmt: skip
+    loop = torus(0.003, 0.0008, 12, 5).move(0.053, 0, 0.007)
+    skin = textures.gradient(tint_color(color, 0.6), tint_color(color, 1.4), look.rng)
+    return put_down(
+        [
+            (join([body, tail]), skin),
+            (lip, plain((220, 234, 238))),
+            (join(eyes), plain((240, 200, 60))),
+            (join([*hooks, loop]), steel(look, (110, 112, 118))),
+        ],
+        body,
+        tail,
+        factor=k,
+        foot=0.2,
+    )
+
+
+def spinner(look: Look) -> Shape:
+    """A spoon lure lying: a bright hammered blade, rings and a hook."""
+    color = look.color("silver", "gold", "copper", "red")
+    k = look.between(0.8, 1.25)
+    blade = cut(ellipse(0.05, 0.02, 26), 0.0022, bevel=0.0005)
+    ridge = ball(0.04, 0.012, 0.004, (0, 0, 0.0022), 14)
+    rings = [torus(0.0035, 0.0008, 14, 5).move(x, 0, 0.0009) for x in (-0.0265, 0.0265)]
+    hooks = [_hook(-0.029, 0.0012, 0.9), _hook(-0.029, 0.0012, 0.9).scale(1, 1, 1).turn(0, np.pi)
+             .move(z=0.0024)]  # fmt: skip
+    tuft = cut(
+        [(-0.03, -0.004), (-0.048, -0.009), (-0.052, 0), (-0.048, 0.009), (-0.03, 0.004)], 0.0012
+    )
+    return put_down(
+        [
+            (join([blade, ridge]), steel(look, color)),
+            (join([*rings, *hooks]), steel(look)),
+            (tuft, plain(look.own_color("red", "yellow", "white"))),
+        ],
+        blade,
+        tuft,
+        factor=k,
+    )
+
+
+def fly(look: Look) -> Shape:
+    """A tied fly lying: a hook with a body of thread, hackles and wings."""
+    color = look.color("brown", "red", "olive", "black", "yellow")
+    k = look.between(0.85, 1.35)
+    hook = _hook(0.018, 0.005, 1.3)
+    body = rod([(-0.004, 0, 0.005), (0.012, 0, 0.0052)], [0.0022, 0.003], 10)
+    hackles = []
+    for n in range(14):
+        a = n * 2 * np.pi / 14
+        tip = (0.011, 0.0085 * np.cos(a), 0.0052 + 0.0085 * np.sin(a))
+        hackles.append(
+            straight((0.013, 0, 0.0052), (tip[0], tip[1], max(tip[2], 0.0003)), 0.0004, 4)
+        )
+    wings = [
+        cut(
+            [(0.012, s * 0.001), (0.0, s * 0.009), (-0.012, s * 0.007), (0.002, s * 0.001)],
+            0.0006,
+            (0, 0, 0.008),
+        )
+        for s in (-1, 1)
+    ]
+    tail = [straight((-0.004, 0, 0.005), (-0.018, 0.004 * n, 0.008), 0.0004, 4) for n in (-1, 0, 1)]
+    tone = look.own_color("red", "mustard", "navy", "coral")
+    thread = textures.stripes([color, tint_color(tone, 0.9)], 4, upright=False)
+    whole = [hook, body, *hackles, *wings, *tail]
+    return put_down(
+        [
+            (hook, steel(look, (90, 92, 98))),
+            (body, thread),
+            (join([*hackles, *tail]), plain(color)),
+            (join(wings), plain(tint_color(color, 1.5))),
+        ],
+        join(whole),
+        factor=k,
+        foot=0.35,
+    )
+
+
+def sinker(look: Look) -> Shape:
+    """A lead weight with a wire eye, lying."""
+    color = look.color("gray", "charcoal", "silver")
+    k = look.between(0.8, 1.3)
+    body = lies(
+        turned(
+            [(0.004, 0), (0.0105, 0.007), (0.0125, 0.016), (0.009, 0.034), (0.0035, 0.044)], fine=18
+        ),
+        -0.022,
+        0,
+        0.0115,
+    )
+    eye = torus(0.0045, 0.001, 14, 5).turn(0, np.pi / 2).move(0.026, 0, 0.0115)
+    return put_down(
+        [(body, textures.speckles(look.rng, color, 9)), (eye, steel(look, BRASS))],
+        body,
+        factor=k,
+        foot=0.35,
+    )
+
+
+def landing_net(look: Look) -> Shape:
+    """A small net on a hoop with a handle, lying."""
+    color = look.color("wooden", "green", "blue", "black", "red")
+    k = look.between(0.7, 0.95)
+    hoop = torus(0.085, 0.005, 36, 8).scale(1.15, 0.9, 1).move(0.09, 0, 0.0048)
+    handle = straight((-0.17, 0, 0.009), (-0.005, 0, 0.007), [0.0095, 0.007], 12)
+    net = []
+    for n in range(-6, 7):
+        u = n / 6.6
+        half = np.sqrt(1 - u**2)
+        for flat in (True, False):
+            a, b = (0.096 * half, 0.077 * u) if flat else (0.096 * u, 0.077 * half)
+            ends = [(0.09 - a, b), (0.09 + a, b)] if flat else [(0.09 + a, -b), (0.09 + a, b)]
+            net.append(straight((*ends[0], 0.0032), (*ends[1], 0.0032), 0.0009, 4))
+    mesh = plain(look.own_color("green", "white", "black", "navy"))
+    return put_down([(join([hoop, handle]), look.surface(color, "wood")), (join(net), mesh)],
+                    join([hoop, *net]), handle, factor=k, foot=0.25)  # fmt: skip
+
+
+def fishing_rod(look: Look) -> Shape:
+    """A short fishing rod lying, with its reel and line guides."""
+    color = look.color("black", "red", "green", "navy", "brown")
+    k = look.between(0.75, 1.0)
+    blank = straight((-0.05, 0, 0.0115), (0.3, 0, 0.002), [0.005, 0.0018], 10)
+    grip = straight((-0.15, 0, 0.014), (-0.01, 0, 0.014), [0.012, 0.0105], 14)
+    seat = straight((-0.1, 0, 0.014), (-0.05, 0, 0.014), 0.0128, 14)
+    guides = [
+        torus(0.006 - 0.001 * n, 0.001, 12, 5)
+        .turn(1, np.pi / 2)
+        .move(0.06 + 0.075 * n, -0.008, 0.0085 - 0.002 * n)
+        for n in range(4)
+    ]
+    spool = disc(0.016, 0.02, (-0.085, -0.034, 0.016), 0, fine=18)
+    stem = bar(0.01, 0.02, 0.01, (-0.075, -0.018, 0.01))
+    arm = straight((-0.075, -0.034, 0.016), (-0.095, -0.062, 0.008), 0.003, 6)
+    knob = ball(0.012, 0.014, 0.012, (-0.097, -0.066, 0.0058), 8)
+    return put_down(
+        [
+            (blank, plain(color)),
+            (grip, textures.spots(look.rng, (206, 168, 118), (150, 110, 70), 0.15)),
+            (join([seat, knob, arm]), plain(DARK)),
+            (join([*guides, stem]), steel(look)),
+            (spool, textures.stripes([(226, 232, 210), (180, 190, 170)], 8)),
+        ],
+        straight((-0.15, 0, 0.0138), (0.3, 0, 0.0022), [0.0124, 0.0022], 10),
+        spool,
+        knob,
+        factor=k,
+        foot=0.3,
+    )
+
+
+CATEGORIES = (
+    Category("fishing_reel", reel, (0.152, 0.102, 0.0734), 0.25,
+             ("fly reel", "spinning reel", "reel"), ("sports",), (), ("black", "silver")),
+    Category("fishing_float", fishing_float, (0.0852, 0.0234, 0.0226), 0.01,
+             ("bobber", "fishing bobber", "bite alarm"), ("sports",), (), ("red",)),
+    Category("fishing_lure", lure, (0.115, 0.052, 0.0206), 0.02,
+             ("lure", "crankbait", "plug lure", "soft bait", "minnow lure", "fishing bait"),
+             ("sports",), (), ("silver", "green")),
+    Category("spoon_lure", spinner, (0.0888, 0.0225, 0.00436), 0.012,
+             ("spinner lure", "fishing spoon", "fishing spinner", "jig", "fishing jig", "fish hook",
+              "fishing hook", "swivel"), ("sports",), ("flat",), ("silver",)),
+    Category("fishing_fly", fly, (0.0395, 0.026, 0.0144), 0.002, ("fly", "dry fly", "trout fly",
+             "salmon fly"),
+             ("sports",), (), ("brown",)),
+    Category("sinker", sinker, (0.0576, 0.027, 0.0257), 0.04,
+             ("lead weight", "fishing weight", "split shot", "lead sinker", "plumb bob", "plummet"),
+             ("sports",), (), ("gray",)),
+    Category("landing_net", landing_net, (0.295, 0.132, 0.015), 0.15,
+             ("keep net", "net", "pond net"),
+             ("sports",), ("flat", "big"), ("wooden", "green")),
+    Category("fishing_rod", fishing_rod, (0.405, 0.0768, 0.0286), 0.2,
+             ("fishing pole", "toy fishing rod", "rod and reel", "fly rod", "angling rod"),
+             ("sports",), ("big",), ("black",)),
+)  # fmt: skip
+"""The module's categories."""

@@ -1,0 +1,1 @@
+"""Small pets, and what their keepers buy for them."""

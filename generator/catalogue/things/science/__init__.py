@@ -1,0 +1,1 @@
+"""For measuring and showing nature: instruments, models, laboratory machines."""

@@ -1,0 +1,1 @@
+"""Kitchen machines and hand tools for one job each."""

@@ -1,0 +1,1 @@
+"""Geometric bodies: polyhedra, round and open shapes, slabs and tiles."""

@@ -1,0 +1,1 @@
+"""Halloween's props and creatures."""

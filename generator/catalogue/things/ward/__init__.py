@@ -1,0 +1,1 @@
+"""For the sick and for teeth: tests, probes, trays, models, aids."""

@@ -1,0 +1,1 @@
+"""What workshops and electronics benches hold besides the usual tools."""
