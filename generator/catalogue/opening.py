@@ -27,6 +27,8 @@ OPENED: Mapping[str, str] = MappingProxyType(
             "empty_wine_rack": "wine_rack",
             "empty_knife_block": "knife_block",
             "empty_tube_rack": "test_tube_rack tube_stand",
+            "empty_candlestick": "candlestick",
+            "empty_candelabra": "candelabra menorah",
         }.items()
         for closed in kinds.split()
     }
@@ -54,6 +56,8 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
 """A bare word and what is put there, and the category that the word then means."""
 
 
+_CANDLES = frozenset({"candle", "taper_candle", "dinner_candle"})
+_SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
 _FLOWERS = ("rose", "tulip", "daisy", "carnation")
 
 
@@ -66,7 +70,14 @@ def cut_category(category: str, vessel: str, number: int) -> str:
         if category == "vase":  # the catalogue's word for flowers
             return _FLOWERS[number % len(_FLOWERS)]
         return "posy" if category == "bouquet" else category
+    if is_lit(category, vessel):
+        return "dinner_candle"
     return category
+
+
+def is_lit(category: str, vessel: str) -> bool:
+    """Tell whether a thing is a candle, and the other one has a socket for it."""
+    return category in _CANDLES and open_category(vessel) in _SOCKETS
 
 
 def open_category(category: str, noun: str = "", contents: str = "") -> str:

@@ -136,7 +136,7 @@ from .things.office import (
     writing,
 )
 from .things.orchestra import beats, bellows, stagegear, strings, winds
-from .things.parlour import keepers, slotted
+from .things.parlour import candleholders, keepers, slotted
 from .things.pastimes import cycling, fishing, papercraft, pitch, science
 from .things.petshop import aquarium, critters, petcare, petfood, pettoys, reptiles
 from .things.science import anatomy, classroom, distilling, labware, observatory, skymodels
@@ -280,6 +280,7 @@ _ON_REQUEST = (
     pets,
     open_vessels,
     slotted,
+    candleholders,
     machines,
     mixing,
     jars,
