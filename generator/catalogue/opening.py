@@ -56,7 +56,7 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
 """A bare word and what is put there, and the category that the word then means."""
 
 
-_CANDLES = frozenset({"candle", "taper_candle", "dinner_candle"})
+_CANDLES = frozenset({"candle", "taper_candle", "long_candle"})
 _SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
 _FLOWERS = ("rose", "tulip", "daisy", "carnation")
 
@@ -71,7 +71,7 @@ def cut_category(category: str, vessel: str, number: int) -> str:
             return _FLOWERS[number % len(_FLOWERS)]
         return "posy" if category == "bouquet" else category
     if is_lit(category, vessel):
-        return "dinner_candle"
+        return "long_candle"
     return category
 
 

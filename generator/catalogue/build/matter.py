@@ -257,7 +257,7 @@ _MADE_OF: Mapping[str, str] = {
     "coupon blueprint floor_plan star_chart telegram ransom_note shopping_list xray_film "
     "eye_chart colour_chart poster report memo_pad bank_note heart_box planisphere stencil "
     "safety_pin_card",
-    "wax": "dinner_candle candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb wax_melt",
+    "wax": "long_candle candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb wax_melt",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
     "avocado onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes "

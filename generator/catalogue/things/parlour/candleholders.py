@@ -6,7 +6,7 @@ import numpy as np
 
 from ....scene import ConvexPart, Slot
 from ...build.category import Category
-from ...build.collision import box_part, cylinder_part, hull_of
+from ...build.collision import cylinder_part, hull_of, hull_part
 from ...build.recipes import rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, cylinder, join, lathe
@@ -16,22 +16,30 @@ from ...surfaces.look import Look
 
 _ROOM = (0.022, 0.022, 0.22)
 """The candle that a socket is made for where none is given, metres."""
-_PLAY = 0.0005  # metres of room on each side of a candle
-_DEPTH = 0.03  # metres
+_PLAY = 0.0007  # metres of room on each side of a candle
+_DEPTH = 0.036  # metres
 
 
 def _socket(half: float, at: tuple[float, float, float]) -> tuple[Solid, list[ConvexPart]]:
     """Return a cup for a candle of half width ``half`` on a place, and its walls."""
-    hole, wall = half + _PLAY, 0.0035
-    outer = hole + wall
+    hole, sides = half + _PLAY, 8
+    outer = hole + 0.004
+    turn = np.pi / sides
+    r, w = hole / np.cos(turn), outer / np.cos(turn)
     cup = lathe(
-        [(0, -0.006), (0.8 * outer, -0.006), (1.15 * outer, 0), (outer, 0.004), (outer, _DEPTH),
-         (hole, _DEPTH), (hole, 0.0), (0, 0.0)], 20,
-    ).move(*at)  # fmt: skip
-    x, y, z = at
-    walls = [box_part(wall, 2 * outer, _DEPTH, (x + s * (hole + wall / 2), y, z)) for s in (-1, 1)]
-    walls += [box_part(2 * hole, wall, _DEPTH, (x, y + s * (hole + wall / 2), z)) for s in (-1, 1)]
-    return cup, [cylinder_part(outer, 0.006, (x, y, z - 0.006)), *walls]
+        [(0, -0.006), (w, -0.006), (w, _DEPTH), (r, _DEPTH), (r, 0.0), (0, 0.0)], sides
+    ).move(*at)
+    walls = []
+    for k in range(sides):
+        angles = 2 * turn * np.array([k, k + 1])
+        ring = np.vstack([radius * np.column_stack([np.cos(angles), np.sin(angles)])
+                          for radius in (r, w)])  # fmt: skip
+        walls.append(hull_part(np.vstack([np.column_stack([ring, np.full(4, z)]) + at
+                                          for z in (0.0, _DEPTH)])))  # fmt: skip
+    angles = 2 * turn * np.arange(sides)
+    rim = w * np.column_stack([np.cos(angles), np.sin(angles)])
+    floor = np.vstack([np.column_stack([rim, np.full(sides, z)]) for z in (-0.006, 0.0)]) + at
+    return cup, [hull_part(floor), *walls]
 
 
 def empty_candlestick(look: Look) -> Shape:
@@ -80,7 +88,7 @@ def empty_candelabra(look: Look) -> Shape:
     return shape([(join(solids), metal)], parts, slots=slots)
 
 
-def dinner_candle(look: Look) -> Shape:
+def long_candle(look: Look) -> Shape:
     """A long straight candle, to be put into a candlestick."""
     r, h = 0.0105, look.between(0.15, 0.2)
     wax = textures.speckles(
@@ -100,6 +108,6 @@ CATEGORIES = (
              ("empty candle holder",), ("dining", "living"), ("tall",), holder=_HOLDER),
     Category("empty_candelabra", empty_candelabra, (0.14, 0.12, 0.194), 0.8,
              (), ("dining", "living"), ("tall",), holder=_HOLDER),
-    Category("dinner_candle", dinner_candle, (0.021, 0.021, 0.182), 0.05,
-             ("dinner taper",), ("dining", "living"), ("tall", "round")),
+    Category("long_candle", long_candle, (0.021, 0.021, 0.182), 0.05,
+             ("dinner stick candle",), ("dining", "living"), ("tall", "round")),
 )  # fmt: skip
