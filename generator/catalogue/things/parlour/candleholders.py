@@ -43,7 +43,9 @@ def _socket(half: float, at: tuple[float, float, float]) -> tuple[Solid, list[Co
 
 
 def empty_candlestick(look: Look) -> Shape:
-    """A turned candlestick, empty."""
+    """A turned candlestick, empty; for several candles it has arms."""
+    if int(look.attributes.get("places", 1)) > 1:
+        return empty_candelabra(look)
     a, b, _ = read_room(look.attributes.get("room"), _ROOM)
     half, h = max(a, b) / 2, look.between(0.075, 0.12)
     skin = look.surface(
