@@ -153,7 +153,7 @@ from .things.scullery import (
     teaware,
     urns,
 )
-from .things.sewing import cloths, notions
+from .things.sewing import cloths, notions, spreads
 from .things.shapes import polyhedra as shapes_polyhedra
 from .things.spooky import creatures, graveyard, props, remains
 from .things.sports import balls, sports, sportsgear
@@ -281,6 +281,7 @@ _ON_REQUEST = (
     open_vessels,
     slotted,
     candleholders,
+    spreads,
     machines,
     mixing,
     jars,

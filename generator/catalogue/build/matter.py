@@ -66,7 +66,7 @@ _MADE_OF: Mapping[str, str] = {
     "brandy_snifter growler paperweight mirror_tile display_case fuse vacuum_tube headlight "
     "ship_in_a_bottle message_in_a_bottle radiometer microscope_slide cover_slip condenser "
     "kipps_apparatus desiccator ampoule potion_bottle quill_and_ink",
-    "metal": "empty_toast_rack empty_dish_rack open_ice_bucket open_pot open_can "
+    "metal": "empty_candlestick empty_candelabra empty_toast_rack empty_dish_rack open_ice_bucket open_pot open_can "
     "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy "
     "dumbbell button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can "
@@ -336,7 +336,7 @@ _MADE_OF: Mapping[str, str] = {
     "coin_sorter neon_sign humidifier drill_press air_compressor wood_lathe centrifuge "
     "incubator water_bath thermocycler spectrophotometer defibrillator nebuliser watch_winder "
     "headset_receiver",
-    "fabric": "canvas cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case "
+    "fabric": "cloth canvas cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case "
     "placemat hat blanket scarf tennis_ball rope gauze_pad cotton_swab cotton_ball face_mask "
     "whiteboard_eraser band_aid tea_cosy oven_mitt pot_holder tea_towel apron bib diaper "
     "baby_shoes doll puppet garden_glove stocking witch_hat bow ribbon pin_cushion "

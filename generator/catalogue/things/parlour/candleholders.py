@@ -98,9 +98,7 @@ def long_candle(look: Look) -> Shape:
     )
     stick = lathe([(0, 0), (r, 0), (0.96 * r, h - 0.004), (0.6 * r, h), (0, h)], 18)
     wick = cylinder(0.0009, 0.009, 6).move(z=h - 0.002)
-    return shape(
-        [(stick, wax), (wick, textures.plain((40, 34, 30)))], [cylinder_part(0.97 * r, h)]
-    )
+    return shape([(stick, wax), (wick, textures.plain((40, 34, 30)))], [cylinder_part(0.97 * r, h)])
 
 
 _HOLDER = Holder("end", (0.05, 0.05, 0.3))

@@ -242,7 +242,7 @@ CATEGORIES = (
              "folded tablecloth", "tablecover"), ("dining",), ("support", "flat"), ("red",
              "white"), state="lying folded"),
     Category("fabric_square", fabric_square, (0.185, 0.185, 0.0036), 0.015, ("fabric",
-             "piece of fabric", "cloth",
+             "piece of fabric",
              "piece of cloth", "cloth square", "handkerchief", "bandana", "hankie",
              "pocket square", "folded fabric", "microfiber cloth", "cleaning cloth",
              "fabric swatch", "patchwork square", "granny square", "crochet square",
