@@ -35,6 +35,10 @@ OPENED: Mapping[str, str] = MappingProxyType(
 )
 """Categories that are closed or full, and the open or empty one that things can be put into."""
 
+_PLANTS = (
+    "seedling cactus succulent rose tulip daisy sunflower lily herb_pot potted_plant fern ivy "
+    "lavender orchid"
+)
 _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
     {
         (word, kind): holder
@@ -46,9 +50,9 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
             (
                 "flower pot",
                 "plant_pot",
-                "seedling cactus succulent rose tulip daisy sunflower lily",
+                _PLANTS,
             ),
-            ("pot", "plant_pot", "seedling cactus succulent rose tulip daisy sunflower lily"),
+            ("pot", "plant_pot", _PLANTS),
         )
         for kind in kinds.split()
     }
@@ -56,6 +60,10 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
 """A bare word and what is put there, and the category that the word then means."""
 
 
+_POTTED = frozenset(
+    ["cactus", "succulent", "herb_pot", "potted_plant", "fern", "ivy", "aloe", "lavender",
+     "plant", "basil", "mint", "orchid", "snake_plant", "spider_plant"]
+)  # fmt: skip
 _CANDLES = frozenset({"candle", "taper_candle", "long_candle"})
 _SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
 _FLOWERS = ("rose", "tulip", "daisy", "carnation")
@@ -70,6 +78,8 @@ def cut_category(category: str, vessel: str, number: int) -> str:
         if category == "vase":  # the catalogue's word for flowers
             return _FLOWERS[number % len(_FLOWERS)]
         return "posy" if category == "bouquet" else category
+    if category in _POTTED and open_category(vessel) == "plant_pot":
+        return "bare_cactus" if category == "cactus" else "seedling"
     if is_lit(category, vessel):
         return "long_candle"
     return category

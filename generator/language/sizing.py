@@ -90,8 +90,9 @@ def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     changed: dict[str, PlannedObject] = {}
     for name, held in inside.items():
         target = names[name]
+        vessel = open_category(target.category, target.noun, held[0].category)
         for k, thing in enumerate(held):
-            kind = cut_category(thing.category, target.category, k)
+            kind = cut_category(thing.category, vessel, k)
             changed[thing.name] = replace(thing, category=kind)
     for name, held in inside.items():
         kind = open_category(names[name].category, names[name].noun, held[0].category)

@@ -274,7 +274,7 @@ _MADE_OF: Mapping[str, str] = {
     "pomegranate star_fruit passion_fruit date zucchini radish beetroot turnip parsnip "
     "sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
     "cashew pistachio chestnut acorn olive pickle sugar_cube rose tulip daisy sunflower "
-    "lily carnation lavender orchid dried_flower posy seedling flower_bulb gingerbread_house "
+    "lily carnation lavender orchid dried_flower posy bare_cactus seedling flower_bulb gingerbread_house "
     "jack_o_lantern birthday_cake easter_egg cigar "
     "daffodil iris poppy peony chrysanthemum dahlia gerbera marigold zinnia camellia gardenia "
     "magnolia dandelion cornflower edelweiss anemone hibiscus petunia primrose pansy "

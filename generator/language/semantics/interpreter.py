@@ -184,7 +184,7 @@ class Interpreter(ListInterpreter):
             if target is not None:
                 self._attach(post, target, group)
                 for draft in group:
-                    draft.placed = True
+                    draft.placed = draft.placed or post.kind not in ("on", "in")
         elif isinstance(post, Carry):
             if post.back != "between":
                 self._carry(post, group, noun)
