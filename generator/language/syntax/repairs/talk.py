@@ -94,6 +94,8 @@ def _skipped(tokens: Sequence[Token], i: int) -> int:
     texts = [token.text for token in tokens[i : i + 10]]
     if skipped := _robot(texts):
         return i + skipped
+    if texts[:1] == ["nothing"] and (found := {"except", "but"} & {*texts[1:]}):
+        return i + min(texts.index(word) for word in found) + 1  # "nothing else except a card"
     if texts[:2] == ["in", "turn"]:
         return i + 2
     if texts[:2] in (["rotate", "it"], ["turn", "it"]):
