@@ -255,7 +255,7 @@ CATEGORIES = (
     _row("poster", _paper(0.3, 0.42, _poster, "white", "cream"), (0.3, 0.42, 0.0011), 0.02,
              ("art print", "film poster", "movie poster", "concert poster", "unframed print")),
     _row("report", _report, (0.218, 0.297, 0.0136), 0.35, ("bound report", "annual report",
-             "school report", "book report", "thesis", "dissertation", 
+             "school report", "book report", "thesis", "dissertation",
              "first aid manual", "user manual", "instruction manual", "handbook",
              "instruction booklet", "report binder")),
     _row("memo_pad", _memo, (0.1, 0.145, 0.0088), 0.09, ("memo block", "reporter pad",

@@ -271,7 +271,7 @@ CATEGORIES = (
              _E, ("amber",), state="lying flat"),
     Category("samosa", samosa, (0.0847, 0.08, 0.0591), 0.06, ("vegetable samosa", "somosa",
              "sambusa"), ("dining",), _E, ("amber",)),
-    Category("strudel", strudel, (0.229, 0.0773, 0.0505), 0.45, ("apple strudel", 
+    Category("strudel", strudel, (0.229, 0.0773, 0.0505), 0.45, ("apple strudel",
              "filo log"), _T, _E, ("amber",), state="lying flat"),
     Category("cannoli", cannoli, (0.13, 0.0394, 0.0343), 0.06, ("cannolo", "brandy snap",
              "cream horn", "cannolis"), _T, _E, (), state="lying flat"),

@@ -422,7 +422,7 @@ CATEGORIES = (
              "dwarf", "gnome figurine"), ("living",), ("tall",), ("red",)),
     Category("potty", potty, (0.209, 0.209, 0.171), 0.3, ("baby potty", "child's potty",
              "chamber pot"), ("living",), ("container", "big"), ("blue", "pink")),
-    Category("volcano", volcano, (0.241, 0.241, 0.119), 0.4, ("toy volcano", 
+    Category("volcano", volcano, (0.241, 0.241, 0.119), 0.4, ("toy volcano",
              "model volcano", "volcano kit"), ("toys", "lab"), ("big",), ("brown",)),
     Category("easel", table_easel, (0.196, 0.191, 0.277), 0.4, ("table easel", "wooden easel",
              "mini easel", "display easel", "tabletop easel", "artist's easel"),

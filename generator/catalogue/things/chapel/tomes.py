@@ -199,7 +199,7 @@ def _shawl(look: Look) -> Pieces:
 
 CATEGORIES = (
     Category("bible", of(_tome(_cross, "black", "maroon", "brown", "navy"), bodies=2),
-             (0.138, 0.221, 0.0397), 0.6, ("holy bible", "missal", "prayer book", 
+             (0.138, 0.221, 0.0397), 0.6, ("holy bible", "missal", "prayer book",
              "holy book", "psalter", "new testament"), ("living",), ("flat", "support"),
              ("black",), state="lying flat"),
     Category("quran", of(_tome(_crescent, "green", "teal", "navy", "maroon"), bodies=2),
@@ -229,7 +229,7 @@ CATEGORIES = (
              "koran stand", "book stand with crossed boards", "folding book stand"), ("living",),
              (), ("brown",)),
     Category("prayer_flags", of(_flags), (0.396, 0.0904, 0.00298), 0.02, ("prayer flag",
-             "string of prayer flags", "tibetan flags", 
+             "string of prayer flags", "tibetan flags",
              "pennant garland"), ("living",), ("flat", "big"), ("blue",),
              state="lying"),
     Category("palm_cross", of(_palm), (0.075, 0.13, 0.0065), 0.004, ("cross of palm leaf",),

@@ -233,7 +233,7 @@ CATEGORIES = (
              "airscrew"), ("electronics",), ("flat",), ("orange", "black")),
     Category("solder_spool", solder_spool, (0.061, 0.061, 0.0465), 0.25, ("solder",
              "spool of solder", "solder wire", "solder roll", "roll of solder", "solder reel",
-             "desoldering braid","spool of wire", "wire spool", "reel of wire" ),
+             "desoldering braid", "spool of wire", "wire spool", "reel of wire"),
              ("electronics",), ("round",), ("blue",)),
 )  # fmt: skip
 """The module's categories."""

@@ -323,7 +323,7 @@ def patch(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("satchel", satchel, (0.239, 0.0955, 0.204), 0.8, ("school satchel",
-             "leather satchel", "messenger bag", 
+             "leather satchel", "messenger bag",
              "briefcase bag"), ("living", "office"), ("big",), ("brown",)),
     Category("waist_bag", waist_bag, (0.226, 0.201, 0.0959), 0.2, ("fanny pack", "bum bag",
              "hip pack", "belt bag", "waist pack"),

@@ -243,8 +243,8 @@ def clam(look: Look) -> Shape:
 CATEGORIES = (
     Category("fish", fish, (0.205, 0.0866, 0.0272), 0.35, ("whole fish", "trout", "mackerel",
                  "sea bass", "herring", "grilled fish", "raw fish", "sardine", "anchovy", "cod",
-             "cod", "haddock", "sea bream", "red snapper", "whole trout", "kipper", "tilapia",
-             "perch", "pollock","carp" ),
+                 "haddock", "sea bream", "red snapper", "whole trout", "kipper", "tilapia",
+             "perch", "pollock", "carp"),
              ("kitchen",), ("edible",), ("silver", "gray"),
              state="lying flat"),
     Category("salmon", salmon, (0.128, 0.0627, 0.023), 0.15, ("salmon fillet", "salmon steak",

@@ -207,7 +207,7 @@ CATEGORIES = (
              "elastic roll", "roll of elastic"), ("craft",), (), ("red", "pink"),
              state="lying flat"),
     Category("gift_tag", gift_tag, (0.1, 0.042, 0.0035), 0.003, ("name tag", "label tag",
-             "present tag", "paper tag", "do not disturb sign", "do not disturb sign",
+             "present tag", "paper tag", "do not disturb sign",
              "museum label"), ("living",), ("flat",), ("tan",),
              state="lying flat"),
     Category("birthday_cake", birthday_cake, (0.21, 0.21, 0.125), 0.8, ("cake with candles",

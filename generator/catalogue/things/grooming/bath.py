@@ -160,7 +160,7 @@ CATEGORIES = (
         (0.107, 0.0565, 0.045),
         0.03,
         ("pack of tissues", "pocket tissues", "tissue packet", "packet of tissues",
-            "packet tissues","pack of wipes", "packet of wipes", ),
+            "packet tissues", "pack of wipes", "packet of wipes",),
         ("vanity",),
         (),
         ("sky", "blue"),

@@ -221,7 +221,7 @@ CATEGORIES = (
     Category("pea", pea, (0.00895, 0.00895, 0.00747), 0.0006, ("chickpea",), _K,
              ("edible", "round"), ("green",)),
     Category("walnut", walnut, (0.0428, 0.0378, 0.0352), 0.012, ("walnut half",
-             "walnut shell","peach pit", ), _K,
+             "walnut shell", "peach pit",), _K,
              ("edible",),
              ("tan",)),
     Category("almond", almond, (0.0253, 0.0144, 0.00734), 0.0014, ("pine nut",

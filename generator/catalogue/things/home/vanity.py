@@ -263,7 +263,6 @@ CATEGORIES = (
         (
             "paddle brush",
             "brush",
-            "paddle brush",
             "round brush",
             "hot brush",
             "detangling brush",

@@ -321,7 +321,7 @@ CATEGORIES = (
              "food storage container"), ("kitchen", "office"), (),
              ("blue", "green")),
     Category("butter", butter_dish, (0.18, 0.12, 0.045), 0.4, ("stick of butter", "butter stick",
-             "block of butter", "pat of butter", "butter pat" ), ("kitchen",
+             "block of butter", "pat of butter", "butter pat"), ("kitchen",
              "breakfast"), ("edible",), ("yellow", "white")),
 )  # fmt: skip
 """The module's categories."""

@@ -363,7 +363,6 @@ CATEGORIES = (
             "bath toy",
             "rubber bath duck",
             "squeaky toy",
-            "bath toy",
         ),
         ("toys", "vanity"),
         (),

@@ -290,7 +290,7 @@ def quill(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("dagger", dagger, (0.293, 0.0763, 0.0193), 0.35,
-             ("bronze dagger", "dirk", "poniard", "ceremonial dagger", "sword hilt", 
+             ("bronze dagger", "dirk", "poniard", "ceremonial dagger", "sword hilt",
               "short sword"), ("living",), ("flat",), ("brown",)),
     Category("flintlock_pistol", flintlock_pistol, (0.257, 0.0876, 0.0262), 0.6,
              ("flintlock", "duelling pistol", "dueling pistol", "antique pistol", "pirate pistol",

@@ -157,7 +157,8 @@ def skittle(look: Look) -> Shape:
 CATEGORIES = (
     Category("toy_soldier", toy_soldier, (0.05, 0.04, 0.1), 0.03, ("soldier", "tin soldier",
                  "lead soldier", "army man", "plastic soldier", "soldier figure",
-                 "painted miniature", "miniature", "wargaming miniature", "gaming miniature","warhammer figure", "wargame miniature", "warhammer miniature" ),
+                 "painted miniature", "miniature", "wargaming miniature", "gaming miniature",
+                 "warhammer figure", "wargame miniature", "warhammer miniature"),
              ("toys",), ("tall",),
              ("red", "blue")),
     Category("puppet", puppet, (0.175, 0.106, 0.24), 0.12, ("hand puppet", "glove puppet",

@@ -510,7 +510,7 @@ CATEGORIES = (
              ("labyrinth", "ball maze", "labyrinth game", "wooden maze", "maze", "maze game"),
              ("toys", "games"), ("big",), ("wooden",)),
     Category("wind_turbine", wind_turbine, (0.14, 0.0876, 0.239), 0.12,
-             ("wind turbine model", "model wind turbine", "toy wind turbine", 
+             ("wind turbine model", "model wind turbine", "toy wind turbine",
              "windmill"), ("toys",), ("tall",), ("white",)),
     Category("zoetrope", zoetrope, (0.151, 0.151, 0.15), 0.3, ("praxinoscope", "stroboscope",
              "phenakistoscope"), ("toys",), (), ("black",)),

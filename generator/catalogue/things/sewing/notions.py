@@ -277,7 +277,7 @@ def yarn_skein(look: Look) -> Shape:
 CATEGORIES = (
     Category("button", button, (0.025, 0.025, 0.0028), 0.0015, ("shirt button", "coat button",
              "sewing button", "round button", "wooden button", "brass button", "peephole",
-             "sequin", "press fastener","press stud", "snap fastener" ),
+             "sequin", "press fastener", "press stud", "snap fastener"),
              ("craft",), ("round", "flat"), ("red", "blue"),
              state="lying flat"),
     Category("thimble", thimble, (0.021, 0.021, 0.0247), 0.004, ("metal thimble",

@@ -239,7 +239,7 @@ CATEGORIES = (
              ("flat",), ("black", "navy"), state="lying flat"),
     Category("travel_adapter", travel_adapter, (0.068, 0.05, 0.0515), 0.1, ("plug adapter",
              "adapter plug", "travel plug", "universal adapter", "socket adapter", "smart plug",
-             "timer switch","travel adaptor", "plug adaptor", "gender changer" ), ("living",
+             "timer switch", "travel adaptor", "plug adaptor", "gender changer"), ("living",
              "office"), (), ("white", "black")),
 )  # fmt: skip
 """The module's categories."""

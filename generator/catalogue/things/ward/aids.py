@@ -256,7 +256,7 @@ CATEGORIES = (
     _row("otoscope", _scope, (0.203, 0.0777, 0.0317), 0.12, ("ophthalmoscope", "ear scope",
              "dermatoscope", "laryngoscope"), ("black",), 0.08),
     _row("tongue_depressor", _spatula, (0.15, 0.018, 0.0016), 0.002, ("tongue spatula",
-             "wooden spatula stick", 
+             "wooden spatula stick",
              "ice cream stick wooden"), ("beige",), roles=("flat",)),
     _row("sharps_container", _bin, (0.136, 0.106, 0.19), 0.3, ("sharps bin", "sharps box",
              "biohazard bin", "needle bin"), ("yellow",), bodies=2, roles=("tall",)),
