@@ -8,8 +8,8 @@ from ...build.category import Category
 from ...build.outlines import smooth
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import cut, disc, plain, turned
-from ...build.solids import Solid, join, torus, tube
+from ...build.sketch import cut, disc, plain
+from ...build.solids import Solid, join, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -174,26 +174,6 @@ def dragonfly(look: Look) -> Shape:
         chest, tail, join(wings), factor=k, foot=0.3)  # fmt: skip
 
 
-def spider(look: Look) -> Shape:
-    """A spider on eight bent legs."""
-    color = look.color("black", "brown", "charcoal", "maroon")
-    k = look.between(0.75, 1.25)
-    back = ball(0.032, 0.028, 0.026, (-0.016, 0, 0.013), 16)
-    chest = ball(0.02, 0.017, 0.013, (0.007, 0, 0.011), 14)
-    eyes = [ball(0.003, 0.003, 0.003, (0.0155, s * 0.003, 0.0145), 6) for s in (-1, 1)]
-    legs = []
-    for n in range(4):
-        for s in (-1, 1):
-            a = s * (0.55 + 0.62 * n)
-            way = np.array([np.cos(a), np.sin(a)])
-            path = [(*(0.006 * way + [0.006, 0]), 0.011), (*(0.026 * way + [0.006, 0]), 0.026),
-                    (*(0.046 * way + [0.006, 0]), 0.0012)]  # fmt: skip
-            legs.append(rod(path, [0.0018, 0.0016, 0.0009], 6, 3))
-    fur = textures.scratches(look.rng, color, tint_color(color, 1.35), 90)
-    return put_down([(join([back, chest, *legs]), fur), (join(eyes), plain((220, 60, 50)))],
-                    back, chest, *legs, factor=k)  # fmt: skip
-
-
 def _ant(look: Look) -> Shape:
     """An ant: three body parts, six legs and jaws."""
     color = look.color("black", "brown", "maroon", "red")
@@ -270,30 +250,6 @@ def snail(look: Look) -> Shape:
         factor=k,
         foot=0.2,
     )
-
-
-def tortoise(look: Look) -> Shape:
-    """A small turtle: a domed shell of plates, four feet and a head."""
-    color = look.color("green", "olive", "brown", "teal")
-    k = look.between(0.8, 1.2)
-    shell = turned([(0.03, 0.009), (0.034, 0.014), (0.03, 0.024), (0.018, 0.033), (0.006, 0.036)],
-                   fine=20).scale(1.2, 1, 1)  # fmt: skip
-    rim = torus(0.032, 0.004, 26, 8).scale(1.2, 1, 1).move(z=0.013)
-    head = ball(0.022, 0.017, 0.016, (0.048, 0, 0.016), 14)
-    feet = [
-        ball(0.02, 0.015, 0.016, (s * 0.026, t * 0.024, 0.006), 10)
-        for s in (-1, 1)
-        for t in (-1, 1)
-    ]
-    tail = rod([(-0.038, 0, 0.009), (-0.048, 0, 0.006)], [0.003, 0.001], 6)
-    eyes = [ball(0.003, 0.003, 0.004, (0.054, s * 0.006, 0.02), 6) for s in (-1, 1)]
-    plates = [ball(0.017, 0.015, 0.006, (0.0, 0, 0.0345), 6)]
-    plates += [ball(0.015, 0.013, 0.008, (0.026 * np.cos(a), 0.021 * np.sin(a), 0.0285), 6)
-               for a in np.arange(6) * np.pi / 3]  # fmt: skip
-    skin = textures.speckles(look.rng, tint_color(color, 1.3), 8)
-    return put_down([(join([head, *feet, tail]), skin), (join([shell, rim]), plain(color)),
-                     (join(plates), plain(tint_color(color, 0.7))), (join(eyes), plain(DARK))],
-                    shell, head, *feet, factor=k, foot=0.2)  # fmt: skip
 
 
 CATEGORIES = (

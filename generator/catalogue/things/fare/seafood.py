@@ -12,11 +12,8 @@ from ...build.settled import hull_above, limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, loft, prism
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tint_color
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-
-NORI: RGB = (36, 46, 38)
-RICE: RGB = (246, 244, 236)
 
 
 def fish(look: Look) -> Shape:

@@ -16,8 +16,6 @@ from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 from ..food.food import skin
 
-DOUGH: RGB = (240, 226, 192)
-
 
 def dumpling(look: Look) -> Shape:
     """A folded dumpling, its pleated seam up, or a round steamed one."""

@@ -17,7 +17,6 @@ from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
 GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "teal")
-DARK = textures.plain((32, 30, 32))
 
 
 def party_hat(look: Look) -> Shape:

@@ -11,11 +11,9 @@ from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tint_color
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 from .food import skin
-
-CRUST: RGB = (206, 152, 86)
 
 
 def pancakes(look: Look) -> Shape:

@@ -93,23 +93,6 @@ def clove(look: Look) -> Shape:
     return settle(laid, 0.16).scale(k)
 
 
-def star_anise(look: Look) -> Shape:
-    """A star anise: eight boat-shaped arms with a seed in each."""
-    color = look.color("brown", "copper", "bronze", "maroon")
-    k, arms = look.between(0.85, 1.2), look.pick([7, 8, 8, 9])
-    boats, seeds = [], []
-    for n in range(arms):
-        a = 2 * np.pi * n / arms
-        reach = look.between(0.011, 0.0145)
-        boats.append(limb([(0.001, 0, 0.003), (0.45 * reach, 0, 0.003), (reach, 0, 0.0045)],
-                          [0.0016, 0.0028, 0.0006], 8).turn(2, a))  # fmt: skip
-        seeds.append(ellipsoid(0.005, 0.0024, 0.003, 8, 5).move(0.5 * reach, 0, 0.0052).turn(2, a))
-    rough = textures.spots(look.rng, color, tint_color(color, 0.7), 0.2)
-    return settle([(join(boats), rough), (join(seeds), textures.plain((150, 92, 48)))], 0.1).scale(
-        k
-    )
-
-
 def cinnamon_stick(look: Look) -> Shape:
     """A quill of cinnamon: a rolled bark, two scrolls side by side, lying."""
     long, r = look.between(0.07, 0.1), look.between(0.0055, 0.0075)

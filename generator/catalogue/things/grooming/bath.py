@@ -14,8 +14,6 @@ from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
 
-SOFT = ("white", "sky", "pink", "mint", "lavender", "cream", "sage")
-
 
 def toilet_roll(look: Look) -> Shape:
     """A roll of toilet paper standing, its last sheet hanging down."""

@@ -11,11 +11,9 @@ from ...build.settled import limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import ellipsoid, join, lathe, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tint_color
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 from ..food.food import skin
-
-GREEN: RGB = (92, 150, 62)
 
 
 def pea_pod(look: Look) -> Shape:

@@ -108,34 +108,6 @@ def wall_socket(look: Look) -> Shape:
     )
 
 
-def light_switch(look: Look) -> Shape:
-    """A light switch lying on its back: a plate with a rocker."""
-    color = look.color("white", "cream", "silver", "black")
-    k = look.between(0.9, 1.1)
-    back, plate = bar(0.06, 0.06, 0.018), block(0.084, 0.084, 0.008, 0.004, 0.002).move(z=0.0175)
-    count = look.pick([1, 1, 2])
-    rocks = []
-    for n in range(count):
-        x = 0.02 * (n - (count - 1) / 2)
-        rocks += [
-            bar(0.014, 0.015, 0.004, (0, s * 0.0075, 0)).turn(0, 0.16).move(x, 0, 0.025)
-            for s in (-1, 1)
-        ]
-    frames = [bar(0.018 * count + 0.002, 0.034, 0.0006, (0, 0, 0.0253))]
-    screws = [disc(0.003, 0.001, (s * 0.03, 0, 0.025)) for s in (-1, 1)]
-    return put_down(
-        [
-            (join([back, plate]), plain(color)),
-            (join(rocks), plain(tint_color(color, 1.2))),
-            (join(frames), plain(tint_color(color, 0.7))),
-            (join(screws), steel(look)),
-        ],
-        back,
-        plate,
-        factor=k,
-    )
-
-
 def mains_plug(look: Look) -> Shape:
     """A mains plug lying with a piece of its cord."""
     color = look.color("black", "white", "gray", "red")

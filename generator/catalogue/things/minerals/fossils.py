@@ -36,15 +36,6 @@ def _ammonite(look: Look) -> Pieces:
     return [(coil.move(z=-float(coil.bounds[0, 2])), _skin(look, *STONE))]
 
 
-def _slab(look: Look) -> Pieces:
-    """A slab of stone with an ammonite in it."""
-    color = look.color("gray", "tan", "beige", "charcoal")
-    base = at_block(0.11, 0.09, 0.018, 0.02)
-    tile = textures.spots(look.rng, color, tint_color(color, 0.8), 0.2)
-    dark = textures.speckles(look.rng, tint_color(color, 0.55), 8)
-    return [(base, tile), (_coil(0.85).move(0.002, 0, 0.012), dark)]
-
-
 def _trilobite(look: Look) -> Pieces:
     """A trilobite: a broad head, ribs over three lobes, a narrow tail."""
     dark = _skin(look, "charcoal", "brown", "black")

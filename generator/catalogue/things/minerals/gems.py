@@ -16,18 +16,6 @@ from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 
 
-def _facets(look: Look, color: RGB) -> textures.Tile:
-    """The glitter of facets: light and dark triangles of one colour."""
-    tones = [tint_color(color, f) for f in (0.55, 0.8, 1.0, 1.25, 1.6)]
-    image = np.zeros((16, 16, 3))
-    y, x = np.mgrid[0:16, 0:16]
-    band = ((x + 2 * y) // 5) % 5
-    order = look.rng.permutation(5)
-    for k in range(5):
-        image[band == k] = tones[order[k]]
-    return np.clip(image, 0, 255).astype(np.uint8)
-
-
 def _shaded(look: Look, body: Solid, color: RGB) -> Pieces:
     """A body whose faces have tones of their own."""
     faces = body.faces

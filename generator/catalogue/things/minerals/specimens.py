@@ -29,10 +29,6 @@ def _lump(look: Look, x: float, y: float, z: float, corners: int) -> Solid:
     return faceted(np.add(p, (0, 0, 0.3 * z)))
 
 
-def _plain(look: Look, color: RGB) -> textures.Tile:
-    return textures.speckles(look.rng, color, 12)
-
-
 def _grains(other: str, share: float) -> Skin:
     def skin(look: Look, color: RGB) -> textures.Tile:
         return textures.spots(look.rng, color, look.own_color(other), share)

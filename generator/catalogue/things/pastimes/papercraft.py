@@ -8,7 +8,7 @@ from ...build.category import Category
 from ...build.outlines import ellipse, rectangle
 from ...build.recipes import ball, put_down, rod, standing_plate, straight
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, disc, plain, steel, turned
+from ...build.sketch import cut, disc, plain, steel, turned
 from ...build.solids import Solid, cylinder, join, loft, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
@@ -134,22 +134,6 @@ def pinwheel(look: Look) -> Shape:
         factor=k,
         foot=0.3,
     )
-
-
-def snowflake(look: Look) -> Shape:
-    """A six-armed snowflake cut of paper, lying."""
-    color = look.color("white", "sky", "silver", "blue", "mint")
-    k, side = look.between(0.75, 1.25), look.between(0.5, 0.75)
-    arms = []
-    for n in range(6):
-        arm = [bar(0.05, 0.007, 0.0015, (0.027, 0, 0))]
-        for x, long in ((0.022, 0.016), (0.036, 0.02 * side), (0.046, 0.01)):
-            twig = bar(long, 0.005, 0.0015, (long / 2, 0, 0))
-            arm += [twig.turn(2, s * 0.95).move(x, 0, 0) for s in (-1, 1)]
-        arms.append(join(arm).turn(2, n * np.pi / 3))
-    middle = disc(0.012, 0.0018, fine=6)
-    return put_down([(join([*arms, middle]), textures.speckles(look.rng, color, 3, 32))],
-                    join(arms), factor=k)  # fmt: skip
 
 
 def napkin_swan(look: Look) -> Shape:

@@ -15,8 +15,6 @@ from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
-BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "pink", "teal", "black")
-
 
 def _bat(profile: list[tuple[float, float]], grip: float) -> Callable[[Look], Shape]:
     """A round bat lying along x with a wrapped grip."""
