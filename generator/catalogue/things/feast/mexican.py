@@ -14,7 +14,7 @@ from ...build.recipes import pad
 from ...build.settled import limb, rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, ellipsoid, join, lathe, loft, prism, sweep, tube
-from ...build.variants import keep_still
+from ...build.variants import at_rest, keep_still
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -261,8 +261,8 @@ CATEGORIES = (
              ("wooden",), state="lying flat"),
     Category("tostada", tostada, (0.133, 0.134, 0.0266), 0.1, ("bean tostada",), _F,
              ("edible", "flat"), ("amber",), state="lying flat"),
-    Category("nachos", nachos, (0.198, 0.198, 0.0697), 0.4, ("nacho", "plate of nachos",
-        "loaded nachos", "bowl of nachos", "tortilla chips"), _F, _E, ("gold",)),
+    at_rest(Category("nachos", nachos, (0.198, 0.198, 0.0697), 0.4, ("nacho", "plate of nachos",
+        "loaded nachos", "bowl of nachos", "tortilla chips"), _F, _E, ("gold",))),
     Category("enchilada", enchilada, (0.189, 0.151, 0.0457), 0.5, ("plate of enchiladas",
         "enchiladas", "cannelloni", "fajita plate"), _F, _E, ("terracotta",)),
     Category("tamale", tamale, (0.171, 0.0871, 0.0325), 0.12, ("tamal",), _F, _E, ("tan",),

@@ -12,7 +12,7 @@ from ...build.forms import blade, streaks
 from ...build.settled import limb, settle
 from ...build.shape import Shape
 from ...build.solids import cylinder, ellipsoid, join, lathe
-from ...build.variants import keep_still
+from ...build.variants import at_rest, keep_still
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -154,9 +154,10 @@ CATEGORIES = (
     _row("turmeric", Pod((0.06, 0.085), (0.06, 0.11, 0.09, 0.11, 0.06), ("orange", "amber",
          "mustard"), 0.09, "rings"), 0.02, (0.0749, 0.0184, 0.0133), "turmeric root",
          "fresh turmeric"),
-    Category("clove", clove, (0.0145, 0.00765, 0.00643), 0.0001, ("whole clove", "clove spice"),
+    at_rest(Category("clove", clove, (0.0145, 0.00765, 0.00643), 0.0001, ("whole clove",
+             "clove spice"),
              _K, ("edible",),
-             ("brown",), state="lying flat"),
+             ("brown",), state="lying flat")),
     Category("cinnamon_stick", cinnamon_stick, (0.0855, 0.0242, 0.0113), 0.005, ("cinnamon quill",
              "stick of cinnamon", "cinnamon bark"), _K, ("edible",), ("copper",),
              state="lying flat"),

@@ -9,6 +9,7 @@ from ...build.making import at_block, disc, faceted, of, plate, turned
 from ...build.outlines import arc, smooth
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid, join, tube
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -158,9 +159,9 @@ def _print(look: Look) -> Pieces:
 
 
 CATEGORIES = (
-    Category("ammonite", of(_ammonite, 0.06), (0.0889, 0.089, 0.0328), 0.2, (
+    at_rest(Category("ammonite", of(_ammonite, 0.06), (0.0889, 0.089, 0.0328), 0.2, (
              "fossil ammonite", "nautilus", "nautilus shell"), ("office",), (),
-             ("tan", "gray"), state="lying"),
+             ("tan", "gray"), state="lying")),
     Category("fish_fossil", of(_print, bodies=1), (0.13, 0.085, 0.0134), 0.3, ("fossil fish",
              "fossil plate", "fish skeleton fossil", "fossil leaf", "fern fossil"), ("office",),
              ("flat",), ("beige",), state="lying"),

@@ -11,6 +11,7 @@ from ...build.making import Drawing, faceted, of
 from ...build.outlines import ellipse, lift
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid
+from ...build.variants import at_rest, varied
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -146,13 +147,13 @@ CATEGORIES = (
     _row("gemstone", ("red", "green", "blue", "purple", "clear", "amber", "pink"), (0, 1, 2, 3),
          "gem", "cut gem", "cut gemstone", "precious stone", "jewel", "faceted gem", "cut stone",
          "cut crystal"),
-    _row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon"),
-    _row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel"),
-    _row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline"),
+    varied(_row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon")),
+    varied(_row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel")),
+    at_rest(_row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline")),
     _row("sapphire", ("blue",), (2, 0), "cut sapphire", "tanzanite"),
-    _row("topaz", ("amber", "yellow"), (1, 3), "cut topaz", "citrine", "yellow topaz"),
+    at_rest(_row("topaz", ("amber", "yellow"), (1, 3), "cut topaz", "citrine", "yellow topaz")),
     _row("garnet", ("maroon",), (0, 2), "cut garnet"),
-    _row("aquamarine", ("sky",), (1, 3), "cut aquamarine", "blue topaz"),
+    at_rest(_row("aquamarine", ("sky",), (1, 3), "cut aquamarine", "blue topaz")),
     Category("opal", of(_dome(("white", "mint"), 0.018)), (0.0185, 0.0139, 0.00924), 0.004,
              ("moonstone", "cabochon"), ("vanity",), (), ("white",), state="lying"),
     Category("tigers_eye", of(_dome(("amber", "bronze"), 0.026, 1.5)), (0.026, 0.0195, 0.013),

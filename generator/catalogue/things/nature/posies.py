@@ -11,6 +11,7 @@ from ...build.collision import whole_hull
 from ...build.recipes import rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, ellipsoid, join
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -53,7 +54,7 @@ def posy(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("posy", posy, (0.36, 0.17, 0.17), 0.25, ("bundle of flowers",), ("living",),
-             ("big",), ("red", "pink"), state="lying flat"),
+    at_rest(Category("posy", posy, (0.36, 0.17, 0.17), 0.25, ("bundle of flowers",), ("living",),
+             ("big",), ("red", "pink"), state="lying flat")),
 )  # fmt: skip
 """The module's categories."""

@@ -20,6 +20,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -234,8 +235,9 @@ CATEGORIES = (
              "bug net", "pooter"), roles=("big",)),
     _row("brain_model", _brain, (0.135, 0.125, 0.13), 0.5, ("model brain", "brain",
              "human brain model", "anatomical brain"), ("pink",), bodies=5),
-    _row("eye_model", _eye, (0.1, 0.125, 0.138), 0.3, ("model eye", "eyeball model"), ("blue",),
-             bodies=2),
+    varied(_row("eye_model", _eye, (0.1, 0.125, 0.138), 0.3, ("model eye", "eyeball model"),
+             ("blue",),
+             bodies=2)),
     _row("skeleton_model", _bones, (0.13, 0.09, 0.34), 0.4, ("model skeleton",
              "human skeleton"),
              ("ivory",), roles=("tall",)),
