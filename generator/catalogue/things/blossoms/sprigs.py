@@ -11,7 +11,7 @@ from ...build.outlines import ellipse, smooth
 from ...build.recipes import Pieces, ball, put_down, rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, join, prism, refine
-from ...build.variants import at_rest
+from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -190,11 +190,12 @@ _L = ("living",)
 CATEGORIES = (
     Category("lotus", lotus, (0.13, 0.131, 0.0446), 0.04, ("lotus flower", "water lily",
              "waterlily", "lotus blossom", "water lily flower"), _L, ("round",), ("pink",)),
-    at_rest(Category("petal", petal, (0.0459, 0.0386, 0.00899), 0.001, ("rose petal",
+    Category("petal", keep_still(petal), (0.0459, 0.0386, 0.00899), 0.001, ("rose petal",
              "flower petal",
-             "petal of a rose"), _L, (), ("red", "pink"), state="lying flat")),
-    at_rest(Category("holly", holly, (0.129, 0.133, 0.0116), 0.01, ("holly sprig", "sprig of holly",
-             "holly leaf", "holly branch"), _L, (), ("green",), state="lying flat")),
+             "petal of a rose"), _L, (), ("red", "pink"), state="lying flat"),
+    Category("holly", keep_still(holly), (0.129, 0.133, 0.0116), 0.01, ("holly sprig",
+             "sprig of holly",
+             "holly leaf", "holly branch"), _L, (), ("green",), state="lying flat"),
     Category("mistletoe", sprout, (0.147, 0.119, 0.0124), 0.01, ("sprig of mistletoe",
              "mistletoe sprig"), _L, (), ("green",), state="lying flat"),
     Category("fern_frond", frond, (0.287, 0.131, 0.00411), 0.008, ("frond", "fern leaf",

@@ -11,7 +11,7 @@ from ...build.recipes import Pieces, straight
 from ...build.settled import settle
 from ...build.shape import Shape, shape
 from ...build.solids import box, cylinder, join, prism, torus, tube
-from ...build.variants import at_rest
+from ...build.variants import at_rest, keep_still
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -143,8 +143,8 @@ CATEGORIES = (
              "fake moustaches"), _L, (), ("black",), state=_D),
     Category("balloon_pump", pump, (0.253, 0.0624, 0.0451), 0.12, ("hand pump", "inflator",
              "ball pump"), _L, (), ("blue",), state=_D),
-    at_rest(Category("sparkler", stick, (0.235, 0.0364, 0.025), 0.006, ("lit sparkler",
+    Category("sparkler", keep_still(stick), (0.235, 0.0364, 0.025), 0.006, ("lit sparkler",
              "party sparkler",
-             "cake sparkler"), _L, (), ("gray",), state=_D)),
+             "cake sparkler"), _L, (), ("gray",), state=_D),
 )  # fmt: skip
 """The module's categories."""

@@ -232,7 +232,7 @@ CATEGORIES = (
     varied(Category("prayer_flags", of(_flags), (0.396, 0.0904, 0.00298), 0.02, ("prayer flag",
              "string of prayer flags", "tibetan flags",
              "pennant garland"), ("living",), ("flat", "big"), ("blue",),
-             state="lying")),
+             state="lying"), 0.2),
     Category("palm_cross", of(_palm), (0.075, 0.13, 0.0065), 0.004, ("cross of palm leaf",),
              ("living",), ("flat",), ("sage",), state="lying"),
     varied(Category("prayer_shawl", of(_shawl), (0.24, 0.205, 0.031), 0.3, ("tallit", "tallis",

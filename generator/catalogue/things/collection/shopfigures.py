@@ -227,7 +227,7 @@ CATEGORIES = (
              "balloon poodle", "balloon sculpture"), ("pink", "red"), ("big",)),
     at_rest(_row("hobby_horse", of(_hobby, 0.1), (0.37, 0.18, 0.1), 0.4, ("hobby horse head",
              "stick horse", "horse on a stick"), ("brown",), ("big",))),
-    _row("mr_potato_head", of(_potato, bodies=3), (0.156, 0.0939, 0.141), 0.2, ("potato head",
+    _row("mr_potato_head", of(_potato, 0.12, bodies=3), (0.156, 0.0939, 0.141), 0.2, ("potato head",
              "mrs potato head", "potato man"), ("tan",)),
     _row("furby", of(_furby, bodies=3), (0.126, 0.111, 0.135), 0.3, ("furry robot", "gremlin toy",
              "toy monster", "monster toy", "plush monster", "pokemon figure", "tamagotchi pet"),

@@ -14,7 +14,7 @@ from ...build.recipes import pad
 from ...build.settled import limb, rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, ellipsoid, join, lathe, loft, prism, sweep, tube
-from ...build.variants import at_rest, keep_still
+from ...build.variants import keep_still
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -96,11 +96,11 @@ def nachos(look: Look) -> Shape:
         out, a = 0.075 * np.sqrt((n + 0.5) / 34), 2.4 * n
         one = (
             prism([(-0.02, -0.014), (0.02, -0.014), (0, 0.022)], 0, 0.0022)
-            .turn(0, look.between(-0.6, 0.6))
-            .turn(1, look.between(-0.5, 0.5))
+            .turn(0, look.between(-0.6, 0.6) * (1 - 0.7 * n / 34))
+            .turn(1, look.between(-0.5, 0.5) * (1 - 0.7 * n / 34))
             .turn(2, a)
         )
-        chips.append(one.move(out * np.cos(a), out * np.sin(a), 0.014 + 0.035 * (1 - n / 34)))
+        chips.append(one.move(out * np.cos(a), out * np.sin(a), 0.017 + 0.032 * (1 - n / 34)))
     cheese = (
         ellipsoid(0.1, 0.09, 0.05, 20, 10)
         .bend(lambda p: p * (1 + 0.12 * np.sin(110 * p[:, :1]) * np.cos(100 * p[:, 1:2])))
@@ -115,7 +115,7 @@ def nachos(look: Look) -> Shape:
             (cheese, textures.speckles(look.rng, (248, 190, 70), 10)),
             (red, textures.plain((200, 50, 44))),
             (green, textures.plain((90, 150, 60)))]  # fmt: skip
-    return settle([(s.scale(k, k, k), t) for s, t in made], 0.0, hulls=[[0], [1, 2, 3]])
+    return settle([(s.scale(k, k, k), t) for s, t in made], 0.03, hulls=[[0], [1, 2, 3]])
 
 
 def enchilada(look: Look) -> Shape:
@@ -261,8 +261,8 @@ CATEGORIES = (
              ("wooden",), state="lying flat"),
     Category("tostada", tostada, (0.133, 0.134, 0.0266), 0.1, ("bean tostada",), _F,
              ("edible", "flat"), ("amber",), state="lying flat"),
-    at_rest(Category("nachos", nachos, (0.198, 0.198, 0.0697), 0.4, ("nacho", "plate of nachos",
-        "loaded nachos", "bowl of nachos", "tortilla chips"), _F, _E, ("gold",))),
+    Category("nachos", nachos, (0.198, 0.198, 0.0697), 0.4, ("nacho", "plate of nachos",
+        "loaded nachos", "bowl of nachos", "tortilla chips"), _F, _E, ("gold",)),
     Category("enchilada", enchilada, (0.189, 0.151, 0.0457), 0.5, ("plate of enchiladas",
         "enchiladas", "cannelloni", "fajita plate"), _F, _E, ("terracotta",)),
     Category("tamale", tamale, (0.171, 0.0871, 0.0325), 0.12, ("tamal",), _F, _E, ("tan",),

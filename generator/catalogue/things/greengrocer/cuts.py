@@ -13,7 +13,7 @@ from ...build.outlines import arc
 from ...build.settled import limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, cylinder, ellipsoid, join, lathe, loft, prism, sweep, tube
-from ...build.variants import at_rest, keep_still
+from ...build.variants import keep_still
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -233,10 +233,10 @@ CATEGORIES = (
     Category("apple_core", apple_core, (0.0809, 0.0521, 0.0476), 0.03, ("core of an apple",
         "eaten apple",
              "half eaten apple", "bitten apple core"), _K, (), ("red",), state="lying"),
-    at_rest(Category("orange_peel", _peel_strip(("orange", "orange", "amber"), False),
+    Category("orange_peel", keep_still(_peel_strip(("orange", "orange", "amber"), False)),
              (0.0531, 0.0531, 0.0249), 0.015,
              ("lemon peel", "citrus peel", "orange rind", "orange twist", "lemon twist",
-              "strip of orange peel"), _K, _E, ("orange", "yellow"), state="lying curled")),
+              "strip of orange peel"), _K, _E, ("orange", "yellow"), state="lying curled"),
     Category("candied_peel", _peel_strip(("orange", "yellow", "amber"), True),
              (0.0737, 0.0133, 0.00732), 0.006,
              ("candied orange peel", "candied orange", "candied lemon peel", "orangette"), _K, _E,

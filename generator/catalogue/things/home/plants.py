@@ -217,7 +217,7 @@ CATEGORIES = (
     Category(
         "seedling",
         seedling,
-        (0.08, 0.08, 0.11),
+        (0.065, 0.058, 0.105),
         0.04,
         ("plant seedling", "plug plant", "young plant"),
         ("living",),

@@ -182,6 +182,7 @@ def glass_rod(look: Look) -> Shape:
     side = [(0, 0), (0.7 * r, 0.0006), (r, 0.003), (r, long - 0.003), (0.7 * r, long - 0.0006),
             (0, long)]  # fmt: skip
     body = lay_down(lathe(side, 14), -long / 2, r)
+    body = body.move(z=-body.bounds[0, 2])
     return shape([(body, textures.plain(look.color("clear", "sky", "clear")))],
                  [flat_foot(body.vertices, 0.1)], opacity=0.8)  # fmt: skip
 

@@ -133,8 +133,9 @@ def _pearl(look: Look) -> Pieces:
              look.rng))]  # fmt: skip
 
 
-def _row(key: str, colors: tuple[str, ...], cuts: tuple[int, ...], *words: str) -> Category:
-    return Category(key, of(_cut(*cuts, colors=colors)), (0.0108, 0.018, 0.0103), 0.004, words,
+def _row(key: str, colors: tuple[str, ...], cuts: tuple[int, ...], *words: str,
+         size: tuple[float, float, float] = (0.0108, 0.018, 0.0103)) -> Category:  # fmt: skip
+    return Category(key, of(_cut(*cuts, colors=colors)), size, 0.004, words,
                     ("vanity",), (), colors[:2], state="lying")  # fmt: skip
 
 
@@ -149,7 +150,8 @@ CATEGORIES = (
          "cut crystal"),
     varied(_row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon")),
     varied(_row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel")),
-    at_rest(_row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline")),
+    at_rest(_row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline",
+         size=(0.0126, 0.0182, 0.0073))),
     _row("sapphire", ("blue",), (2, 0), "cut sapphire", "tanzanite"),
     at_rest(_row("topaz", ("amber", "yellow"), (1, 3), "cut topaz", "citrine", "yellow topaz")),
     _row("garnet", ("maroon",), (0, 2), "cut garnet"),

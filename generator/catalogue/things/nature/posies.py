@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import whole_hull
+from ...build.collision import hull_part
 from ...build.recipes import rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, ellipsoid, join
@@ -50,7 +50,7 @@ def posy(look: Look) -> Shape:
     cuts = (-1.0, 0.0, 0.09 * k, 1.0)
     near = [points[(points[:, 0] >= a - 0.02 * k) & (points[:, 0] <= b + 0.02 * k)]
             for a, b in pairwise(cuts)]  # fmt: skip
-    return shape(made, [whole_hull(p) for p in near])
+    return shape(made, [hull_part(p) for p in near])
 
 
 CATEGORIES = (

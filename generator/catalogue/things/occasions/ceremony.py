@@ -10,7 +10,7 @@ from ...build.forms import blade, spread
 from ...build.settled import limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import box, ellipsoid, join, lathe, tube
-from ...build.variants import at_rest
+from ...build.variants import keep_still
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -170,9 +170,9 @@ def cake_pillar(look: Look) -> Shape:
 _W, _E = ("living",), ("living",)
 
 CATEGORIES = (
-    at_rest(Category("boutonniere", boutonniere, (0.0847, 0.0829, 0.0289), 0.015,
+    Category("boutonniere", keep_still(boutonniere), (0.0847, 0.0829, 0.0289), 0.015,
              ("buttonhole", "lapel flower",
-              "groom's buttonhole"), _W, (), ("red", "white"), state="lying")),
+              "groom's buttonhole"), _W, (), ("red", "white"), state="lying"),
     Category("garter", garter, (0.13, 0.133, 0.0251), 0.02, ("wedding garter", "bridal garter",
         "lace garter"), _W, (), ("sky", "white"), state="lying"),
     Category("veil", veil, (0.309, 0.259, 0.0212), 0.06, ("bridal veil", "wedding veil",

@@ -133,7 +133,7 @@ CATEGORIES = (
              ("bicycle pump", "mini pump", "tyre pump", "tire pump",
               "lilo pump", "cycle pump"), ("workbench", "sports"), (), ("silver",
              "black")),
-    Category("bike_light", bike_light, (0.0486, 0.11, 0.0728), 0.1,
+    Category("bike_light", bike_light, (0.0486, 0.0788, 0.0728), 0.1,
              ("bicycle light", "bike lamp", "rear light", "front light", "cycle light",
              "tail light",
               "bicycle lamp"), ("workbench",), (), ("black",)),

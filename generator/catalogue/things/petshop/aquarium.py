@@ -11,7 +11,7 @@ from ...build.outlines import ellipse, smooth
 from ...build.settled import settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, tube
-from ...build.variants import at_rest, keep_still
+from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -224,7 +224,7 @@ def water_plant(look: Look) -> Shape:
     foot = ellipsoid(0.055, 0.05, 0.026, 16, 8).move(z=0.003)
     return settle([(foot, textures.spots(look.rng, (150, 140, 126), (110, 100, 90), 0.3)),
                    (join(leaves), textures.leaf(look.rng, color))],
-                  0.0, hulls=[[0], [1]]).scale(k)  # fmt: skip
+                  0.06, hulls=[[0], [1]]).scale(k)  # fmt: skip
 
 
 _P = ("living",)
@@ -244,9 +244,9 @@ CATEGORIES = (
              ("fish tank heater", "submersible heater"), _P, (), ("black",), state="lying"),
     Category("air_pump", air_pump, (0.147, 0.118, 0.0526), 0.3, ("aquarium pump",
         "aquarium air pump", "fish tank pump", "aquarium filter"), _P, (), ("blue",)),
-    at_rest(Category("aquarium_plant", water_plant, (0.0879, 0.083, 0.141), 0.06,
+    Category("aquarium_plant", water_plant, (0.0879, 0.083, 0.141), 0.06,
              ("plastic aquarium plant", "water plant", "fake aquarium plant", "seaweed plant"), _P,
              (),
-             ("green",))),
+             ("green",)),
 )  # fmt: skip
 """The module's categories."""

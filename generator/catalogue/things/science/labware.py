@@ -228,7 +228,7 @@ CATEGORIES = (
              "cover slide"), ("clear",), roles=("flat",)), 0.08),
     at_rest(_row("pipette_tip", _tip, (0.05, 0.0068, 0.0068), 0.0005, ("micropipette tip",),
              ("yellow",),
-             0.1)),
+             0.3)),
     _row("eppendorf_tube", _vial("snap"), (0.045, 0.022, 0.0125), 0.001, ("microcentrifuge tube",
              "microtube", "pcr tube", "eppendorf"), ("clear",), 0.1),
     _row("cryovial", _vial("screw"), (0.052, 0.0124, 0.0124), 0.003, ("cryo tube",

@@ -211,7 +211,7 @@ CATEGORIES = (
              "screw gauge"), ("workbench",), ("flat",), ("green", "gray")),
     Category("feeler_gauge", feeler_gauge, (0.0958, 0.0944, 0.0117), 0.07, ("needle gauge",
              "thread gauge"), ("workbench",), ("flat",), ("silver",)),
-    Category("folding_rule", folding_rule, (0.429, 0.064, 0.00719), 0.1, ("folding ruler",
+    Category("folding_rule", folding_rule, (0.33, 0.0995, 0.00719), 0.1, ("folding ruler",
              "carpenter's rule", "zigzag rule"), ("workbench",),
              ("flat", "big"), ("yellow",)),
     Category("chalk_line", chalk_line, (0.167, 0.0709, 0.0482), 0.18, ("chalk reel",
