@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, DARK, at_box, drum, plate, steel
 from ...build.outlines import smooth
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import BRASS, DARK, bar, cut, disc, plain, steel
 from ...build.solids import join, loft, prism, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 FOOT = np.array(
     [
@@ -59,9 +60,9 @@ def insole(look: Look) -> Shape:
     color = look.color("blue", "tan", "gray", "green", "black", "cream")
     k, s = look.between(0.85, 1.08), look.pick([-1, 1])
     rim = smooth(np.concatenate([FOOT, FOOT[:1]]) * [1, s], 4)[:-1]
-    sole, top = cut(rim, 0.005), cut(0.965 * rim, 0.0014, (0, 0, 0.0048))
+    sole, top = plate(rim, 0.005), plate(0.965 * rim, 0.0014, at=(0, 0, 0.0048))
     image = textures.fabric(look.rng, color)
-    arch = [bar(0.03, 0.012, 0.0012, (-0.09, 0, 0.0058))]
+    arch = [at_box(0.03, 0.012, 0.0012, (-0.09, 0, 0.0058))]
     return put_down(
         [(sole, plain(tint_color(color, 0.6))), (top, image), (join(arch), plain((244, 240, 230)))],
         sole,
@@ -79,7 +80,7 @@ def shoe_tree(look: Look) -> Shape:
     knob = ball(0.022, 0.022, 0.022, (-0.13, 0, 0.042), 12)
     wood = textures.wood(look.rng, color)
     return put_down(
-        [(join([*toes, heel]), wood), (join([pole, knob]), steel(look, BRASS))],
+        [(join([*toes, heel]), wood), (join([pole, knob]), steel(look, BRASS_TONE))],
         *toes,
         heel,
         pole,
@@ -113,7 +114,7 @@ def clog(look: Look) -> Shape:
         for s in (-1, 1)
     ]
     hole = ball(0.1, 0.06, 0.03, (-0.035, 0, 0.052), 16)
-    blocks = [bar(0.05, 0.06, 0.012, (-0.09, 0, 0)), bar(0.06, 0.07, 0.012, (0.06, 0, 0))]
+    blocks = [at_box(0.05, 0.06, 0.012, (-0.09, 0, 0)), at_box(0.06, 0.07, 0.012, (0.06, 0, 0))]
     paint = look.surface(color, "wood")
     return put_down(
         [(join([sole, front, toe, *heel, *blocks]), paint), (hole, plain((70, 50, 36)))],
@@ -141,7 +142,7 @@ def shoe_horn(look: Look) -> Shape:
         z[[0, 3]] += 0.001
         rims.append(np.column_stack([np.full(6, a), y, z]))
     made = loft(np.stack(rims), rims[0][:, 1:])
-    hole = disc(0.004, 0.001, (-0.072, 0, 0.0035))
+    hole = drum(0.004, 0.001, (-0.072, 0, 0.0035))
     tile = look.surface(color, "steel" if min(color) > 130 else "plastic")
     return put_down([(made, tile), (hole, plain(DARK))], made, factor=k)
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import at_box, plate
 from ...build.outlines import smooth
 from ...build.recipes import ball, put_down
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, plain
 from ...build.solids import join, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from ...surfaces.textures import Tile
+from ...surfaces.textures import Tile, plain
 
 CLOTH = ("navy", "red", "gray", "teal", "black", "pink", "sky", "green", "white")
 
@@ -38,10 +38,10 @@ def shorts(look: Look) -> Shape:
     color = look.color(*CLOTH)
     k, leg = look.between(0.9, 1.1), look.between(0.9, 1.15)
     rim = mirror([(0.0, -0.03), (0.018, -0.115 * leg), (0.125, -0.1 * leg), (0.1, 0.085)])
-    body = cut(rim, 0.012)
-    band = bar(0.2, 0.022, 0.0135, (0, 0.078, 0))
-    seam = bar(0.003, 0.11, 0.001, (0, 0.022, 0.0118))
-    hems = [cut([(s * 0.0165, -0.104 * leg), (s * 0.018, -0.115 * leg), (s * 0.125, -0.1 * leg),
+    body = plate(rim, 0.012)
+    band = at_box(0.2, 0.022, 0.0135, (0, 0.078, 0))
+    seam = at_box(0.003, 0.11, 0.001, (0, 0.022, 0.0118))
+    hems = [plate([(s * 0.0165, -0.104 * leg), (s * 0.018, -0.115 * leg), (s * 0.125, -0.1 * leg),
                  (s * 0.1225, -0.088 * leg)], 0.013) for s in (-1, 1)]  # fmt: skip
     cords = [
         tube(
@@ -72,8 +72,8 @@ def briefs(look: Look) -> Shape:
     color = look.color("white", "pink", "gray", "black", "sky", "red", "lavender")
     k = look.between(0.9, 1.1)
     rim = mirror([(0.0, -0.075), (0.026, -0.07), (0.05, -0.02), (0.115, 0.03), (0.105, 0.075)])
-    body = cut(rim, 0.008)
-    band = cut([(-0.105, 0.06), (0.105, 0.06), (0.104, 0.08), (-0.104, 0.08)], 0.0105)
+    body = plate(rim, 0.008)
+    band = plate([(-0.105, 0.06), (0.105, 0.06), (0.104, 0.08), (-0.104, 0.08)], 0.0105)
     edge = [
         tube(
             smooth(
@@ -94,7 +94,7 @@ def bra(look: Look) -> Shape:
     color = look.color("white", "black", "pink", "red", "lavender", "beige", "teal")
     k = look.between(0.9, 1.1)
     cups = [ball(0.105, 0.1, 0.075, (s * 0.056, 0, 0.002), 20) for s in (-1, 1)]
-    band = bar(0.3, 0.034, 0.006, (0, -0.028, 0))
+    band = at_box(0.3, 0.034, 0.006, (0, -0.028, 0))
     straps = [
         tube(
             smooth(
@@ -158,8 +158,8 @@ def swimsuit(look: Look) -> Shape:
         (0.036, 0.08),
         (0.0, 0.055),
     ]
-    body = cut(mirror(half), 0.008)
-    belt = cut([(-0.0715, 0.0), (0.0715, 0.0), (0.0695, 0.016), (-0.0695, 0.016)], 0.0088)
+    body = plate(mirror(half), 0.008)
+    belt = plate([(-0.0715, 0.0), (0.0715, 0.0), (0.0695, 0.016), (-0.0695, 0.016)], 0.0088)
     return put_down(
         [(body, cloth(look, color)), (belt, plain(look.own_color("white", "yellow", "navy")))],
         body,
@@ -171,7 +171,7 @@ def bikini(look: Look) -> Shape:
     """A bikini lying: a top with ties above a bottom."""
     color = look.color("red", "yellow", "turquoise", "pink", "navy", "orange")
     k = look.between(0.9, 1.1)
-    cups = [cut([(s * 0.004, 0.03), (s * 0.085, 0.03), (s * 0.05, 0.1)], 0.01) for s in (-1, 1)]
+    cups = [plate([(s * 0.004, 0.03), (s * 0.085, 0.03), (s * 0.05, 0.1)], 0.01) for s in (-1, 1)]
     band = tube(
         smooth([(-0.14, 0.036, 0.003), (0, 0.03, 0.003), (0.14, 0.036, 0.003)], 5), 0.003, 8
     )
@@ -186,7 +186,7 @@ def bikini(look: Look) -> Shape:
         for s in (-1, 1)
     ]
     rim = mirror([(0.0, -0.1), (0.02, -0.096), (0.04, -0.05), (0.085, -0.025), (0.082, 0.0)])
-    low = cut(rim, 0.008)
+    low = plate(rim, 0.008)
     knots = [
         tube(
             smooth(

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import at_box, drum, plate, steel
 from ...build.outlines import smooth
 from ...build.recipes import put_down
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, disc, plain, steel
 from ...build.solids import join, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 from .underwear import cloth, mirror
 
 
@@ -31,15 +32,15 @@ def waistcoat(look: Look) -> Shape:
         (0.05, 0.165),
         (0.0, 0.03),
     ]
-    body = cut(mirror(half), 0.012)
-    back = cut([(-0.055, 0.02), (0.055, 0.02), (0.05, 0.16), (-0.05, 0.16)], 0.006)
+    body = plate(mirror(half), 0.012)
+    back = plate([(-0.055, 0.02), (0.055, 0.02), (0.05, 0.16), (-0.05, 0.16)], 0.006)
     edge = [
         tube(np.array([(s * 0.049, 0.163, 0.0118), (s * 0.002, 0.032, 0.0118)]), 0.0022, 6)
         for s in (-1, 1)
     ]
-    seam = bar(0.002, 0.165, 0.0012, (0, -0.054, 0.0115))
-    buttons = [disc(0.0055, 0.003, (0.009, 0.01 - 0.035 * n, 0.0115), fine=12) for n in range(4)]
-    welts = [bar(0.05, 0.008, 0.0014, (s * 0.06, -0.07, 0.0115)) for s in (-1, 1)]
+    seam = at_box(0.002, 0.165, 0.0012, (0, -0.054, 0.0115))
+    buttons = [drum(0.0055, 0.003, (0.009, 0.01 - 0.035 * n, 0.0115), sides=12) for n in range(4)]
+    welts = [at_box(0.05, 0.008, 0.0014, (s * 0.06, -0.07, 0.0115)) for s in (-1, 1)]
     dark = plain(tint_color(color, 0.55))
     return put_down(
         [
@@ -64,8 +65,8 @@ def vest(look: Look) -> Shape:
     k = look.between(0.85, 1.05)
     half = [(0.0, -0.17), (0.105, -0.17), (0.1, 0.04), (0.075, 0.08), (0.07, 0.16), (0.045, 0.16),
             (0.04, 0.1), (0.0, 0.08)]  # fmt: skip
-    body = cut(mirror(half), 0.009)
-    hem = bar(0.21, 0.01, 0.0098, (0, -0.163, 0))
+    body = plate(mirror(half), 0.009)
+    hem = at_box(0.21, 0.01, 0.0098, (0, -0.163, 0))
     trims = [
         tube(
             smooth(
@@ -115,16 +116,16 @@ def bodysuit(look: Look) -> Shape:
         (0.03, 0.11),
         (0.0, 0.092),
     ]
-    body = cut(mirror(half), 0.009)
-    snaps = [disc(0.004, 0.003, (0.012 * n, -0.106, 0.0085), fine=10) for n in (-1, 0, 1)]
+    body = plate(mirror(half), 0.009)
+    snaps = [drum(0.004, 0.003, (0.012 * n, -0.106, 0.0085), sides=10) for n in (-1, 0, 1)]
     tone = look.own_color("coral", "teal", "navy", "mustard", "pink")
     x, y = 0.0, 0.01
-    heart = [disc(0.013, 0.0012, (s * 0.009, y + 0.009, 0.0086), fine=18) for s in (-1, 1)]
+    heart = [drum(0.013, 0.0012, (s * 0.009, y + 0.009, 0.0086), sides=18) for s in (-1, 1)]
     heart.append(
-        cut(
+        plate(
             [(-0.021, y + 0.004), (x, y - 0.024), (0.021, y + 0.004), (x, y + 0.012)],
             0.0012,
-            (0, 0, 0.0086),
+            at=(0, 0, 0.0086),
         )
     )
     collar = tube(
@@ -155,13 +156,13 @@ def braces(look: Look) -> Shape:
             (s * 0.055, -0.11, 0.002),
         ]
         straps.append(tube(smooth(path, 5), 0.011, 8, squash=0.16))
-    back = bar(0.022, 0.08, 0.0035, (0, 0.155, 0))
-    patch = cut([(-0.02, 0.12), (0, 0.095), (0.02, 0.12), (0, 0.145)], 0.0055)
+    back = at_box(0.022, 0.08, 0.0035, (0, 0.155, 0))
+    patch = plate([(-0.02, 0.12), (0, 0.095), (0.02, 0.12), (0, 0.145)], 0.0055)
     clips = [
-        bar(0.02, 0.028, 0.007, (x, y, 0))
+        at_box(0.02, 0.028, 0.007, (x, y, 0))
         for x, y in ((-0.055, -0.122), (0.055, -0.122), (0, 0.205))
     ]
-    slides = [bar(0.027, 0.012, 0.0055, (s * 0.062, -0.04, 0)) for s in (-1, 1)]
+    slides = [at_box(0.027, 0.012, 0.0055, (s * 0.062, -0.04, 0)) for s in (-1, 1)]
     lines = textures.stripes([color, tint_color(color, 1.25), color], 3, upright=True)
     return put_down(
         [

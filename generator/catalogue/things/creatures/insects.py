@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import drum, plate
 from ...build.outlines import smooth
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import cut, disc, plain
 from ...build.solids import Solid, join, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 DARK = (44, 38, 36)
 
@@ -109,7 +110,7 @@ def bee(look: Look) -> Shape:
     head = ball(0.012, 0.016, 0.014, (0.018, 0, 0.011), 12)
     eyes = [ball(0.006, 0.005, 0.008, (0.02, s * 0.007, 0.012), 8) for s in (-1, 1)]
     rim = [(0, 0), (0.012, 0.007), (0.015, 0.026), (0.006, 0.034), (-0.004, 0.022)]
-    wings = [cut(np.array(rim) * [1, s] if s > 0 else (np.array(rim) * [1, s])[::-1], 0.0009)
+    wings = [plate(np.array(rim) * [1, s] if s > 0 else (np.array(rim) * [1, s])[::-1], 0.0009)
              .turn(0, s * 0.35).move(-0.004, s * 0.003, 0.0195) for s in (-1, 1)]  # fmt: skip
     legs = _legs(0.015, (0.01, 0.004, -0.004), 0.006, 0.001)
     return put_down(
@@ -141,9 +142,9 @@ def butterfly(look: Look) -> Shape:
             way = rim if s > 0 else (rim * [1, -1])[::-1]
             mid = way.mean(0)
             for scale, thick, where in ((1.0, 0.0012, edges), (0.8, 0.0018, wings)):
-                plate = cut(mid + (way - mid) * scale, thick, (0, 0, -thick / 2))
-                where.append(plate.turn(0, s * 0.5).move(0, s * 0.002, 0.008))
-            dot = disc(0.0045, 0.0026, (inner[0], s * inner[1], -0.0013), fine=10)
+                slab = plate(mid + (way - mid) * scale, thick, at=(0, 0, -thick / 2))
+                where.append(slab.turn(0, s * 0.5).move(0, s * 0.002, 0.008))
+            dot = drum(0.0045, 0.0026, (inner[0], s * inner[1], -0.0013), sides=10)
             marks.append(dot.turn(0, s * 0.5).move(0, s * 0.002, 0.008))
     body = ball(0.05, 0.007, 0.008, (-0.004, 0, 0.0065), 12)
     dark = plain(DARK if sum(color) > 250 else tint_color(color, 0.4))

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import DARK, at_box, drum, lies, plate, steel
 from ...build.outlines import rectangle
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import DARK, bar, cut, disc, lies, plain, steel
 from ...build.solids import block, join, lathe, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def megaphone(look: Look) -> Shape:
@@ -22,9 +23,9 @@ def megaphone(look: Look) -> Shape:
     flare = [(0.024, 0), (0.026, 0.09), (0.05, 0.16), (0.088, 0.2)]
     horn = lathe([(0, 0), *flare, *[(r - 0.004, z) for r, z in flare[::-1]][:-1], (0, 0.02)], 28)
     horn = lies(horn, -0.06, 0, 0.087)
-    back = disc(0.034, 0.05, (-0.1, 0, 0.087), 0, fine=22)
+    back = drum(0.034, 0.05, (-0.1, 0, 0.087), 0, sides=22)
     rim = torus(0.087, 0.005, 30, 6).turn(1, np.pi / 2).move(0.139, 0, 0.087)
-    grip = bar(0.03, 0.024, 0.075, (-0.055, 0, 0))
+    grip = at_box(0.03, 0.024, 0.075, (-0.055, 0, 0))
     tone = look.own_color("red", "black", "gray")
     return put_down([(horn, plain(color)), (join([back, rim]), plain(tone)), (grip, plain(DARK))],
                     horn, back, grip, factor=k)  # fmt: skip
@@ -44,10 +45,10 @@ def clapperboard(look: Look) -> Shape:
         )
     prints.fill(face, 0.03, 0.6, 0.94, 0.015, ink)
     prints.write(face, look.pick(["DIRECTOR", "PRODUCTION", "CAMERA"]), 0.5, 0.76, 0.1, ink)
-    sheet = bar(0.255, 0.175, 0.0008, (0, 0, 0.0077))
+    sheet = at_box(0.255, 0.175, 0.0008, (0, 0, 0.0077))
     stripes = textures.stripes([(244, 244, 240), (26, 26, 28)], 6, upright=True)
-    low = bar(0.26, 0.03, 0.012, (0, 0.105, 0))
-    high = bar(0.26, 0.03, 0.012, (0.13, 0, 0)).turn(2, 0.18).move(-0.13, 0.128, 0)
+    low = at_box(0.26, 0.03, 0.012, (0, 0.105, 0))
+    high = at_box(0.26, 0.03, 0.012, (0.13, 0, 0)).turn(2, 0.18).move(-0.13, 0.128, 0)
     return put_down(
         [(board, plain(color)), (sheet, face), (join([low, high]), stripes)],
         board,
@@ -62,16 +63,16 @@ def camcorder(look: Look) -> Shape:
     color = look.color("black", "silver", "charcoal", "white")
     k = look.between(0.85, 1.1)
     body = block(0.12, 0.055, 0.062, 0.016, 0.008)
-    lens = [disc(0.024, 0.03, (0.05, 0, 0.034), 0), disc(0.018, 0.001, (0.0795, 0, 0.034), 0)]
-    screen = bar(0.07, 0.006, 0.045, (0.0, -0.062, 0.01)).turn(2, 0.0)
-    hinge = bar(0.012, 0.04, 0.03, (0.038, -0.04, 0.016))
-    view = bar(0.062, 0.0012, 0.037, (0.0, -0.0655, 0.014))
+    lens = [drum(0.024, 0.03, (0.05, 0, 0.034), 0), drum(0.018, 0.001, (0.0795, 0, 0.034), 0)]
+    screen = at_box(0.07, 0.006, 0.045, (0.0, -0.062, 0.01)).turn(2, 0.0)
+    hinge = at_box(0.012, 0.04, 0.03, (0.038, -0.04, 0.016))
+    view = at_box(0.062, 0.0012, 0.037, (0.0, -0.0655, 0.014))
     strap = rod(
         [(0.04, 0.027, 0.035), (0.02, 0.05, 0.035), (-0.03, 0.05, 0.035), (-0.05, 0.027, 0.035)],
         0.006,
         8,
     )
-    button = disc(0.007, 0.004, (-0.045, 0, 0.061))
+    button = drum(0.007, 0.004, (-0.045, 0, 0.061))
     return put_down(
         [
             (join([body, hinge, screen]), look.surface(color, "plastic")),
@@ -94,18 +95,18 @@ def phone_case(look: Look) -> Shape:
     color = look.color("pink", "black", "sky", "mint", "red", "lavender", "clear")
     k = look.between(0.92, 1.08)
     back = block(0.148, 0.073, 0.01, 0.01, 0.003)
-    hole = cut(rectangle(0.034, 0.034, 0.008), 0.0006, (-0.05, 0.014, 0.0097))
-    rim = cut(rectangle(0.038, 0.038, 0.01), 0.0012, (-0.05, 0.014, 0.0092))
+    hole = plate(rectangle(0.034, 0.034, 0.008), 0.0006, at=(-0.05, 0.014, 0.0097))
+    rim = plate(rectangle(0.038, 0.038, 0.01), 0.0012, at=(-0.05, 0.014, 0.0092))
     image = textures.speckles(look.rng, color, 4).copy()
     spots = []
     if look.chance(0.6):
         tone = look.own_color("white", "coral", "navy", "mustard")
         spots = [
-            disc(
+            drum(
                 look.between(0.003, 0.007),
                 0.0006,
                 (look.between(-0.02, 0.06), look.between(-0.026, 0.026), 0.0097),
-                fine=14,
+                sides=14,
             )
             for _ in range(9)
         ]
@@ -135,7 +136,7 @@ def earbud(look: Look) -> Shape:
     stem = rod(
         [(0.008, 0, 0.006), (-0.006, 0, 0.0042), (-0.022, 0, 0.0032)], [0.0042, 0.0034, 0.003], 10
     )
-    end = disc(0.0032, 0.0015, (-0.0235, 0, 0.0032), 0, fine=10)
+    end = drum(0.0032, 0.0015, (-0.0235, 0, 0.0032), 0, sides=10)
     return put_down(
         [
             (join([bud, stem]), plain(color)),
@@ -156,15 +157,15 @@ def conference_phone(look: Look) -> Shape:
     a = np.linspace(0, 2 * np.pi, 61)[:-1]
     r = 0.1 + 0.035 * np.cos(3 * (a - np.pi / 2)) ** 3
     rim = np.column_stack([r * np.cos(a), r * np.sin(a)])
-    body, top = cut(rim, 0.02), cut(0.82 * rim, 0.016, (0, 0, 0.019))
-    grille = disc(0.042, 0.006, (0, 0.005, 0.034), fine=28)
+    body, top = plate(rim, 0.02), plate(0.82 * rim, 0.016, at=(0, 0, 0.019))
+    grille = drum(0.042, 0.006, (0, 0.005, 0.034), sides=28)
     keys = [
-        bar(0.01, 0.007, 0.003, (-0.013 + 0.013 * (n % 3), -0.052 - 0.0095 * (n // 3), 0.0345))
+        at_box(0.01, 0.007, 0.003, (-0.013 + 0.013 * (n % 3), -0.052 - 0.0095 * (n // 3), 0.0345))
         for n in range(6)
     ]
-    screen = bar(0.038, 0.018, 0.0014, (0, 0.062, 0.0346))
+    screen = at_box(0.038, 0.018, 0.0014, (0, 0.062, 0.0346))
     lamps = [
-        disc(0.0035, 0.002, (0.082 * np.cos(q), 0.082 * np.sin(q), 0.034))
+        drum(0.0035, 0.002, (0.082 * np.cos(q), 0.082 * np.sin(q), 0.034))
         for q in np.pi / 2 + np.arange(3) * 2.0944
     ]
     return put_down(
@@ -187,10 +188,10 @@ def audio_interface(look: Look) -> Shape:
     color = look.color("red", "black", "silver", "charcoal")
     k = look.between(0.85, 1.1)
     body = block(0.18, 0.1, 0.045, 0.006, 0.003)
-    front = bar(0.172, 0.002, 0.037, (0, -0.0505, 0.004))
-    jacks = [disc(0.0105, 0.004, (x, -0.0545, 0.022), 1) for x in (-0.066, -0.008)]
-    knobs = [disc(0.009, 0.013, (x, -0.0635, 0.024), 1) for x in (-0.038, 0.02)]
-    big = disc(0.014, 0.014, (0.056, -0.0645, 0.022), 1)
+    front = at_box(0.172, 0.002, 0.037, (0, -0.0505, 0.004))
+    jacks = [drum(0.0105, 0.004, (x, -0.0545, 0.022), 1) for x in (-0.066, -0.008)]
+    knobs = [drum(0.009, 0.013, (x, -0.0635, 0.024), 1) for x in (-0.038, 0.02)]
+    big = drum(0.014, 0.014, (0.056, -0.0645, 0.022), 1)
     rings = [
         torus(0.0105, 0.0012, 18, 5).turn(0, np.pi / 2).move(x, -0.0515, 0.024)
         for x in (-0.038, 0.02)

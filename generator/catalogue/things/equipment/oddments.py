@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, at_box, drum, plate, standing, steel, vessel
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import BRASS, bar, cut, disc, plain, steel, turned, vessel
 from ...build.solids import block, join
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def amphora(look: Look) -> Shape:
@@ -29,8 +30,8 @@ def amphora(look: Look) -> Shape:
         (0.019, 0.215),
         (0.028, 0.226),
     ]
-    pot = turned([*side, (0.022, 0.226)], fine=28)
-    mouth = disc(0.02, 0.0008, (0, 0, 0.2256))
+    pot = standing(*side, (0.022, 0.226), sides=28)
+    mouth = drum(0.02, 0.0008, (0, 0, 0.2256))
     handles = [
         rod(
             [
@@ -65,12 +66,12 @@ def butter_churn(look: Look) -> Shape:
     """A butter churn: a staved tub with hoops and a plunger through its lid."""
     color = look.color("wooden", "tan", "brown")
     k = look.between(0.8, 1.05)
-    tub = turned([(0.07, 0), (0.056, 0.18), (0.054, 0.18)], fine=20)
+    tub = standing((0.07, 0), (0.056, 0.18), (0.054, 0.18), sides=20)
     hoops = [
-        turned([(r, 0), (r - 0.0012, 0.014)], (0, 0, z), 20)
+        standing((r, 0), (r - 0.0012, 0.014), at=(0, 0, z), sides=20)
         for r, z in ((0.0705, 0.02), (0.0645, 0.09), (0.0595, 0.15))
     ]
-    lid, stick = disc(0.058, 0.014, (0, 0, 0.178)), disc(0.008, 0.12, (0, 0, 0.19), fine=12)
+    lid, stick = drum(0.058, 0.014, (0, 0, 0.178)), drum(0.008, 0.12, (0, 0, 0.19), sides=12)
     staves = textures.stripes(
         [color, tint_color(color, 0.82), tint_color(color, 1.12)], 6, upright=True
     )
@@ -91,13 +92,15 @@ def gnome(look: Look) -> Shape:
     """A garden gnome with a pointed hat and a white beard."""
     color = look.color("red", "blue", "green", "red")
     k = look.between(0.85, 1.15)
-    coat = turned([(0.038, 0.014), (0.042, 0.03), (0.036, 0.075), (0.024, 0.09)], fine=22)
+    coat = standing((0.038, 0.014), (0.042, 0.03), (0.036, 0.075), (0.024, 0.09), sides=22)
     feet = [ball(0.034, 0.05, 0.028, (s * 0.018, -0.012, 0.012), 12) for s in (-1, 1)]
-    belt = turned([(0.0415, 0), (0.041, 0.01)], (0, 0, 0.045), 22)
+    belt = standing((0.0415, 0), (0.041, 0.01), at=(0, 0, 0.045), sides=22)
     head = ball(0.05, 0.048, 0.046, (0, 0, 0.104), 16)
     nose = ball(0.016, 0.016, 0.015, (0, -0.026, 0.104), 10)
     beard = ball(0.05, 0.03, 0.06, (0, -0.018, 0.082), 14)
-    hat = turned([(0.03, 0), (0.031, 0.006), (0.016, 0.045), (0.002, 0.085)], (0, 0.002, 0.114), 20)
+    hat = standing(
+        (0.03, 0), (0.031, 0.006), (0.016, 0.045), (0.002, 0.085), at=(0, 0.002, 0.114), sides=20
+    )
     arms = [
         rod(
             [(s * 0.028, 0, 0.083), (s * 0.045, -0.008, 0.06), (s * 0.03, -0.032, 0.055)], 0.0105, 8
@@ -129,7 +132,7 @@ def potty(look: Look) -> Shape:
     k = look.between(0.75, 0.95)
     profile = [(0.1, 0), (0.098, 0.01), (0.09, 0.09), (0.12, 0.125), (0.125, 0.13)]
     back = (
-        cut([(-0.07, 0), (0.07, 0), (0.05, 0.07), (0, 0.085), (-0.05, 0.07)], 0.012)
+        plate([(-0.07, 0), (0.07, 0), (0.05, 0.07), (0, 0.085), (-0.05, 0.07)], 0.012)
         .turn(0, np.pi / 2)
         .move(0, 0.118, 0.12)
     )
@@ -148,8 +151,10 @@ def volcano(look: Look) -> Shape:
     """A model volcano with lava running down its sides."""
     color = look.color("brown", "charcoal", "gray", "terracotta")
     k = look.between(0.85, 1.15)
-    cone = turned([(0.11, 0), (0.1, 0.008), (0.062, 0.06), (0.032, 0.115), (0.022, 0.115)], fine=26)
-    pool = disc(0.026, 0.004, (0, 0, 0.113))
+    cone = standing(
+        (0.11, 0), (0.1, 0.008), (0.062, 0.06), (0.032, 0.115), (0.022, 0.115), sides=26
+    )
+    pool = drum(0.026, 0.004, (0, 0, 0.113))
     streams = []
     for n in range(6):
         a = 1.05 * n + look.between(-0.2, 0.2)
@@ -161,7 +166,7 @@ def volcano(look: Look) -> Shape:
             (0.036 + 0.055 * long, 0, 0.111 - 0.088 * long),
         ]
         streams.append(rod(path, [0.007, 0.007, 0.006, 0.008], 8).turn(2, a))
-    base = disc(0.125, 0.008, fine=32)
+    base = drum(0.125, 0.008, sides=32)
     return put_down(
         [
             (cone, textures.spots(look.rng, color, tint_color(color, 0.6), 0.25)),
@@ -180,16 +185,19 @@ def table_easel(look: Look) -> Shape:
     k = look.between(0.8, 1.05)
     legs = [rod([(s * 0.09, -0.05, 0.005), (s * 0.02, 0.02, 0.27)], 0.007, 6) for s in (-1, 1)]
     rear = rod([(0, 0.12, 0.005), (0, 0.018, 0.25)], 0.007, 6)
-    ledge = [bar(0.2, 0.034, 0.01, (0, -0.05, 0.06)), bar(0.2, 0.006, 0.018, (0, -0.066, 0.06))]
+    ledge = [
+        at_box(0.2, 0.034, 0.01, (0, -0.05, 0.06)),
+        at_box(0.2, 0.006, 0.018, (0, -0.066, 0.06)),
+    ]
     cross, top = (
-        bar(0.085, 0.012, 0.014, (0, -0.002, 0.17)),
+        at_box(0.085, 0.012, 0.014, (0, -0.002, 0.17)),
         block(0.06, 0.014, 0.03, 0.004).move(0, 0.018, 0.255),
     )
     chain = rod([(0, 0.075, 0.11), (0, 0.03, 0.095), (0, -0.02, 0.1)], 0.0015, 6)
     return put_down(
         [
             (join([*legs, rear, *ledge, cross, top]), look.surface(color, "wood")),
-            (chain, steel(look, BRASS)),
+            (chain, steel(look, BRASS_TONE)),
         ],
         *legs,
         rear,

@@ -105,6 +105,7 @@ def nachos(look: Look) -> Shape:
         ellipsoid(0.1, 0.09, 0.05, 20, 10)
         .bend(lambda p: p * (1 + 0.12 * np.sin(110 * p[:, :1]) * np.cos(100 * p[:, 1:2])))
         .move(z=0.016)
+        .bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0.005)]))
     )
     red, green = (
         scatter(look, 0.05, 12, (0.008, 0.012), 0.034, dome=0.012),

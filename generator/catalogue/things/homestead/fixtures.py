@@ -5,27 +5,30 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, DARK, STEEL_TONE, at_box, drum, plate, standing, steel
 from ...build.recipes import put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import BRASS, DARK, STEEL, bar, cut, disc, plain, steel, turned
 from ...build.solids import block, join, lathe, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def smoke_alarm(look: Look) -> Shape:
     """A smoke alarm lying: a round case with slots, a test button and a lamp."""
     color = look.color("white", "cream", "white", "gray")
     k = look.between(0.85, 1.15)
-    base = disc(0.055, 0.008, fine=32)
-    body = turned([(0.053, 0), (0.053, 0.016), (0.045, 0.027), (0.03, 0.03)], (0, 0, 0.007), 32)
+    base = drum(0.055, 0.008, sides=32)
+    body = standing(
+        (0.053, 0), (0.053, 0.016), (0.045, 0.027), (0.03, 0.03), at=(0, 0, 0.007), sides=32
+    )
     slots = [
-        bar(0.012, 0.004, 0.012, (0.0505, 0, 0.011)).turn(2, n * np.pi / 12) for n in range(24)
+        at_box(0.012, 0.004, 0.012, (0.0505, 0, 0.011)).turn(2, n * np.pi / 12) for n in range(24)
     ]
-    button = disc(0.012, 0.003, (0, 0, 0.036), bevel=0.001)
+    button = drum(0.012, 0.003, (0, 0, 0.036), bevel=0.001)
     grille = [torus(r, 0.0012, 26, 5).move(z=0.0365) for r in (0.018, 0.024)]
-    lamp = disc(0.0025, 0.002, (0.022, 0.022, 0.034))
+    lamp = drum(0.0025, 0.002, (0.022, 0.022, 0.034))
     return put_down(
         [
             (join([base, body]), plain(color)),
@@ -43,8 +46,8 @@ def thermostat(look: Look) -> Shape:
     """A round thermostat lying, its dial lit."""
     color = look.color("silver", "white", "black", "copper")
     k = look.between(0.85, 1.15)
-    ring = disc(0.042, 0.026, fine=36, bevel=0.003)
-    face = disc(0.036, 0.0012, (0, 0, 0.0255), fine=36)
+    ring = drum(0.042, 0.026, sides=36, bevel=0.003)
+    face = drum(0.036, 0.0012, (0, 0, 0.0255), sides=36)
     tone = look.pick([(40, 44, 50), (230, 120, 40), (40, 100, 180)])
     image = prints.canvas(128, 128, tone)
     for n in range(22):
@@ -61,18 +64,18 @@ def doorbell(look: Look) -> Shape:
     """A doorbell lying: an oblong plate with a lit push button."""
     color = look.color("white", "black", "gold", "silver")
     k = look.between(0.85, 1.2)
-    plate = block(0.036, 0.085, 0.014, 0.012, 0.003)
+    slab = block(0.036, 0.085, 0.014, 0.012, 0.003)
     ring = torus(0.0105, 0.002, 24, 6).move(0, -0.012, 0.0142)
-    button = disc(0.0095, 0.004, (0, -0.012, 0.013), bevel=0.001)
-    slot = [bar(0.016, 0.002, 0.0008, (0, 0.016 + 0.005 * n, 0.0135)) for n in range(4)]
+    button = drum(0.0095, 0.004, (0, -0.012, 0.013), bevel=0.001)
+    slot = [at_box(0.016, 0.002, 0.0008, (0, 0.016 + 0.005 * n, 0.0135)) for n in range(4)]
     return put_down(
         [
-            (plate, look.surface(color, "plastic")),
+            (slab, look.surface(color, "plastic")),
             (ring, steel(look)),
             (button, plain(look.pick([(120, 190, 240), (250, 244, 220), (240, 170, 60)]))),
             (join(slot), plain((90, 92, 98))),
         ],
-        plate,
+        slab,
         factor=k,
     )
 
@@ -81,29 +84,29 @@ def wall_socket(look: Look) -> Shape:
     """A wall socket lying on its back, with a switch."""
     color = look.color("white", "silver", "cream", "black")
     k = look.between(0.9, 1.1)
-    box_ = bar(0.07, 0.07, 0.022)
-    plate = block(0.086, 0.086, 0.009, 0.004, 0.002).move(z=0.021)
+    box_ = at_box(0.07, 0.07, 0.022)
+    slab = block(0.086, 0.086, 0.009, 0.004, 0.002).move(z=0.021)
     if look.chance(0.5):
-        holes = [bar(0.004, 0.009, 0.0008, (0, 0.006, 0.0296))]
-        holes += [bar(0.0075, 0.0035, 0.0008, (s * 0.011, -0.014, 0.0296)) for s in (-1, 1)]
+        holes = [at_box(0.004, 0.009, 0.0008, (0, 0.006, 0.0296))]
+        holes += [at_box(0.0075, 0.0035, 0.0008, (s * 0.011, -0.014, 0.0296)) for s in (-1, 1)]
     else:
-        holes = [disc(0.0195, 0.0006, (0, -0.002, 0.0296), fine=28)]
-    extra = [disc(0.0026, 0.0012, (s * 0.0095, -0.002, 0.0298)) for s in (-1, 1)]
-    screws = [disc(0.0032, 0.001, (s * 0.033, -0.002, 0.0294)) for s in (-1, 1)]
+        holes = [drum(0.0195, 0.0006, (0, -0.002, 0.0296), sides=28)]
+    extra = [drum(0.0026, 0.0012, (s * 0.0095, -0.002, 0.0298)) for s in (-1, 1)]
+    screws = [drum(0.0032, 0.001, (s * 0.033, -0.002, 0.0294)) for s in (-1, 1)]
     rock = (
-        bar(0.012, 0.018, 0.004, (0.024, 0.028, 0.029))
+        at_box(0.012, 0.018, 0.004, (0.024, 0.028, 0.029))
         if look.chance(0.7)
-        else bar(0.01, 0.01, 0.001, (0, 0.03, 0.0294))
+        else at_box(0.01, 0.01, 0.001, (0, 0.03, 0.0294))
     )
     return put_down(
         [
-            (join([box_, plate, rock]), plain(color)),
+            (join([box_, slab, rock]), plain(color)),
             (join(holes), plain((74, 76, 82))),
             (join(extra), plain((30, 30, 34))),
             (join(screws), steel(look)),
         ],
         box_,
-        plate,
+        slab,
         factor=k,
     )
 
@@ -114,12 +117,12 @@ def mains_plug(look: Look) -> Shape:
     k = look.between(0.9, 1.15)
     body = block(0.046, 0.05, 0.026, 0.012, 0.005)
     pins = [
-        bar(0.004, 0.022, 0.008, (0, 0.034, 0.009)),
-        *[bar(0.007, 0.02, 0.004, (s * 0.011, 0.033, 0.011)) for s in (-1, 1)],
+        at_box(0.004, 0.022, 0.008, (0, 0.034, 0.009)),
+        *[at_box(0.007, 0.02, 0.004, (s * 0.011, 0.033, 0.011)) for s in (-1, 1)],
     ]
     if look.chance(0.5):
-        pins = [disc(0.0024, 0.022, (s * 0.0095, 0.024, 0.013), 1, fine=12) for s in (-1, 1)]
-    relief = disc(0.007, 0.02, (0, -0.042, 0.012), 1, top=0.008, fine=14)
+        pins = [drum(0.0024, 0.022, (s * 0.0095, 0.024, 0.013), 1, sides=12) for s in (-1, 1)]
+    relief = drum(0.007, 0.02, (0, -0.042, 0.012), 1, top=0.008, sides=14)
     cord = rod(
         [
             (0, -0.038, 0.012),
@@ -133,7 +136,7 @@ def mains_plug(look: Look) -> Shape:
     return put_down(
         [
             (join([body, relief, cord]), plain(color)),
-            (join(pins), steel(look, look.pick([STEEL, BRASS]))),
+            (join(pins), steel(look, look.pick([STEEL_TONE, BRASS_TONE]))),
         ],
         body,
         join(pins),
@@ -146,7 +149,7 @@ def mouse_trap(look: Look) -> Shape:
     """A spring mousetrap, set, with a bit of cheese on it."""
     color = look.color("tan", "wooden", "beige")
     k = look.between(0.85, 1.25)
-    base = bar(0.1, 0.048, 0.008)
+    base = at_box(0.1, 0.048, 0.008)
     hoop = rod(
         [
             (0.002, 0.019, 0.0105),
@@ -158,11 +161,11 @@ def mouse_trap(look: Look) -> Shape:
         6,
         1,
     )
-    coil = disc(0.0042, 0.04, (0.0, -0.02, 0.0115), 1, fine=12)
+    coil = drum(0.0042, 0.04, (0.0, -0.02, 0.0115), 1, sides=12)
     pin = straight((-0.046, 0, 0.0105), (0.036, 0.004, 0.0125), 0.001, 6)
     pad_, cheese = (
-        bar(0.018, 0.016, 0.0014, (-0.022, 0, 0.009)),
-        cut([(-0.008, -0.005), (0.008, -0.002), (-0.005, 0.007)], 0.008),
+        at_box(0.018, 0.016, 0.0014, (-0.022, 0, 0.009)),
+        plate([(-0.008, -0.005), (0.008, -0.002), (-0.005, 0.007)], 0.008),
     )
     print_ = prints.canvas(96, 48, color)
     prints.write(
@@ -171,7 +174,7 @@ def mouse_trap(look: Look) -> Shape:
     return put_down(
         [
             (base, textures.wood(look.rng, color)),
-            (bar(0.098, 0.046, 0.0006, (0, 0, 0.0077)), print_),
+            (at_box(0.098, 0.046, 0.0006, (0, 0, 0.0077)), print_),
             (join([hoop, coil, pin]), steel(look)),
             (pad_, steel(look, (190, 150, 80))),
             (cheese.move(-0.022, 0, 0.0102), plain((244, 206, 70))),
@@ -186,20 +189,25 @@ def extinguisher(look: Look) -> Shape:
     """A small fire extinguisher standing, with its lever and hose."""
     color = look.color("red", "red", "crimson", "orange")
     k = look.between(0.75, 0.95)
-    body = turned(
-        [(0.045, 0), (0.05, 0.004), (0.05, 0.2), (0.042, 0.225), (0.018, 0.24), (0.015, 0.25)],
-        fine=28,
+    body = standing(
+        (0.045, 0),
+        (0.05, 0.004),
+        (0.05, 0.2),
+        (0.042, 0.225),
+        (0.018, 0.24),
+        (0.015, 0.25),
+        sides=28,
     )
     label = lathe([(0.0495, 0.07), (0.0506, 0.072), (0.0506, 0.16), (0.0495, 0.162)], 28, loop=True)
     image = prints.canvas(224, 80, (244, 240, 226))
     prints.write(image, "FIRE", 0.5, 0.3, 0.34, (190, 30, 30), bold=True)
     prints.lines(image, look.rng, (0.38, 0.55, 0.24, 0.35), 4, (60, 60, 64), 0.5)
     valve = [
-        disc(0.014, 0.02, (0, 0, 0.248)),
-        bar(0.07, 0.016, 0.006, (0.02, 0, 0.27)),
-        bar(0.07, 0.016, 0.005, (0.024, 0, 0.284)),
+        drum(0.014, 0.02, (0, 0, 0.248)),
+        at_box(0.07, 0.016, 0.006, (0.02, 0, 0.27)),
+        at_box(0.07, 0.016, 0.005, (0.024, 0, 0.284)),
     ]
-    gauge = disc(0.012, 0.006, (0, -0.018, 0.262), 1)
+    gauge = drum(0.012, 0.006, (0, -0.018, 0.262), 1)
     hose = rod(
         [(-0.012, 0, 0.26), (-0.06, 0, 0.25), (-0.066, 0, 0.16), (-0.062, 0, 0.1)], 0.0065, 10
     )

@@ -6,14 +6,15 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import ring_parts
+from ...build.making import at_box, drum, plate, steel
 from ...build.outlines import rectangle
 from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape, shape
-from ...build.sketch import bar, cut, disc, plain, steel
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def foil_ball(look: Look) -> Shape:
@@ -94,7 +95,7 @@ def crust(look: Look) -> Shape:
             [(-0.03, 0.006), (-0.018, 0.012), (-0.006, 0.004), (0.008, 0.013), (0.022, 0.005)],
         ]
     )
-    rind, crumb = cut(rim, 0.014), cut(0.86 * rim + [0, 0.001], 0.0155, (0, 0, -0.0006))
+    rind, crumb = plate(rim, 0.014), plate(0.86 * rim + [0, 0.001], 0.0155, at=(0, 0, -0.0006))
     return put_down(
         [
             (rind, textures.speckles(look.rng, tint_color(color, 0.9), 10)),
@@ -113,8 +114,8 @@ def ring_pull(look: Look) -> Shape:
     color = look.color("silver", "gold", "red", "blue", "green")
     k = look.between(0.9, 1.3)
     ring = torus(0.0085, 0.0019, 22, 7).move(0.004, 0, 0.0018)
-    tab = cut(rectangle(0.016, 0.015, 0.005), 0.0022, (-0.01, 0, 0))
-    rivet = disc(0.003, 0.0014, (-0.009, 0, 0.002))
+    tab = plate(rectangle(0.016, 0.015, 0.005), 0.0022, at=(-0.01, 0, 0))
+    rivet = drum(0.003, 0.0014, (-0.009, 0, 0.002))
     return put_down([(join([ring, tab, rivet]), steel(look, color))], ring, tab, factor=k)
 
 
@@ -125,7 +126,7 @@ def six_pack_ring(look: Look) -> Shape:
     rings = [torus(0.032, 0.0022, 26, 6).scale(1, 1, 0.7).move(x, y, 0.0016)
              for x in (-0.066, 0, 0.066) for y in (-0.033, 0.033)]  # fmt: skip
     links = [
-        bar(0.012, 0.01, 0.002, (x, y, 0.0004)) for x in (-0.033, 0.033) for y in (-0.033, 0.033)
+        at_box(0.012, 0.01, 0.002, (x, y, 0.0004)) for x in (-0.033, 0.033) for y in (-0.033, 0.033)
     ]
     return put_down([(join([*rings, *links]), plain(color))], join(rings), factor=k)
 
@@ -141,9 +142,9 @@ def fish_bone(look: Look) -> Shape:
         ribs += [
             straight((x, 0, 0.0028), (x - 0.008, s * long, 0.0014), 0.0013, 6) for s in (-1, 1)
         ]
-    head = cut([(0.055, -0.018), (0.098, 0), (0.055, 0.018), (0.062, 0)], 0.006)
-    eye = disc(0.004, 0.001, (0.07, 0.004, 0.0055))
-    tail = cut([(-0.068, 0), (-0.1, 0.022), (-0.092, 0), (-0.1, -0.022)], 0.004)
+    head = plate([(0.055, -0.018), (0.098, 0), (0.055, 0.018), (0.062, 0)], 0.006)
+    eye = drum(0.004, 0.001, (0.07, 0.004, 0.0055))
+    tail = plate([(-0.068, 0), (-0.1, 0.022), (-0.092, 0), (-0.1, -0.022)], 0.004)
     return put_down(
         [
             (join([spine, *ribs, head, tail]), textures.speckles(look.rng, color, 8)),
@@ -162,7 +163,7 @@ def scrap(look: Look) -> Shape:
     n = 11
     a = 2 * np.pi * (np.arange(n) + 0.3 * look.rng.uniform(-1, 1, n)) / n
     r = look.between(0.035, 0.05) * look.rng.uniform(0.78, 1.15, n)
-    made = cut(np.column_stack([1.2 * r * np.cos(a), r * np.sin(a)]), look.between(0.0025, 0.004))
+    made = plate(np.column_stack([1.2 * r * np.cos(a), r * np.sin(a)]), look.between(0.0025, 0.004))
     flat = "silver" if min(color) > 120 and max(color) - min(color) < 20 else "card"
     tile = steel(look, color) if flat == "silver" else textures.cardboard(look.rng, color)
     return put_down([(made, tile)], made)
@@ -184,7 +185,7 @@ def corn_husk(look: Look) -> Shape:
             (0.05, 0.019),
             (0, 0.008),
         ]
-        leaves.append(cut(rim, 0.002, (-0.06, 0, 0.0007 * n)).turn(2, a))
+        leaves.append(plate(rim, 0.002, at=(-0.06, 0, 0.0007 * n)).turn(2, a))
     knot = ball(0.03, 0.026, 0.02, (-0.058, 0, 0.008), 12)
     lines = textures.stripes([color, tint_color(color, 0.85), tint_color(color, 1.15)], 6)
     return put_down(

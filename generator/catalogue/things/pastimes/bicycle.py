@@ -6,36 +6,39 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import ring_parts
+from ...build.making import DARK, at_box, drum, plate, steel
 from ...build.outlines import rectangle
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape, shape
-from ...build.sketch import DARK, bar, cut, disc, plain, steel
 from ...build.solids import Solid, block, join, lathe, loft, torus
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def _teeth(radius: float, count: int, deep: float, thick: float) -> Solid:
     """Return a toothed disc lying on z = 0."""
     a = 2 * np.pi * np.arange(4 * count) / (4 * count)
     r = np.tile([radius, radius, radius - deep, radius - deep], count)
-    return cut(np.column_stack([r * np.cos(a), r * np.sin(a)]), thick)
+    return plate(np.column_stack([r * np.cos(a), r * np.sin(a)]), thick)
 
 
 def pedal(look: Look) -> Shape:
     """A bicycle pedal lying: a cage round a barrel, and its threaded axle."""
     color = look.color("black", "silver", "red", "blue", "charcoal")
     k = look.between(0.9, 1.15)
-    rails = [bar(0.012, 0.09, 0.024, (s * 0.042, 0, 0)) for s in (-1, 1)]
-    rails += [bar(0.086, 0.01, 0.02, (0, s * 0.041, 0.002)) for s in (-1, 1)]
-    barrel = disc(0.012, 0.09, (0, -0.045, 0.0125), 1, fine=16)
+    rails = [at_box(0.012, 0.09, 0.024, (s * 0.042, 0, 0)) for s in (-1, 1)]
+    rails += [at_box(0.086, 0.01, 0.02, (0, s * 0.041, 0.002)) for s in (-1, 1)]
+    barrel = drum(0.012, 0.09, (0, -0.045, 0.0125), 1, sides=16)
     axle = [
-        disc(0.0065, 0.025, (0, 0.044, 0.0125), 1, fine=12),
-        disc(0.009, 0.004, (0, 0.046, 0.0125), 1),
+        drum(0.0065, 0.025, (0, 0.044, 0.0125), 1, sides=12),
+        drum(0.009, 0.004, (0, 0.046, 0.0125), 1),
     ]
-    teeth = [bar(0.008, 0.006, 0.027, (s * 0.042, y, 0)) for s in (-1, 1) for y in (-0.03, 0, 0.03)]
-    marks = [bar(0.0015, 0.03, 0.012, (s * 0.0487, 0, 0.006)) for s in (-1, 1)]
+    teeth = [
+        at_box(0.008, 0.006, 0.027, (s * 0.042, y, 0)) for s in (-1, 1) for y in (-0.03, 0, 0.03)
+    ]
+    marks = [at_box(0.0015, 0.03, 0.012, (s * 0.0487, 0, 0.006)) for s in (-1, 1)]
     return put_down(
         [
             (join([*rails, barrel]), look.surface(color, "plastic")),
@@ -86,7 +89,7 @@ def saddle(look: Look) -> Shape:
         )
         for s in (-1, 1)
     ]
-    clamp = bar(0.036, 0.05, 0.024, (0, 0, 0))
+    clamp = at_box(0.036, 0.05, 0.024, (0, 0, 0))
     return put_down(
         [(top, textures.speckles(look.rng, color, 6)), (join([*rails, clamp]), steel(look))],
         top,
@@ -113,7 +116,9 @@ def tyre(look: Look) -> Shape:
         (0.066, 0.026 * w),
     ]
     body = lathe(rim, 40, loop=True)
-    lugs = [bar(0.008, 0.006, 0.05 * w, (0.1, 0, 0.001)).turn(2, n * np.pi / 18) for n in range(36)]
+    lugs = [
+        at_box(0.008, 0.006, 0.05 * w, (0.1, 0, 0.001)).turn(2, n * np.pi / 18) for n in range(36)
+    ]
     rubber = textures.speckles(look.rng, color, 6)
     parts = ring_parts([(0.09, 0.0), (0.1, 0.02 * w), (0.1, 0.034 * w), (0.09, 0.052 * w)],
                        [(0.062, 0.048 * w), (0.062, 0.004)])  # fmt: skip
@@ -125,13 +130,13 @@ def crank(look: Look) -> Shape:
     color = look.color("silver", "black", "charcoal")
     k = look.between(0.85, 1.1)
     ring = _teeth(0.08, 36, 0.004, 0.004)
-    hole = disc(0.052, 0.0006, (0, 0, 0.0036), fine=30)
+    hole = drum(0.052, 0.0006, (0, 0, 0.0036), sides=30)
     spider = [
-        bar(0.075, 0.014, 0.006, (0.036, 0, 0.002)).turn(2, n * 2 * np.pi / 5) for n in range(5)
+        at_box(0.075, 0.014, 0.006, (0.036, 0, 0.002)).turn(2, n * 2 * np.pi / 5) for n in range(5)
     ]
-    hub = disc(0.018, 0.014, (0, 0, 0.002), bevel=0.002)
-    arm = cut(rectangle(0.18, 0.026, 0.012), 0.01, (0.078, 0, 0.005), 0.002)
-    eye = disc(0.008, 0.0006, (0.157, 0, 0.0148))
+    hub = drum(0.018, 0.014, (0, 0, 0.002), bevel=0.002)
+    arm = plate(rectangle(0.18, 0.026, 0.012), 0.01, at=(0.078, 0, 0.005), bevel=0.002)
+    eye = drum(0.008, 0.0006, (0.157, 0, 0.0148))
     return put_down([(join([ring, *spider]), steel(look)), (hole, plain((60, 62, 66))),
                      (join([hub, arm]), look.surface(color, "metal")), (eye, plain(DARK))],
                     ring, arm, factor=k)  # fmt: skip
@@ -141,12 +146,12 @@ def derailleur(look: Look) -> Shape:
     """A rear derailleur lying: two jockey wheels in a cage under a body."""
     color = look.color("silver", "black", "charcoal")
     k = look.between(0.85, 1.15)
-    cage = cut(rectangle(0.028, 0.1, 0.013), 0.003, (0, -0.02, 0.008))
-    low = cut(rectangle(0.028, 0.1, 0.013), 0.003, (0, -0.02, 0.0))
+    cage = plate(rectangle(0.028, 0.1, 0.013), 0.003, at=(0, -0.02, 0.008))
+    low = plate(rectangle(0.028, 0.1, 0.013), 0.003, at=(0, -0.02, 0.0))
     wheels = [_teeth(0.019, 11, 0.004, 0.005).move(0, y, 0.003) for y in (-0.056, 0.012)]
-    caps = [disc(0.006, 0.004, (0, y, 0.01)) for y in (-0.056, 0.012)]
+    caps = [drum(0.006, 0.004, (0, y, 0.01)) for y in (-0.056, 0.012)]
     body = block(0.04, 0.06, 0.02, 0.006, 0.003).turn(2, 0.5).move(0.02, 0.045, 0)
-    joint = disc(0.014, 0.024, (0.035, 0.075, 0), bevel=0.003)
+    joint = drum(0.014, 0.024, (0.035, 0.075, 0), bevel=0.003)
     cable = rod([(0.03, 0.06, 0.015), (0.06, 0.04, 0.012), (0.07, 0.01, 0.005)], 0.0018, 6)
     return put_down(
         [
@@ -166,11 +171,11 @@ def handlebar_grip(look: Look) -> Shape:
     """A ribbed rubber grip lying."""
     color = look.color("black", "brown", "red", "blue", "green", "gray")
     k = look.between(0.85, 1.15)
-    body = disc(0.0145, 0.12, (-0.06, 0, 0.0165), 0, fine=20)
+    body = drum(0.0145, 0.12, (-0.06, 0, 0.0165), 0, sides=20)
     ribs = [torus(0.0145, 0.0016, 20, 6).turn(1, np.pi / 2).move(-0.05 + 0.011 * n, 0, 0.0165)
             for n in range(9)]  # fmt: skip
-    flange = disc(0.018, 0.006, (0.055, 0, 0.0165), 0, fine=20)
-    hole = disc(0.0105, 0.0008, (0.0608, 0, 0.0165), 0, fine=16)
+    flange = drum(0.018, 0.006, (0.055, 0, 0.0165), 0, sides=20)
+    hole = drum(0.0105, 0.0008, (0.0608, 0, 0.0165), 0, sides=16)
     return put_down([(body, plain(color)), (join([*ribs, flange]), plain(tint_color(color, 0.8))),
                      (hole, plain((24, 24, 26)))], body, flange, factor=k, foot=0.3)  # fmt: skip
 

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from ...build.category import Category
+from ...build.making import DARK, at_box, drum, lies, plate, standing, steel
 from ...build.outlines import ellipse, rectangle
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import DARK, bar, cut, disc, lies, plain, steel, turned
 from ...build.solids import join, lathe
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def reflector(look: Look) -> Shape:
@@ -18,7 +19,7 @@ def reflector(look: Look) -> Shape:
     color = look.color("red", "amber", "white", "orange")
     k = look.between(0.85, 1.2)
     rim = ellipse(0.07, 0.07, 28) if look.chance(0.5) else rectangle(0.085, 0.045, 0.012)
-    back, lens = cut(rim, 0.011), cut(0.88 * rim, 0.004, (0, 0, 0.0095))
+    back, lens = plate(rim, 0.011), plate(0.88 * rim, 0.004, at=(0, 0, 0.0095))
     grid = textures.grid(tint_color(color, 0.65), tint_color(color, 1.15), 9, 9, 96, 3)
     return put_down([(back, plain(DARK)), (lens, grid)], back, factor=k)
 
@@ -27,13 +28,13 @@ def bike_pump(look: Look) -> Shape:
     """A hand pump lying, with its handle drawn out a little."""
     color = look.color("silver", "black", "red", "blue", "yellow")
     k = look.between(0.85, 1.15)
-    barrel = disc(0.0135, 0.17, (-0.09, 0, 0.0155), 0, fine=20)
-    rod_ = disc(0.006, 0.05, (0.07, 0, 0.0155), 0, fine=12)
-    grip = disc(0.0155, 0.07, (0.1, 0, 0.0155), 0, fine=18, bevel=0.004)
-    ends = [disc(0.0155, 0.016, (x, 0, 0.0155), 0, fine=18) for x in (-0.1, 0.072)]
+    barrel = drum(0.0135, 0.17, (-0.09, 0, 0.0155), 0, sides=20)
+    rod_ = drum(0.006, 0.05, (0.07, 0, 0.0155), 0, sides=12)
+    grip = drum(0.0155, 0.07, (0.1, 0, 0.0155), 0, sides=18, bevel=0.004)
+    ends = [drum(0.0155, 0.016, (x, 0, 0.0155), 0, sides=18) for x in (-0.1, 0.072)]
     head = [
-        bar(0.024, 0.034, 0.026, (-0.11, 0.006, 0.0)),
-        disc(0.008, 0.014, (-0.11, 0.022, 0.0135), 1),
+        at_box(0.024, 0.034, 0.026, (-0.11, 0.006, 0.0)),
+        drum(0.008, 0.014, (-0.11, 0.022, 0.0135), 1),
     ]
     return put_down([(barrel, look.surface(color, "steel" if look.chance(0.5) else "plastic")),
                      (rod_, steel(look)), (join([grip, *ends, *head]), plain(DARK))],
@@ -45,12 +46,12 @@ def bike_light(look: Look) -> Shape:
     color = look.color("black", "charcoal", "red", "silver", "white")
     k = look.between(0.85, 1.15)
     lamp = look.pick([(236, 240, 244), (210, 40, 40), (236, 240, 244)])
-    body = disc(0.021, 0.062, (0, -0.03, 0.048), 1, top=0.017)
-    ring = disc(0.024, 0.012, (0, -0.04, 0.048), 1, bevel=0.002)
+    body = drum(0.021, 0.062, (0, -0.03, 0.048), 1, top=0.017)
+    ring = drum(0.024, 0.012, (0, -0.04, 0.048), 1, bevel=0.002)
     lens = ball(0.04, 0.012, 0.04, (0, -0.04, 0.048), 18)
-    knob = disc(0.008, 0.004, (0, 0.0, 0.066))
-    stem = bar(0.024, 0.026, 0.02, (0, 0, 0.016))
-    clamp = [bar(0.044, 0.034, 0.012), bar(0.034, 0.03, 0.01, (0, 0, 0.01))]
+    knob = drum(0.008, 0.004, (0, 0.0, 0.066))
+    stem = at_box(0.024, 0.026, 0.02, (0, 0, 0.016))
+    clamp = [at_box(0.044, 0.034, 0.012), at_box(0.034, 0.03, 0.01, (0, 0, 0.01))]
     paint = textures.speckles(look.rng, color, 4)
     return put_down(
         [
@@ -76,7 +77,7 @@ def bike_horn(look: Look) -> Shape:
     bell = lies(lathe([(0, 0), *flare, *inner[::-1], (0, 0.002)], 24), -0.01, 0, 0.04)
     bulb = ball(0.07, 0.05, 0.05, (-0.045, 0, 0.0275), 18)
     neck = rod([(-0.02, 0, 0.03), (0.0, 0, 0.04)], 0.0085, 10)
-    bracket = bar(0.016, 0.02, 0.036, (0.01, 0, 0))
+    bracket = at_box(0.016, 0.02, 0.036, (0.01, 0, 0))
     return put_down([(join([bell, neck]), steel(look, color)), (bulb, plain((34, 34, 36))),
                      (bracket, steel(look))], bell, bulb, bracket, factor=k, foot=0.1)  # fmt: skip
 
@@ -95,8 +96,8 @@ def tyre_lever(look: Look) -> Shape:
         (-0.06, 0.009),
         (-0.066, 0),
     ]
-    body, tip = cut(rim, 0.006, bevel=0.001), bar(0.008, 0.01, 0.009, (0.055, 0, 0))
-    rib = bar(0.07, 0.004, 0.008, (-0.02, 0, 0))
+    body, tip = plate(rim, 0.006, bevel=0.001), at_box(0.008, 0.01, 0.009, (0.055, 0, 0))
+    rib = at_box(0.07, 0.004, 0.008, (-0.02, 0, 0))
     return put_down(
         [(join([body, tip]), plain(color)), (rib, plain(tint_color(color, 0.8)))], body, factor=k
     )
@@ -115,8 +116,8 @@ def co2_cartridge(look: Look) -> Shape:
         (0.0042, 0.078),
         (0.0042, 0.087),
     ]
-    body = lies(turned(profile, fine=20), -0.043, 0, 0.0088)
-    band = disc(0.0096, 0.018, (-0.02, 0, 0.0088), 0, fine=20)
+    body = lies(standing(*profile, sides=20), -0.043, 0, 0.0088)
+    band = drum(0.0096, 0.018, (-0.02, 0, 0.0088), 0, sides=20)
     return put_down(
         [(body, steel(look, color)), (band, plain(look.own_color("red", "blue", "black")))],
         body,

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import DARK, at_box, drum, lies, plate, standing
 from ...build.outlines import ellipse
 from ...build.recipes import ball, pad, put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import DARK, bar, cut, disc, lies, plain, turned
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 BRIGHT = ("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
 
@@ -30,11 +31,11 @@ def goggles(look: Look) -> Shape:
             .move(s * 0.035, -0.02, 0.018)
         )
         lenses.append(
-            cut(ellipse(0.054, 0.038, 22), 0.004, (0, 0, 0.003))
+            plate(ellipse(0.054, 0.038, 22), 0.004, at=(0, 0, 0.003))
             .turn(0, 0.85)
             .move(s * 0.035, -0.021, 0.018)
         )
-    nose = bar(0.02, 0.008, 0.006, (0, -0.024, 0.018))
+    nose = at_box(0.02, 0.008, 0.006, (0, -0.024, 0.018))
     a = np.linspace(0.15, np.pi - 0.15, 18)
     path = np.column_stack([0.068 * np.cos(a), -0.01 + 0.075 * np.sin(a), 0.013 + 0 * a])
     path = np.concatenate([[(0.06, -0.022, 0.018)], path, [(-0.06, -0.022, 0.018)]])
@@ -62,7 +63,7 @@ def snorkel(look: Look) -> Shape:
     k = look.between(0.85, 1.1)
     pipe = rod([(0.2, 0, 0.012), (0.0, 0.0, 0.012), (-0.12, 0, 0.012), (-0.17, 0.03, 0.012),
                 (-0.15, 0.075, 0.012)], 0.0115, 14, 6)  # fmt: skip
-    end = disc(0.0135, 0.03, (0.19, 0, 0.0135), 0, fine=16)
+    end = drum(0.0135, 0.03, (0.19, 0, 0.0135), 0, sides=16)
     mouth = pad(0.05, 0.026, 0.016, 0.008).move(-0.148, 0.082, 0.006)
     clip = torus(0.0125, 0.004, 18, 6).turn(1, np.pi / 2).move(0.02, 0, 0.0135)
     return put_down(
@@ -85,7 +86,7 @@ def foam_roller(look: Look) -> Shape:
         outer += [(0.062, z), (0.062, z + 0.034), (0.057, z + 0.037), (0.057, z + 0.047)]
     outer += [(0.062, 0.27), (0.058, 0.276)]
     body = lathe([(0, 0), *outer, (0.042, 0.276), (0.042, 0.262), (0, 0.262)], 30)
-    inner = disc(0.041, 0.0008, (0, 0, 0.2616))
+    inner = drum(0.041, 0.0008, (0, 0, 0.2616))
     return put_down(
         [(body, textures.speckles(look.rng, color, 8)), (inner, plain(DARK))], body, factor=k
     )
@@ -109,11 +110,11 @@ def knee_pad(look: Look) -> Shape:
     color = look.color("black", "navy", "red", "charcoal", "pink")
     k = look.between(0.85, 1.15)
     body = pad(0.13, 0.18, 0.04, 0.05, soft=0.8)
-    cap = turned(
-        [(0.045, 0), (0.044, 0.01), (0.034, 0.022), (0.014, 0.029)], (0, 0, 0.036), 22
+    cap = standing(
+        (0.045, 0), (0.044, 0.01), (0.034, 0.022), (0.014, 0.029), at=(0, 0, 0.036), sides=22
     ).scale(1, 1.25, 1)
-    straps = [bar(0.19, 0.03, 0.006, (0, s * 0.055, 0.012)) for s in (-1, 1)]
-    cuts = [bar(0.05, 0.006, 0.004, (0, y, 0.0635)) for y in (-0.012, 0.012)]
+    straps = [at_box(0.19, 0.03, 0.006, (0, s * 0.055, 0.012)) for s in (-1, 1)]
+    cuts = [at_box(0.05, 0.006, 0.004, (0, y, 0.0635)) for y in (-0.012, 0.012)]
     return put_down(
         [
             (body, textures.fabric(look.rng, color)),
@@ -148,7 +149,7 @@ def juggling_club(look: Look) -> Shape:
         (plain(tint_color(color, 0.6)), 0.06),
         (plain((244, 240, 230)), 0.22),
     )
-    body = lies(turned(profile, fine=22), -0.2, 0, 0.04)
+    body = lies(standing(*profile, sides=22), -0.2, 0, 0.04)
     knob = ball(0.03, 0.03, 0.03, (-0.196, 0, 0.014), 12)
     body = body.bend(
         lambda p: np.column_stack(
@@ -163,8 +164,11 @@ def beanbag(look: Look) -> Shape:
     color = look.color(*BRIGHT)
     k = look.between(0.8, 1.2)
     body = pad(0.1, 0.1, 0.034, 0.022, soft=0.95)
-    seam = [bar(0.098, 0.0015, 0.002, (0, 0, 0.0332)), bar(0.0015, 0.098, 0.002, (0, 0, 0.0332))]
-    quarter = bar(0.03, 0.03, 0.001, (0.02, 0.02, 0.0333))
+    seam = [
+        at_box(0.098, 0.0015, 0.002, (0, 0, 0.0332)),
+        at_box(0.0015, 0.098, 0.002, (0, 0, 0.0332)),
+    ]
+    quarter = at_box(0.03, 0.03, 0.001, (0.02, 0.02, 0.0333))
     return put_down(
         [
             (body, textures.fabric(look.rng, color)),

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import drum, plate, standing
 from ...build.recipes import ball, put_down, rod, standing_plate, straight
 from ...build.shape import Shape
-from ...build.sketch import cut, disc, plain, turned
 from ...build.solids import Solid, cylinder, join, loft
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from ...surfaces.textures import Tile
+from ...surfaces.textures import Tile, plain
 
 PAPERS = ("red", "blue", "yellow", "pink", "teal", "orange", "purple", "white", "mint")
 
@@ -55,7 +55,7 @@ def origami_crane(look: Look) -> Shape:
     neck = standing_plate([(0.006, 0.012), (0.02, 0.012), (0.058, 0.062), (0.052, 0.066)], 0.004)
     beak = standing_plate([(0.052, 0.065), (0.058, 0.061), (0.076, 0.05), (0.058, 0.066)], 0.0035)
     tail = standing_plate([(-0.02, 0.012), (-0.006, 0.012), (-0.068, 0.06)], 0.004)
-    keel = turned([(0.015, 0), (0.012, 0.012), (0.002, 0.034)], fine=4).scale(1.4, 1, 1)
+    keel = standing((0.015, 0), (0.012, 0.012), (0.002, 0.034), sides=4).scale(1.4, 1, 1)
     inner = textures.plain(tint_color(color, 1.35))
     paper = _paper(look, color)
     return put_down([(join([*body, *front, keel, neck, tail]), paper), (join(wings), paper),
@@ -72,7 +72,7 @@ def paper_plane(look: Look) -> Shape:
     ]
     keel = [_sheet((0.11, s * 0.0008, 0.026), (-0.11, s * 0.004, 0.026), (-0.11, s * 0.0008, 0.0),
                    (-0.02, s * 0.0008, 0.0)) for s in (1, -1)]  # fmt: skip
-    foot = cut([(-0.1, -0.012), (0.02, -0.004), (0.02, 0.004), (-0.1, 0.012)], 0.002)
+    foot = plate([(-0.1, -0.012), (0.02, -0.004), (0.02, 0.004), (-0.1, 0.012)], 0.002)
     image = prints.canvas(64, 64, color)
     if look.chance(0.5):
         for n in range(1, 8):
@@ -87,7 +87,7 @@ def paper_boat(look: Look) -> Shape:
     k = look.between(0.75, 1.25)
     hull = [_sheet((-0.075, s * 0.001, 0.05), (-0.03, s * 0.014, 0.0), (0.03, s * 0.014, 0.0),
                    (0.075, s * 0.001, 0.05), (0.0, s * 0.03, 0.036)) for s in (1, -1)]  # fmt: skip
-    bottom = cut(
+    bottom = plate(
         [(-0.04, 0), (-0.03, -0.014), (0.03, -0.014), (0.04, 0), (0.03, 0.014), (-0.03, 0.014)],
         0.0015,
     )
@@ -117,8 +117,8 @@ def pinwheel(look: Look) -> Shape:
             (0, 0, 0.008), (0.055, 0.002, 0.008), (0.05, 0.036, 0.024), (0.01, 0.012, 0.014)
         )
         vanes[n % 2].append(leaf.turn(2, n * np.pi / 2))
-    hub = disc(0.008, 0.008, (0, 0, 0.008), bevel=0.002)
-    foot = disc(0.05, 0.002, fine=4).move(0, 0, 0)
+    hub = drum(0.008, 0.008, (0, 0, 0.008), bevel=0.002)
+    foot = drum(0.05, 0.002, sides=4).move(0, 0, 0)
     return put_down(
         [
             (stick, textures.wood(look.rng, (214, 180, 130))),
@@ -139,7 +139,7 @@ def napkin_swan(look: Look) -> Shape:
     """A napkin folded into a swan."""
     color = look.color("white", "cream", "pink", "sky", "mint")
     k = look.between(0.85, 1.15)
-    body = turned([(0.045, 0), (0.052, 0.008), (0.046, 0.022), (0.016, 0.032)], fine=20).scale(
+    body = standing((0.045, 0), (0.052, 0.008), (0.046, 0.022), (0.016, 0.032), sides=20).scale(
         1.3, 1, 1
     )
     neck = rod([(0.045, 0, 0.018), (0.07, 0, 0.05), (0.05, 0, 0.095), (0.062, 0, 0.115),
@@ -161,10 +161,10 @@ def rosette(look: Look) -> Shape:
     k = look.between(0.8, 1.2)
     a = np.linspace(0, 2 * np.pi, 49)[:-1]
     r = 0.04 + 0.0025 * np.cos(24 * a)
-    ruff = cut(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.006, (0, 0, 0.003))
+    ruff = plate(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.006, at=(0, 0, 0.003))
     r = 0.03 + 0.002 * np.cos(24 * a)
-    inner = cut(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.004, (0, 0, 0.0085))
-    badge = disc(0.021, 0.004, (0, 0, 0.0115), fine=28, bevel=0.001)
+    inner = plate(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.004, at=(0, 0, 0.0085))
+    badge = drum(0.021, 0.004, (0, 0, 0.0115), sides=28, bevel=0.001)
     face = prints.canvas(96, 96, (250, 240, 206))
     prints.disc(face, 0.5, 0.5, 0.44, color, 0.4)
     prints.write(
@@ -176,7 +176,7 @@ def rosette(look: Look) -> Shape:
         (90, 60, 40),
         bold=True,
     )
-    tails = [cut([(-0.012, -0.085), (0, -0.076), (0.012, -0.085), (0.012, 0), (-0.012, 0)], 0.003)
+    tails = [plate([(-0.012, -0.085), (0, -0.076), (0.012, -0.085), (0.012, 0), (-0.012, 0)], 0.003)
              .turn(2, s * 0.24) for s in (-1, 1)]  # fmt: skip
     rays = textures.stripes([color, tint_color(color, 0.8)], 4, upright=True)
     return put_down(

@@ -6,12 +6,13 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.forms import side_view
+from ...build.making import DARK, at_box, drum, steel
 from ...build.recipes import leather, put_down
 from ...build.shape import Shape
-from ...build.sketch import DARK, bar, disc, plain, steel
 from ...build.solids import Solid, join
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def _boot(h: float) -> Solid:
@@ -22,7 +23,9 @@ def _boot(h: float) -> Solid:
 
 
 def _laces(h: float) -> list[Solid]:
-    return [bar(0.004, 0.04, 0.004, (0.05 - 0.0085 * n, 0, 0.049 + 0.0078 * n)) for n in range(5)]
+    return [
+        at_box(0.004, 0.04, 0.004, (0.05 - 0.0085 * n, 0, 0.049 + 0.0078 * n)) for n in range(5)
+    ]
 
 
 def skateboard(look: Look) -> Shape:
@@ -34,11 +37,11 @@ def skateboard(look: Look) -> Shape:
     deck = side_view(
         np.concatenate([np.column_stack([x, z]), np.column_stack([x, z + 0.012])[::-1]]), 0.2
     )
-    grip = bar(0.54, 0.196, 0.002, (0, 0, 0.1035))
-    wheels = [disc(0.028, 0.03, (sx * 0.2, sy * 0.085 - 0.015, 0.028), 1, fine=18, bevel=0.004)
+    grip = at_box(0.54, 0.196, 0.002, (0, 0, 0.1035))
+    wheels = [drum(0.028, 0.03, (sx * 0.2, sy * 0.085 - 0.015, 0.028), 1, sides=18, bevel=0.004)
               for sx in (-1, 1) for sy in (-1, 1)]  # fmt: skip
-    trucks = [bar(0.03, 0.14, 0.02, (s * 0.2, 0, 0.018)) for s in (-1, 1)]
-    trucks += [bar(0.07, 0.05, 0.055, (s * 0.2, 0, 0.038)) for s in (-1, 1)]
+    trucks = [at_box(0.03, 0.14, 0.02, (s * 0.2, 0, 0.018)) for s in (-1, 1)]
+    trucks += [at_box(0.07, 0.05, 0.055, (s * 0.2, 0, 0.038)) for s in (-1, 1)]
     return put_down(
         [(deck, look.surface(color, "wood")), (grip, plain((46, 46, 50))), (join(wheels), plain(
             look.own_color("white", "yellow", "lime", "coral"))), (join(trucks), steel(look))],
@@ -51,14 +54,14 @@ def roller_skate(look: Look) -> Shape:
     k = look.between(0.95, 1.25)
     boot = _boot(0.13).move(z=0.062)
     sole, heel = (
-        bar(0.155, 0.06, 0.008, (0.02, 0, 0.056)),
-        bar(0.04, 0.056, 0.02, (-0.036, 0, 0.044)),
+        at_box(0.155, 0.06, 0.008, (0.02, 0, 0.056)),
+        at_box(0.04, 0.056, 0.02, (-0.036, 0, 0.044)),
     )
-    plate = bar(0.14, 0.04, 0.01, (0.015, 0, 0.04))
-    wheels = [disc(0.024, 0.024, (x, s * 0.035 - 0.012, 0.024), 1, fine=18, bevel=0.004)
+    plate = at_box(0.14, 0.04, 0.01, (0.015, 0, 0.04))
+    wheels = [drum(0.024, 0.024, (x, s * 0.035 - 0.012, 0.024), 1, sides=18, bevel=0.004)
               for x in (-0.036, 0.062) for s in (-1, 1)]  # fmt: skip
-    trucks = [bar(0.02, 0.06, 0.03, (x, 0, 0.018)) for x in (-0.036, 0.062)]
-    stop = disc(0.014, 0.03, (0.092, 0, 0.016), top=0.01)
+    trucks = [at_box(0.02, 0.06, 0.03, (x, 0, 0.018)) for x in (-0.036, 0.062)]
+    stop = drum(0.014, 0.03, (0.092, 0, 0.016), top=0.01)
     laces = [one.move(z=0.064) for one in _laces(0)]
     tone = look.own_color("pink", "red", "yellow", "turquoise", "orange")
     return put_down(
@@ -68,7 +71,7 @@ def roller_skate(look: Look) -> Shape:
             (join([plate, *trucks]), steel(look)),
             (join([*wheels, stop]), plain(tone)),
             (join(laces), plain((250, 248, 244))),
-            (bar(0.046, 0.046, 0.0012, (-0.021, 0, 0.1915)), plain(DARK)),
+            (at_box(0.046, 0.046, 0.0012, (-0.021, 0, 0.1915)), plain(DARK)),
         ],
         boot,
         join([plate, *wheels]),
@@ -81,19 +84,19 @@ def ice_skate(look: Look) -> Shape:
     color = look.color("white", "black", "white", "navy")
     k = look.between(0.95, 1.25)
     boot = _boot(0.13).move(z=0.052)
-    sole = bar(0.155, 0.058, 0.008, (0.02, 0, 0.046))
+    sole = at_box(0.155, 0.058, 0.008, (0.02, 0, 0.046))
     blade = side_view([(-0.075, 0.006), (-0.07, 0), (0.105, 0), (0.122, 0.014), (0.11, 0.018),
                        (-0.075, 0.016)], 0.006)  # fmt: skip
-    posts = [bar(0.03, 0.03, 0.034, (x, 0, 0.014)) for x in (-0.035, 0.065)]
+    posts = [at_box(0.03, 0.03, 0.034, (x, 0, 0.014)) for x in (-0.035, 0.065)]
     laces = [one.move(z=0.054) for one in _laces(0)]
-    wide = bar(0.16, 0.05, 0.004, (0.02, 0, 0))
+    wide = at_box(0.16, 0.05, 0.004, (0.02, 0, 0))
     return put_down(
         [
             (boot, leather(look.rng, color)),
             (sole, plain(tint_color(color, 0.55))),
             (join([blade, *posts]), steel(look)),
             (join(laces), plain((200, 202, 210))),
-            (bar(0.046, 0.046, 0.0012, (-0.021, 0, 0.1815)), plain((70, 72, 80))),
+            (at_box(0.046, 0.046, 0.0012, (-0.021, 0, 0.1815)), plain((70, 72, 80))),
         ],
         boot,
         blade,

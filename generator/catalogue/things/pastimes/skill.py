@@ -6,13 +6,14 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.forms import facing
+from ...build.making import at_box, drum, plate, standing, steel
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, disc, plain, steel, turned
 from ...build.solids import block, join, lathe, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def periscope(look: Look) -> Shape:
@@ -20,10 +21,10 @@ def periscope(look: Look) -> Shape:
     color = look.color("blue", "red", "gray", "green", "yellow")
     k = look.between(0.8, 1.1)
     trunk = block(0.05, 0.05, 0.23, 0.004)
-    top, low = bar(0.052, 0.07, 0.052, (0, -0.01, 0.2)), bar(0.056, 0.08, 0.05, (0, 0.01, 0))
-    window = bar(0.04, 0.002, 0.038, (0, -0.0455, 0.207))
-    eye = bar(0.034, 0.002, 0.03, (0, 0.0505, 0.01))
-    bands = [bar(0.053, 0.053, 0.006, (0, 0, z)) for z in (0.06, 0.19)]
+    top, low = at_box(0.052, 0.07, 0.052, (0, -0.01, 0.2)), at_box(0.056, 0.08, 0.05, (0, 0.01, 0))
+    window = at_box(0.04, 0.002, 0.038, (0, -0.0455, 0.207))
+    eye = at_box(0.034, 0.002, 0.03, (0, 0.0505, 0.01))
+    bands = [at_box(0.053, 0.053, 0.006, (0, 0, z)) for z in (0.06, 0.19)]
     return put_down(
         [
             (trunk, textures.speckles(look.rng, color, 4)),
@@ -60,7 +61,7 @@ def diabolo(look: Look) -> Shape:
         (0.012, 0.075),
     ]
     high = lathe([(0, 0.062), *rim, (0, 0.075)], 28)
-    axle = disc(0.006, 0.008, (0, 0, 0.0745))
+    axle = drum(0.006, 0.008, (0, 0, 0.0745))
     return put_down(
         [
             (low, plain(color)),
@@ -80,19 +81,17 @@ def cup_and_ball(look: Look) -> Shape:
     """A wooden cup on a handle, standing, with its ball on a string beside it."""
     color = look.color("wooden", "red", "blue", "green")
     k = look.between(0.85, 1.15)
-    stem = turned(
-        [
-            (0.026, 0),
-            (0.026, 0.006),
-            (0.009, 0.016),
-            (0.008, 0.08),
-            (0.012, 0.09),
-            (0.026, 0.1),
-            (0.034, 0.125),
-            (0.03, 0.125),
-            (0.022, 0.106),
-        ],
-        fine=24,
+    stem = standing(
+        (0.026, 0),
+        (0.026, 0.006),
+        (0.009, 0.016),
+        (0.008, 0.08),
+        (0.012, 0.09),
+        (0.026, 0.1),
+        (0.034, 0.125),
+        (0.03, 0.125),
+        (0.022, 0.106),
+        sides=24,
     )
     sphere = ball(0.034, 0.034, 0.034, (0.065, -0.01, 0.0165), 16)
     line = rod(
@@ -117,18 +116,18 @@ def marble_maze(look: Look) -> Shape:
     """A shallow box with low walls, holes and a steel ball."""
     color = look.color("wooden", "tan", "blue", "red")
     k = look.between(0.85, 1.15)
-    floor, s = bar(0.2, 0.2, 0.008), 0.2
-    rims = [bar(s, 0.01, 0.03, (0, t * 0.095, 0)) for t in (-1, 1)] + [
-        bar(0.01, s, 0.03, (t * 0.095, 0, 0)) for t in (-1, 1)
+    floor, s = at_box(0.2, 0.2, 0.008), 0.2
+    rims = [at_box(s, 0.01, 0.03, (0, t * 0.095, 0)) for t in (-1, 1)] + [
+        at_box(0.01, s, 0.03, (t * 0.095, 0, 0)) for t in (-1, 1)
     ]
     walls = []
     for x, y, u, v in ((-0.05, 0.05, 0.08, 0.006), (0.03, 0.06, 0.006, 0.06), (0.055, 0.01, 0.07,
     0.006), (-0.06, -0.01, 0.006,
                        0.07), (-0.02, -0.03, 0.07, 0.006), (0.04, -0.055, 0.006, 0.06), (-0.03,
                        -0.07, 0.06, 0.006)):  # fmt: skip
-        walls.append(bar(u, v, 0.012, (x, y, 0.007)))
+        walls.append(at_box(u, v, 0.012, (x, y, 0.007)))
     holes = [
-        disc(0.0085, 0.0006, (x, y, 0.0078), fine=14)
+        drum(0.0085, 0.0006, (x, y, 0.0078), sides=14)
         for x, y in (
             (-0.07, 0.075),
             (0.0, 0.02),
@@ -160,16 +159,16 @@ def wind_turbine(look: Look) -> Shape:
     """A white wind turbine on a green foot."""
     color = look.color("white", "silver", "sky")
     k = look.between(0.8, 1.15)
-    base = disc(0.045, 0.01, bevel=0.003)
-    mast = disc(0.0075, 0.17, (0, 0, 0.008), top=0.0045)
-    pod = bar(0.014, 0.036, 0.014, (0, 0.002, 0.172))
+    base = drum(0.045, 0.01, bevel=0.003)
+    mast = drum(0.0075, 0.17, (0, 0, 0.008), top=0.0045)
+    pod = at_box(0.014, 0.036, 0.014, (0, 0.002, 0.172))
     hub = ball(0.014, 0.018, 0.014, (0, -0.018, 0.179), 12)
     turn = look.between(0, 2)
     blades = []
     for n in range(3):
         rim = [(-0.003, 0.0), (0.006, 0.012), (0.008, 0.025), (0.001, 0.085), (-0.002, 0.085)]
         blades.append(
-            facing(cut(rim, 0.003)).turn(1, turn + n * 2 * np.pi / 3).move(0, -0.019, 0.179)
+            facing(plate(rim, 0.003)).turn(1, turn + n * 2 * np.pi / 3).move(0, -0.019, 0.179)
         )
     return put_down(
         [
@@ -188,10 +187,12 @@ def zoetrope(look: Look) -> Shape:
     """A slotted drum on a foot, with a strip of pictures inside."""
     color = look.color("black", "red", "navy", "wooden")
     k = look.between(0.85, 1.15)
-    foot = turned([(0.045, 0), (0.045, 0.008), (0.012, 0.018), (0.009, 0.06)], fine=24)
-    floor = disc(0.075, 0.006, (0, 0, 0.058), fine=32)
+    foot = standing((0.045, 0), (0.045, 0.008), (0.012, 0.018), (0.009, 0.06), sides=24)
+    floor = drum(0.075, 0.006, (0, 0, 0.058), sides=32)
     band = lathe([(0.075, 0.058), (0.075, 0.1), (0.071, 0.1), (0.071, 0.058)], 32, loop=True)
-    slats = [bar(0.004, 0.026, 0.05, (0.073, 0, 0.099)).turn(2, n * np.pi / 6) for n in range(12)]
+    slats = [
+        at_box(0.004, 0.026, 0.05, (0.073, 0, 0.099)).turn(2, n * np.pi / 6) for n in range(12)
+    ]
     ring = torus(0.073, 0.003, 32, 6).move(z=0.149)
     strip = prints.canvas(256, 32, (246, 238, 214))
     for n in range(16):
@@ -210,25 +211,25 @@ def glider(look: Look) -> Shape:
     color = look.color("tan", "wooden", "cream")
     k = look.between(0.8, 1.15)
     body = facing(
-        cut([(-0.12, 0.012), (0.11, 0.004), (0.125, 0.012), (0.11, 0.022), (-0.12, 0.018)], 0.005)
+        plate([(-0.12, 0.012), (0.11, 0.004), (0.125, 0.012), (0.11, 0.022), (-0.12, 0.018)], 0.005)
     ).move(y=0.0025)
-    wing = cut(
+    wing = plate(
         [(0.055, 0), (0.045, 0.13), (0.02, 0.13), (0.01, 0), (0.02, -0.13), (0.045, -0.13)][::-1],
         0.0025,
-        (0, 0, 0.022),
+        at=(0, 0, 0.022),
     )
-    tail = cut(
+    tail = plate(
         [(-0.085, 0), (-0.092, 0.05), (-0.115, 0.05), (-0.12, 0), (-0.115, -0.05), (-0.092, -0.05)][
             ::-1
         ],
         0.002,
-        (0, 0, 0.018),
+        at=(0, 0, 0.018),
     )
     fin = facing(
-        cut([(-0.122, 0.018), (-0.085, 0.018), (-0.11, 0.055), (-0.122, 0.055)], 0.002)
+        plate([(-0.122, 0.018), (-0.085, 0.018), (-0.11, 0.055), (-0.122, 0.055)], 0.002)
     ).move(y=0.001)
-    skid = bar(0.12, 0.03, 0.004, (0.02, 0, 0.0))
-    marks = [disc(0.012, 0.0006, (0.032, s * 0.1, 0.0243)) for s in (-1, 1)]
+    skid = at_box(0.12, 0.03, 0.004, (0.02, 0, 0.0))
+    marks = [drum(0.012, 0.0006, (0.032, s * 0.1, 0.0243)) for s in (-1, 1)]
     return put_down(
         [
             (join([body, wing, tail, fin]), textures.wood(look.rng, color)),

@@ -5,18 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import DARK, at_box, drum, standing, steel
 from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import DARK, bar, disc, plain, steel, turned
 from ...build.solids import Solid, block, join, lathe, torus
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def _figure(big: float) -> dict[str, list[Solid]]:
     """Return a standing figure: legs, trunk, arms, and a head ``big`` across."""
-    legs = [disc(0.0125, 0.036, (s * 0.0145, 0, 0.006), top=0.014) for s in (-1, 1)]
+    legs = [drum(0.0125, 0.036, (s * 0.0145, 0, 0.006), top=0.014) for s in (-1, 1)]
     feet = [ball(0.026, 0.038, 0.02, (s * 0.0145, -0.005, 0.008), 12) for s in (-1, 1)]
     trunk = [block(0.054, 0.036, 0.045, 0.014, 0.006).move(z=0.036)]
     arms = [rod([(s * 0.024, 0, 0.072), (s * 0.04, -0.004, 0.056), (s * 0.038, -0.018, 0.044)],
@@ -34,9 +35,9 @@ def astronaut(look: Look) -> Shape:
     visor = ball(0.04, 0.03, 0.03, (0, -0.0115, 0.097), 16)
     rim = torus(0.018, 0.003, 22, 6).scale(1.1, 0.85, 1).turn(0, np.pi / 2).move(0, -0.0185, 0.097)
     pack = block(0.046, 0.022, 0.046, 0.006, 0.004).move(0, 0.026, 0.04)
-    panel = bar(0.022, 0.004, 0.016, (0, -0.0175, 0.055))
-    dots = [bar(0.004, 0.005, 0.004, (0.006 * n, -0.018, 0.061)) for n in (-1, 0, 1)]
-    badge = bar(0.01, 0.004, 0.007, (0.016, -0.0172, 0.072))
+    panel = at_box(0.022, 0.004, 0.016, (0, -0.0175, 0.055))
+    dots = [at_box(0.004, 0.005, 0.004, (0.006 * n, -0.018, 0.061)) for n in (-1, 0, 1)]
+    badge = at_box(0.01, 0.004, 0.007, (0.016, -0.0172, 0.072))
     suit = textures.speckles(look.rng, color, 3)
     body = [*f["legs"], *f["trunk"], *f["arms"], *f["head"]]
     return put_down(
@@ -96,9 +97,14 @@ def ufo(look: Look) -> Shape:
     """A flying saucer on three legs, with a glass dome and lights."""
     color = look.color("silver", "gray", "green", "purple", "blue")
     k = look.between(0.8, 1.2)
-    saucer = turned(
-        [(0.02, 0.02), (0.03, 0.022), (0.065, 0.034), (0.066, 0.038), (0.034, 0.05), (0.03, 0.052)],
-        fine=32,
+    saucer = standing(
+        (0.02, 0.02),
+        (0.03, 0.022),
+        (0.065, 0.034),
+        (0.066, 0.038),
+        (0.034, 0.05),
+        (0.03, 0.052),
+        sides=32,
     )
     dome = ball(0.056, 0.056, 0.056, (0, 0, 0.05), 20)
     lamps = [
@@ -109,7 +115,7 @@ def ufo(look: Look) -> Shape:
     for a in np.arange(3) * 2 * np.pi / 3 + np.pi / 2:
         x, y = float(np.cos(a)), float(np.sin(a))
         legs.append(straight((0.03 * x, 0.03 * y, 0.025), (0.046 * x, 0.046 * y, 0.003), 0.003, 8))
-        feet.append(disc(0.008, 0.004, (0.046 * x, 0.046 * y, 0)))
+        feet.append(drum(0.008, 0.004, (0.046 * x, 0.046 * y, 0)))
     pilot = ball(0.02, 0.02, 0.026, (0, 0, 0.062), 10)
     return put_down(
         [
@@ -130,9 +136,9 @@ def satellite(look: Look) -> Shape:
     """A satellite on a stand: a foil-wrapped body, two wings of solar cells, a dish."""
     color = look.color("gold", "silver", "white", "copper")
     k = look.between(0.85, 1.15)
-    base, post = disc(0.035, 0.008, bevel=0.002), disc(0.004, 0.05, (0, 0, 0.006))
+    base, post = drum(0.035, 0.008, bevel=0.002), drum(0.004, 0.05, (0, 0, 0.006))
     body = block(0.04, 0.036, 0.05, 0.003, 0.002).move(z=0.052)
-    wings = [bar(0.085, 0.003, 0.036, (s * 0.075, 0, 0.06)) for s in (-1, 1)]
+    wings = [at_box(0.085, 0.003, 0.036, (s * 0.075, 0, 0.06)) for s in (-1, 1)]
     arms = [straight((s * 0.018, 0, 0.078), (s * 0.034, 0, 0.078), 0.003, 8) for s in (-1, 1)]
     dish = lathe(
         [(0, 0), (0.012, 0.002), (0.024, 0.009), (0.0225, 0.011), (0.011, 0.005), (0, 0.0035)], 22
@@ -162,7 +168,7 @@ def rover(look: Look) -> Shape:
     color = look.color("white", "silver", "gold", "orange")
     k = look.between(0.85, 1.15)
     wheels = [
-        disc(0.017, 0.014, (x, s * 0.05 - 0.007, 0.017), 1, fine=16)
+        drum(0.017, 0.014, (x, s * 0.05 - 0.007, 0.017), 1, sides=16)
         for x in (-0.052, 0, 0.052)
         for s in (-1, 1)
     ]
@@ -181,10 +187,10 @@ def rover(look: Look) -> Shape:
         for s in (-1, 1)
     ]
     body = block(0.09, 0.066, 0.026, 0.004, 0.002).move(z=0.034)
-    deck = bar(0.11, 0.09, 0.003, (-0.01, 0, 0.06))
-    mast = disc(0.004, 0.045, (0.042, 0.016, 0.06))
-    head = [bar(0.016, 0.03, 0.014, (0.042, 0.016, 0.104))]
-    eyes = [disc(0.0045, 0.003, (0.049, 0.016 + y, 0.111), 0, fine=10) for y in (-0.008, 0.008)]
+    deck = at_box(0.11, 0.09, 0.003, (-0.01, 0, 0.06))
+    mast = drum(0.004, 0.045, (0.042, 0.016, 0.06))
+    head = [at_box(0.016, 0.03, 0.014, (0.042, 0.016, 0.104))]
+    eyes = [drum(0.0045, 0.003, (0.049, 0.016 + y, 0.111), 0, sides=10) for y in (-0.008, 0.008)]
     arm = rod([(0.045, -0.02, 0.05), (0.08, -0.02, 0.062), (0.088, -0.02, 0.035)], 0.0032, 8)
     cells = textures.grid((170, 180, 200), (34, 48, 96), 6, 6, 96, 2)
     return put_down(
@@ -209,7 +215,7 @@ def orrery(look: Look) -> Shape:
     """A model of the sun and its planets on arms round a post."""
     color = look.color("gold", "wooden", "black", "bronze")
     k = look.between(0.85, 1.1)
-    base, post = disc(0.05, 0.014, bevel=0.004), disc(0.005, 0.075, (0, 0, 0.012))
+    base, post = drum(0.05, 0.014, bevel=0.004), drum(0.005, 0.075, (0, 0, 0.012))
     sun = ball(0.05, 0.05, 0.05, (0, 0, 0.1), 20)
     tones = [
         (150, 140, 130),

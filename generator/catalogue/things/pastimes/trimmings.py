@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import drum, plate, standing, steel
 from ...build.outlines import ellipse, rectangle
 from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import cut, disc, plain, steel, turned
 from ...build.solids import join, torus, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def googly_eye(look: Look) -> Shape:
@@ -20,11 +21,11 @@ def googly_eye(look: Look) -> Shape:
     color = look.color("white", "white", "yellow", "sky", "pink", "lime")
     r = look.between(0.008, 0.016)
     a, d = look.between(0, 6.28), 0.36 * r
-    back = disc(r, 0.25 * r, fine=26, bevel=0.05 * r)
-    dome = turned([(0.93 * r, 0), (0.9 * r, 0.12 * r), (0.6 * r, 0.2 * r), (0.2 * r, 0.24 * r)],
-                  (0, 0, 0.24 * r), 26)  # fmt: skip
-    pupil = disc(
-        0.5 * r, 0.3 * r, (d * np.cos(a), d * np.sin(a), 0.24 * r), fine=20, bevel=0.05 * r
+    back = drum(r, 0.25 * r, sides=26, bevel=0.05 * r)
+    dome = standing((0.93 * r, 0), (0.9 * r, 0.12 * r), (0.6 * r, 0.2 * r), (0.2 * r, 0.24 * r),
+                  at=(0, 0, 0.24 * r), sides=26)  # fmt: skip
+    pupil = drum(
+        0.5 * r, 0.3 * r, (d * np.cos(a), d * np.sin(a), 0.24 * r), sides=20, bevel=0.05 * r
     )
     return put_down(
         [(join([back, dome]), plain(color)), (pupil, plain((28, 28, 30)))], join([back, dome])
@@ -48,7 +49,7 @@ def lolly_stick(look: Look) -> Shape:
     """A flat wooden stick with round ends."""
     color = look.color("tan", "wooden", "red", "blue", "green", "yellow", "beige")
     long, w = look.between(0.1, 0.15), look.between(0.009, 0.017)
-    made = cut(rectangle(long, w, 0.499 * w, 8), 0.0022, bevel=0.0004)
+    made = plate(rectangle(long, w, 0.499 * w, 8), 0.0022, bevel=0.0004)
     return put_down([(made, textures.wood(look.rng, color))], made)
 
 
@@ -72,7 +73,7 @@ def dreamcatcher(look: Look) -> Shape:
     cords, quills = [], []
     for x, y in ((-0.03, -0.002), (0, -0.01), (0.03, -0.002)):
         cords.append(straight((x, y, 0.003), (x, y - 0.04, 0.003), 0.0008, 5))
-        quills.append(cut(ellipse(0.017, 0.06, 16), 0.0015).move(x, y - 0.06, 0.0008))
+        quills.append(plate(ellipse(0.017, 0.06, 16), 0.0015).move(x, y - 0.06, 0.0008))
     wrap = textures.stripes([color, tint_color(color, 0.8)], 16, upright=True)
     other = look.own_color("white", "tan", "turquoise", "coral", "brown")
     return put_down(
@@ -105,7 +106,7 @@ def tassel(look: Look) -> Shape:
         6,
     )
     head = ball(0.022, 0.02, 0.018, (0.012, 0, 0.0085), 14)
-    band = disc(0.0085, 0.006, (-0.004, 0, 0.0085), 0, fine=14)
+    band = drum(0.0085, 0.006, (-0.004, 0, 0.0085), 0, sides=14)
     skirt = rod(
         [(0.0, 0, 0.0082), (-0.03, 0, 0.0082), (-0.072, 0, 0.0075)], [0.0075, 0.0105, 0.012], 14
     )
@@ -127,14 +128,14 @@ def wind_chime(look: Look) -> Shape:
     """A wind chime lying: a round top with metal tubes on cords."""
     color = look.color("silver", "gold", "copper", "teal", "bronze")
     k = look.between(0.85, 1.15)
-    top = disc(0.03, 0.008, (0, 0.09, 0), bevel=0.002)
+    top = drum(0.03, 0.008, (0, 0.09, 0), bevel=0.002)
     loop = torus(0.009, 0.0015, 16, 6).move(0, 0.126, 0.002)
     tubes, cords = [], []
     for n in range(5):
         x, long = 0.017 * (n - 2), 0.1 - 0.012 * abs(n - 1)
         tubes.append(straight((x, 0.035, 0.0057), (x, 0.035 - long, 0.0057), 0.006, 12))
         cords.append(straight((0.6 * x, 0.085, 0.005), (x, 0.034, 0.0055), 0.0007, 4))
-    sail = cut(ellipse(0.026, 0.04, 18), 0.003).move(0, -0.1, 0)
+    sail = plate(ellipse(0.026, 0.04, 18), 0.003).move(0, -0.1, 0)
     line = straight((0, -0.07, 0.003), (0, -0.084, 0.002), 0.0007, 4)
     wood = textures.wood(look.rng, (140, 92, 56))
     return put_down([(join([top, sail]), wood), (join(tubes), steel(look, color)),

@@ -60,7 +60,7 @@ def cocktail_pick(look: Look) -> Shape:
         pieces.append((flag.move(long / 2 - 0.004, 0, r + 0.0015), look.surface(color, "paper")))
     made = settle(pieces, 0.02)
     z = float(np.concatenate([p.solid.vertices for p in made.pieces])[:, 2].max())
-    return Shape(made.pieces, (box_part(0.9 * long, 2 * r, 0.8 * z),))
+    return Shape(made.pieces, (box_part(0.9 * long, 0.005, 0.8 * z),))
 
 
 def _twin_blade(look: Look, color: RGB, z: float) -> Pieces:

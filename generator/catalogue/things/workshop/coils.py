@@ -5,18 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, DARK, STEEL_TONE, at_box, drum, plate, standing, steel
 from ...build.outlines import rectangle
 from ...build.recipes import put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import BRASS, DARK, STEEL, bar, cut, disc, plain, steel, turned
 from ...build.solids import Solid, block, join, torus
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def pins_at(places: list[tuple[float, float]], deep: float = 0.006, thick: float = 0.0012) -> Solid:
     """Return pins that reach down from ``deep`` to the table."""
-    return join([bar(thick, thick, deep, (x, y, 0)) for x, y in places])
+    return join([at_box(thick, thick, deep, (x, y, 0)) for x, y in places])
 
 
 def relay(look: Look) -> Shape:
@@ -30,7 +31,7 @@ def relay(look: Look) -> Shape:
         image, look.pick(["SRD-05", "RLY 12V", "HK4100", "10A 250V"]), 0.5, 0.3, 0.2, ink, bold=True
     )
     prints.lines(image, look.rng, (0.12, 0.5, 0.76, 0.36), 3, ink, 0.7)
-    face = bar(0.0185, 0.015, 0.0005, (0, 0, 0.0182))
+    face = at_box(0.0185, 0.015, 0.0005, (0, 0, 0.0182))
     pins = pins_at(
         [(-0.007, 0), (-0.007, 0.006), (-0.007, -0.006), (0.007, 0.005), (0.007, -0.005)], 0.004
     )
@@ -43,10 +44,10 @@ def transformer(look: Look) -> Shape:
     """A small transformer: laminated iron round a taped coil, with mounting ears."""
     color = look.color("yellow", "amber", "red", "blue")
     k = look.between(0.85, 1.25)
-    core = [bar(0.056, 0.022, 0.01, (0, 0, z)) for z in (0.0, 0.038)]
-    core += [bar(0.01, 0.022, 0.048, (x, 0, 0)) for x in (-0.023, 0.023)]
+    core = [at_box(0.056, 0.022, 0.01, (0, 0, z)) for z in (0.0, 0.038)]
+    core += [at_box(0.01, 0.022, 0.048, (x, 0, 0)) for x in (-0.023, 0.023)]
     coil = block(0.034, 0.042, 0.029, 0.008, 0.002).move(z=0.0095)
-    ears = [bar(0.016, 0.022, 0.0016, (s * 0.035, 0, 0)) for s in (-1, 1)]
+    ears = [at_box(0.016, 0.022, 0.0016, (s * 0.035, 0, 0)) for s in (-1, 1)]
     wires = [
         rod([(x, -0.02, 0.03), (1.4 * x, -0.034, 0.03), (1.6 * x, -0.045, 0.003)], 0.0014, 6)
         for x in (-0.012, 0.0, 0.012)
@@ -103,14 +104,14 @@ def transistor(look: Look) -> Shape:
     big = look.chance(0.5)
     k = look.between(0.9, 1.6)
     if big:
-        body = bar(0.01, 0.0095, 0.0045, (0.0, 0, 0))
-        tab = cut(rectangle(0.0065, 0.01, 0.0004), 0.0013, (0.008, 0, 0))
-        hole = disc(0.0019, 0.0003, (0.0085, 0, 0.0012), fine=12)
-        legs = [bar(0.013, 0.001, 0.0006, (-0.0112, y, 0.0012)) for y in (-0.0025, 0, 0.0025)]
+        body = at_box(0.01, 0.0095, 0.0045, (0.0, 0, 0))
+        tab = plate(rectangle(0.0065, 0.01, 0.0004), 0.0013, at=(0.008, 0, 0))
+        hole = drum(0.0019, 0.0003, (0.0085, 0, 0.0012), sides=12)
+        legs = [at_box(0.013, 0.001, 0.0006, (-0.0112, y, 0.0012)) for y in (-0.0025, 0, 0.0025)]
     else:
-        body = disc(0.0026, 0.005, (-0.0025, 0, 0.0024), 0, fine=14)
-        tab = bar(0.005, 0.005, 0.0012, (0, 0, 0))
-        hole = bar(0.0002, 0.0002, 0.0003, (0, 0, 0.0005))
+        body = drum(0.0026, 0.005, (-0.0025, 0, 0.0024), 0, sides=14)
+        tab = at_box(0.005, 0.005, 0.0012, (0, 0, 0))
+        hole = at_box(0.0002, 0.0002, 0.0003, (0, 0, 0.0005))
         legs = [
             straight((-0.0022, 0, 0.002), (-0.016, y, 0.0005), 0.0004, 5)
             for y in (-0.0025, 0, 0.0025)
@@ -133,14 +134,14 @@ def fuse(look: Look) -> Shape:
     """A glass fuse lying: two metal caps and a fine wire between."""
     color = look.color("clear", "white", "sky", "amber")
     k = look.between(0.9, 1.6)
-    glass = disc(0.0026, 0.014, (-0.007, 0, 0.003), 0, fine=16)
+    glass = drum(0.0026, 0.014, (-0.007, 0, 0.003), 0, sides=16)
     wire = straight((-0.007, -0.0004, 0.0056), (0.007, 0.0004, 0.0056), 0.0002, 5)
-    caps = [disc(0.003, 0.0055, (x, 0, 0.003), 0, fine=16) for x in (-0.0105, 0.005)]
+    caps = [drum(0.003, 0.0055, (x, 0, 0.003), 0, sides=16) for x in (-0.0105, 0.005)]
     return put_down(
         [
             (glass, plain(color)),
             (wire, plain((110, 90, 60))),
-            (join(caps), steel(look, look.pick([STEEL, BRASS]))),
+            (join(caps), steel(look, look.pick([STEEL_TONE, BRASS_TONE]))),
         ],
         join([glass, *caps]),
         factor=k,
@@ -152,15 +153,19 @@ def valve_tube(look: Look) -> Shape:
     """A radio valve standing: a glass bulb with metal plates on a base with pins."""
     color = look.color("black", "brown", "cream", "silver")
     k = look.between(0.9, 1.25)
-    base = disc(0.0145, 0.016, (0, 0, 0.008), fine=24, bevel=0.001)
+    base = drum(0.0145, 0.016, (0, 0, 0.008), sides=24, bevel=0.001)
     pins = [
-        disc(0.0014, 0.009, (0.009 * np.cos(a), 0.009 * np.sin(a), 0), fine=8)
+        drum(0.0014, 0.009, (0.009 * np.cos(a), 0.009 * np.sin(a), 0), sides=8)
         for a in np.arange(8) * np.pi / 4
     ]
-    bulb = turned(
-        [(0.013, 0), (0.0145, 0.01), (0.0145, 0.042), (0.011, 0.054), (0.003, 0.059)],
-        (0, 0, 0.023),
-        26,
+    bulb = standing(
+        (0.013, 0),
+        (0.0145, 0.01),
+        (0.0145, 0.042),
+        (0.011, 0.054),
+        (0.003, 0.059),
+        at=(0, 0, 0.023),
+        sides=26,
     )
     bands = textures.stack(
         (plain((196, 212, 214)), 0.24),
@@ -169,10 +174,10 @@ def valve_tube(look: Look) -> Shape:
         (steel(look, (206, 208, 214)), 0.26),
     )
     plates = [
-        bar(0.012, 0.003, 0.026, (0, -0.0135, 0.034)),
-        bar(0.003, 0.006, 0.034, (0, -0.0137, 0.03)),
+        at_box(0.012, 0.003, 0.026, (0, -0.0135, 0.034)),
+        at_box(0.003, 0.006, 0.034, (0, -0.0137, 0.03)),
     ]
-    tip = disc(0.0015, 0.004, (0, 0, 0.081), top=0.0004, fine=8)
+    tip = drum(0.0015, 0.004, (0, 0, 0.081), top=0.0004, sides=8)
     return put_down(
         [
             (base, look.surface(color, "plastic")),

@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import at_box, drum, lies, plate, standing, steel
 from ...build.recipes import put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, disc, lies, plain, steel, turned
 from ...build.solids import join, torus
 from ...surfaces import prints
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def coin_cell(look: Look) -> Shape:
@@ -19,8 +20,8 @@ def coin_cell(look: Look) -> Shape:
     color = look.color("silver", "gray", "gold")
     r = look.between(0.0055, 0.0115)
     h = look.between(0.2, 0.42) * r
-    body = disc(r, h, fine=28, bevel=0.12 * h)
-    face = disc(0.86 * r, 0.0004, (0, 0, h - 0.00015), fine=28)
+    body = drum(r, h, sides=28, bevel=0.12 * h)
+    face = drum(0.86 * r, 0.0004, (0, 0, h - 0.00015), sides=28)
     image = prints.canvas(96, 96, color)
     ink = tint_color(color, 0.6)
     prints.write(
@@ -36,7 +37,7 @@ def crocodile_clip(look: Look) -> Shape:
     k = look.between(0.9, 1.5)
     teeth = [(0.016 - 0.002 * n, 0.0002 + 0.0009 * (n % 2)) for n in range(7)]
     rim = np.array([(0, 0), (0.004, 0.0028), (0.018, 0.0022), (0.021, 0), (0.018, 0.0005), *teeth])
-    upper, lower = (cut(rim * [1, s] + [0, s * 0.0003], 0.0045) for s in (1, -1))
+    upper, lower = (plate(rim * [1, s] + [0, s * 0.0003], 0.0045) for s in (1, -1))
     sleeve = rod(
         [(-0.026, 0, 0.0042), (-0.012, 0, 0.0045), (0.004, 0, 0.0045)], [0.0032, 0.0046, 0.0048], 10
     )
@@ -58,15 +59,15 @@ def banana_plug(look: Look) -> Shape:
     """A banana plug lying: a coloured grip and a sprung tip."""
     color = look.color("red", "black", "yellow", "green", "blue")
     k = look.between(0.9, 1.4)
-    grip = disc(0.0048, 0.026, (-0.026, 0, 0.0055), 0, fine=16, bevel=0.001)
+    grip = drum(0.0048, 0.026, (-0.026, 0, 0.0055), 0, sides=16, bevel=0.001)
     ribs = [
         torus(0.0048, 0.0006, 16, 5).turn(1, np.pi / 2).move(-0.022 + 0.004 * n, 0, 0.0055)
         for n in range(4)
     ]
-    collar = disc(0.0056, 0.004, (-0.002, 0, 0.0055), 0, fine=16)
+    collar = drum(0.0056, 0.004, (-0.002, 0, 0.0055), 0, sides=16)
     tip = lies(
-        turned(
-            [(0.002, 0), (0.0024, 0.004), (0.003, 0.01), (0.0022, 0.017), (0.001, 0.019)], fine=14
+        standing(
+            (0.002, 0), (0.0024, 0.004), (0.003, 0.01), (0.0022, 0.017), (0.001, 0.019), sides=14
         ),
         0.0,
         0,
@@ -86,14 +87,14 @@ def battery_holder(look: Look) -> Shape:
     """A plastic tray for round cells, with springs and two wires."""
     color = look.color("black", "charcoal", "white")
     k = look.between(0.9, 1.1)
-    base = bar(0.062, 0.034, 0.002)
-    walls = [bar(0.062, 0.002, 0.013, (0, s * 0.016, 0)) for s in (-1, 1)] + [
-        bar(0.002, 0.034, 0.014, (s * 0.03, 0, 0)) for s in (-1, 1)
+    base = at_box(0.062, 0.034, 0.002)
+    walls = [at_box(0.062, 0.002, 0.013, (0, s * 0.016, 0)) for s in (-1, 1)] + [
+        at_box(0.002, 0.034, 0.014, (s * 0.03, 0, 0)) for s in (-1, 1)
     ]
-    rib = bar(0.058, 0.0015, 0.006, (0, 0, 0.0015))
+    rib = at_box(0.058, 0.0015, 0.006, (0, 0, 0.0015))
     coils = [
-        disc(0.004, 0.006, (-0.029, 0.008, 0.0075), 0, top=0.002, fine=12),
-        disc(0.004, 0.006, (0.023, -0.008, 0.0075), 0, fine=12),
+        drum(0.004, 0.006, (-0.029, 0.008, 0.0075), 0, top=0.002, sides=12),
+        drum(0.004, 0.006, (0.023, -0.008, 0.0075), 0, sides=12),
     ]
     wires = [
         rod([(0.03, y, 0.006), (0.045, y + 0.002, 0.003), (0.065, y - 0.006, 0.0013)], 0.0012, 6)

@@ -5,22 +5,23 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, at_box, drum, lies, plate, standing, steel
 from ...build.outlines import rectangle
 from ...build.recipes import put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import BRASS, bar, cut, disc, lies, plain, steel, turned
 from ...build.solids import block, join, torus
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def whetstone(look: Look) -> Shape:
     """A sharpening stone of two grits, on a wooden or rubber foot."""
     color = look.color("gray", "terracotta", "white", "charcoal", "sage")
     k = look.between(0.85, 1.1)
-    low = bar(0.17, 0.06, 0.012, (0, 0, 0.012))
-    top = bar(0.17, 0.06, 0.012, (0, 0, 0.0235))
+    low = at_box(0.17, 0.06, 0.012, (0, 0, 0.012))
+    top = at_box(0.17, 0.06, 0.012, (0, 0, 0.0235))
     foot = block(0.2, 0.075, 0.016, 0.006, 0.002)
     wood = textures.wood(look.rng, (200, 164, 112)) if look.chance(0.5) else plain((60, 62, 66))
     return put_down(
@@ -40,14 +41,14 @@ def awl(look: Look) -> Shape:
     color = look.color("wooden", "red", "brown", "black", "tan")
     k = look.between(0.85, 1.2)
     handle = lies(
-        turned(
-            [(0.006, 0), (0.0145, 0.012), (0.0165, 0.03), (0.011, 0.06), (0.008, 0.07)], fine=18
+        standing(
+            (0.006, 0), (0.0145, 0.012), (0.0165, 0.03), (0.011, 0.06), (0.008, 0.07), sides=18
         ),
         -0.07,
         0,
         0.0155,
     )
-    collar = disc(0.0078, 0.012, (-0.002, 0, 0.0155), 0, fine=14)
+    collar = drum(0.0078, 0.012, (-0.002, 0, 0.0155), 0, sides=14)
     spike = straight((0.008, 0, 0.0155), (0.085, 0, 0.0155), [0.0034, 0.0004], 10)
     spike = spike.bend(
         lambda p: np.column_stack(
@@ -55,7 +56,11 @@ def awl(look: Look) -> Shape:
         )
     )
     return put_down(
-        [(handle, look.surface(color, "wood")), (collar, steel(look, BRASS)), (spike, steel(look))],
+        [
+            (handle, look.surface(color, "wood")),
+            (collar, steel(look, BRASS_TONE)),
+            (spike, steel(look)),
+        ],
         handle,
         spike,
         factor=k,
@@ -68,14 +73,14 @@ def punch(look: Look) -> Shape:
     color = look.color("silver", "charcoal", "black", "bronze")
     k = look.between(0.85, 1.2)
     bar_ = lies(
-        turned(
-            [(0.004, 0), (0.0065, 0.004), (0.0065, 0.08), (0.0022, 0.115), (0.0008, 0.12)], fine=14
+        standing(
+            (0.004, 0), (0.0065, 0.004), (0.0065, 0.08), (0.0022, 0.115), (0.0008, 0.12), sides=14
         ),
         -0.06,
         0,
         0.0062,
     )
-    grip = disc(0.0068, 0.045, (-0.036, 0, 0.0062), 0, fine=16)
+    grip = drum(0.0068, 0.045, (-0.036, 0, 0.0062), 0, sides=16)
     knurl = textures.grid((70, 72, 76), (140, 144, 150), 14, 14, 64, 2)
     return put_down([(bar_, steel(look, color)), (grip, knurl)], bar_, grip, factor=k, foot=0.35)
 
@@ -84,16 +89,19 @@ def folding_knife(look: Look) -> Shape:
     """A pocket knife lying, its blade and tools half out."""
     color = look.color("red", "red", "black", "wooden", "green", "blue")
     k = look.between(0.85, 1.15)
-    scales = [cut(rectangle(0.09, 0.026, 0.0125, 6), 0.004, (0, 0, z), 0.001) for z in (0.0, 0.012)]
-    liner = cut(rectangle(0.087, 0.024, 0.0118, 6), 0.009, (0, 0, 0.0035))
-    blade = cut(
+    scales = [
+        plate(rectangle(0.09, 0.026, 0.0125, 6), 0.004, at=(0, 0, z), bevel=0.001)
+        for z in (0.0, 0.012)
+    ]
+    liner = plate(rectangle(0.087, 0.024, 0.0118, 6), 0.009, at=(0, 0, 0.0035))
+    blade = plate(
         [(0, -0.0065), (0.055, -0.006), (0.068, 0.002), (0.05, 0.0065), (0, 0.0065)],
         0.002,
-        (0, 0, 0.0035),
+        at=(0, 0, 0.0035),
     )
     blade = blade.turn(2, look.between(0.3, 0.9)).move(0.037, 0.004, 0)
-    short = cut(
-        [(0, -0.005), (0.03, -0.004), (0.036, 0.003), (0, 0.005)], 0.002, (0, 0, 0.0085)
+    short = plate(
+        [(0, -0.005), (0.03, -0.004), (0.036, 0.003), (0, 0.005)], 0.002, at=(0, 0, 0.0085)
     ).turn(2, np.pi - 0.7)
     short = short.move(-0.037, 0.004, 0)
     screw = rod(
@@ -107,8 +115,8 @@ def folding_knife(look: Look) -> Shape:
         6,
     )
     cross = [
-        bar(0.012, 0.0035, 0.0008, (0.015, 0, 0.0156)),
-        bar(0.0035, 0.012, 0.0008, (0.015, 0, 0.0156)),
+        at_box(0.012, 0.0035, 0.0008, (0.015, 0, 0.0156)),
+        at_box(0.0035, 0.012, 0.0008, (0.015, 0, 0.0156)),
     ]
     ring = torus(0.005, 0.0009, 14, 5).move(-0.049, 0, 0.008)
     return put_down(
@@ -129,22 +137,22 @@ def multitool(look: Look) -> Shape:
     color = look.color("silver", "black", "charcoal", "green")
     k = look.between(0.85, 1.15)
     handles = [
-        cut(rectangle(0.1, 0.016, 0.006), 0.015, (-0.048, 0, 0), 0.002)
+        plate(rectangle(0.1, 0.016, 0.006), 0.015, at=(-0.048, 0, 0), bevel=0.002)
         .turn(2, s * 0.24)
         .move(0.0, s * -0.006, 0)
         for s in (-1, 1)
     ]
     jaws = [
-        cut(
+        plate(
             [(0, 0), (0.005, s * 0.011), (0.03, s * 0.009), (0.058, s * 0.002), (0.058, 0)],
             0.008,
-            (0, s * 0.001, 0.0035),
+            at=(0, s * 0.001, 0.0035),
         )
         for s in (-1, 1)
     ]
-    pivot = disc(0.006, 0.014, (0.004, 0, 0.001))
+    pivot = drum(0.006, 0.014, (0.004, 0, 0.001))
     blade = (
-        cut([(0, -0.005), (0.05, -0.004), (0.06, 0.002), (0, 0.005)], 0.002, (0, 0, 0.006))
+        plate([(0, -0.005), (0.05, -0.004), (0.06, 0.002), (0, 0.005)], 0.002, at=(0, 0, 0.006))
         .turn(2, 2.2)
         .move(-0.09, -0.03, 0)
     )

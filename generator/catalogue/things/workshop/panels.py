@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, DARK, at_box, drum, steel
 from ...build.recipes import put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import BRASS, DARK, bar, disc, plain, steel
 from ...build.solids import block, join
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 from .coils import pins_at
 
 
@@ -19,7 +20,10 @@ def solar_panel(look: Look) -> Shape:
     """A small solar panel lying, with two wires."""
     color = look.color("navy", "black", "blue")
     x, y = look.between(0.09, 0.15), look.between(0.07, 0.1)
-    base, face = block(x, y, 0.004, 0.003, 0.0008), bar(0.95 * x, 0.94 * y, 0.0008, (0, 0, 0.0037))
+    base, face = (
+        block(x, y, 0.004, 0.003, 0.0008),
+        at_box(0.95 * x, 0.94 * y, 0.0008, (0, 0, 0.0037)),
+    )
     cells = textures.grid((196, 204, 214), color, 4, int(look.pick([4, 6])), 160, 3)
     fine = cells.copy()
     fine[::10] = np.clip(fine[::10].astype(int) + 26, 0, 255)
@@ -84,7 +88,7 @@ def segment_display(look: Look) -> Shape:
                 image, (d + u) / n, v, w / n, h, tint_color(color, 1.25) if name in lit else dim
             )
         prints.disc(image, (d + 0.88) / n, 0.85, 0.05, dim)
-    face = bar(0.98 * x, 0.0235, 0.0006, (0, 0, 0.0127))
+    face = at_box(0.98 * x, 0.0235, 0.0006, (0, 0, 0.0127))
     pins = pins_at(
         [(u, s * 0.009) for u in np.linspace(-0.4 * x, 0.4 * x, 5) for s in (-1, 1)], 0.004, 0.0008
     )
@@ -106,9 +110,9 @@ def lcd_module(look: Look) -> Shape:
     k = look.between(0.9, 1.15)
     board, frame = (
         block(0.08, 0.036, 0.0016, 0.001).move(z=0.004),
-        bar(0.071, 0.026, 0.007, (0, 0, 0.0052)),
+        at_box(0.071, 0.026, 0.007, (0, 0, 0.0052)),
     )
-    glass = bar(0.064, 0.0155, 0.0006, (0, 0, 0.0119))
+    glass = at_box(0.064, 0.0155, 0.0006, (0, 0, 0.0119))
     image = prints.canvas(192, 48, color)
     ink = (240, 246, 255) if sum(color) < 340 else (40, 56, 30)
     prints.write(
@@ -117,9 +121,9 @@ def lcd_module(look: Look) -> Shape:
     prints.write(
         image, look.pick(["TABLETOP", "VOLTS 4.97", "> START", "OK"]), 0.5, 0.72, 0.34, ink
     )
-    pads = [disc(0.0009, 0.0004, (-0.036 + 0.0025 * n, 0.0158, 0.0055), fine=8) for n in range(16)]
+    pads = [drum(0.0009, 0.0004, (-0.036 + 0.0025 * n, 0.0158, 0.0055), sides=8) for n in range(16)]
     posts = [
-        disc(0.003, 0.0045, (sx * 0.036, sy * 0.0145, 0), fine=10)
+        drum(0.003, 0.0045, (sx * 0.036, sy * 0.0145, 0), sides=10)
         for sx in (-1, 1)
         for sy in (-1, 1)
     ]
@@ -128,7 +132,7 @@ def lcd_module(look: Look) -> Shape:
             (join([board, *posts]), plain((40, 110, 70))),
             (frame, plain(DARK)),
             (glass, image),
-            (join(pads), plain(BRASS)),
+            (join(pads), plain(BRASS_TONE)),
         ],
         board,
         frame,
