@@ -59,8 +59,10 @@ def cocktail_pick(look: Look) -> Shape:
         )
         pieces.append((flag.move(long / 2 - 0.004, 0, r + 0.0015), look.surface(color, "paper")))
     made = settle(pieces, 0.02)
-    z = float(np.concatenate([p.solid.vertices for p in made.pieces])[:, 2].max())
-    return Shape(made.pieces, (box_part(0.9 * long, 0.005, 0.8 * z),))
+    points = np.concatenate([p.solid.vertices for p in made.pieces])
+    x, y, z = (float(side) for side in np.ptp(points, axis=0) * [0.9, 0.9, 0.8])
+    middle = float(points[:, 1].min() + points[:, 1].max()) / 2
+    return Shape(made.pieces, (box_part(x, y, z, (0, middle, 0)),))
 
 
 def _twin_blade(look: Look, color: RGB, z: float) -> Pieces:
