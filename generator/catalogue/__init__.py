@@ -4,7 +4,7 @@
 """
 
 from .build.category import Category
-from .opening import cut_category, open_category
+from .opening import cut_category, is_lit, open_category
 from .registry import CATEGORIES, build, category
 from .tables import build_table
 
@@ -15,5 +15,6 @@ __all__ = [
     "build_table",
     "category",
     "cut_category",
+    "is_lit",
     "open_category",
 ]

@@ -27,12 +27,18 @@ OPENED: Mapping[str, str] = MappingProxyType(
             "empty_wine_rack": "wine_rack",
             "empty_knife_block": "knife_block",
             "empty_tube_rack": "test_tube_rack tube_stand",
+            "empty_candlestick": "candlestick",
+            "empty_candelabra": "candelabra menorah",
         }.items()
         for closed in kinds.split()
     }
 )
 """Categories that are closed or full, and the open or empty one that things can be put into."""
 
+_PLANTS = (
+    "seedling cactus succulent rose tulip daisy sunflower lily herb_pot potted_plant fern ivy "
+    "lavender orchid"
+)
 _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
     {
         (word, kind): holder
@@ -44,9 +50,9 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
             (
                 "flower pot",
                 "plant_pot",
-                "seedling cactus succulent rose tulip daisy sunflower lily",
+                _PLANTS,
             ),
-            ("pot", "plant_pot", "seedling cactus succulent rose tulip daisy sunflower lily"),
+            ("pot", "plant_pot", _PLANTS),
         )
         for kind in kinds.split()
     }
@@ -54,6 +60,12 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
 """A bare word and what is put there, and the category that the word then means."""
 
 
+_POTTED = frozenset(
+    ["cactus", "succulent", "herb_pot", "potted_plant", "fern", "ivy", "aloe", "lavender",
+     "plant", "basil", "mint", "orchid", "snake_plant", "spider_plant"]
+)  # fmt: skip
+_CANDLES = frozenset({"candle", "taper_candle", "long_candle"})
+_SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
 _FLOWERS = ("rose", "tulip", "daisy", "carnation")
 
 
@@ -66,7 +78,16 @@ def cut_category(category: str, vessel: str, number: int) -> str:
         if category == "vase":  # the catalogue's word for flowers
             return _FLOWERS[number % len(_FLOWERS)]
         return "posy" if category == "bouquet" else category
+    if category in _POTTED and open_category(vessel) == "plant_pot":
+        return "bare_cactus" if category == "cactus" else "seedling"
+    if is_lit(category, vessel):
+        return "long_candle"
     return category
+
+
+def is_lit(category: str, vessel: str) -> bool:
+    """Tell whether a thing is a candle, and the other one has a socket for it."""
+    return category in _CANDLES and open_category(vessel) in _SOCKETS
 
 
 def open_category(category: str, noun: str = "", contents: str = "") -> str:

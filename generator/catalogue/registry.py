@@ -144,7 +144,7 @@ from .things.office import (
     writing,
 )
 from .things.orchestra import beats, bellows, stagegear, strings, winds
-from .things.parlour import keepers, slotted
+from .things.parlour import candleholders, keepers, slotted
 from .things.pastimes import (
     bicycle,
     cycling,
@@ -172,7 +172,7 @@ from .things.scullery import (
     teaware,
     urns,
 )
-from .things.sewing import cloths, notions
+from .things.sewing import cloths, notions, spreads
 from .things.shapes import polyhedra as shapes_polyhedra
 from .things.spooky import creatures, graveyard, props, remains
 from .things.sports import balls, sports, sportsgear
@@ -212,24 +212,25 @@ _ON_REQUEST = (
     gadgetry, ovenware, teatime, storage, paperware, bags, footwear, garments, trinkets, finds,
     flowers, gardening, greenery, posies, candlelight, characters, christmas, party, seasons,
     cloths, notions, bath, hair, makeup, shaving, toiletries, animals, baby, dinosaurs, play,
-    vehicles, chores, pets, open_vessels, slotted, machines, mixing, jars, gamepieces, balls,
-    percussion, players, components, desktop, stands, cutters, fittings, apparatus, surgery, cards,
-    papers, keepers, holders, stems, sprigs, loaves, buns, cakes, cheeses, shore, hot, packets,
-    shopfront, creatures, props, garlands, yuletide, cardtable, gear, morsels, fireside, lamps,
-    biscuits, catch, sweetmeats, tins, slips, remains, graveyard, hangings, partyware, levant,
-    switches, service, headwear, dressup, globes, pods, cuts, halves, leaves, heaps, chessmen,
-    polyhedra, boards, tabletop, casino, luck, critters, reptiles, petcare, pettoys, aquarium,
-    petfood, foliage, implements, scrapers, electrics, makers, fountains, contraptions, moulders,
-    urns, teaware, candies, gums, desserts, savouries, mexican, japanese, tubs, fiesta, ceremony,
-    stationery, eastertide, refreshment, barware, picks, relics, stones, insects, bicycle, cycling,
-    fishing, papercraft, trimmings, skates, exercise, pitch, space, skill, rubbish, hats, satchels,
-    shoecare, underwear, vests, controls, coils, panels, connectors, gauges, edges, cleaning,
-    fixtures, plumbing, robots, broadcast, oddments, shapes_polyhedra, fossils, gems, specimens,
-    altar, statues, tomes, beats, strings, winds, car, engine, documents, money, curios, novelties,
-    fixings, labware, observatory, aids, armoury, studio, powertools, cockpit, gearing, charts,
-    amusements, dwellings, shopfigures, showpieces, signage, catches, sawblades, anatomy, classroom,
-    science_gauges, dentistry, sickroom, sorcery, stationer, washday, chapel_relics, bellows,
-    stagegear, collection_contraptions, grinders, plugs, distilling, skymodels,
+    vehicles, chores, pets, open_vessels, slotted, candleholders, spreads, machines, mixing, jars,
+    gamepieces, balls, percussion, players, components, desktop, stands, cutters, fittings,
+    apparatus, surgery, cards, papers, keepers, holders, stems, sprigs, loaves, buns, cakes,
+    cheeses, shore, hot, packets, shopfront, creatures, props, garlands, yuletide, cardtable, gear,
+    morsels, fireside, lamps, biscuits, catch, sweetmeats, tins, slips, remains, graveyard,
+    hangings, partyware, levant, switches, service, headwear, dressup, globes, pods, cuts, halves,
+    leaves, heaps, chessmen, polyhedra, boards, tabletop, casino, luck, critters, reptiles, petcare,
+    pettoys, aquarium, petfood, foliage, implements, scrapers, electrics, makers, fountains,
+    contraptions, moulders, urns, teaware, candies, gums, desserts, savouries, mexican, japanese,
+    tubs, fiesta, ceremony, stationery, eastertide, refreshment, barware, picks, relics, stones,
+    insects, bicycle, cycling, fishing, papercraft, trimmings, skates, exercise, pitch, space,
+    skill, rubbish, hats, satchels, shoecare, underwear, vests, controls, coils, panels, connectors,
+    gauges, edges, cleaning, fixtures, plumbing, robots, broadcast, oddments, shapes_polyhedra,
+    fossils, gems, specimens, altar, statues, tomes, beats, strings, winds, car, engine, documents,
+    money, curios, novelties, fixings, labware, observatory, aids, armoury, studio, powertools,
+    cockpit, gearing, charts, amusements, dwellings, shopfigures, showpieces, signage, catches,
+    sawblades, anatomy, classroom, science_gauges, dentistry, sickroom, sorcery, stationer, washday,
+    chapel_relics, bellows, stagegear, collection_contraptions, grinders, plugs, distilling,
+    skymodels,
 )  # fmt: skip
 
 FURNISHING = frozenset(c.key for module in _DRAWN_BY_THEME for c in module.CATEGORIES)

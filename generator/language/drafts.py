@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..catalogue import CATEGORIES, open_category
+from ..catalogue import CATEGORIES, cut_category, is_lit, open_category
 from ..errors import InputError
 from ..scene import GroupKind
 from .relations import body_size, fits, is_shallow
@@ -162,10 +162,12 @@ def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
     if owner.category is None:
         return "in" if held else "next_to"
+    if is_lit(draft.category or "", owner.category):
+        return "in"
     outer = CATEGORIES[open_category(owner.category, owner.noun, draft.category or "")]
     if draft.category is None:
         return "next_to" if not held else "in" if outer.container else "on"
-    inner = body_size(draft.category)
+    inner = body_size(cut_category(draft.category, outer.key, 0))
     if outer.holder is not None and outer.holder.takes(CATEGORIES[draft.category].size):
         return "in"
     open_to = held or min(inner) < 0.06 or outer.key in _CARRIERS

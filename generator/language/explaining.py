@@ -12,7 +12,17 @@ from ..catalogue import CATEGORIES
 from .parsing.vocabulary import SIZES
 from .planner import plan_scene
 from .reading import read_text
-from .syntax.phrases.tree import Arranged, Carry, Description, Lack, Location, Noun, Post, Zone
+from .syntax.phrases.tree import (
+    Arranged,
+    Carry,
+    Counted,
+    Description,
+    Lack,
+    Location,
+    Noun,
+    Post,
+    Zone,
+)
 
 Role = Literal[
     "thing", "count", "attribute", "relation", "arrangement", "place", "table", "style",
@@ -121,6 +131,8 @@ def _post(post: Post, subject: str, text: str) -> Iterator[Explained]:
             yield Explained("absent", " ".join(item.words), f"of {subject}")
     elif isinstance(post, Arranged):
         yield Explained("arrangement", post.kind, f"of {subject}")
+    elif isinstance(post, Counted):
+        yield Explained("count", f"{post.count:g}", f"of {subject}")
     else:
         yield from _description(post, subject)
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import CATEGORIES, cut_category, open_category
+from ..catalogue import CATEGORIES, cut_category, is_lit, open_category
 from ..scene import PlannedObject
 from . import relations
 
@@ -80,6 +80,7 @@ def holds_things(category: str) -> bool:
 
 def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     """Return the objects, vessels and racks that something is in open and empty."""
+    objects = _seat_candles(objects)
     names = {o.name: o for o in objects}
     inside: dict[str, list[PlannedObject]] = {}
     for planned in objects:
@@ -89,13 +90,27 @@ def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     changed: dict[str, PlannedObject] = {}
     for name, held in inside.items():
         target = names[name]
+        vessel = open_category(target.category, target.noun, held[0].category)
         for k, thing in enumerate(held):
-            kind = cut_category(thing.category, target.category, k)
+            kind = cut_category(thing.category, vessel, k)
             changed[thing.name] = replace(thing, category=kind)
     for name, held in inside.items():
         kind = open_category(names[name].category, names[name].noun, held[0].category)
         changed[name] = replace(changed.get(name, names[name]), category=kind)
     return [changed.get(o.name, o) for o in objects]
+
+
+def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, candles "on" candlesticks in their sockets."""
+    kinds = {o.name: o.category for o in objects}
+    return [
+        replace(o, relations=tuple(
+            replace(r, kind="in")
+            if r.kind == "on" and is_lit(o.category, kinds.get(r.target, "")) else r
+            for r in o.relations
+        ))
+        for o in objects
+    ]  # fmt: skip
 
 
 def _grow(

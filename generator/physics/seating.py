@@ -136,8 +136,8 @@ def _seat(
         top, fall = rim - lowest(thing) + 0.002, highest(support) - lowest(support)
         if thing.placement.inside and not offset.any():
             simulation.positions[index] = thing.pose.position
-            if _depth(simulation, index, present) <= TOLERANCE:
-                top = min(top, float(thing.pose.position[2]))
+            if _depth(simulation, index, present) <= TOLERANCE:  # it touches what it stands on
+                top = min(top, float(thing.pose.position[2]) + TOLERANCE + 1e-5)
         z = _lower(simulation, index, present, xy, top, fall)
         if z is None:
             continue

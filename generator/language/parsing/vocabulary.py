@@ -331,6 +331,8 @@ SYNONYMS = _pairs(
     dish soap: washing liquid, washing up liquid
     kitchen scale: scale, scales, digital scale, weighing scale
     bread roll: roll
+    sticky notes: pad of sticky notes, block of sticky notes, pad of post its
+    place card: label card, name card, info card
     baseball cap: cap
     spatula: turner
     rolling pin: roller

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from ...catalogue import is_lit
 from ..drafts import Draft, Group, assumed_relation
 from ..sizing import holds_things
 from ..syntax.phrases.tree import (
@@ -57,6 +58,14 @@ class CarryReader(ThingReader, ABC):
                     p for p in items[-1].post if p not in moved]))  # fmt: skip
             each = post.each or post.how == "hold" or (noun is not None and noun.each)
             each = each and not (isinstance(owner, list) and _is_pile(owner))
+            lit = isinstance(owner, list) and any(
+                is_lit(item.category or "", owner[0].category or "") for item in items
+            )  # "three candlesticks with candles"
+            if isinstance(owner, list) and len(owner) > 1 and lit:
+                items = tuple(
+                    replace(item, count=float(len(owner))) if item.count is None else item
+                    for item in items
+                )
             if isinstance(owner, list) and len(owner) > 1 and each:
                 items = tuple(_times(item, len(owner)) for item in items)
             groups = self._list(items, owner)

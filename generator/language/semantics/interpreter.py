@@ -89,8 +89,9 @@ class Interpreter(ListInterpreter):
         if isinstance(post, Location) and len(things) > 1:
             everything = [draft for group in things for draft in group]
             target = self._resolve(post, everything)
-            for group in things if target is not None else ():
-                self._attach(post, target, group)
+            for group in things:
+                if target is not None:
+                    self._attach(post, target, group)
             return
         for group in things:
             self._post(post, group, None)
@@ -184,7 +185,7 @@ class Interpreter(ListInterpreter):
             if target is not None:
                 self._attach(post, target, group)
                 for draft in group:
-                    draft.placed = True
+                    draft.placed = draft.placed or post.kind not in ("on", "in")
         elif isinstance(post, Carry):
             if post.back != "between":
                 self._carry(post, group, noun)

@@ -30,7 +30,7 @@ class ListInterpreter(CarryReader, ABC):
             if group == TABLE and place.kind in ("on", "in"):
                 raise TURNED
             own = isinstance(group, list) and group[0].placed
-            if isinstance(group, list) and not own:
+            if isinstance(group, list) and not (own or _is_on_placed(group[0])):
                 self._attach(place, targets, group)
 
     def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
@@ -133,3 +133,10 @@ class ListInterpreter(CarryReader, ABC):
 def is_supported(draft: Draft) -> bool:
     """Tell whether a thing is on or in another one."""
     return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
+
+
+def _is_on_placed(draft: Draft) -> bool:
+    """Tell whether what carries a thing has a place of its own already."""
+    return any(
+        kind in ("on", "in") and isinstance(to, Draft) and to.placed for kind, to in draft.relations
+    )

@@ -110,12 +110,15 @@ class Relater:
             laid[:] = [g for g in laid if g.kind != "circle" or not {*g.members} <= {*ring}]
             laid.append(Grouping("circle", tuple(ring), around=inner[0]))
             link("next_to", ring, inner[:1], self.reading.warnings)
+        elif kind == "between" and len(group) > 1 and (ends := _ends_of(target)):
+            row = (ends[0], *group, ends[1])
+            laid = self.reading.groupings
+            laid[:] = [g for g in laid if not {*g.members} <= {*row}]
+            laid.append(Grouping("row", row))
+            link("next_to", group[:1], ends[:1], self.reading.warnings)
+            link("next_to", group[-1:], ends[1:], self.reading.warnings)
         else:
             link(kind, group, target, self.reading.warnings)
-            ends = [draft for draft in target if not draft.relations]
-            if kind == "between" and len(ends) == 2 and len(group) > 1:
-                row = (ends[0], *group, ends[1])
-                self.reading.groupings.append(Grouping("row", row))
         context.parallel = target
 
     def _drop_assumed(self, group: Group, target: Group) -> None:
@@ -256,3 +259,9 @@ def _bottom(draft: Draft) -> Draft:
         if kind in ("on", "in") and isinstance(to, Draft) and to is not draft and not to.placed:
             return to
     return draft
+
+
+def _ends_of(targets: Group) -> Group:
+    """Return the two things that several others are between, if both are still free to move."""
+    free = [draft for draft in targets if not draft.relations]
+    return free if len(free) == 2 else []

@@ -44,11 +44,19 @@ def correct(
         rare = {w.text for w in words if _is_rare(w, known)} - {*found}
         found |= {word: best for word in sorted(rare) if (best := _nearest(word, words, 1, set()))}
     found = {word: best for word, best in found.items() if best != word}
+    following = [*words[1:], None]
+    words = [
+        replace(w, text="and") if w.text == "an" and n is not None and n.text in _AFTER_AND else w
+        for w, n in zip(words, following, strict=True)
+    ]
     out: list[Word] = []
     for word in words:
         parts = found.get(word.text, word.text).split() if word.kind == "word" else [word.text]
         out += [replace(word, text=part) for part in parts]
     return tuple(out), found
+
+
+_AFTER_AND = frozenset(["a", "an", "the", "two", "three", "some"])
 
 
 def _is_strange(word: Word, known: Collection[str]) -> bool:
@@ -102,7 +110,8 @@ def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> 
     for candidate in _candidates():
         if len(word) < _SHORTEST and candidate not in _SHORT:
             continue
-        for form in (candidate, f"{candidate}s") if plural else (candidate,):
+        several = plural and not candidate.endswith(("s", "y", "x"))
+        for form in (candidate, f"{candidate}s") if several else (candidate,):
             if abs(len(form) - len(word)) > limit or len(form) < 3:
                 continue
             distance = OSA.distance(word, form, score_cutoff=limit)

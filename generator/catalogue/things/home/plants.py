@@ -213,7 +213,26 @@ def seedling(look: Look) -> Shape:
                  [hull_of(soil), hull_of(stem)])  # fmt: skip
 
 
+def bare_cactus(look: Look) -> Shape:
+    """A ribbed cactus with the soil around its roots, out of its pot."""
+    r, h, tall = look.between(0.02, 0.024), look.between(0.03, 0.036), look.between(0.07, 0.1)
+    soil = cylinder(r, h, 14, top=1.1 * r, bevel=0.002)
+    turn = np.linspace(0, 2 * np.pi, 33)[:-1]
+    rib = 0.9 * r * (1 + 0.09 * np.cos(8 * turn))
+    rings = [np.column_stack([rib * s * np.cos(turn), rib * s * np.sin(turn),
+                              np.full(32, h - 0.002 + tall * t)])
+             for s, t in ((0.8, 0.0), (1.0, 0.25), (1.0, 0.65), (0.8, 0.9), (0.35, 1.0))]  # fmt: skip
+    body = loft(np.array(rings))
+    green = look.own_color("green", "olive", "sage")
+    earth = textures.spots(look.rng, (84, 60, 44), (52, 38, 28), 0.3)
+    return shape([(soil, earth), (body, textures.speckles(look.rng, green, 8))],
+                 [hull_of(soil), hull_of(body)])  # fmt: skip
+
+
 CATEGORIES = (
+    Category(
+        "bare_cactus", bare_cactus, (0.045, 0.045, 0.12), 0.08, (), ("living",), (), ("green",)
+    ),  # fmt: skip
     Category(
         "seedling",
         seedling,

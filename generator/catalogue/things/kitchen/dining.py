@@ -283,7 +283,7 @@ CATEGORIES = (
         napkins,
         (0.163, 0.163, 0.021),
         0.08,
-        ("napkin", "napkin stack", "stack of napkins", "folded napkin", "tissue", "cloth"),
+        ("napkin", "napkin stack", "stack of napkins", "folded napkin", "tissue"),
         ("dining", "kitchen"),
         ("support", "flat"),
         ("white", "red"),

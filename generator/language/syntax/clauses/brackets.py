@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...parsing.vocabulary import COLORS
 from ..phrases.nouns import read_noun
 from ..phrases.tree import Counted, Description, Noun, Post
 from ..phrases.zones import read_zone
@@ -29,7 +30,11 @@ class BracketReader(PlaceReader):
         before = self.i
         self.i += 1
         many = noun.plural or noun.arrangement is not None
-        if opening == "open" and many and self._kinds_listed(noun):
+        if (
+            opening == "open"
+            and many
+            and (self._colors_listed(noun, out) or self._kinds_listed(noun))
+        ):
             return True
         while self._text() in _THERE_ARE:
             self.i += 1
@@ -64,6 +69,23 @@ class BracketReader(PlaceReader):
             return True
         self.i = before
         return False
+
+    def _colors_listed(self, noun: Noun, out: list[Post]) -> bool:
+        """Read "three cans (red, green, orange)"."""
+        k, colors = 0, []
+        while self._text(k) in COLORS and self._tag(k + 1) in ("comma", "and", "close"):
+            colors.append(self._text(k))
+            k += 2
+            if self._tag(k - 1) == "close":
+                break
+            k += self._tag(k) == "and"
+        fits = noun.count is None or int(noun.count) == len(colors)
+        if len(colors) < 2 or self._tag(k - 1) != "close" or not fits:
+            return False
+        noun.count = noun.count or float(len(colors))
+        out.append(Description(tuple({"color": color} for color in colors)))
+        self.i += k
+        return True
 
     def _kinds_listed(self, noun: Noun) -> bool:
         """Read "cookie cutters (star, heart, moon)": which they are, and so how many."""

@@ -42,7 +42,7 @@ class ListReader(PostReader):
         comma = self._tag() == "comma"
         self.i += comma or heading
         if comma and self._tag() == "arranged" and "left to right" in self._text():
-            self.i += 1 + (self._tag(1) == "comma")
+            self.i += 1 + (self._tag(1) in ("comma", "colon", "dash"))
             self._ordered = True
         skipped = self._skip(fw.BE | fw.STARTERS | fw.PARTICIPLES)
         if self._tag() == "carry":

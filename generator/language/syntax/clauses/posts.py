@@ -47,86 +47,27 @@ class PostReader(HoldingReader):
             self.i += 1
         if self._tag() in ("colon", "dash"):
             return self._listed_attributes(noun, out)
-        if self._tag() == "relation" and self._tag(1) == "relative" and self._value() in SUPPORTING:
-            back = str(self._value())  # "on which are two eggs"
-            self.i += 2
-            self._skip(fw.BE | fw.STARTERS)
-            items = self._items(noun, "hold")
-            self._skip(fw.BE | fw.PARTICIPLES)
-            out.append(Carry("hold", tuple(items), back=back))
-            return bool(items)
-        word = self._text()
-        if (
-            noun is not None
-            and self._seats
-            and self._tag() == "each"
-            and (self._tag(1) in (*ENDS, "", "comma", "and"))
-        ):  # "a dinner plate each"
-            self.i += 1
-            noun.seated = True
+        if self._in_which(noun, out) or self._one_each(noun):
             return True
-        each = self._tag() == "each" or self._text() in ("all", "both")
-        if self._tag() == "each" and self._text(1) == "one" and self._tag(2) == "of":
-            self.i += 3  # "every one of them with a cupcake"
-        if self._tag() == "each" or (each and self._tag(1) in ("relation", "carry", "arranged")):
-            self.i += 1
-            self._skip(fw.BE)
+        word = self._text()
+        each = self._distributes()
         self._skip(fw.PARTICIPLES - {"left", "right", "far"})
         if self._is_participle():
             self.i += 1
-        if self._text() in fw.HANDLED and self._text(1) == "by" and self._starts_noun(2):
-            self.i = read_noun(self.tokens, self.i + 2)[1]  # "to be sorted by the robot"
-            return True
-        if self._tag() == "relative" or (self._text() == "that" and noun is not None):
-            self.i += 1
-            self._skip(fw.BE | fw.PARTICIPLES)
-            gone = self._text() in ("has", "have", "had") and is_verb(self._text(1))
-            self.i += gone  # "that has gone out"
-            if self._tag() == "word" and is_verb(self._text()) and self._text() not in fw.BE:
-                self.i += 1  # "that usually comes along"
-                along = self._text() in ("along", "out", "up", "off", "away", "down")
-                self.i += along and not self._starts_noun(1)
-            return True
-        if order := self._order_by_ends():
-            out.append(Arranged("row", order))
-            return True
-        if self._tag() == "order":
-            out.append(Arranged("row", str(self._take().value)))
-            return True
-        if self._tag() == "posture":
-            out.append(Description(({"posture": str(self._take().value)},)))
-            return True
-        if self._tag() == "arranged":
-            return self._arranged(out)
+        if self._tag() == "carry":
+            return self._carried(noun, out, each)
         if self._tag() == "no":
             said = (self._text(), self._text(1))
             return said not in fw.LEFT_OUT and self._lacks(out)
-        if self._tag() == "carry":
-            return self._carried(noun, out, each)
-        if self._text() == "per" and self._text(1) in fw.SEATED and noun is not None:
-            self.i += 2
-            noun.seated = True
+        if any(read(noun, out) for read in (self._told, self._ordered_so, self._seated_so)):
             return True
         if self._text() == "for" and noun is not None:
-            if self._tag(1) == "each" and self._text(2) in fw.SEATED:
-                self.i += 3
-                noun.seated = True
-                return True
             return self._purpose()
-        if self._text() == "to" and self._text(1) in fw.BE:
-            self.i += 2  # "I would like the can to stand in front of it"
-            return True
-        if self._text() == "like" and self._starts_noun(1):  # "like soldiers"
-            self.i = read_noun(self.tokens, self.i + 1)[1]
-            return True
         if self._aspect(out):
             return True
         if self._tag() == "of" and noun is not None:
             return self._contents(noun, out)
-        told = noun is not None and noun.kind == "member" and (noun.ordinal or noun.other)
-        told = told and not (comma or joined or out) and self._starts_noun(0, determined=True)
-        if told:  # "the third two doughnuts"
-            out.append(Carry("hold", tuple(self._items(noun, "hold"))))
+        if not (comma or joined) and self._ellipsis(noun, out):
             return True
         place = self._place()
         if place is not None:
@@ -136,6 +77,92 @@ class PostReader(HoldingReader):
         if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False
+
+    def _in_which(self, noun: Noun | None, out: list[Post]) -> bool:
+        """Read "on which are two eggs"."""
+        if not (
+            self._tag() == "relation" and self._tag(1) == "relative" and self._value() in SUPPORTING
+        ):
+            return False
+        back = str(self._value())
+        self.i += 2
+        self._skip(fw.BE | fw.STARTERS)
+        items = self._items(noun, "hold")
+        self._skip(fw.BE | fw.PARTICIPLES)
+        out.append(Carry("hold", tuple(items), back=back))
+        return bool(items)
+
+    def _one_each(self, noun: Noun | None) -> bool:
+        """Read "a dinner plate each", once the text has said for how many people it is."""
+        ends = self._tag(1) in (*ENDS, "", "comma", "and")
+        if noun is None or not self._seats or self._tag() != "each" or not ends:
+            return False
+        self.i += 1
+        noun.seated = True
+        return True
+
+    def _distributes(self) -> bool:
+        """Read "each", "all" and "every one of them" before what is said of each."""
+        each = self._tag() == "each" or self._text() in ("all", "both")
+        if self._tag() == "each" and self._text(1) == "one" and self._tag(2) == "of":
+            self.i += 3
+        if self._tag() == "each" or (each and self._tag(1) in ("relation", "carry", "arranged")):
+            self.i += 1
+            self._skip(fw.BE)
+        return each
+
+    def _told(self, noun: Noun | None, out: list[Post]) -> bool:
+        """Read what adds nothing: "that is", "sorted by the robot", "like soldiers"."""
+        if self._text() in fw.HANDLED and self._text(1) == "by" and self._starts_noun(2):
+            self.i = read_noun(self.tokens, self.i + 2)[1]
+            return True
+        if self._text() == "to" and self._text(1) in fw.BE:
+            self.i += 2  # "I would like the can to stand in front of it"
+            return True
+        if self._text() == "like" and self._starts_noun(1):
+            self.i = read_noun(self.tokens, self.i + 1)[1]
+            return True
+        if self._tag() != "relative" and not (self._text() == "that" and noun is not None):
+            return False
+        self.i += 1
+        self._skip(fw.BE | fw.PARTICIPLES)
+        self.i += self._text() in ("has", "have", "had") and is_verb(self._text(1))
+        if self._tag() == "word" and is_verb(self._text()) and self._text() not in fw.BE:
+            self.i += 1  # "that usually comes along", "that has gone out"
+            along = self._text() in ("along", "out", "up", "off", "away", "down")
+            self.i += along and not self._starts_noun(1)
+        return True
+
+    def _ordered_so(self, noun: Noun | None, out: list[Post]) -> bool:
+        """Read an order, an arrangement or how things are turned."""
+        if order := self._order_by_ends():
+            out.append(Arranged("row", order))
+        elif self._tag() == "order":
+            out.append(Arranged("row", str(self._take().value)))
+        elif self._tag() == "posture":
+            out.append(Description(({"posture": str(self._take().value)},)))
+        else:
+            return self._tag() == "arranged" and self._arranged(out)
+        return True
+
+    def _seated_so(self, noun: Noun | None, out: list[Post]) -> bool:
+        """Read "per person" and "for each guest"."""
+        each = 1 if self._text() == "per" else 2 if self._text() == "for" else 0
+        if noun is None or not each or self._text(each) not in fw.SEATED:
+            return False
+        if each == 2 and self._tag(1) != "each":
+            return False
+        self.i += each + 1
+        noun.seated = True
+        return True
+
+    def _ellipsis(self, noun: Noun | None, out: list[Post]) -> bool:
+        """Read what one of several has, without a verb: "the third two doughnuts"."""
+        told = noun is not None and noun.kind == "member" and (noun.ordinal or noun.other)
+        if not told or out or not self._starts_noun(0, determined=True):
+            return False
+        out.append(Carry("hold", tuple(self._items(noun, "hold"))))
+        return True
 
     def _is_participle(self) -> bool:
         """Tell whether a verb's form comes next that adds nothing to a place: "parked in front"."""

@@ -95,7 +95,7 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             i += 1
         elif token.text in fw.ORDINALS and run.definite:
             run.ordinal = fw.ORDINALS[token.text]
-            i += 1
+            i += 1 + (i + 1 < len(tokens) and tokens[i + 1].text == "one")
             following = tokens[i] if i < len(tokens) else None
             if following is not None and (
                 following.tag == "number"
@@ -162,6 +162,15 @@ def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         step = 3
     else:
         run.numbers.append(value)
+        if (
+            [t.text for t in tokens[i + 1 : i + 2]] == ["of"]
+            and (
+                [t.text for t in tokens[i + 2 : i + 3]] in ([w] for w in ("them", "these", "those"))
+            )
+            and not run.words
+        ):
+            run.closed = True  # "one of them holds an egg"
+            return 3
     if i + step < len(tokens) and tokens[i + step].text in ("x", "times"):
         step += 1
     return step + _is_of(tokens, i + step)

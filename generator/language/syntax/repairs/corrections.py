@@ -110,6 +110,8 @@ def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
         tokens[end].tag in ("comma", "dash", "colon")
         or (tokens[end].tag == "word" and tokens[end].text in _LED)
     ):
+        if tokens[end].text == "to" and read_zone(tokens, end) is not None:
+            break
         end += 1
     if [t.text for t in tokens[end : end + 3]][:2] in (["too", "risky"], ["is", "too"]) or (
         tokens[end - 1].tag not in _PAUSES and tokens[end].text == "too"
@@ -167,7 +169,11 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
         if counted is not None:
             return counted
     span = _last_noun(before)
-    return None if span is None else before[: span[0]] + after[:end] + rest
+    if span is None:
+        return None
+    counted = [t for t in before[span[0] : span[1]] if t.tag == "number" or t.text in fw.NUMBERS]
+    kept = counted if noun.plural and not noun.determined else []  # "four pears, I mean plums"
+    return before[: span[0]] + kept + after[:end] + rest
 
 
 def _unpaused(tokens: list[Token], *, first: bool = False) -> list[Token]:

@@ -210,7 +210,7 @@ GROUPS = _table(
     group: slices, type, types, kind, kinds, sort, sorts, lot, sheet, sheets, serving, portion
     group: clove, cloves, head, heads, stalk, stalks, strip, strips, wedge, wedges, chunk, chunks
     group: roll, rolls, reel, reels, thumb, pinch, dash, drizzle, pat, knob, stick, sticks
-    group: half, halves, quarter, quarters, trio, brace, lump, lumps, helping, unit, units, item
+    group: half, halves, quarter, quarters, trio, lump, lumps, helping, unit, units, item
     group: items, plenty, spread, sprig, clump
     """
 )

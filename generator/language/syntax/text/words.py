@@ -48,6 +48,10 @@ _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
 _JOINED_UP = re.compile(r"(?i)(?<=[a-z])(?<!upside)-(?:up|down|out|off)\b")
 _BAKERS = re.compile(r"(?i)\bbaker[’']s dozen\b")
 _VAGUE_COUNT = re.compile(r"(?i)\b(?:some|several|a few|a couple of) ?\((?=\d+(?: ?[-–] ?\d+)?\))")
+_LIKE = re.compile(
+    r"(?i)\b[a-z]+-(?:shaped|sized|style|styled|themed|scented|flavoured|flavored|inspired|like|free)\b"
+)
+"""What only says how a thing looks or smells: "cat-shaped"."""
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
@@ -70,6 +74,7 @@ def words_of(text: str) -> tuple[Word, ...]:
     text = _TAG.sub(lambda found: " " * len(found.group()), text)
     text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
     text = _VAGUE_COUNT.sub(lambda found: " " * len(found.group()), text)
+    text = _LIKE.sub(lambda found: " " * len(found.group()), text)
     text = _AGE.sub(lambda found: " " * len(found.group()), text)
     text = _JOINED_UP.sub(lambda found: " " * len(found.group()), text)
     text = _PARTS.sub(lambda found: " " * len(found.group()), text)
