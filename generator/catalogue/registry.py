@@ -68,6 +68,7 @@ from .things.electronics import (
     players,
     portables,
     stands,
+    telephones,
 )
 from .things.equipment import broadcast, oddments, robots
 from .things.fantasy import armoury, sorcery, stationer, studio, washday
@@ -144,7 +145,7 @@ from .things.office import (
     writing,
 )
 from .things.orchestra import beats, bellows, stagegear, strings, winds
-from .things.parlour import candleholders, keepers, slotted
+from .things.parlour import candleholders, keepers, slotted, smoking
 from .things.pastimes import (
     bicycle,
     cycling,
@@ -205,18 +206,18 @@ _DRAWN_BY_THEME = (
 _ON_REQUEST = (
     appliances, barista, glassware, utensils, openers, bakeware, racks, preserves, condiments,
     packs, boxes, orchard, supplies, clips, organizers, desk, circuits, peripherals, counter,
-    sports, instruments, optics, gifts, clothes, jewelry, garden, dressing, bathroom, checkup,
-    fasteners, benchwork, printed, blocks, boardgames, playthings, sportsgear, music, media, parts,
-    handtools, hardware_parts, glass, firstaid, school, pastries, confections, meats, seafood,
-    sushi, snacks, dishes, bowls, greens, exotic, berries, roots, nuts, serving, blades, spoons,
-    gadgetry, ovenware, teatime, storage, paperware, bags, footwear, garments, trinkets, finds,
-    flowers, gardening, greenery, posies, candlelight, characters, christmas, party, seasons,
+    telephones, sports, instruments, optics, gifts, clothes, jewelry, garden, dressing, bathroom,
+    checkup, fasteners, benchwork, printed, blocks, boardgames, playthings, sportsgear, music,
+    media, parts, handtools, hardware_parts, glass, firstaid, school, pastries, confections, meats,
+    seafood, sushi, snacks, dishes, bowls, greens, exotic, berries, roots, nuts, serving, blades,
+    spoons, gadgetry, ovenware, teatime, storage, paperware, bags, footwear, garments, trinkets,
+    finds, flowers, gardening, greenery, posies, candlelight, characters, christmas, party, seasons,
     cloths, notions, bath, hair, makeup, shaving, toiletries, animals, baby, dinosaurs, play,
     vehicles, chores, pets, open_vessels, slotted, candleholders, spreads, machines, mixing, jars,
     gamepieces, balls, percussion, players, components, desktop, stands, cutters, fittings,
-    apparatus, surgery, cards, papers, keepers, holders, stems, sprigs, loaves, buns, cakes,
-    cheeses, shore, hot, packets, shopfront, creatures, props, garlands, yuletide, cardtable, gear,
-    morsels, fireside, lamps, biscuits, catch, sweetmeats, tins, slips, remains, graveyard,
+    apparatus, surgery, cards, papers, keepers, smoking, holders, stems, sprigs, loaves, buns,
+    cakes, cheeses, shore, hot, packets, shopfront, creatures, props, garlands, yuletide, cardtable,
+    gear, morsels, fireside, lamps, biscuits, catch, sweetmeats, tins, slips, remains, graveyard,
     hangings, partyware, levant, switches, service, headwear, dressup, globes, pods, cuts, halves,
     leaves, heaps, chessmen, polyhedra, boards, tabletop, casino, luck, critters, reptiles, petcare,
     pettoys, aquarium, petfood, foliage, implements, scrapers, electrics, makers, fountains,
