@@ -223,7 +223,7 @@ def bare_cactus(look: Look) -> Shape:
                               np.full(32, h - 0.002 + tall * t)])
              for s, t in ((0.8, 0.0), (1.0, 0.25), (1.0, 0.65), (0.8, 0.9),
                           (0.35, 1.0))]  # fmt: skip
-    body = loft(np.array(rings))
+    body = loft(np.array(rings), rings[0][:, :2])
     green = look.own_color("green", "olive", "sage")
     earth = textures.spots(look.rng, (84, 60, 44), (52, 38, 28), 0.3)
     return shape([(soil, earth), (body, textures.speckles(look.rng, green, 8))],
