@@ -9,7 +9,7 @@ PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 # Modules are compiled once, not anew by each process that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo check test test-fast lint format types docs build clean
+.PHONY: demo check test test-fast test-catalogue lint format types docs build clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -35,6 +35,9 @@ test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of array
 
 test-fast: $(VENV)/.installed-dev
 	$(PYTEST) -m "not slow"
+
+test-catalogue: $(VENV)/.installed-dev  ## the catalogue's tests on every category, not on some
+	TABLETOPGEN_EVERY_CATEGORY=1 $(PYTEST) tests/catalogue
 
 lint: $(VENV)/.installed-dev
 	$(BIN)/ruff check .

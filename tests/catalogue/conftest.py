@@ -1,12 +1,18 @@
 """The models of each category, built once for all that is asked of them."""
 
 import pytest
-from built import Models
+from built import SOME, Models
 
 from generator.catalogue import CATEGORIES
 
 
 @pytest.fixture(scope="session", params=sorted(CATEGORIES))
 def models(request: pytest.FixtureRequest) -> Models:
-    """The models of one category; tests of the same one follow each other, so that few are held."""
+    """The models of one category."""
+    return Models(request.param)
+
+
+@pytest.fixture(scope="session", params=SOME)
+def variants(request: pytest.FixtureRequest) -> Models:
+    """The models of one of some categories; tests of the same one follow each other."""
     return Models(request.param)

@@ -9,11 +9,17 @@ from generator.catalogue import CATEGORIES, build, category
 from generator.catalogue.build.solids import signed_volume
 from generator.catalogue.sheet import draw
 from generator.errors import InputError
-from generator.scene import Mesh
+from generator.scene import Mesh, Model
+
+FAR = 2.2
+"""How many times as large or small as usual one variant may be."""
+
+LIGHTEST = 0.002
+"""The least mass of a body, kg."""
 
 
 def test_there_are_enough_categories():
-    assert len(CATEGORIES) >= 390
+    assert len(CATEGORIES) >= 2400
 
 
 def test_closedness_is_told_apart():
@@ -23,42 +29,57 @@ def test_closedness_is_told_apart():
     assert not is_closed(torn)
 
 
-@pytest.mark.slow
-def test_model_is_sound(models: Models):
-    for model in models.first(3):
-        assert is_closed(model.mesh), "the surface has holes"
-        assert signed_volume(model.mesh.vertices.astype(float), model.mesh.faces) > 0
-        assert len(model.mesh.faces) <= 4000
-        assert max(model.mesh.texture.shape[:2]) <= 640
-        assert model.mesh.uv.min() >= 0 and model.mesh.uv.max() <= 1
-        assert model.category == models.key
-        assert model.label == CATEGORIES[models.key].noun
+def assert_sound(model: Model) -> None:
+    assert is_closed(model.mesh), "the surface has holes"
+    assert signed_volume(model.mesh.vertices.astype(float), model.mesh.faces) > 0
+    assert len(model.mesh.faces) <= 4000
+    assert max(model.mesh.texture.shape[:2]) <= 640
+    assert model.mesh.uv.min() >= 0 and model.mesh.uv.max() <= 1
+
+
+def assert_parts_fit(model: Model) -> None:
+    assert 1 <= len(model.parts) <= 32
+    bounds = np.stack([p.bounds for p in model.parts])
+    assert np.abs(bounds).max() <= 0.5 + 0.004, "a part sticks out of the mesh"
+    gap = (bounds[:, 0, 2].min() + 0.5) * model.size[2]
+    assert gap < 6e-4, f"the collision shape hangs {gap:.4f} m above the mesh's bottom"
+    for part in model.parts:
+        assert len(part.vertices) <= 32
+        assert (np.ptp(part.vertices, axis=0) * model.size > 2e-4).all(), "a part is flat"
 
 
 @pytest.mark.slow
-def test_collision_parts_fit_the_mesh(models: Models):
-    for model in models.first(3):
-        assert 1 <= len(model.parts) <= 32
-        bounds = np.stack([p.bounds for p in model.parts])
-        assert np.abs(bounds).max() <= 0.5 + 0.004, "a part sticks out of the mesh"
-        gap = (bounds[:, 0, 2].min() + 0.5) * model.size[2]
-        assert gap < 6e-4, f"the collision shape hangs {gap:.4f} m above the mesh's bottom"
-        for part in model.parts:
-            assert len(part.vertices) <= 32
-            assert (np.ptp(part.vertices, axis=0) * model.size > 2e-4).all(), "a part is flat"
+def test_every_category_is_sound(models: Models):
+    """One variant of each category; more of some in the tests below."""
+    model, found = models[0], CATEGORIES[models.key]
+    assert_sound(model)
+    assert_parts_fit(model)
+    assert model.category == models.key
+    assert model.label == found.noun
+    reach = float(np.linalg.norm(model.size) / np.linalg.norm(found.size))
+    assert 1 / FAR < reach < FAR, f"{found.size} but {model.size}"
+    mass = mass_of(model)
+    assert 0.4 * found.mass < mass < 2.5 * max(found.mass, LIGHTEST), f"{mass} kg"
 
 
 @pytest.mark.slow
-def test_seed_decides_everything(models: Models):
-    variants = [fingerprint(model) for model in models.first(3)]
-    assert len(set(variants)) == 3
-    assert fingerprint(build(models.key, 1)) == variants[1]
+def test_variants_are_sound(variants: Models):
+    for model in variants.first(3):
+        assert_sound(model)
+        assert_parts_fit(model)
 
 
 @pytest.mark.slow
-def test_nominal_size_is_true(models: Models):
-    found = CATEGORIES[models.key]
-    sizes = np.array([model.size for model in models.first(8)])
+def test_seed_decides_everything(variants: Models):
+    prints = [fingerprint(model) for model in variants.first(3)]
+    assert len(set(prints)) == 3
+    assert fingerprint(build(variants.key, 1)) == prints[1]
+
+
+@pytest.mark.slow
+def test_nominal_size_is_true(variants: Models):
+    found = CATEGORIES[variants.key]
+    sizes = np.array([model.size for model in variants.first(8)])
     ratio = sizes.mean(0) / np.array(found.size)
     assert (np.abs(np.log(ratio)) < np.log(1.35)).all(), f"{found.size} but {sizes.mean(0)}"
 

@@ -74,9 +74,9 @@ def test_ball_falls_into_hollow_things(key: str):
 
 
 @pytest.mark.slow
-def test_rests_as_it_is_made(models: Models):
+def test_rests_as_it_is_made(variants: Models):
     spec = room()
-    model = models[0]
+    model = variants[0]
     stand(spec, model, free=True)
     compiled = spec.compile()
     data = mujoco.MjData(compiled)

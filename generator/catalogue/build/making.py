@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
+from ...scene import ConvexPart
 from ..surfaces import prints, textures
 from ..surfaces.colors import RGB
 from ..surfaces.look import Look
 from ..surfaces.textures import Tile
-from .recipes import Pieces, put_down
-from .shape import Shape
+from .collision import hull_part
+from .forms import above
+from .hollow import Profile, open_vessel
+from .recipes import Pieces, Point, put_down
+from .shape import Shape, shape
 from .solids import Solid, block, box, cylinder, lathe, prism
 
 Drawing = Callable[[Look], Pieces]
@@ -22,6 +26,10 @@ STEEL = ("silver", "silver", "gray", "charcoal")
 BRASS = ("brass", "gold", "bronze")
 GOLD = ("gold", "gold", "silver")
 WOODEN = ("wooden", "tan", "brown", "wooden", "beige")
+DARK: RGB = (40, 42, 46)
+STEEL_TONE: RGB = (184, 188, 194)
+BRASS_TONE: RGB = (196, 160, 84)
+GLASS_TONE: RGB = (206, 224, 228)
 PAINTS = ("red", "blue", "green", "yellow", "orange", "purple", "teal", "pink")
 
 
@@ -75,6 +83,11 @@ def dye(look: Look, *palette: str) -> Tile:
     return textures.speckles(look.rng, look.own_color(*palette), 4, 32)
 
 
+def steel(look: Look, color: RGB = STEEL_TONE) -> Tile:
+    """Return brushed metal."""
+    return textures.brushed_metal(look.rng, color)
+
+
 def shine(look: Look, *palette: str) -> Tile:
     """Return the metal of a detail, whatever was asked for."""
     return textures.brushed_metal(look.rng, look.own_color(*(palette or ("silver",))))
@@ -88,9 +101,15 @@ def turned(*profile: tuple[float, float], sides: int = 16, z: float | None = Non
     return body.move(z=max(r for _, r in profile) if z is None else z)
 
 
-def standing(*profile: tuple[float, float], sides: int = 24) -> Solid:
+def standing(*profile: tuple[float, float], sides: int = 24, at: Point = (0, 0, 0)) -> Solid:
     """Return a body turned about the z axis: (radius, z) points from the bottom up."""
-    return lathe([(0.0, profile[0][1]), *profile, (0.0, profile[-1][1])], sides)
+    points = [(0.0, profile[0][1]), *profile, (0.0, profile[-1][1])]
+    return lathe(points, sides).move(*at)
+
+
+def lies(solid: Solid, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
+    """Return a solid along z laid down along +x, its foot at ``x``."""
+    return solid.turn(1, np.pi / 2).move(x, y, z)
 
 
 def at_box(x: float, y: float, z: float, at: Sequence[float] = (0, 0, 0)) -> Solid:
@@ -114,6 +133,25 @@ def disc(
     """Return an upright cylinder, or cone to the radius ``top``; ``at`` is its bottom's middle."""
     bevel = 0.0 if top is not None else min(0.1 * h, 0.1 * r)
     return cylinder(r, h, sides, top=top, bevel=bevel).move(*at)
+
+
+def drum(
+    radius: float,
+    long: float,
+    at: Point = (0, 0, 0),
+    axis: Literal[0, 1, 2] = 2,
+    *,
+    top: float | None = None,
+    sides: int = 24,
+    bevel: float = 0.0,
+) -> Solid:
+    """Return a cylinder, or a cone to the radius ``top``, from ``at`` on along an axis."""
+    made = cylinder(radius, long, sides, top=top, bevel=bevel)
+    if axis == 0:
+        made = made.turn(1, np.pi / 2)
+    elif axis == 1:
+        made = made.turn(0, -np.pi / 2)
+    return made.move(*at)
 
 
 def faceted(points: Any) -> Solid:
@@ -144,12 +182,32 @@ def on_a_face(solid: Solid) -> Solid:
     return made.move(z=-float(made.bounds[0, 2]))
 
 
-def plate(outline: Any, h: float, z: float = 0.0) -> Solid:
-    """Return a flat plate of an outline, whichever way it turns."""
+def plate(
+    outline: Any, h: float, z: float = 0.0, *, at: Point = (0, 0, 0), bevel: float = 0.0
+) -> Solid:
+    """Return a flat plate of an outline (x, y), whichever way it turns; its underside at ``at``."""
     points = np.asarray(outline, float)
     x, y = points.T
     area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
-    return prism(points if area > 0 else points[::-1], 0, h).move(z=z)
+    return prism(points if area >= 0 else points[::-1], 0, h, bevel).move(at[0], at[1], at[2] + z)
+
+
+def vessel(
+    profile: Profile,
+    wall: float,
+    bottom: float,
+    tile: Tile,
+    *,
+    extra: Pieces = (),  # type: ignore[assignment]
+    bodies: Sequence[Solid] = (),
+    factor: float = 1.0,
+    opacity: float = 1.0,
+    fine: int = 28,
+) -> Shape:
+    """Return an open vessel with further pieces, and with parts of their own for ``bodies``."""
+    made, parts = open_vessel(profile, wall, bottom, fine)
+    more: tuple[ConvexPart, ...] = tuple(hull_part(above(b.vertices)) for b in bodies)
+    return shape([(made, tile), *extra], (*parts, *more), opacity).scale(factor)
 
 
 def printed(x: float, y: float, h: float, side: Tile, top: Tile, at: Sequence[float] = (0, 0, 0)

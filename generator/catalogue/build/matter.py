@@ -66,7 +66,8 @@ _MADE_OF: Mapping[str, str] = {
     "brandy_snifter growler paperweight mirror_tile display_case fuse vacuum_tube headlight "
     "ship_in_a_bottle message_in_a_bottle radiometer microscope_slide cover_slip condenser "
     "kipps_apparatus desiccator ampoule potion_bottle quill_and_ink",
-    "metal": "empty_candlestick empty_candelabra empty_toast_rack empty_dish_rack open_ice_bucket open_pot open_can "
+    "metal": "empty_candlestick empty_candelabra empty_toast_rack empty_dish_rack "
+    "open_ice_bucket open_pot open_can "
     "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy "
     "dumbbell button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can "
@@ -257,7 +258,8 @@ _MADE_OF: Mapping[str, str] = {
     "coupon blueprint floor_plan star_chart telegram ransom_note shopping_list xray_film "
     "eye_chart colour_chart poster report memo_pad bank_note heart_box planisphere stencil "
     "safety_pin_card",
-    "wax": "long_candle candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb wax_melt",
+    "wax": "long_candle candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb "
+    "wax_melt",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
     "avocado onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes "
@@ -274,7 +276,8 @@ _MADE_OF: Mapping[str, str] = {
     "pomegranate star_fruit passion_fruit date zucchini radish beetroot turnip parsnip "
     "sweet_potato ginger chili pea_pod green_bean bean pea walnut almond hazelnut peanut "
     "cashew pistachio chestnut acorn olive pickle sugar_cube rose tulip daisy sunflower "
-    "lily carnation lavender orchid dried_flower posy bare_cactus seedling flower_bulb gingerbread_house "
+    "lily carnation lavender orchid dried_flower posy bare_cactus seedling flower_bulb "
+    "gingerbread_house "
     "jack_o_lantern birthday_cake easter_egg cigar "
     "daffodil iris poppy peony chrysanthemum dahlia gerbera marigold zinnia camellia gardenia "
     "magnolia dandelion cornflower edelweiss anemone hibiscus petunia primrose pansy "
@@ -400,7 +403,8 @@ HOLLOW = frozenset(
 """Things that are walls around air."""
 
 ASSEMBLED = frozenset(
-    {"empty_candlestick", "empty_candelabra", "abacus", "acorn", "american_football", "axe", "backpack", "balance_scale", "balloon",
+    {"empty_candlestick", "empty_candelabra", "abacus", "acorn", "american_football", "axe",
+     "backpack", "balance_scale", "balloon",
      "bandage_roll", "banknotes", "baseball_glove", "basket", "basketball", "battery", "bauble",
      "belt", "bird_feeder", "bolt", "bonsai", "bookend", "boomerang", "bouquet", "bow",
      "bowl_of_cereal", "boxing_glove", "bracelet", "bracket", "breadboard", "bunsen_burner",

@@ -9,6 +9,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.making import Drawing, at_box, dye, of, turned
 from ...build.recipes import Pieces
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
@@ -203,9 +204,9 @@ CATEGORIES = (
              0.015,
          ("agreement", "lease agreement", "affidavit", "subpoena", "insurance policy", "treaty",
              "signed contract", "legal document", "rental agreement", "last will", "testament")),
-    _row("official_letter", _paper(*A4, _letterhead, "white", "ivory"), (*A4, 0.0011), 0.005,
+    varied(_row("official_letter", _paper(*A4, _letterhead, "white", "ivory"), (*A4, 0.0011), 0.005,
              ("business letter", "prescription", "memo", "memorandum", "cover letter", "iou",
-             "prescription note", "printed letter")),
+             "prescription note", "printed letter")), 0.08),
     _row("resume", _paper(*A4, _resume, "white"), (*A4, 0.0011), 0.005, ("cv", "curriculum vitae",
              "job application")),
     _row("cheque", _paper(0.17, 0.078, _cheque, "sky", "mint", "cream", "lavender"), (0.17, 0.078,
@@ -218,8 +219,8 @@ CATEGORIES = (
     _row("coupon", _paper(0.15, 0.07, _coupon, "white", accents=("red", "orange", "green",
              "purple", "blue")), (0.15, 0.07, 0.0011), 0.002, (
              "gift coupon", "discount voucher")),
-    _row("blueprint", _rolled, (0.38, 0.27, 0.032), 0.05, ("building plan", "architect plan",
-             "technical drawing", "construction plan"), ("blue",)),
+    varied(_row("blueprint", _rolled, (0.38, 0.27, 0.032), 0.05, ("building plan", "architect plan",
+             "technical drawing", "construction plan"), ("blue",)), 0.08),
     _row("floor_plan", _paper(0.297, 0.21, _floor, "white", "cream"), (0.297, 0.21, 0.0011),
              0.006, ("floorplan", "ground plan", "house plan", "site plan")),
 )  # fmt: skip

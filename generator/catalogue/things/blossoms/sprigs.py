@@ -11,6 +11,7 @@ from ...build.outlines import ellipse, smooth
 from ...build.recipes import Pieces, ball, put_down, rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, join, prism, refine
+from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -189,9 +190,11 @@ _L = ("living",)
 CATEGORIES = (
     Category("lotus", lotus, (0.13, 0.131, 0.0446), 0.04, ("lotus flower", "water lily",
              "waterlily", "lotus blossom", "water lily flower"), _L, ("round",), ("pink",)),
-    Category("petal", petal, (0.0459, 0.0386, 0.00899), 0.001, ("rose petal", "flower petal",
+    Category("petal", keep_still(petal), (0.0459, 0.0386, 0.00899), 0.001, ("rose petal",
+             "flower petal",
              "petal of a rose"), _L, (), ("red", "pink"), state="lying flat"),
-    Category("holly", holly, (0.129, 0.133, 0.0116), 0.01, ("holly sprig", "sprig of holly",
+    Category("holly", keep_still(holly), (0.129, 0.133, 0.0116), 0.01, ("holly sprig",
+             "sprig of holly",
              "holly leaf", "holly branch"), _L, (), ("green",), state="lying flat"),
     Category("mistletoe", sprout, (0.147, 0.119, 0.0124), 0.01, ("sprig of mistletoe",
              "mistletoe sprig"), _L, (), ("green",), state="lying flat"),

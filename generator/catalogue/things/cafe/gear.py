@@ -12,6 +12,7 @@ from ...build.recipes import ball, straight
 from ...build.settled import limb, scatter
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, torus, tube
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -226,9 +227,9 @@ CATEGORIES = (
     Category("coffee_dripper", dripper, (0.148, 0.118, 0.0762), 0.3, ("pour over dripper",
              "dripper", "pour-over dripper", "v60", "pour over cone", "coffee cone"), _C,
              ("container", "round"), ("white",)),
-    Category("chemex", hourglass_pot, (0.124, 0.124, 0.215), 0.7, ("chemex coffee maker",
+    varied(Category("chemex", hourglass_pot, (0.124, 0.124, 0.215), 0.7, ("chemex coffee maker",
              "pour over carafe", "pour over coffee maker", "glass coffee maker"), _C,
-             ("tall", "round"), ("wooden",)),
+             ("tall", "round"), ("wooden",))),
     Category("aeropress", aeropress, (0.0867, 0.1, 0.198), 0.2, ("aero press", "plunger brewer"),
              _C, ("tall",), ("charcoal",)),
     Category("coffee_tamper", tamper, (0.0593, 0.0593, 0.0859), 0.35, ("tamper",
@@ -239,9 +240,9 @@ CATEGORIES = (
              _C, ("flat",), ("wooden",), state="lying flat"),
     Category("cup_sleeve", sleeve, (0.0829, 0.0829, 0.0622), 0.005, ("coffee sleeve",
              "cardboard sleeve", "coffee cup sleeve", "cup cosy"), _C, (), ("tan",)),
-    Category("siphon_brewer", siphon, (0.158, 0.098, 0.27), 1.0, ("siphon", "coffee siphon",
+    varied(Category("siphon_brewer", siphon, (0.158, 0.098, 0.27), 1.0, ("siphon", "coffee siphon",
              "vacuum brewer", "syphon coffee maker", "siphon coffee maker"), _C, ("tall",),
-             ("black",)),
+             ("black",))),
     Category("drink_dispenser", dispenser, (0.166, 0.185, 0.271), 2.5, ("beverage dispenser",
              "juice dispenser", "drinks dispenser", "lemonade dispenser", "water dispenser"),
              ("dining",), ("tall", "big"), ("orange",)),

@@ -21,6 +21,7 @@ from ...build.making import (
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod
 from ...build.solids import join, tube
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
@@ -199,7 +200,7 @@ def _shawl(look: Look) -> Pieces:
 
 CATEGORIES = (
     Category("bible", of(_tome(_cross, "black", "maroon", "brown", "navy"), bodies=2),
-             (0.138, 0.221, 0.0397), 0.6, ("holy bible", "missal", "prayer book", 
+             (0.138, 0.221, 0.0397), 0.6, ("holy bible", "missal", "prayer book",
              "holy book", "psalter", "new testament"), ("living",), ("flat", "support"),
              ("black",), state="lying flat"),
     Category("quran", of(_tome(_crescent, "green", "teal", "navy", "maroon"), bodies=2),
@@ -228,13 +229,13 @@ CATEGORIES = (
     Category("book_rest", of(_rest), (0.191, 0.165, 0.17), 0.4, ("quran stand", "rehal",
              "koran stand", "book stand with crossed boards", "folding book stand"), ("living",),
              (), ("brown",)),
-    Category("prayer_flags", of(_flags), (0.396, 0.0904, 0.00298), 0.02, ("prayer flag",
-             "string of prayer flags", "tibetan flags", 
+    varied(Category("prayer_flags", of(_flags), (0.396, 0.0904, 0.00298), 0.02, ("prayer flag",
+             "string of prayer flags", "tibetan flags",
              "pennant garland"), ("living",), ("flat", "big"), ("blue",),
-             state="lying"),
+             state="lying"), 0.2),
     Category("palm_cross", of(_palm), (0.075, 0.13, 0.0065), 0.004, ("cross of palm leaf",),
              ("living",), ("flat",), ("sage",), state="lying"),
-    Category("prayer_shawl", of(_shawl), (0.24, 0.205, 0.031), 0.3, ("tallit", "tallis",
-             "folded tallit"), ("living",), (), ("white",)),
+    varied(Category("prayer_shawl", of(_shawl), (0.24, 0.205, 0.031), 0.3, ("tallit", "tallis",
+             "folded tallit"), ("living",), (), ("white",))),
 )  # fmt: skip
 """The module's categories."""

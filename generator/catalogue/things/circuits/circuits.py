@@ -230,7 +230,7 @@ CATEGORIES = (
              "arduino board", "raspberry pi", "microcontroller", "pcb", "motherboard",
              "development board", "electronics board", "arduino uno",
              "raspberry pi board", "printed circuit board", "microcontroller board",
-             "esp32 board", "micro:bit", "network card", "micro:bit", "microbit", "esp32"),
+             "esp32 board", "micro:bit", "network card", "microbit", "esp32"),
              ("lab", "workbench"), ("flat",),
              ("green", "blue"), state="lying flat"),
     Category("oscilloscope", oscilloscope, (0.31, 0.155, 0.21), 3.2, ("digital oscilloscope",

@@ -12,6 +12,7 @@ from ...build.forms import lay_down
 from ...build.outlines import ellipse, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, prism, tube
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
@@ -215,9 +216,9 @@ CATEGORIES = (
              "cooling fan", "cpu fan"), ("electronics",), ("flat",), ("black",)),
     Category("graphics_card", graphics_card, (0.242, 0.122, 0.0392), 0.9, ("gpu", "video card",
              "graphic card"), ("electronics",), ("flat", "big"), ("black",)),
-    Category("ram_stick", _stick(0.133, 0.03, 8, ("green", "black", "green", "blue"), ()),
+    varied(Category("ram_stick", _stick(0.133, 0.03, 8, ("green", "black", "green", "blue"), ()),
              (0.134, 0.0303, 0.0037), 0.03, ("ram", "memory module", "ram module", "ram memory",
-             "memory chip", "ram card"), ("electronics",), ("flat",), ("green",)),
+             "memory chip", "ram card"), ("electronics",), ("flat",), ("green",)), 0.04),
     Category("memory_card", _stick(0.024, 0.032, 0, ("black", "blue", "charcoal"), ("32 GB",
              "64 GB", "128 GB", "16 GB")), (0.0243, 0.0323, 0.0023), 0.003, ("sd card",
              "micro sd card", "memory sd card", "camera card", "microsd card", "sim card",
@@ -233,7 +234,7 @@ CATEGORIES = (
              "airscrew"), ("electronics",), ("flat",), ("orange", "black")),
     Category("solder_spool", solder_spool, (0.061, 0.061, 0.0465), 0.25, ("solder",
              "spool of solder", "solder wire", "solder roll", "roll of solder", "solder reel",
-             "desoldering braid","spool of wire", "wire spool", "reel of wire" ),
+             "desoldering braid", "spool of wire", "wire spool", "reel of wire"),
              ("electronics",), ("round",), ("blue",)),
 )  # fmt: skip
 """The module's categories."""

@@ -5,26 +5,27 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import drum, plate, standing
 from ...build.outlines import smooth
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import cut, disc, plain, turned
 from ...build.solids import block, join, torus, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def top_hat(look: Look) -> Shape:
     """A top hat with a silk band."""
     color = look.color("black", "gray", "navy", "maroon", "white")
     k = look.between(0.85, 1.1)
-    brim = turned([(0.085, 0.006), (0.125, 0.0), (0.13, 0.005), (0.09, 0.012)], fine=32)
+    brim = standing((0.085, 0.006), (0.125, 0.0), (0.13, 0.005), (0.09, 0.012), sides=32)
     brim = brim.scale(0.92, 1.05, 1)
-    crown = turned([(0.078, 0.004), (0.076, 0.06), (0.082, 0.13), (0.08, 0.136)], fine=32).scale(
+    crown = standing((0.078, 0.004), (0.076, 0.06), (0.082, 0.13), (0.08, 0.136), sides=32).scale(
         0.95, 1.05, 1
     )
-    band = turned([(0.0795, 0.01), (0.0785, 0.036)], fine=32).scale(0.955, 1.055, 1)
+    band = standing((0.0795, 0.01), (0.0785, 0.036), sides=32).scale(0.955, 1.055, 1)
     return put_down(
         [
             (join([brim, crown]), textures.speckles(look.rng, color, 4)),
@@ -40,14 +41,14 @@ def bowler(look: Look) -> Shape:
     """A hat with a round crown and a rolled brim."""
     color = look.color("black", "brown", "gray", "charcoal")
     k = look.between(0.85, 1.1)
-    crown = turned(
-        [(0.085, 0.006), (0.084, 0.05), (0.07, 0.085), (0.045, 0.105), (0.015, 0.112)], fine=30
+    crown = standing(
+        (0.085, 0.006), (0.084, 0.05), (0.07, 0.085), (0.045, 0.105), (0.015, 0.112), sides=30
     )
-    brim = turned(
-        [(0.08, 0.006), (0.11, 0.0), (0.122, 0.008), (0.115, 0.012), (0.085, 0.014)], fine=30
+    brim = standing(
+        (0.08, 0.006), (0.11, 0.0), (0.122, 0.008), (0.115, 0.012), (0.085, 0.014), sides=30
     )
     rim = torus(0.119, 0.004, 32, 6).move(z=0.011)
-    band = turned([(0.0865, 0.012), (0.0858, 0.034)], fine=30)
+    band = standing((0.0865, 0.012), (0.0858, 0.034), sides=30)
     felt = textures.speckles(look.rng, color, 5)
     whole = [one.scale(0.93, 1.07, 1) for one in (crown, brim, rim, band)]
     return put_down(
@@ -62,7 +63,7 @@ def fez(look: Look) -> Shape:
     """A fez with a tassel."""
     color = look.color("crimson", "red", "maroon", "black")
     k = look.between(0.9, 1.1)
-    body = turned([(0.078, 0), (0.08, 0.004), (0.06, 0.115), (0.057, 0.118)], fine=30)
+    body = standing((0.078, 0), (0.08, 0.004), (0.06, 0.115), (0.057, 0.118), sides=30)
     cord = tube(
         smooth(
             [(0, 0, 0.119), (0.04, -0.03, 0.122), (0.058, -0.042, 0.1), (0.062, -0.045, 0.075)], 5
@@ -70,7 +71,7 @@ def fez(look: Look) -> Shape:
         0.0022,
         6,
     )
-    tuft = disc(0.009, 0.04, (0.065, -0.047, 0.035), top=0.005, fine=12)
+    tuft = drum(0.009, 0.04, (0.065, -0.047, 0.035), top=0.005, sides=12)
     return put_down(
         [(body, textures.speckles(look.rng, color, 5)), (join([cord, tuft]), plain((36, 34, 36)))],
         body,
@@ -83,7 +84,7 @@ def mortarboard(look: Look) -> Shape:
     """A graduation cap: a flat square board on a skull cap, with a tassel."""
     color = look.color("black", "navy", "maroon", "green")
     k = look.between(0.85, 1.05)
-    skull = turned([(0.088, 0), (0.09, 0.02), (0.085, 0.06)], fine=28)
+    skull = standing((0.088, 0), (0.09, 0.02), (0.085, 0.06), sides=28)
     board = block(0.235, 0.235, 0.007, 0.004).turn(2, np.pi / 4).move(z=0.058)
     knob = ball(0.018, 0.018, 0.01, (0, 0, 0.066), 12)
     tone = look.own_color("gold", "gold", "white", "red")
@@ -92,7 +93,7 @@ def mortarboard(look: Look) -> Shape:
         0.0022,
         6,
     )
-    tuft = disc(0.009, 0.034, (0.106, -0.088, 0.01), top=0.005, fine=12)
+    tuft = drum(0.009, 0.034, (0.106, -0.088, 0.01), top=0.005, sides=12)
     cloth = textures.speckles(look.rng, color, 4)
     return put_down(
         [(join([skull, board]), cloth), (join([knob, cord, tuft]), plain(tone))],
@@ -112,7 +113,7 @@ def visor(look: Look) -> Shape:
     b = np.linspace(-np.pi + 0.45, -0.45, 12)
     outer = np.column_stack([0.085 * np.cos(b), -0.02 + 0.135 * np.sin(b)])
     inner = np.column_stack([0.078 * np.cos(b), 0.088 * np.sin(b)])[::-1]
-    peak = cut(np.concatenate([outer, inner]), 0.004, (0, 0, 0.003))
+    peak = plate(np.concatenate([outer, inner]), 0.004, at=(0, 0, 0.003))
     peak = peak.bend(
         lambda p: np.column_stack(
             [p[:, :2], p[:, 2] + 0.022 * np.clip(1 - (p[:, 0] / 0.088) ** 2, 0, 1)]
@@ -173,12 +174,12 @@ def flat_cap(look: Look) -> Shape:
     body = body.bend(
         lambda p: np.column_stack([p[:, :2], p[:, 2] - 0.12 * np.clip(-p[:, 1], 0, 0.1)])
     )
-    peak = cut(
+    peak = plate(
         [(-0.075, -0.06), (-0.06, -0.105), (0, -0.128), (0.06, -0.105), (0.075, -0.06)],
         0.006,
-        (0, 0, 0.006),
+        at=(0, 0, 0.006),
     )
-    band = turned([(0.083, 0), (0.085, 0.02)], fine=26).scale(0.95, 1.1, 1)
+    band = standing((0.083, 0), (0.085, 0.02), sides=26).scale(0.95, 1.1, 1)
     knob = ball(0.014, 0.014, 0.008, (0, 0.012, 0.0705), 10)
     return put_down(
         [

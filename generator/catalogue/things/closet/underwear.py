@@ -1,24 +1,24 @@
-"""Clothes that lie flat: shorts, briefs, bras, vests, swimsuits, braces, baby suits."""
+"""Clothes that lie flat: shorts, briefs, bras, swimsuits."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import at_box, plate
 from ...build.outlines import smooth
 from ...build.recipes import ball, put_down
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, disc, plain, steel
 from ...build.solids import join, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from ...surfaces.textures import Tile
+from ...surfaces.textures import Tile, plain
 
 CLOTH = ("navy", "red", "gray", "teal", "black", "pink", "sky", "green", "white")
 
 
-def _cloth(look: Look, color: RGB) -> Tile:
+def cloth(look: Look, color: RGB) -> Tile:
     """Return cloth: plain, striped or checked."""
     kind = look.pick([0, 0, 1, 2])
     if kind == 1:
@@ -26,7 +26,7 @@ def _cloth(look: Look, color: RGB) -> Tile:
     return textures.fabric(look.rng, color, tint_color(color, 1.45) if kind == 2 else None)
 
 
-def _mirror(half: list[tuple[float, float]]) -> np.ndarray:
+def mirror(half: list[tuple[float, float]]) -> np.ndarray:
     """Return an outline from its right half, given from the bottom up."""
     right = np.array(half, float)
     left = right[::-1] * [-1, 1]
@@ -37,11 +37,11 @@ def shorts(look: Look) -> Shape:
     """Shorts lying flat, with a waistband and a drawstring."""
     color = look.color(*CLOTH)
     k, leg = look.between(0.9, 1.1), look.between(0.9, 1.15)
-    rim = _mirror([(0.0, -0.03), (0.018, -0.115 * leg), (0.125, -0.1 * leg), (0.1, 0.085)])
-    body = cut(rim, 0.012)
-    band = bar(0.2, 0.022, 0.0135, (0, 0.078, 0))
-    seam = bar(0.003, 0.11, 0.001, (0, 0.022, 0.0118))
-    hems = [cut([(s * 0.0165, -0.104 * leg), (s * 0.018, -0.115 * leg), (s * 0.125, -0.1 * leg),
+    rim = mirror([(0.0, -0.03), (0.018, -0.115 * leg), (0.125, -0.1 * leg), (0.1, 0.085)])
+    body = plate(rim, 0.012)
+    band = at_box(0.2, 0.022, 0.0135, (0, 0.078, 0))
+    seam = at_box(0.003, 0.11, 0.001, (0, 0.022, 0.0118))
+    hems = [plate([(s * 0.0165, -0.104 * leg), (s * 0.018, -0.115 * leg), (s * 0.125, -0.1 * leg),
                  (s * 0.1225, -0.088 * leg)], 0.013) for s in (-1, 1)]  # fmt: skip
     cords = [
         tube(
@@ -56,7 +56,7 @@ def shorts(look: Look) -> Shape:
     dark = plain(tint_color(color, 0.65))
     return put_down(
         [
-            (body, _cloth(look, color)),
+            (body, cloth(look, color)),
             (join([band, *hems]), plain(tint_color(color, 0.85))),
             (seam, dark),
             (join(cords), plain((240, 238, 230))),
@@ -71,9 +71,9 @@ def briefs(look: Look) -> Shape:
     """Underpants lying flat."""
     color = look.color("white", "pink", "gray", "black", "sky", "red", "lavender")
     k = look.between(0.9, 1.1)
-    rim = _mirror([(0.0, -0.075), (0.026, -0.07), (0.05, -0.02), (0.115, 0.03), (0.105, 0.075)])
-    body = cut(rim, 0.008)
-    band = cut([(-0.105, 0.06), (0.105, 0.06), (0.104, 0.08), (-0.104, 0.08)], 0.0105)
+    rim = mirror([(0.0, -0.075), (0.026, -0.07), (0.05, -0.02), (0.115, 0.03), (0.105, 0.075)])
+    body = plate(rim, 0.008)
+    band = plate([(-0.105, 0.06), (0.105, 0.06), (0.104, 0.08), (-0.104, 0.08)], 0.0105)
     edge = [
         tube(
             smooth(
@@ -86,9 +86,7 @@ def briefs(look: Look) -> Shape:
         for s in (-1, 1)
     ]
     trim = plain(tint_color(color, 0.75) if sum(color) > 260 else (210, 210, 214))
-    return put_down(
-        [(body, _cloth(look, color)), (join([band, *edge]), trim)], body, band, factor=k
-    )
+    return put_down([(body, cloth(look, color)), (join([band, *edge]), trim)], body, band, factor=k)
 
 
 def bra(look: Look) -> Shape:
@@ -96,7 +94,7 @@ def bra(look: Look) -> Shape:
     color = look.color("white", "black", "pink", "red", "lavender", "beige", "teal")
     k = look.between(0.9, 1.1)
     cups = [ball(0.105, 0.1, 0.075, (s * 0.056, 0, 0.002), 20) for s in (-1, 1)]
-    band = bar(0.3, 0.034, 0.006, (0, -0.028, 0))
+    band = at_box(0.3, 0.034, 0.006, (0, -0.028, 0))
     straps = [
         tube(
             smooth(
@@ -160,10 +158,10 @@ def swimsuit(look: Look) -> Shape:
         (0.036, 0.08),
         (0.0, 0.055),
     ]
-    body = cut(_mirror(half), 0.008)
-    belt = cut([(-0.0715, 0.0), (0.0715, 0.0), (0.0695, 0.016), (-0.0695, 0.016)], 0.0088)
+    body = plate(mirror(half), 0.008)
+    belt = plate([(-0.0715, 0.0), (0.0715, 0.0), (0.0695, 0.016), (-0.0695, 0.016)], 0.0088)
     return put_down(
-        [(body, _cloth(look, color)), (belt, plain(look.own_color("white", "yellow", "navy")))],
+        [(body, cloth(look, color)), (belt, plain(look.own_color("white", "yellow", "navy")))],
         body,
         factor=k,
     )
@@ -173,7 +171,7 @@ def bikini(look: Look) -> Shape:
     """A bikini lying: a top with ties above a bottom."""
     color = look.color("red", "yellow", "turquoise", "pink", "navy", "orange")
     k = look.between(0.9, 1.1)
-    cups = [cut([(s * 0.004, 0.03), (s * 0.085, 0.03), (s * 0.05, 0.1)], 0.01) for s in (-1, 1)]
+    cups = [plate([(s * 0.004, 0.03), (s * 0.085, 0.03), (s * 0.05, 0.1)], 0.01) for s in (-1, 1)]
     band = tube(
         smooth([(-0.14, 0.036, 0.003), (0, 0.03, 0.003), (0.14, 0.036, 0.003)], 5), 0.003, 8
     )
@@ -187,8 +185,8 @@ def bikini(look: Look) -> Shape:
         )
         for s in (-1, 1)
     ]
-    rim = _mirror([(0.0, -0.1), (0.02, -0.096), (0.04, -0.05), (0.085, -0.025), (0.082, 0.0)])
-    low = cut(rim, 0.008)
+    rim = mirror([(0.0, -0.1), (0.02, -0.096), (0.04, -0.05), (0.085, -0.025), (0.082, 0.0)])
+    low = plate(rim, 0.008)
     knots = [
         tube(
             smooth(
@@ -200,168 +198,8 @@ def bikini(look: Look) -> Shape:
         )
         for s in (-1, 1)
     ]
-    return put_down([(join([*cups, low]), _cloth(look, color)), (join([band, *ties, *knots]),
+    return put_down([(join([*cups, low]), cloth(look, color)), (join([band, *ties, *knots]),
                      plain(tint_color(color, 0.75)))], *cups, low, band, factor=k)  # fmt: skip
-
-
-def waistcoat(look: Look) -> Shape:
-    """A buttoned waistcoat lying flat."""
-    color = look.color("charcoal", "navy", "brown", "gray", "maroon", "black", "olive")
-    k = look.between(0.85, 1.05)
-    half = [
-        (0.0, -0.14),
-        (0.03, -0.165),
-        (0.05, -0.145),
-        (0.12, -0.135),
-        (0.115, 0.0),
-        (0.09, 0.075),
-        (0.095, 0.15),
-        (0.05, 0.165),
-        (0.0, 0.03),
-    ]
-    body = cut(_mirror(half), 0.012)
-    back = cut([(-0.055, 0.02), (0.055, 0.02), (0.05, 0.16), (-0.05, 0.16)], 0.006)
-    edge = [
-        tube(np.array([(s * 0.049, 0.163, 0.0118), (s * 0.002, 0.032, 0.0118)]), 0.0022, 6)
-        for s in (-1, 1)
-    ]
-    seam = bar(0.002, 0.165, 0.0012, (0, -0.054, 0.0115))
-    buttons = [disc(0.0055, 0.003, (0.009, 0.01 - 0.035 * n, 0.0115), fine=12) for n in range(4)]
-    welts = [bar(0.05, 0.008, 0.0014, (s * 0.06, -0.07, 0.0115)) for s in (-1, 1)]
-    dark = plain(tint_color(color, 0.55))
-    return put_down(
-        [
-            (
-                body,
-                textures.fabric(
-                    look.rng, color, tint_color(color, 1.2) if look.chance(0.4) else None
-                ),
-            ),
-            (back, plain(tint_color(color, 0.7))),
-            (join([*edge, seam, *welts]), dark),
-            (join(buttons), plain((230, 220, 196))),
-        ],
-        body,
-        factor=k,
-    )
-
-
-def vest(look: Look) -> Shape:
-    """A sleeveless vest lying flat."""
-    color = look.color("white", "gray", "black", "navy", "yellow", "red")
-    k = look.between(0.85, 1.05)
-    half = [(0.0, -0.17), (0.105, -0.17), (0.1, 0.04), (0.075, 0.08), (0.07, 0.16), (0.045, 0.16),
-            (0.04, 0.1), (0.0, 0.08)]  # fmt: skip
-    body = cut(_mirror(half), 0.009)
-    hem = bar(0.21, 0.01, 0.0098, (0, -0.163, 0))
-    trims = [
-        tube(
-            smooth(
-                [(s * 0.075, 0.158, 0.0085), (s * 0.075, 0.08, 0.0085), (s * 0.1, 0.04, 0.0085)], 4
-            ),
-            0.002,
-            6,
-        )
-        for s in (-1, 1)
-    ]
-    trims.append(
-        tube(
-            smooth(
-                [
-                    (-0.042, 0.158, 0.0085),
-                    (-0.038, 0.105, 0.0085),
-                    (0, 0.083, 0.0085),
-                    (0.038, 0.105, 0.0085),
-                    (0.042, 0.158, 0.0085),
-                ],
-                4,
-            ),
-            0.002,
-            6,
-        )
-    )
-    return put_down(
-        [(body, _cloth(look, color)), (join([hem, *trims]), plain(tint_color(color, 0.8)))],
-        body,
-        factor=k,
-    )
-
-
-def bodysuit(look: Look) -> Shape:
-    """A baby's bodysuit lying flat, snaps at the bottom."""
-    color = look.color("white", "sky", "pink", "mint", "yellow", "cream", "lavender")
-    k = look.between(0.85, 1.1)
-    half = [
-        (0.0, -0.115),
-        (0.022, -0.112),
-        (0.04, -0.07),
-        (0.075, -0.04),
-        (0.072, 0.05),
-        (0.12, 0.035),
-        (0.128, 0.075),
-        (0.06, 0.11),
-        (0.03, 0.11),
-        (0.0, 0.092),
-    ]
-    body = cut(_mirror(half), 0.009)
-    snaps = [disc(0.004, 0.003, (0.012 * n, -0.106, 0.0085), fine=10) for n in (-1, 0, 1)]
-    tone = look.own_color("coral", "teal", "navy", "mustard", "pink")
-    x, y = 0.0, 0.01
-    heart = [disc(0.013, 0.0012, (s * 0.009, y + 0.009, 0.0086), fine=18) for s in (-1, 1)]
-    heart.append(
-        cut(
-            [(-0.021, y + 0.004), (x, y - 0.024), (0.021, y + 0.004), (x, y + 0.012)],
-            0.0012,
-            (0, 0, 0.0086),
-        )
-    )
-    collar = tube(
-        smooth([(-0.03, 0.108, 0.0085), (0, 0.092, 0.0088), (0.03, 0.108, 0.0085)], 5), 0.003, 6
-    )
-    return put_down(
-        [
-            (body, _cloth(look, color)),
-            (join(snaps), steel(look)),
-            (join(heart), plain(tone)),
-            (collar, plain(tint_color(color, 0.75))),
-        ],
-        body,
-        factor=k,
-    )
-
-
-def braces(look: Look) -> Shape:
-    """Elastic braces lying: two straps that meet behind, with clips."""
-    color = look.color("red", "navy", "black", "green", "mustard", "gray")
-    k = look.between(0.85, 1.1)
-    straps = []
-    for s in (-1, 1):
-        path = [
-            (0, 0.12, 0.002),
-            (s * 0.02, 0.06, 0.0022),
-            (s * 0.06, -0.02, 0.002),
-            (s * 0.055, -0.11, 0.002),
-        ]
-        straps.append(tube(smooth(path, 5), 0.011, 8, squash=0.16))
-    back = bar(0.022, 0.08, 0.0035, (0, 0.155, 0))
-    patch = cut([(-0.02, 0.12), (0, 0.095), (0.02, 0.12), (0, 0.145)], 0.0055)
-    clips = [
-        bar(0.02, 0.028, 0.007, (x, y, 0))
-        for x, y in ((-0.055, -0.122), (0.055, -0.122), (0, 0.205))
-    ]
-    slides = [bar(0.027, 0.012, 0.0055, (s * 0.062, -0.04, 0)) for s in (-1, 1)]
-    lines = textures.stripes([color, tint_color(color, 1.25), color], 3, upright=True)
-    return put_down(
-        [
-            (join([*straps, back]), lines),
-            (patch, plain((110, 72, 48))),
-            (join([*clips, *slides]), steel(look)),
-        ],
-        *straps,
-        back,
-        join(clips[:2]),
-        factor=k,
-    )
 
 
 CATEGORIES = (
@@ -379,18 +217,5 @@ CATEGORIES = (
              ("living",), ("flat", "big"), ("navy", "red")),
     Category("bikini", bikini, (0.289, 0.26, 0.0103), 0.08, ("bikini top", "two-piece swimsuit"),
              ("living",), ("flat", "big"), ("red",)),
-    Category("waistcoat", waistcoat, (0.232, 0.318, 0.014), 0.3, ("suit vest", "gilet",
-             "formal vest"),
-             ("living",), ("flat", "big"), ("charcoal",)),
-    Category("vest", vest, (0.201, 0.315, 0.00977), 0.12, ("tank top", "vest top", "undershirt",
-             "sleeveless shirt", "singlet"),
-             ("living",), ("flat", "big"), ("white",)),
-    Category("bodysuit", bodysuit, (0.251, 0.221, 0.0113), 0.06,
-             ("baby bodysuit", "babygro", "baby grow", "onesie", "baby onesie", "romper",
-             "baby vest",
-              "baby clothes"), ("living",), ("flat", "big"), ("white", "sky")),
-    Category("braces", braces, (0.146, 0.344, 0.00678), 0.09, ("suspenders", "pair of braces",
-             "pair of suspenders",
-             "trouser braces"), ("living",), ("flat", "big"), ("red",)),
 )  # fmt: skip
 """The module's categories."""

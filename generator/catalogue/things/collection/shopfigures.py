@@ -19,6 +19,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus, tube
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -224,9 +225,9 @@ CATEGORIES = (
              "magnet tile", "magnetic building tile"), roles=("flat",)),
     _row("balloon_animal", of(_balloons, 0.05), (0.239, 0.0687, 0.208), 0.01, ("balloon dog",
              "balloon poodle", "balloon sculpture"), ("pink", "red"), ("big",)),
-    _row("hobby_horse", of(_hobby, 0.1), (0.37, 0.18, 0.1), 0.4, ("hobby horse head",
-             "stick horse", "horse on a stick"), ("brown",), ("big",)),
-    _row("mr_potato_head", of(_potato, bodies=3), (0.156, 0.0939, 0.141), 0.2, ("potato head",
+    at_rest(_row("hobby_horse", of(_hobby, 0.1), (0.37, 0.18, 0.1), 0.4, ("hobby horse head",
+             "stick horse", "horse on a stick"), ("brown",), ("big",))),
+    _row("mr_potato_head", of(_potato, 0.12, bodies=3), (0.156, 0.0939, 0.141), 0.2, ("potato head",
              "mrs potato head", "potato man"), ("tan",)),
     _row("furby", of(_furby, bodies=3), (0.126, 0.111, 0.135), 0.3, ("furry robot", "gremlin toy",
              "toy monster", "monster toy", "plush monster", "pokemon figure", "tamagotchi pet"),

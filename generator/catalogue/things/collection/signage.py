@@ -20,7 +20,6 @@ from ...build.making import (
 from ...build.recipes import Pieces, ball, rod
 from ...build.solids import join, torus
 from ...surfaces import glazes, prints, textures
-from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
 BLACK = textures.plain((34, 34, 37))
@@ -200,19 +199,6 @@ def _vitrine(look: Look) -> Pieces:
         (case.move(z=-low + 0.004), textures.plain((206, 222, 230))),
         (foot, BLACK),
         (card.move(z=-low + 0.004), image),
-    ]
-
-
-def _trading(look: Look) -> Pieces:
-    color = look.color("blue", "red", "green", "gold", "purple", "orange")
-    image = prints.canvas(80, 112, color)
-    prints.fill(image, 0.05, 0.035, 0.9, 0.93, tint_color(color, 1.7))
-    image[16:66, 9:71] = textures.fit(prints.artwork(look.rng, 62, 50), 50, 62)
-    prints.fill(image, 0.1, 0.06, 0.5, 0.05, (50, 50, 56))
-    prints.lines(image, look.rng, (0.12, 0.66, 0.76, 0.24), 5, (110, 110, 116))
-    return [
-        (at_block(0.063, 0.088, 0.0011, 0.003), textures.plain(color)),
-        (at_block(0.0628, 0.0878, 0.0004, 0.003, (0, 0, 0.0008)), image),
     ]
 
 

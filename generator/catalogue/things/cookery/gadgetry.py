@@ -22,22 +22,6 @@ def _steel(look: Look) -> textures.Tile:
     return textures.brushed_metal(look.rng, (192, 195, 200))
 
 
-def funnel(look: Look) -> Shape:
-    """A funnel standing on its wide rim, its spout up."""
-    r, h = look.between(0.05, 0.062), look.between(0.1, 0.125)
-    color = look.color("silver", "red", "white", "blue", "green", "copper", "yellow")
-    skin = look.surface(color, look.pick(["metal", "plastic"]))
-    outer = [(r, 0), (r, 0.006), (0.2 * r, 0.55 * h), (0.13 * r, h)]
-    inner = [(0.1 * r, h), (0.16 * r, 0.55 * h), (0.93 * r, 0)]
-    body = lathe([*outer, *inner], 32, loop=True)
-    ear = torus(0.011, 0.003, 18, 6).move(x=r + 0.009, z=0.003)
-    walls = ring_parts(outer[:3], [(0.16 * r, 0.55 * h), (0.93 * r, 0)], 12)
-    return shape(
-        [(body, skin), (ear, skin)],
-        [*walls, cylinder_part(0.13 * r, 0.44 * h, (0, 0, 0.55 * h)), hull_of(ear)],
-    )
-
-
 def sieve(look: Look) -> Shape:
     """A round mesh sieve with a long handle, resting bowl down."""
     r, h = look.between(0.07, 0.09), look.between(0.045, 0.058)
@@ -176,7 +160,8 @@ CATEGORIES = (
              "flour sifter", "sifter", "fine mesh sieve", "mesh sieve"), _K, ("container", "big"),
              ("silver", "black")),
     Category("lid", lid, (0.214, 0.214, 0.0552), 0.45, ("pot lid", "pan lid", "saucepan lid",
-             "glass lid", "lid of a pot","pitcher lid", "yoghurt lid", "yogurt lid", "plastic lid" ), _K, ("round", "flat"), ("silver",),
+             "glass lid", "lid of a pot", "pitcher lid", "yoghurt lid", "yogurt lid",
+             "plastic lid"), _K, ("round", "flat"), ("silver",),
              state="lying flat"),
     Category("can_opener", can_opener, (0.2, 0.0595, 0.024), 0.16, ("tin opener",), _K, (),
              ("black", "red"), state="lying flat"),

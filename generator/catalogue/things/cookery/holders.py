@@ -13,8 +13,6 @@ from ...build.solids import block, box, cylinder, join, lathe, loft, prism, tube
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
 
-GRIPS = ("black", "red", "teal", "white", "navy", "sage", "gray")
-
 
 def citrus_juicer(look: Look) -> Shape:
     """A citrus squeezer: a ridged cone in a dish with a spout and an ear."""

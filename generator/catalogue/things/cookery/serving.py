@@ -240,7 +240,7 @@ CATEGORIES = (
     Category("serving_platter", serving_platter, (0.355, 0.243, 0.0267), 0.9, ("platter",
              "oval platter", "oval plate", "serving plate", "serving dish", "charger plate",
              "oval dish", "epergne"), ("dining",), ("support", "flat", "big"), ("white",)),
-    Category("serving_bowl", serving_bowl, (0.256, 0.256, 0.0961), 0.8, ("fruit bowl","bird bath" ),
+    Category("serving_bowl", serving_bowl, (0.256, 0.256, 0.0961), 0.8, ("fruit bowl", "bird bath"),
              ("dining",), ("container", "round", "big"), ("wooden",
              "white")),
     Category("cloche", cloche, (0.287, 0.287, 0.161), 0.9, ("food cover", "cake dome", "dome cover",

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import drum, plate
 from ...build.outlines import smooth
 from ...build.recipes import ball, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import cut, disc, plain, turned
-from ...build.solids import Solid, join, torus, tube
+from ...build.solids import Solid, join, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 DARK = (44, 38, 36)
 
@@ -109,7 +110,7 @@ def bee(look: Look) -> Shape:
     head = ball(0.012, 0.016, 0.014, (0.018, 0, 0.011), 12)
     eyes = [ball(0.006, 0.005, 0.008, (0.02, s * 0.007, 0.012), 8) for s in (-1, 1)]
     rim = [(0, 0), (0.012, 0.007), (0.015, 0.026), (0.006, 0.034), (-0.004, 0.022)]
-    wings = [cut(np.array(rim) * [1, s] if s > 0 else (np.array(rim) * [1, s])[::-1], 0.0009)
+    wings = [plate(np.array(rim) * [1, s] if s > 0 else (np.array(rim) * [1, s])[::-1], 0.0009)
              .turn(0, s * 0.35).move(-0.004, s * 0.003, 0.0195) for s in (-1, 1)]  # fmt: skip
     legs = _legs(0.015, (0.01, 0.004, -0.004), 0.006, 0.001)
     return put_down(
@@ -141,9 +142,9 @@ def butterfly(look: Look) -> Shape:
             way = rim if s > 0 else (rim * [1, -1])[::-1]
             mid = way.mean(0)
             for scale, thick, where in ((1.0, 0.0012, edges), (0.8, 0.0018, wings)):
-                plate = cut(mid + (way - mid) * scale, thick, (0, 0, -thick / 2))
-                where.append(plate.turn(0, s * 0.5).move(0, s * 0.002, 0.008))
-            dot = disc(0.0045, 0.0026, (inner[0], s * inner[1], -0.0013), fine=10)
+                slab = plate(mid + (way - mid) * scale, thick, at=(0, 0, -thick / 2))
+                where.append(slab.turn(0, s * 0.5).move(0, s * 0.002, 0.008))
+            dot = drum(0.0045, 0.0026, (inner[0], s * inner[1], -0.0013), sides=10)
             marks.append(dot.turn(0, s * 0.5).move(0, s * 0.002, 0.008))
     body = ball(0.05, 0.007, 0.008, (-0.004, 0, 0.0065), 12)
     dark = plain(DARK if sum(color) > 250 else tint_color(color, 0.4))
@@ -172,26 +173,6 @@ def dragonfly(look: Look) -> Shape:
         [(join([tail, chest]), textures.stripes([color, tint_color(color, 0.6)], 6, upright=True)),
          (join([*eyes, *legs]), plain(DARK)), (join(wings), plain((216, 230, 234)))],
         chest, tail, join(wings), factor=k, foot=0.3)  # fmt: skip
-
-
-def spider(look: Look) -> Shape:
-    """A spider on eight bent legs."""
-    color = look.color("black", "brown", "charcoal", "maroon")
-    k = look.between(0.75, 1.25)
-    back = ball(0.032, 0.028, 0.026, (-0.016, 0, 0.013), 16)
-    chest = ball(0.02, 0.017, 0.013, (0.007, 0, 0.011), 14)
-    eyes = [ball(0.003, 0.003, 0.003, (0.0155, s * 0.003, 0.0145), 6) for s in (-1, 1)]
-    legs = []
-    for n in range(4):
-        for s in (-1, 1):
-            a = s * (0.55 + 0.62 * n)
-            way = np.array([np.cos(a), np.sin(a)])
-            path = [(*(0.006 * way + [0.006, 0]), 0.011), (*(0.026 * way + [0.006, 0]), 0.026),
-                    (*(0.046 * way + [0.006, 0]), 0.0012)]  # fmt: skip
-            legs.append(rod(path, [0.0018, 0.0016, 0.0009], 6, 3))
-    fur = textures.scratches(look.rng, color, tint_color(color, 1.35), 90)
-    return put_down([(join([back, chest, *legs]), fur), (join(eyes), plain((220, 60, 50)))],
-                    back, chest, *legs, factor=k)  # fmt: skip
 
 
 def _ant(look: Look) -> Shape:
@@ -270,30 +251,6 @@ def snail(look: Look) -> Shape:
         factor=k,
         foot=0.2,
     )
-
-
-def tortoise(look: Look) -> Shape:
-    """A small turtle: a domed shell of plates, four feet and a head."""
-    color = look.color("green", "olive", "brown", "teal")
-    k = look.between(0.8, 1.2)
-    shell = turned([(0.03, 0.009), (0.034, 0.014), (0.03, 0.024), (0.018, 0.033), (0.006, 0.036)],
-                   fine=20).scale(1.2, 1, 1)  # fmt: skip
-    rim = torus(0.032, 0.004, 26, 8).scale(1.2, 1, 1).move(z=0.013)
-    head = ball(0.022, 0.017, 0.016, (0.048, 0, 0.016), 14)
-    feet = [
-        ball(0.02, 0.015, 0.016, (s * 0.026, t * 0.024, 0.006), 10)
-        for s in (-1, 1)
-        for t in (-1, 1)
-    ]
-    tail = rod([(-0.038, 0, 0.009), (-0.048, 0, 0.006)], [0.003, 0.001], 6)
-    eyes = [ball(0.003, 0.003, 0.004, (0.054, s * 0.006, 0.02), 6) for s in (-1, 1)]
-    plates = [ball(0.017, 0.015, 0.006, (0.0, 0, 0.0345), 6)]
-    plates += [ball(0.015, 0.013, 0.008, (0.026 * np.cos(a), 0.021 * np.sin(a), 0.0285), 6)
-               for a in np.arange(6) * np.pi / 3]  # fmt: skip
-    skin = textures.speckles(look.rng, tint_color(color, 1.3), 8)
-    return put_down([(join([head, *feet, tail]), skin), (join([shell, rim]), plain(color)),
-                     (join(plates), plain(tint_color(color, 0.7))), (join(eyes), plain(DARK))],
-                    shell, head, *feet, factor=k, foot=0.2)  # fmt: skip
 
 
 CATEGORIES = (

@@ -11,6 +11,7 @@ from ...build.recipes import ball
 from ...build.settled import limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, tube
+from ...build.variants import at_rest, varied
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -129,8 +130,9 @@ CATEGORIES = (
              _K, _E, ("red",), state=_L),
     Category("crayfish", crayfish, (0.179, 0.0666, 0.0224), 0.06, ("langoustine", "crawfish",
              "dublin bay prawn", "yabby"), _K, _E, ("red",), state=_L),
-    Category("fish_finger", finger, (0.0907, 0.0272, 0.0171), 0.028, ("fish stick", "fishfinger",
-             "potato croquette", "croquette", "mozzarella stick"), _K, _E, ("amber",), state=_L),
+    varied(Category("fish_finger", finger, (0.0907, 0.0272, 0.0171), 0.028, ("fish stick",
+             "fishfinger",
+             "potato croquette", "croquette", "mozzarella stick"), _K, _E, ("amber",), state=_L)),
     Category("fishcake", cake, (0.0769, 0.0775, 0.0227), 0.08, ("fish cake", "crab cake",
              "hash brown", "potato cake", "rosti", "latke", "potato pancake", "fritter",
              "rostis"), _K, ("edible", "round", "flat"), ("amber",), state=_L),
@@ -141,8 +143,8 @@ CATEGORIES = (
     Category("fish_and_chips", fish_and_chips, (0.299, 0.219, 0.0518), 0.8,
              ("plate of fish and chips", "fish supper", "fish & chips"), _K, ("edible", "big"),
              ("white",)),
-    Category("smoked_salmon", slices, (0.124, 0.0864, 0.0196), 0.05, ("smoked salmon slice",
+    at_rest(Category("smoked_salmon", slices, (0.124, 0.0864, 0.0196), 0.05, ("smoked salmon slice",
              "slice of smoked salmon", "gravlax", "lox"), _K, ("edible", "flat"), ("coral",),
-             state=_L),
+             state=_L)),
 )  # fmt: skip
 """The module's categories."""

@@ -12,6 +12,7 @@ from ...build.recipes import ball, straight
 from ...build.settled import hull_above, limb, rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
+from ...build.variants import varied
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -215,8 +216,9 @@ CATEGORIES = (
              "sunday roast", "gammon joint"), _K, ("edible", "big"), ("brown",), state=_L),
     Category("meatloaf", meatloaf, (0.189, 0.092, 0.0688), 0.8, ("meat loaf", "nut roast", "pate",
              "terrine"), _K, _E, ("red",)),
-    Category("lamb_chop", chop, (0.152, 0.0753, 0.018), 0.12, ("pork chop", "cutlet", "lamb cutlet",
-             "chop", "veal chop"), _K, ("edible", "flat"), ("brown",), state=_L),
+    varied(Category("lamb_chop", chop, (0.152, 0.0753, 0.018), 0.12, ("pork chop", "cutlet",
+             "lamb cutlet",
+             "chop", "veal chop"), _K, ("edible", "flat"), ("brown",), state=_L)),
     Category("chicken_breast", breast, (0.148, 0.0791, 0.0298), 0.17, ("chicken fillet",
              "breast of chicken", "turkey breast", "duck breast", "grilled chicken"), _K, _E,
              ("beige",), state=_L),
@@ -229,11 +231,12 @@ CATEGORIES = (
     Category("black_pudding", pudding_slice, (0.0589, 0.0593, 0.0143), 0.03, ("black pudding slice",
              "blood sausage", "slice of black pudding", "white pudding"), ("breakfast",),
              ("edible", "round", "flat"), ("black",), state=_L),
-    Category("kofta", kebab_skewer, (0.275, 0.0286, 0.0251), 0.1, ("kofta kebab", "seekh kebab",
-             "kofte", "kafta", "adana kebab"), _K, _E, ("brown",), state=_L),
-    Category("hot_dog_bun", hot_dog_bun, (0.153, 0.0811, 0.0391), 0.05, ("hotdog bun",
+    varied(Category("kofta", kebab_skewer, (0.275, 0.0286, 0.0251), 0.1, ("kofta kebab",
+             "seekh kebab",
+             "kofte", "kafta", "adana kebab"), _K, _E, ("brown",), state=_L)),
+    varied(Category("hot_dog_bun", hot_dog_bun, (0.153, 0.0811, 0.0391), 0.05, ("hotdog bun",
              "finger roll", "brioche hot dog bun", "sub roll", "hot dog roll"), _K, _E, (),
-             state=_L),
+             state=_L)),
     Category("pineapple_hedgehog", hedgehog, (0.192, 0.191, 0.0991), 0.6,
              ("cheese and pineapple hedgehog", "cheese hedgehog", "cheese and pineapple"),
              ("dining",), _R, ("silver",)),

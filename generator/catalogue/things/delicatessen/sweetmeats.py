@@ -11,6 +11,7 @@ from ...build.collision import box_part
 from ...build.settled import rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, ellipsoid, lathe, prism, torus
+from ...build.variants import varied
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -137,8 +138,8 @@ CATEGORIES = (
     Category("laddu", rough_ball((0.042, 0.042, 0.038), ("orange", "amber", "yellow"), 1.0, 0.02,
              0.4, (226, 206, 150)), (0.0414, 0.0416, 0.0343), 0.045, ("ladoo", "laddoo",
              "besan laddu", "motichoor laddu", "laddus"), _K, _R, ("orange",)),
-    Category("vada", ring_fritter, (0.0773, 0.0773, 0.0215), 0.05, ("medu vada", "vadai",
-             "vada fritter", "vadas"), _K, _R, ("copper",)),
+    varied(Category("vada", ring_fritter, (0.0773, 0.0773, 0.0215), 0.05, ("medu vada", "vadai",
+             "vada fritter", "vadas"), _K, _R, ("copper",))),
     Category("idli", steamed, (0.0727, 0.0727, 0.0236), 0.04, ("idly", "steamed rice cake",
              "idlis"), _K, _R, ("white",)),
     Category("dosa", dosa, (0.279, 0.0668, 0.0447), 0.12, ("masala dosa", "rolled pancake",

@@ -16,7 +16,6 @@ from ...surfaces.look import Look
 
 DARK: RGB = (32, 32, 35)
 STEEL: RGB = (196, 198, 202)
-CASES = ("black", "white", "charcoal", "gray", "silver")
 
 
 def game_console(look: Look) -> Shape:

@@ -14,7 +14,6 @@ from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
 
-CASES = ("black", "charcoal", "white", "gray", "silver", "red", "blue", "teal")
 DARK: RGB = (30, 30, 33)
 
 

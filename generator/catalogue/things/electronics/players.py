@@ -227,7 +227,7 @@ CATEGORIES = (
              ("living",), ("round",), ("charcoal", "gray")),
     Category("projector", projector, (0.225, 0.201, 0.085), 2.0, ("video projector", "beamer",
              "mini projector", "data projector", "film projector", "fog machine",
-             "smoke machine","slide viewer", "slide viewer" ), ("office",),
+             "smoke machine", "slide viewer"), ("office",),
              ("big",),
              ("white",)),
     Category("retro_television", retro_television, (0.285, 0.197, 0.329), 3.0,

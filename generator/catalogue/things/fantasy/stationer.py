@@ -217,7 +217,7 @@ CATEGORIES = (
              "calligraphy nib", "dip pen nib"), ("gold",), roles=("flat",)),
     _row("blotter", _blotter, (0.14, 0.06, 0.068), 0.25, ("ink blotter", "rocker blotter",
              "desk blotter"), ("brown",), 0.06),
-    _row("pencil_grip", _grip, (0.041, 0.0148, 0.0146), 0.003, ("pen grip", 
+    _row("pencil_grip", _grip, (0.041, 0.0148, 0.0146), 0.003, ("pen grip",
              "writing grip"), ("red", "blue"), 0.1, 1),
 )  # fmt: skip
 """The module's categories."""

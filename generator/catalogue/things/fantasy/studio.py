@@ -21,6 +21,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, rod, straight
 from ...build.solids import join
+from ...build.variants import at_rest
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -207,12 +208,13 @@ CATEGORIES = (
              "lettering stencil", "stencil sheet", "shape template"), ("green",), roles=("flat",)),
     _row("silkscreen", _screen, (0.26, 0.32, 0.022), 0.5, ("silk screen", "screen printing frame",
              "printing screen", "screen print frame"), ("wooden",), roles=("flat", "big")),
-    _row("airbrush", _airbrush, (0.153, 0.0917, 0.0412), 0.15, ("air brush", "airbrush pen",
-             "airbrush gun pen"), ("silver",), 0.1, 3),
+    at_rest(_row("airbrush", _airbrush, (0.153, 0.0917, 0.0412), 0.15, ("air brush", "airbrush pen",
+             "airbrush gun pen"), ("silver",), 0.1, 3)),
     _row("rotary_cutter", _spread, (0.168, 0.0449, 0.0242), 0.09, ("rotary fabric cutter",
              "fabric cutter", "roller cutter", "rotary trimmer", "rotary knife",
              "rotary blade cutter"), ("yellow",), 0.1, 3),
-    _row("staple_remover", _remover, (0.0603, 0.0282, 0.0455), 0.04, ("staple puller", "de stapler",
-             "staple extractor"), ("black", "red")),
+    at_rest(_row("staple_remover", _remover, (0.0603, 0.0282, 0.0455), 0.04, ("staple puller",
+             "de stapler",
+             "staple extractor"), ("black", "red"))),
 )  # fmt: skip
 """The module's categories."""

@@ -220,7 +220,7 @@ CATEGORIES = (
     _row("headset_receiver", _receiver, (0.0913, 0.0644, 0.102), 0.08, ("wireless receiver",
              "signal receiver", "receiver", "wireless transmitter", "bluetooth adapter"),
              ("black",)),
-    _row("toy_chair", _chair, (0.05, 0.05, 0.11), 0.03, ("dollhouse chair", 
+    _row("toy_chair", _chair, (0.05, 0.05, 0.11), 0.03, ("dollhouse chair",
              "miniature chair", "mini chair", "doll chair", "small chair", "wooden chair"),
              ("wooden",)),
 )  # fmt: skip

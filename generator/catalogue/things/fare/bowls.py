@@ -10,11 +10,9 @@ from ...build.settled import hull_above, limb, scatter, serve
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tint_color
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 from .dishes import filled_bowl, pool
-
-GREEN: RGB = (96, 158, 62)
 
 
 def mashed_potatoes(look: Look) -> Shape:

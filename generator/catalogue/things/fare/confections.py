@@ -237,7 +237,8 @@ def licorice(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("candy", candy, (0.0499, 0.0239, 0.0179), 0.008, ("sweets", "wrapped candy",
-                 "wrapped sweet", "caramel", "candy wrapper", "boiled sweet", "bonbon", "caramel","hard candy" ),
+                 "wrapped sweet", "caramel", "candy wrapper", "boiled sweet", "bonbon",
+                 "hard candy"),
              ("coffee", "living"), ("edible",), ("red", "yellow", "green"), state="lying flat"),
     Category("lollipop", lollipop, (0.13, 0.0385, 0.0222), 0.018, ("lolly", "swirl lollipop"),
              ("living",), ("edible",), ("red", "pink"), state="lying flat"),

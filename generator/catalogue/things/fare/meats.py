@@ -16,7 +16,6 @@ from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 from ..food.food import skin
 
-ROAST: RGB = (178, 104, 46)
 BONE: RGB = (240, 230, 208)
 
 

@@ -12,11 +12,8 @@ from ...build.settled import hull_above, limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, loft, prism
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tint_color
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-
-NORI: RGB = (36, 46, 38)
-RICE: RGB = (246, 244, 236)
 
 
 def fish(look: Look) -> Shape:
@@ -243,8 +240,8 @@ def clam(look: Look) -> Shape:
 CATEGORIES = (
     Category("fish", fish, (0.205, 0.0866, 0.0272), 0.35, ("whole fish", "trout", "mackerel",
                  "sea bass", "herring", "grilled fish", "raw fish", "sardine", "anchovy", "cod",
-             "cod", "haddock", "sea bream", "red snapper", "whole trout", "kipper", "tilapia",
-             "perch", "pollock","carp" ),
+                 "haddock", "sea bream", "red snapper", "whole trout", "kipper", "tilapia",
+             "perch", "pollock", "carp"),
              ("kitchen",), ("edible",), ("silver", "gray"),
              state="lying flat"),
     Category("salmon", salmon, (0.128, 0.0627, 0.023), 0.15, ("salmon fillet", "salmon steak",

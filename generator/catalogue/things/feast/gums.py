@@ -92,7 +92,7 @@ CATEGORIES = (
              ("cola bottle", "gummy bottle", "fizzy cola bottle"), _F, _E, ("brown",),
              state="lying flat"),
     Category("fruit_pastille", pastille, (0.0266, 0.0224, 0.00874), 0.003,
-             ("pastille", "wine gum", "gumdrop", "gum drop", "lozenge", 
+             ("pastille", "wine gum", "gumdrop", "gum drop", "lozenge",
               "fruit gum", "jelly sweet"), _F, _E,
              ("red",)),
 )  # fmt: skip

@@ -181,7 +181,7 @@ CATEGORIES = (
     Category("temaki", temaki, (0.135, 0.054, 0.0556), 0.08, ("hand roll", "sushi hand roll",
         "sushi cone"), _F, _E, ("coral",), state="lying"),
     Category("mochi", _bun((0.038, 0.05), 0.75, ("white", "pink", "mint", "lavender", "cream"),
-                           "mochi"), (0.0446, 0.0446, 0.0301), 0.045, ("daifuku", 
+                           "mochi"), (0.0446, 0.0446, 0.0301), 0.045, ("daifuku",
                                "mochi ball"), _F, _R, ("white",)),
     Category("dorayaki", _bun((0.085, 0.1), 0.42, ("copper", "wooden", "bronze"), "sandwich"),
              (0.0922, 0.0928, 0.0405), 0.07, ("red bean pancake", "whoopie pie"), _F, _R,

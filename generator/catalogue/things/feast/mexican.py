@@ -96,15 +96,16 @@ def nachos(look: Look) -> Shape:
         out, a = 0.075 * np.sqrt((n + 0.5) / 34), 2.4 * n
         one = (
             prism([(-0.02, -0.014), (0.02, -0.014), (0, 0.022)], 0, 0.0022)
-            .turn(0, look.between(-0.6, 0.6))
-            .turn(1, look.between(-0.5, 0.5))
+            .turn(0, look.between(-0.6, 0.6) * (1 - 0.7 * n / 34))
+            .turn(1, look.between(-0.5, 0.5) * (1 - 0.7 * n / 34))
             .turn(2, a)
         )
-        chips.append(one.move(out * np.cos(a), out * np.sin(a), 0.014 + 0.035 * (1 - n / 34)))
+        chips.append(one.move(out * np.cos(a), out * np.sin(a), 0.017 + 0.032 * (1 - n / 34)))
     cheese = (
         ellipsoid(0.1, 0.09, 0.05, 20, 10)
         .bend(lambda p: p * (1 + 0.12 * np.sin(110 * p[:, :1]) * np.cos(100 * p[:, 1:2])))
         .move(z=0.016)
+        .bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0.005)]))
     )
     red, green = (
         scatter(look, 0.05, 12, (0.008, 0.012), 0.034, dome=0.012),
@@ -115,7 +116,7 @@ def nachos(look: Look) -> Shape:
             (cheese, textures.speckles(look.rng, (248, 190, 70), 10)),
             (red, textures.plain((200, 50, 44))),
             (green, textures.plain((90, 150, 60)))]  # fmt: skip
-    return settle([(s.scale(k, k, k), t) for s, t in made], 0.0, hulls=[[0], [1, 2, 3]])
+    return settle([(s.scale(k, k, k), t) for s, t in made], 0.03, hulls=[[0], [1, 2, 3]])
 
 
 def enchilada(look: Look) -> Shape:

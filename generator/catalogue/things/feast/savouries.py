@@ -138,7 +138,7 @@ CATEGORIES = (
     Category("panini", _long_roll((0.16, 0.19), True), (0.173, 0.0668, 0.0601), 0.22,
              ("toasted panini", "pressed sandwich"), _F, _E, ("wooden",), state="lying flat"),
     Category("banh_mi", _long_roll((0.2, 0.25), False), (0.227, 0.088, 0.0783), 0.25,
-             ("sub sandwich", "submarine sandwich", "baguette sandwich", 
+             ("sub sandwich", "submarine sandwich", "baguette sandwich",
               "filled baguette", "hoagie"), _F, _E, ("wooden",), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

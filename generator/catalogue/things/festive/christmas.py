@@ -15,7 +15,6 @@ from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
-DARK = textures.plain((34, 32, 34))
 GOLD = (222, 180, 80)
 
 

@@ -17,7 +17,6 @@ from ...surfaces.glazes import glaze_tile
 from ...surfaces.look import Look
 
 GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "teal")
-DARK = textures.plain((32, 30, 32))
 
 
 def party_hat(look: Look) -> Shape:
@@ -207,7 +206,7 @@ CATEGORIES = (
              "elastic roll", "roll of elastic"), ("craft",), (), ("red", "pink"),
              state="lying flat"),
     Category("gift_tag", gift_tag, (0.1, 0.042, 0.0035), 0.003, ("name tag", "label tag",
-             "present tag", "paper tag", "do not disturb sign", "do not disturb sign",
+             "present tag", "paper tag", "do not disturb sign",
              "museum label"), ("living",), ("flat",), ("tan",),
              state="lying flat"),
     Category("birthday_cake", birthday_cake, (0.21, 0.21, 0.125), 0.8, ("cake with candles",

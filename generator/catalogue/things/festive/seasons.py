@@ -16,7 +16,6 @@ from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
 GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "teal")
-DARK = textures.plain((32, 30, 32))
 
 
 def witch_hat(look: Look) -> Shape:
@@ -117,18 +116,6 @@ def jack_o_lantern(look: Look) -> Shape:
     skin = textures.stripes([color, tint_color(color, 0.88)], 10, upright=True, side=96)
     return put_down([(body, skin), (stem, textures.plain((110, 120, 60))),
                     (join([*eyes, nose, grin]), glow)], body, stem)  # fmt: skip
-
-
-def pumpkin(look: Look) -> Shape:
-    """A ribbed pumpkin with its stalk."""
-    color = look.color("orange", "orange", "amber", "white", "green", "coral")
-    d, flat = look.between(0.1, 0.16), look.between(0.6, 0.82)
-    body = lobe(ellipsoid(d, d, flat * d, 40, 14), 10, 0.14).move(z=0.47 * flat * d)
-    top = 0.94 * flat * d
-    stem = rod([(0, 0, top - 0.006), (0.003, 0, top + 0.012), (0.014, 0, top + 0.024)],
-               [0.011, 0.007, 0.009], 8)  # fmt: skip
-    skin = textures.stripes([color, tint_color(color, 0.85), color], 10, upright=True, side=120)
-    return put_down([(body, skin), (stem, textures.plain((120, 124, 66)))], body, stem)
 
 
 def skull(look: Look) -> Shape:

@@ -17,7 +17,6 @@ from ...surfaces.textures import Tile
 from .food import press_flat, skin
 
 LEAF: RGB = (78, 130, 58)
-STEM: RGB = (112, 128, 64)
 
 
 def _diamonds(look: Look, color: RGB) -> Tile:

@@ -194,7 +194,7 @@ CATEGORIES = (
              ("dining", "food"), ("edible",), state="lying flat"),
     Category("fries", fries, (0.072, 0.042, 0.125), 0.14,
              ("french fries", "chip cup", "box of fries", "french fry", "paper cone of chips",
-             "cone of chips", "cone of fries", "cone of chips"), ("dining", "food"),
+             "cone of chips", "cone of fries"), ("dining", "food"),
              ("edible",), ("red", "white")),
 )  # fmt: skip
 """The module's categories."""

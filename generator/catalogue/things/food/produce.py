@@ -17,7 +17,6 @@ from ..tools.tools import lying
 from .food import press_flat, skin
 
 LEAF: RGB = (78, 130, 58)
-STEM: RGB = (112, 128, 64)
 
 
 def avocado(look: Look) -> Shape:

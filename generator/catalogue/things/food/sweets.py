@@ -11,11 +11,9 @@ from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism
 from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, tint_color
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 from .food import skin
-
-CRUST: RGB = (206, 152, 86)
 
 
 def pancakes(look: Look) -> Shape:
@@ -119,7 +117,7 @@ CATEGORIES = (
              ("pancake stack", "stack of pancakes", "pancake", "hotcake", "plate of pancakes"),
              ("breakfast", "food"), ("round", "edible")),
     Category("cookie", cookie, (0.07, 0.07, 0.018), 0.022,
-             ("biscuit", "chocolate chip cookie", "rusk" ), ("tea", "coffee", "food"),
+             ("biscuit", "chocolate chip cookie", "rusk"), ("tea", "coffee", "food"),
              ("round", "flat", "edible"), ("tan", "brown"), state="lying flat"),
     Category("chocolate_bar", chocolate_bar, (0.16, 0.076, 0.011), 0.1,
              ("chocolate", "bar of chocolate", "candy bar"),

@@ -232,27 +232,3 @@ def blackjack(look: Look, color: RGB) -> textures.Tile:
         prints.fill(image, x - 0.04, y - 0.09, 0.08, 0.18, line)
         prints.fill(image, x - 0.036, y - 0.08, 0.072, 0.16, color)
     return image
-
-
-def bingo(look: Look, color: RGB) -> textures.Tile:
-    """Five rows of numbers."""
-    image = prints.canvas(128, 152, (250, 249, 244))
-    prints.fill(image, 0, 0, 1, 0.18, color)
-    prints.write(image, "BINGO", 0.5, 0.09, 0.13, readable_on(color), bold=True)
-    for i in range(5):
-        for j in range(5):
-            x, y = 0.03 + 0.19 * i, 0.2 + 0.157 * j
-            prints.fill(image, x, y, 0.18, 0.148, tint_color(color, 1.4))
-            prints.fill(image, x + 0.012, y + 0.01, 0.156, 0.128, (250, 249, 244))
-            cell = image[:, int(128 * x) : int(128 * (x + 0.18))]
-            prints.write(
-                cell,
-                str(int(look.rng.integers(1, 15)) + 15 * i),
-                0.5,
-                y + 0.075,
-                0.06,
-                (40, 40, 46),
-            )
-            if look.chance(0.2):
-                prints.disc(image, x + 0.09, y + 0.075, 0.055, tint_color(color, 1.1))
-    return image

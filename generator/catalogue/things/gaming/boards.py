@@ -57,7 +57,7 @@ def mancala(look: Look) -> Shape:
         for j in (-1, 1):
             at = ((i - 2.5) * 0.048 * k, 0.027 * j * k)
             pits.append(cylinder(0.02 * k, 0.0008, 22).move(*at, h - 0.0004))
-            stones += [ellipsoid(0.01, 0.009, 0.008, 8, 6).move(at[0] + 0.009 * np.cos(2.1 * n + i),
+            stones += [ellipsoid(0.01, 0.009, 0.008, 7, 5).move(at[0] + 0.009 * np.cos(2.1 * n + i),
                        at[1] + 0.009 * np.sin(2.1 * n + i), h + 0.002)
                        for n in range(int(look.rng.integers(1, 5)))]  # fmt: skip
     pits += [prism(ellipse(0.04 * k, 0.09 * k, 24), 0, 0.0008).move(s * 0.168 * k, 0, h - 0.0004)

@@ -114,20 +114,21 @@ def _turn_to(a: np.ndarray, b: np.ndarray) -> Float[np.ndarray, "3 3"]:
 _R = ("games", "toys")
 CATEGORIES = (
     Category("twenty_sided_die", _die(_signs((0, 1, PHI)), 0.022), (0.0234, 0.0221, 0.0192), 0.006,
-             ("d20", 
+             ("d20",
              "twenty-sided die", "twenty sided dice", "twenty-sided dice", "20 sided die",
              "20-sided die"), _R, (), ("red", "blue")),
     Category("twelve_sided_die", _die(_signs((1, 1, 1), (0, 1 / PHI, PHI)), 0.021),
              (0.0207, 0.0213, 0.0173), 0.006,
              ("d12",  "twelve-sided die", "12 sided die"), _R, (),
              ("red", "blue")),
-    Category("ten_sided_die", _die(_kite_ends(), 0.021), (0.016, 0.0203, 0.0143), 0.005, ("d10", 
+    Category("ten_sided_die", _die(_kite_ends(), 0.021), (0.016, 0.0203, 0.0143), 0.005, ("d10",
              "ten-sided die", "10 sided die", "percentile die"), _R, (), ("red", "blue")),
     Category("eight_sided_die", _die(_signs((0, 0, 1)), 0.02), (0.0173, 0.0173, 0.0127), 0.004,
-             ("d8", 
+             ("d8",
              "eight-sided die", "8 sided die"), _R, (), ("red", "blue")),
     Category("four_sided_die", _die(np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)],
                                              float),
-             0.024), (0.0201, 0.0201, 0.017), 0.003, ("d4",  "four-sided die", "4 sided die"), _R, (), ("red", "blue")),
+             0.024), (0.0201, 0.0201, 0.017), 0.003, ("d4", "four-sided die", "4 sided die"), _R,
+             (), ("red", "blue")),
 )  # fmt: skip
 """The module's categories."""

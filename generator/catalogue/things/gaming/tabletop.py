@@ -234,7 +234,7 @@ CATEGORIES = (
              "terrain tile", "hexagon tile"), _G, _F, ("green",), state="lying flat"),
     Category("game_house", game_house, (0.0134, 0.0157, 0.014), 0.002, ("monopoly house",
         "monopoly hotel"), _G, (), ("green",)),
-    Category("tile_rack", tile_rack, (0.2, 0.04, 0.028), 0.05, ("scrabble rack", 
+    Category("tile_rack", tile_rack, (0.2, 0.04, 0.028), 0.05, ("scrabble rack",
              "scrabble tile rack", "domino rack", "rummy rack"), _G, (), ("wooden",)),
     Category("dice_tower", dice_tower, (0.1, 0.161, 0.174), 0.4, ("tower for dice",), _G, ("tall",),
              ("wooden",)),

@@ -20,6 +20,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus
+from ...build.variants import at_rest
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
 
@@ -244,8 +245,8 @@ CATEGORIES = (
              "toy steering wheel"), roles=("flat", "big"), foot=0.0),
     _row("hubcap", _hubcap, (0.34, 0.34, 0.032), 0.5, ("hub cap", "wheel trim", "alloy wheel"),
              ("silver",), bodies=1, roles=("flat", "big")),
-    _row("headlight", _headlight, (0.17, 0.168, 0.173), 0.6, ("car headlight",
-             "fog light"), ("silver",), bodies=3),
+    at_rest(_row("headlight", _headlight, (0.17, 0.168, 0.173), 0.6, ("car headlight",
+             "fog light"), ("silver",), bodies=3)),
     _row("rear_view_mirror", _mirror, (0.226, 0.122, 0.068), 0.3, ("rearview mirror", "wing mirror",
              "car mirror", "side mirror"), bodies=3),
     _row("wiper_blade", _wiper, (0.44, 0.016, 0.044), 0.2, ("windscreen wiper",

@@ -264,7 +264,7 @@ CATEGORIES = (
              "gold")),
     _row("car_horn", _horn, (0.149, 0.101, 0.0827), 0.4, ("air horn",), ("black",
              "red"), bodies=2),
-    _row("car_fuse", _fuse, (0.019, 0.02, 0.005), 0.002, ("blade fuse", 
+    _row("car_fuse", _fuse, (0.019, 0.02, 0.005), 0.002, ("blade fuse",
              "electrical fuse"), ("red", "blue")),
     _row("car_air_freshener", _tree, (0.0662, 0.137, 0.00233), 0.004, (
              "tree air freshener", "hanging air freshener"), ("green",), roles=("flat",)),

@@ -233,7 +233,7 @@ CATEGORIES = (
     Category("apple_core", apple_core, (0.0809, 0.0521, 0.0476), 0.03, ("core of an apple",
         "eaten apple",
              "half eaten apple", "bitten apple core"), _K, (), ("red",), state="lying"),
-    Category("orange_peel", _peel_strip(("orange", "orange", "amber"), False),
+    Category("orange_peel", keep_still(_peel_strip(("orange", "orange", "amber"), False)),
              (0.0531, 0.0531, 0.0249), 0.015,
              ("lemon peel", "citrus peel", "orange rind", "orange twist", "lemon twist",
               "strip of orange peel"), _K, _E, ("orange", "yellow"), state="lying curled"),

@@ -264,7 +264,7 @@ CATEGORIES = (
              ("black currant", "bunch of blackcurrants", "elderberry", "currant"), _K, _E,
              ("black",), state="lying"),
     Category("lavender_sachet", lavender_sachet, (0.0658, 0.053, 0.1), 0.03,
-             ("scented sachet", 
+             ("scented sachet",
              "lavender bag", "potpourri sachet", "drawer sachet"), ("living",), (), ("lavender",)),
 )  # fmt: skip
 """The module's categories."""

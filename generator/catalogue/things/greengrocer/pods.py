@@ -12,7 +12,7 @@ from ...build.forms import blade, streaks
 from ...build.settled import limb, settle
 from ...build.shape import Shape
 from ...build.solids import cylinder, ellipsoid, join, lathe
-from ...build.variants import keep_still
+from ...build.variants import at_rest, keep_still
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -93,23 +93,6 @@ def clove(look: Look) -> Shape:
     return settle(laid, 0.16).scale(k)
 
 
-def star_anise(look: Look) -> Shape:
-    """A star anise: eight boat-shaped arms with a seed in each."""
-    color = look.color("brown", "copper", "bronze", "maroon")
-    k, arms = look.between(0.85, 1.2), look.pick([7, 8, 8, 9])
-    boats, seeds = [], []
-    for n in range(arms):
-        a = 2 * np.pi * n / arms
-        reach = look.between(0.011, 0.0145)
-        boats.append(limb([(0.001, 0, 0.003), (0.45 * reach, 0, 0.003), (reach, 0, 0.0045)],
-                          [0.0016, 0.0028, 0.0006], 8).turn(2, a))  # fmt: skip
-        seeds.append(ellipsoid(0.005, 0.0024, 0.003, 8, 5).move(0.5 * reach, 0, 0.0052).turn(2, a))
-    rough = textures.spots(look.rng, color, tint_color(color, 0.7), 0.2)
-    return settle([(join(boats), rough), (join(seeds), textures.plain((150, 92, 48)))], 0.1).scale(
-        k
-    )
-
-
 def cinnamon_stick(look: Look) -> Shape:
     """A quill of cinnamon: a rolled bark, two scrolls side by side, lying."""
     long, r = look.between(0.07, 0.1), look.between(0.0055, 0.0075)
@@ -171,9 +154,10 @@ CATEGORIES = (
     _row("turmeric", Pod((0.06, 0.085), (0.06, 0.11, 0.09, 0.11, 0.06), ("orange", "amber",
          "mustard"), 0.09, "rings"), 0.02, (0.0749, 0.0184, 0.0133), "turmeric root",
          "fresh turmeric"),
-    Category("clove", clove, (0.0145, 0.00765, 0.00643), 0.0001, ("whole clove", "clove spice"),
+    at_rest(Category("clove", clove, (0.0145, 0.00765, 0.00643), 0.0001, ("whole clove",
+             "clove spice"),
              _K, ("edible",),
-             ("brown",), state="lying flat"),
+             ("brown",), state="lying flat")),
     Category("cinnamon_stick", cinnamon_stick, (0.0855, 0.0242, 0.0113), 0.005, ("cinnamon quill",
              "stick of cinnamon", "cinnamon bark"), _K, ("edible",), ("copper",),
              state="lying flat"),

@@ -12,6 +12,7 @@ from ...build.forms import pillow
 from ...build.recipes import ball
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, loft
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
@@ -224,9 +225,10 @@ CATEGORIES = (
              "coffee sachet", "sachet of sugar", "sachet of ketchup", "sugar stick", "silica gel",
              "silica gel packet", "shampoo sachet", "wet wipe sachet", "salt packet",
              "pepper sachet"), _K, _F, ("red", "white"), state=_L),
-    Category("ready_meal", tray_meal, (0.196, 0.149, 0.0359), 0.4, ("microwave meal", "tv dinner",
+    varied(Category("ready_meal", tray_meal, (0.196, 0.149, 0.0359), 0.4, ("microwave meal",
+             "tv dinner",
              "frozen dinner", "microwave dinner", "frozen meal"), _K, _F,
-             ("green",), state=_L),
+             ("green",), state=_L)),
     Category("stock_cube", foil_cube, (0.0271, 0.0271, 0.0209), 0.01, ("bouillon cube", "oxo cube",
              "gravy cube", "stock pot cube", "bouillon"), _K, (), ("gold",)),
     Category("gift_hamper", hamper, (0.303, 0.216, 0.299), 3.0, ("hamper", "food hamper",

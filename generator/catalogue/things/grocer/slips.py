@@ -158,7 +158,7 @@ CATEGORIES = (
     Category("receipt", receipt, (0.0704, 0.166, 0.00423), 0.002, ("till receipt", "shop receipt",
              "sales receipt", "supermarket receipt", "paper receipt", "invoice slip", "bill slip"),
              _O, _F, ("white",), state=_L),
-    Category("menu", menu, (0.157, 0.223, 0.0031), 0.06, ("restaurant menu", 
+    Category("menu", menu, (0.157, 0.223, 0.0031), 0.06, ("restaurant menu",
              "cafe menu", "takeaway menu", "drinks menu", "wine list", "dessert menu"),
              ("dining",), _F, ("cream", "maroon"), state=_L),
     Category("place_card", place_card, (0.093, 0.046, 0.047), 0.003, ("place name card",
@@ -175,7 +175,7 @@ CATEGORIES = (
     Category("scorecard", scorecard, (0.105, 0.148, 0.0014), 0.004, ("score card",
              "bridge scorecard", "score sheet", "golf scorecard", "scoresheet"), _O,
              _F, ("white",), state=_L),
-    Category("voucher", voucher, (0.158, 0.0739, 0.0013), 0.004, ("gift voucher", 
+    Category("voucher", voucher, (0.158, 0.0739, 0.0013), 0.004, ("gift voucher",
              "gift certificate", "discount coupon", "money off coupon"), _O, _F, ("red", "gold"),
              state=_L),
 )  # fmt: skip

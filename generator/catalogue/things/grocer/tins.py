@@ -115,7 +115,7 @@ CATEGORIES = (
              ("yellow",)),
     Category("caviar_tin", tin(("CAVIAR", "SAFFRON", "PATE", "BALM"), ("navy", "black", "gold",
              "red"), (0.034, 0.024), "push"), (0.0683, 0.0683, 0.0277), 0.09, ("saffron tin",
-             "tin of caviar", "caviar", "snuff tin", "pate tin", "salve tin", 
+             "tin of caviar", "caviar", "snuff tin", "pate tin", "salve tin",
              "pastille tin"), _K, ("round", "flat"), ("navy",)),
     Category("cream_tub", tub(("CREAM", "RICOTTA", "COTTAGE", "LABNEH", "HUMMUS", "CREME"), ("sky",
              "green", "blue", "red", "teal"), (0.095, 0.095, 0.075)), (0.093, 0.0934, 0.0739), 0.28,

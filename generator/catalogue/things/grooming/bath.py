@@ -14,8 +14,6 @@ from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
 
-SOFT = ("white", "sky", "pink", "mint", "lavender", "cream", "sage")
-
 
 def toilet_roll(look: Look) -> Shape:
     """A roll of toilet paper standing, its last sheet hanging down."""
@@ -160,7 +158,7 @@ CATEGORIES = (
         (0.107, 0.0565, 0.045),
         0.03,
         ("pack of tissues", "pocket tissues", "tissue packet", "packet of tissues",
-            "packet tissues","pack of wipes", "packet of wipes", ),
+            "packet tissues", "pack of wipes", "packet of wipes",),
         ("vanity",),
         (),
         ("sky", "blue"),

@@ -15,8 +15,6 @@ from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 from ..food.food import skin
 
-STEM: RGB = (110, 90, 52)
-
 
 def raspberry(look: Look) -> Shape:
     """A raspberry or blackberry of round drupelets, lying on its side."""

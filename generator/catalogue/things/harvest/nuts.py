@@ -11,11 +11,9 @@ from ...build.settled import limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import ellipsoid, join, lathe, tube
 from ...surfaces import textures
-from ...surfaces.colors import RGB, tint_color
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 from ..food.food import skin
-
-GREEN: RGB = (92, 150, 62)
 
 
 def pea_pod(look: Look) -> Shape:
@@ -221,7 +219,7 @@ CATEGORIES = (
     Category("pea", pea, (0.00895, 0.00895, 0.00747), 0.0006, ("chickpea",), _K,
              ("edible", "round"), ("green",)),
     Category("walnut", walnut, (0.0428, 0.0378, 0.0352), 0.012, ("walnut half",
-             "walnut shell","peach pit", ), _K,
+             "walnut shell", "peach pit",), _K,
              ("edible",),
              ("tan",)),
     Category("almond", almond, (0.0253, 0.0144, 0.00734), 0.0014, ("pine nut",

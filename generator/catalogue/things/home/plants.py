@@ -221,8 +221,9 @@ def bare_cactus(look: Look) -> Shape:
     rib = 0.9 * r * (1 + 0.09 * np.cos(8 * turn))
     rings = [np.column_stack([rib * s * np.cos(turn), rib * s * np.sin(turn),
                               np.full(32, h - 0.002 + tall * t)])
-             for s, t in ((0.8, 0.0), (1.0, 0.25), (1.0, 0.65), (0.8, 0.9), (0.35, 1.0))]  # fmt: skip
-    body = loft(np.array(rings))
+             for s, t in ((0.8, 0.0), (1.0, 0.25), (1.0, 0.65), (0.8, 0.9),
+                          (0.35, 1.0))]  # fmt: skip
+    body = loft(np.array(rings), rings[0][:, :2])
     green = look.own_color("green", "olive", "sage")
     earth = textures.spots(look.rng, (84, 60, 44), (52, 38, 28), 0.3)
     return shape([(soil, earth), (body, textures.speckles(look.rng, green, 8))],
@@ -232,11 +233,11 @@ def bare_cactus(look: Look) -> Shape:
 CATEGORIES = (
     Category(
         "bare_cactus", bare_cactus, (0.045, 0.045, 0.12), 0.08, (), ("living",), (), ("green",)
-    ),  # fmt: skip
+    ),
     Category(
         "seedling",
         seedling,
-        (0.08, 0.08, 0.11),
+        (0.065, 0.058, 0.105),
         0.04,
         ("plant seedling", "plug plant", "young plant"),
         ("living",),

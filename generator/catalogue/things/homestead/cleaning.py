@@ -6,25 +6,31 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.forms import side_view
+from ...build.making import DARK, at_box, drum, plate, standing, steel
 from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import DARK, bar, cut, disc, plain, steel, turned
 from ...build.solids import block, join, torus, tube
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def plunger(look: Look) -> Shape:
     """A plunger standing on its rubber cup."""
     color = look.color("red", "black", "terracotta", "blue")
     k = look.between(0.7, 0.9)
-    cup = turned(
-        [(0.055, 0), (0.06, 0.006), (0.058, 0.03), (0.04, 0.062), (0.018, 0.075), (0.016, 0.09)],
-        fine=28,
+    cup = standing(
+        (0.055, 0),
+        (0.06, 0.006),
+        (0.058, 0.03),
+        (0.04, 0.062),
+        (0.018, 0.075),
+        (0.016, 0.09),
+        sides=28,
     )
     rim = torus(0.058, 0.004, 30, 6).move(z=0.012)
-    stick = disc(0.0105, 0.26, (0, 0, 0.07), top=0.0115, fine=16)
+    stick = drum(0.0105, 0.26, (0, 0, 0.07), top=0.0115, sides=16)
     end = ball(0.026, 0.026, 0.026, (0, 0, 0.33), 14)
     return put_down(
         [
@@ -41,10 +47,10 @@ def toilet_brush(look: Look) -> Shape:
     """A toilet brush standing in its holder."""
     color = look.color("white", "black", "silver", "teal", "gray")
     k = look.between(0.75, 0.95)
-    pot = turned([(0.048, 0), (0.05, 0.004), (0.046, 0.12), (0.04, 0.126)], fine=28)
-    hole = disc(0.037, 0.0008, (0, 0, 0.1256))
-    collar = disc(0.03, 0.006, (0, 0, 0.126), top=0.01)
-    stick = disc(0.0075, 0.23, (0, 0, 0.13), top=0.009, fine=14)
+    pot = standing((0.048, 0), (0.05, 0.004), (0.046, 0.12), (0.04, 0.126), sides=28)
+    hole = drum(0.037, 0.0008, (0, 0, 0.1256))
+    collar = drum(0.03, 0.006, (0, 0, 0.126), top=0.01)
+    stick = drum(0.0075, 0.23, (0, 0, 0.13), top=0.009, sides=14)
     end = ball(0.024, 0.024, 0.02, (0, 0, 0.362), 12)
     return put_down(
         [
@@ -62,9 +68,9 @@ def squeegee(look: Look) -> Shape:
     """A squeegee lying: a rubber blade in a bar, and a handle."""
     color = look.color("blue", "green", "black", "silver", "yellow")
     k = look.between(0.8, 1.05)
-    rail = bar(0.022, 0.25, 0.014, (0.09, 0, 0.002))
-    blade = bar(0.02, 0.255, 0.004, (0.108, 0, 0.006))
-    neck = cut([(0.0, -0.012), (0.085, -0.03), (0.085, 0.03), (0.0, 0.012)], 0.014)
+    rail = at_box(0.022, 0.25, 0.014, (0.09, 0, 0.002))
+    blade = at_box(0.02, 0.255, 0.004, (0.108, 0, 0.006))
+    neck = plate([(0.0, -0.012), (0.085, -0.03), (0.085, 0.03), (0.0, 0.012)], 0.014)
     handle = rod(
         [(0.02, 0, 0.012), (-0.05, 0, 0.013), (-0.12, 0, 0.012)], [0.012, 0.014, 0.0115], 12
     )
@@ -86,8 +92,8 @@ def lint_roller(look: Look) -> Shape:
     """A sticky roller lying, its handle bent."""
     color = look.color("pink", "blue", "white", "green", "black")
     k = look.between(0.85, 1.1)
-    paper = disc(0.024, 0.1, (-0.02, 0, 0.0235), 0, fine=26)
-    core = [disc(0.019, 0.004, (x, 0, 0.0235), 0, fine=22) for x in (-0.024, 0.08)]
+    paper = drum(0.024, 0.1, (-0.02, 0, 0.0235), 0, sides=26)
+    core = [drum(0.019, 0.004, (x, 0, 0.0235), 0, sides=22) for x in (-0.024, 0.08)]
     handle = rod(
         [(-0.02, 0, 0.0235), (-0.05, 0, 0.024), (-0.1, 0, 0.014), (-0.14, 0, 0.012)],
         [0.006, 0.01, 0.013, 0.0115],
@@ -104,19 +110,21 @@ def robot_vacuum(look: Look) -> Shape:
     color = look.color("black", "white", "charcoal", "gray")
     k = look.between(0.75, 0.95)
     foot, body = (
-        disc(0.13, 0.012),
-        turned([(0.155, 0.0), (0.158, 0.008), (0.158, 0.055), (0.15, 0.066)], (0, 0, 0.008), 36),
+        drum(0.13, 0.012),
+        standing(
+            (0.155, 0.0), (0.158, 0.008), (0.158, 0.055), (0.15, 0.066), at=(0, 0, 0.008), sides=36
+        ),
     )
     band = torus(0.157, 0.005, 40, 6).scale(1, 1, 3).move(z=0.04)
-    top = disc(0.12, 0.002, (0, 0, 0.0735), fine=36)
-    turret = disc(0.036, 0.018, (0, 0.06, 0.073), fine=26, bevel=0.003)
+    top = drum(0.12, 0.002, (0, 0, 0.0735), sides=36)
+    turret = drum(0.036, 0.018, (0, 0.06, 0.073), sides=26, bevel=0.003)
     keys = [
-        disc(0.012, 0.003, (0.0, -0.06, 0.0745)),
-        disc(0.007, 0.003, (0.03, -0.06, 0.0745)),
-        disc(0.007, 0.003, (-0.03, -0.06, 0.0745)),
+        drum(0.012, 0.003, (0.0, -0.06, 0.0745)),
+        drum(0.007, 0.003, (0.03, -0.06, 0.0745)),
+        drum(0.007, 0.003, (-0.03, -0.06, 0.0745)),
     ]
     brush = [
-        bar(0.05, 0.004, 0.004, (0.025, 0, 0)).turn(2, 2.1 * n).move(0.12, -0.1, 0.003)
+        at_box(0.05, 0.004, 0.004, (0.025, 0, 0)).turn(2, 2.1 * n).move(0.12, -0.1, 0.003)
         for n in range(3)
     ]
     shade = tint_color(color, 1.25 if sum(color) < 300 else 0.9)
@@ -143,8 +151,8 @@ def hand_vacuum(look: Look) -> Shape:
     body = block(0.13, 0.098, 0.098, 0.03, 0.012).move(-0.01, 0, 0.0)
     tail = rod([(-0.06, 0, 0.05), (-0.12, 0, 0.06), (-0.18, 0, 0.035)], [0.034, 0.026, 0.022], 12)
     handle = rod([(0.03, 0, 0.095), (0.0, 0, 0.14), (-0.08, 0, 0.14), (-0.13, 0, 0.075)], 0.013, 10)
-    button = bar(0.024, 0.014, 0.006, (-0.02, 0, 0.151))
-    lip = bar(0.008, 0.087, 0.026, (0.178, 0, 0))
+    button = at_box(0.024, 0.014, 0.006, (-0.02, 0, 0.151))
+    lip = at_box(0.008, 0.087, 0.026, (0.178, 0, 0))
     return put_down(
         [
             (join([body, tail, handle]), plain(color)),
@@ -174,7 +182,7 @@ def mop_head(look: Look) -> Shape:
         ]
         cords.append(rod(path, [0.008, 0.0075, 0.0055], 6, 3))
     clamp = block(0.03, 0.06, 0.034, 0.008, 0.004)
-    socket = disc(0.015, 0.07, (-0.085, 0, 0.017), 0, top=0.018, fine=18)
+    socket = drum(0.015, 0.07, (-0.085, 0, 0.017), 0, top=0.018, sides=18)
     yarn = textures.knitting(look.rng, color, 20)
     tone = look.own_color("blue", "red", "green", "yellow")
     return put_down(
@@ -193,12 +201,12 @@ def broom_head(look: Look) -> Shape:
     k = look.between(0.7, 0.9)
     top = block(0.27, 0.055, 0.026, 0.02, 0.006).move(z=0.072)
     tufts = [
-        disc(0.0105, 0.078, (x, y, 0), top=0.0075, fine=8)
+        drum(0.0105, 0.078, (x, y, 0), top=0.0075, sides=8)
         for x in np.linspace(-0.12, 0.12, 12)
         for y in (-0.016, 0.002, 0.018)
     ]
-    socket = disc(0.02, 0.045, (0, 0, 0.095), top=0.015, fine=18)
-    hole = disc(0.0115, 0.001, (0, 0, 0.1396))
+    socket = drum(0.02, 0.045, (0, 0, 0.095), top=0.015, sides=18)
+    hole = drum(0.0115, 0.001, (0, 0, 0.1396))
     tone = look.own_color("tan", "mustard", "gray", "black")
     return put_down(
         [
@@ -222,7 +230,7 @@ def hand_brush(look: Look) -> Shape:
         [(-0.02, 0, 0.058), (-0.07, 0, 0.056), (-0.13, 0, 0.052)], [0.014, 0.011, 0.0135], 12
     )
     tufts = [
-        disc(0.0095, 0.055, (x, y, 0), top=0.007, fine=8)
+        drum(0.0095, 0.055, (x, y, 0), top=0.007, sides=8)
         for x in np.linspace(-0.012, 0.112, 8)
         for y in (-0.016, 0, 0.016)
     ]

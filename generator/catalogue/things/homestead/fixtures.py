@@ -1,31 +1,34 @@
-"""Fittings of a house: alarms, sockets, switches, plugs, taps, shower heads, traps."""
+"""Fittings of a house: alarms, thermostats, bells, sockets, plugs, traps."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.recipes import ball, put_down, rod, straight
+from ...build.making import BRASS_TONE, DARK, STEEL_TONE, at_box, drum, plate, standing, steel
+from ...build.recipes import put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import BRASS, DARK, STEEL, bar, cut, disc, plain, steel, turned
 from ...build.solids import block, join, lathe, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def smoke_alarm(look: Look) -> Shape:
     """A smoke alarm lying: a round case with slots, a test button and a lamp."""
     color = look.color("white", "cream", "white", "gray")
     k = look.between(0.85, 1.15)
-    base = disc(0.055, 0.008, fine=32)
-    body = turned([(0.053, 0), (0.053, 0.016), (0.045, 0.027), (0.03, 0.03)], (0, 0, 0.007), 32)
+    base = drum(0.055, 0.008, sides=32)
+    body = standing(
+        (0.053, 0), (0.053, 0.016), (0.045, 0.027), (0.03, 0.03), at=(0, 0, 0.007), sides=32
+    )
     slots = [
-        bar(0.012, 0.004, 0.012, (0.0505, 0, 0.011)).turn(2, n * np.pi / 12) for n in range(24)
+        at_box(0.012, 0.004, 0.012, (0.0505, 0, 0.011)).turn(2, n * np.pi / 12) for n in range(24)
     ]
-    button = disc(0.012, 0.003, (0, 0, 0.036), bevel=0.001)
+    button = drum(0.012, 0.003, (0, 0, 0.036), bevel=0.001)
     grille = [torus(r, 0.0012, 26, 5).move(z=0.0365) for r in (0.018, 0.024)]
-    lamp = disc(0.0025, 0.002, (0.022, 0.022, 0.034))
+    lamp = drum(0.0025, 0.002, (0.022, 0.022, 0.034))
     return put_down(
         [
             (join([base, body]), plain(color)),
@@ -43,8 +46,8 @@ def thermostat(look: Look) -> Shape:
     """A round thermostat lying, its dial lit."""
     color = look.color("silver", "white", "black", "copper")
     k = look.between(0.85, 1.15)
-    ring = disc(0.042, 0.026, fine=36, bevel=0.003)
-    face = disc(0.036, 0.0012, (0, 0, 0.0255), fine=36)
+    ring = drum(0.042, 0.026, sides=36, bevel=0.003)
+    face = drum(0.036, 0.0012, (0, 0, 0.0255), sides=36)
     tone = look.pick([(40, 44, 50), (230, 120, 40), (40, 100, 180)])
     image = prints.canvas(128, 128, tone)
     for n in range(22):
@@ -61,18 +64,18 @@ def doorbell(look: Look) -> Shape:
     """A doorbell lying: an oblong plate with a lit push button."""
     color = look.color("white", "black", "gold", "silver")
     k = look.between(0.85, 1.2)
-    plate = block(0.036, 0.085, 0.014, 0.012, 0.003)
+    slab = block(0.036, 0.085, 0.014, 0.012, 0.003)
     ring = torus(0.0105, 0.002, 24, 6).move(0, -0.012, 0.0142)
-    button = disc(0.0095, 0.004, (0, -0.012, 0.013), bevel=0.001)
-    slot = [bar(0.016, 0.002, 0.0008, (0, 0.016 + 0.005 * n, 0.0135)) for n in range(4)]
+    button = drum(0.0095, 0.004, (0, -0.012, 0.013), bevel=0.001)
+    slot = [at_box(0.016, 0.002, 0.0008, (0, 0.016 + 0.005 * n, 0.0135)) for n in range(4)]
     return put_down(
         [
-            (plate, look.surface(color, "plastic")),
+            (slab, look.surface(color, "plastic")),
             (ring, steel(look)),
             (button, plain(look.pick([(120, 190, 240), (250, 244, 220), (240, 170, 60)]))),
             (join(slot), plain((90, 92, 98))),
         ],
-        plate,
+        slab,
         factor=k,
     )
 
@@ -81,57 +84,29 @@ def wall_socket(look: Look) -> Shape:
     """A wall socket lying on its back, with a switch."""
     color = look.color("white", "silver", "cream", "black")
     k = look.between(0.9, 1.1)
-    box_ = bar(0.07, 0.07, 0.022)
-    plate = block(0.086, 0.086, 0.009, 0.004, 0.002).move(z=0.021)
+    box_ = at_box(0.07, 0.07, 0.022)
+    slab = block(0.086, 0.086, 0.009, 0.004, 0.002).move(z=0.021)
     if look.chance(0.5):
-        holes = [bar(0.004, 0.009, 0.0008, (0, 0.006, 0.0296))]
-        holes += [bar(0.0075, 0.0035, 0.0008, (s * 0.011, -0.014, 0.0296)) for s in (-1, 1)]
+        holes = [at_box(0.004, 0.009, 0.0008, (0, 0.006, 0.0296))]
+        holes += [at_box(0.0075, 0.0035, 0.0008, (s * 0.011, -0.014, 0.0296)) for s in (-1, 1)]
     else:
-        holes = [disc(0.0195, 0.0006, (0, -0.002, 0.0296), fine=28)]
-    extra = [disc(0.0026, 0.0012, (s * 0.0095, -0.002, 0.0298)) for s in (-1, 1)]
-    screws = [disc(0.0032, 0.001, (s * 0.033, -0.002, 0.0294)) for s in (-1, 1)]
+        holes = [drum(0.0195, 0.0006, (0, -0.002, 0.0296), sides=28)]
+    extra = [drum(0.0026, 0.0012, (s * 0.0095, -0.002, 0.0298)) for s in (-1, 1)]
+    screws = [drum(0.0032, 0.001, (s * 0.033, -0.002, 0.0294)) for s in (-1, 1)]
     rock = (
-        bar(0.012, 0.018, 0.004, (0.024, 0.028, 0.029))
+        at_box(0.012, 0.018, 0.004, (0.024, 0.028, 0.029))
         if look.chance(0.7)
-        else bar(0.01, 0.01, 0.001, (0, 0.03, 0.0294))
+        else at_box(0.01, 0.01, 0.001, (0, 0.03, 0.0294))
     )
     return put_down(
         [
-            (join([box_, plate, rock]), plain(color)),
+            (join([box_, slab, rock]), plain(color)),
             (join(holes), plain((74, 76, 82))),
             (join(extra), plain((30, 30, 34))),
             (join(screws), steel(look)),
         ],
         box_,
-        plate,
-        factor=k,
-    )
-
-
-def light_switch(look: Look) -> Shape:
-    """A light switch lying on its back: a plate with a rocker."""
-    color = look.color("white", "cream", "silver", "black")
-    k = look.between(0.9, 1.1)
-    back, plate = bar(0.06, 0.06, 0.018), block(0.084, 0.084, 0.008, 0.004, 0.002).move(z=0.0175)
-    count = look.pick([1, 1, 2])
-    rocks = []
-    for n in range(count):
-        x = 0.02 * (n - (count - 1) / 2)
-        rocks += [
-            bar(0.014, 0.015, 0.004, (0, s * 0.0075, 0)).turn(0, 0.16).move(x, 0, 0.025)
-            for s in (-1, 1)
-        ]
-    frames = [bar(0.018 * count + 0.002, 0.034, 0.0006, (0, 0, 0.0253))]
-    screws = [disc(0.003, 0.001, (s * 0.03, 0, 0.025)) for s in (-1, 1)]
-    return put_down(
-        [
-            (join([back, plate]), plain(color)),
-            (join(rocks), plain(tint_color(color, 1.2))),
-            (join(frames), plain(tint_color(color, 0.7))),
-            (join(screws), steel(look)),
-        ],
-        back,
-        plate,
+        slab,
         factor=k,
     )
 
@@ -142,12 +117,12 @@ def mains_plug(look: Look) -> Shape:
     k = look.between(0.9, 1.15)
     body = block(0.046, 0.05, 0.026, 0.012, 0.005)
     pins = [
-        bar(0.004, 0.022, 0.008, (0, 0.034, 0.009)),
-        *[bar(0.007, 0.02, 0.004, (s * 0.011, 0.033, 0.011)) for s in (-1, 1)],
+        at_box(0.004, 0.022, 0.008, (0, 0.034, 0.009)),
+        *[at_box(0.007, 0.02, 0.004, (s * 0.011, 0.033, 0.011)) for s in (-1, 1)],
     ]
     if look.chance(0.5):
-        pins = [disc(0.0024, 0.022, (s * 0.0095, 0.024, 0.013), 1, fine=12) for s in (-1, 1)]
-    relief = disc(0.007, 0.02, (0, -0.042, 0.012), 1, top=0.008, fine=14)
+        pins = [drum(0.0024, 0.022, (s * 0.0095, 0.024, 0.013), 1, sides=12) for s in (-1, 1)]
+    relief = drum(0.007, 0.02, (0, -0.042, 0.012), 1, top=0.008, sides=14)
     cord = rod(
         [
             (0, -0.038, 0.012),
@@ -161,7 +136,7 @@ def mains_plug(look: Look) -> Shape:
     return put_down(
         [
             (join([body, relief, cord]), plain(color)),
-            (join(pins), steel(look, look.pick([STEEL, BRASS]))),
+            (join(pins), steel(look, look.pick([STEEL_TONE, BRASS_TONE]))),
         ],
         body,
         join(pins),
@@ -170,101 +145,11 @@ def mains_plug(look: Look) -> Shape:
     )
 
 
-def tap(look: Look) -> Shape:
-    """A tap standing: a body, a curved spout and a handle."""
-    color = look.color("silver", "silver", "gold", "black", "copper")
-    k = look.between(0.85, 1.1)
-    base = turned(
-        [(0.028, 0), (0.028, 0.006), (0.018, 0.014), (0.0165, 0.1), (0.019, 0.106), (0.017, 0.115)],
-        fine=24,
-    )
-    spout = rod(
-        [(0, 0, 0.085), (0, -0.04, 0.12), (0, -0.09, 0.115), (0, -0.105, 0.082)],
-        [0.013, 0.012, 0.011, 0.0115],
-        14,
-    )
-    tip = disc(0.0132, 0.01, (0, -0.106, 0.075), fine=18)
-    if look.chance(0.5):
-        handle = [
-            rod([(-0.036, 0, 0.127), (0.036, 0, 0.127)], 0.0075, 10),
-            rod([(0, -0.036, 0.127), (0, 0.036, 0.127)], 0.0075, 10),
-        ]
-    else:
-        handle = [rod([(0, 0, 0.12), (0, 0.05, 0.145)], [0.009, 0.006], 10)]
-    stem, dot = disc(0.009, 0.018, (0, 0, 0.112)), disc(0.006, 0.003, (0, 0, 0.132))
-    foot = bar(0.05, 0.1, 0.003, (0, -0.02, 0))
-    return put_down(
-        [
-            (join([base, spout, tip, *handle, stem]), steel(look, color)),
-            (dot, plain(look.pick([(60, 110, 200), (210, 60, 50)]))),
-            (foot, steel(look, tint_color(color, 0.9))),
-        ],
-        base,
-        foot,
-        spout,
-        join(handle),
-        factor=k,
-    )
-
-
-def shower_head(look: Look) -> Shape:
-    """A hand shower lying, its nozzles up."""
-    color = look.color("silver", "white", "black", "gold")
-    k = look.between(0.85, 1.1)
-    head = turned([(0.02, 0), (0.046, 0.012), (0.05, 0.018), (0.05, 0.026)], fine=32)
-    face = disc(0.045, 0.0012, (0, 0, 0.0255), fine=32)
-    handle = rod([(0.03, 0, 0.013), (0.09, 0, 0.012), (0.19, 0, 0.014)], [0.013, 0.011, 0.0125], 14)
-    collar = disc(0.0115, 0.02, (0.185, 0, 0.014), 0, fine=14)
-    holes = prints.mesh_holes((200, 204, 208), (60, 62, 68), 10, 10)
-    return put_down(
-        [
-            (join([head, handle]), look.surface(color, "chrome")),
-            (face, holes),
-            (collar, plain((120, 124, 130))),
-        ],
-        head,
-        handle,
-        factor=k,
-        foot=0.15,
-    )
-
-
-def sink_plug(look: Look) -> Shape:
-    """A rubber plug with a ball chain."""
-    color = look.color("black", "white", "charcoal", "blue")
-    k = look.between(0.85, 1.2)
-    body = turned([(0.018, 0), (0.02, 0.013), (0.024, 0.014), (0.0245, 0.018)], fine=26)
-    eye = torus(0.0055, 0.0012, 16, 6).turn(0, np.pi / 2).move(0, 0, 0.021)
-    beads = []
-    for n in range(16):
-        t = n / 15
-        p = (0.004 + 0.085 * t, 0.02 * np.sin(5 * t), 0.002 + 0.022 * np.clip(1 - 3.2 * t, 0, 1))
-        beads.append(ball(0.0045, 0.0045, 0.0042, p, 8))
-    ring = torus(0.008, 0.0012, 18, 6).move(0.1, -0.018, 0.0014)
-    return put_down(
-        [(body, textures.speckles(look.rng, color, 4)), (join([eye, *beads, ring]), steel(look))],
-        body,
-        join([*beads[6:], ring]),
-        factor=k,
-    )
-
-
-def stopper(look: Look) -> Shape:
-    """A tapered rubber stopper standing on its wider end or its narrower one."""
-    color = look.color("terracotta", "black", "gray", "red", "cream")
-    r = look.between(0.012, 0.022)
-    body = disc(r, 1.3 * r, top=0.76 * r, fine=26, bevel=0.03 * r)
-    hole = disc(0.18 * r, 0.0005, (0, 0, 1.3 * r - 0.0002), fine=14)
-    return put_down(
-        [(body, textures.speckles(look.rng, color, 5)), (hole, plain((50, 40, 40)))], body
-    )
-
-
 def mouse_trap(look: Look) -> Shape:
     """A spring mousetrap, set, with a bit of cheese on it."""
     color = look.color("tan", "wooden", "beige")
     k = look.between(0.85, 1.25)
-    base = bar(0.1, 0.048, 0.008)
+    base = at_box(0.1, 0.048, 0.008)
     hoop = rod(
         [
             (0.002, 0.019, 0.0105),
@@ -276,11 +161,11 @@ def mouse_trap(look: Look) -> Shape:
         6,
         1,
     )
-    coil = disc(0.0042, 0.04, (0.0, -0.02, 0.0115), 1, fine=12)
+    coil = drum(0.0042, 0.04, (0.0, -0.02, 0.0115), 1, sides=12)
     pin = straight((-0.046, 0, 0.0105), (0.036, 0.004, 0.0125), 0.001, 6)
     pad_, cheese = (
-        bar(0.018, 0.016, 0.0014, (-0.022, 0, 0.009)),
-        cut([(-0.008, -0.005), (0.008, -0.002), (-0.005, 0.007)], 0.008),
+        at_box(0.018, 0.016, 0.0014, (-0.022, 0, 0.009)),
+        plate([(-0.008, -0.005), (0.008, -0.002), (-0.005, 0.007)], 0.008),
     )
     print_ = prints.canvas(96, 48, color)
     prints.write(
@@ -289,7 +174,7 @@ def mouse_trap(look: Look) -> Shape:
     return put_down(
         [
             (base, textures.wood(look.rng, color)),
-            (bar(0.098, 0.046, 0.0006, (0, 0, 0.0077)), print_),
+            (at_box(0.098, 0.046, 0.0006, (0, 0, 0.0077)), print_),
             (join([hoop, coil, pin]), steel(look)),
             (pad_, steel(look, (190, 150, 80))),
             (cheese.move(-0.022, 0, 0.0102), plain((244, 206, 70))),
@@ -304,20 +189,25 @@ def extinguisher(look: Look) -> Shape:
     """A small fire extinguisher standing, with its lever and hose."""
     color = look.color("red", "red", "crimson", "orange")
     k = look.between(0.75, 0.95)
-    body = turned(
-        [(0.045, 0), (0.05, 0.004), (0.05, 0.2), (0.042, 0.225), (0.018, 0.24), (0.015, 0.25)],
-        fine=28,
+    body = standing(
+        (0.045, 0),
+        (0.05, 0.004),
+        (0.05, 0.2),
+        (0.042, 0.225),
+        (0.018, 0.24),
+        (0.015, 0.25),
+        sides=28,
     )
     label = lathe([(0.0495, 0.07), (0.0506, 0.072), (0.0506, 0.16), (0.0495, 0.162)], 28, loop=True)
     image = prints.canvas(224, 80, (244, 240, 226))
     prints.write(image, "FIRE", 0.5, 0.3, 0.34, (190, 30, 30), bold=True)
     prints.lines(image, look.rng, (0.38, 0.55, 0.24, 0.35), 4, (60, 60, 64), 0.5)
     valve = [
-        disc(0.014, 0.02, (0, 0, 0.248)),
-        bar(0.07, 0.016, 0.006, (0.02, 0, 0.27)),
-        bar(0.07, 0.016, 0.005, (0.024, 0, 0.284)),
+        drum(0.014, 0.02, (0, 0, 0.248)),
+        at_box(0.07, 0.016, 0.006, (0.02, 0, 0.27)),
+        at_box(0.07, 0.016, 0.005, (0.024, 0, 0.284)),
     ]
-    gauge = disc(0.012, 0.006, (0, -0.018, 0.262), 1)
+    gauge = drum(0.012, 0.006, (0, -0.018, 0.262), 1)
     hose = rod(
         [(-0.012, 0, 0.26), (-0.06, 0, 0.25), (-0.066, 0, 0.16), (-0.062, 0, 0.1)], 0.0065, 10
     )
@@ -350,15 +240,6 @@ CATEGORIES = (
     Category("mains_plug", mains_plug, (0.09, 0.134, 0.0261), 0.07, ("electric plug",
              "three-pin plug"), ("workbench",), (),
              ("black", "white")),
-    Category("tap", tap, (0.063, 0.156, 0.136), 0.7, ("faucet", "water tap", "bathroom tap",
-             "kitchen tap", "sink tap", "mixer tap"), ("workbench",), ("tall",),
-             ("silver",)),
-    Category("shower_head", shower_head, (0.238, 0.0935, 0.025), 0.25, ("showerhead",
-             "hand shower", "shower handset"), ("vanity",), ("big",), ("silver",)),
-    Category("sink_plug", sink_plug, (0.13, 0.0503, 0.027), 0.04, ("bath plug", "basin plug",
-             "bathtub plug", "plug and chain"), ("vanity",), (), ("black",)),
-    Category("rubber_stopper", stopper, (0.0331, 0.0333, 0.022), 0.012, (
-             "stopper", "lab stopper"), ("lab",), ("round",), ("terracotta",)),
     Category("mouse_trap", mouse_trap, (0.105, 0.0502, 0.019), 0.03, ("mousetrap", "rat trap",
              "spring trap"), ("living",), ("flat",), ("tan",)),
     Category("fire_extinguisher", extinguisher, (0.112, 0.086, 0.246), 1.2, ("extinguisher",

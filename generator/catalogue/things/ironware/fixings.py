@@ -19,6 +19,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces
 from ...build.solids import join, lathe, torus, tube
+from ...build.variants import varied
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -189,10 +190,12 @@ CATEGORIES = (
              bodies=1),
     _row("staple", _staple, (0.0126, 0.0068, 0.0006), 0.0001, ("single staple", "wire staple",
              "loose staple")),
-    _row("staple_strip", _strip, (0.05, 0.0126, 0.0064), 0.004, ("strip of staples", "staples",
-             "box of staples")),
-    _row("hose_clip", _hoseclip, (0.0403, 0.0507, 0.0101), 0.015, ("jubilee clip", "hose clamp",
-             "pipe clip", "worm clip"), bodies=2),
+    varied(_row("staple_strip", _strip, (0.05, 0.0126, 0.0064), 0.004, ("strip of staples",
+             "staples",
+             "box of staples"))),
+    varied(_row("hose_clip", _hoseclip, (0.0403, 0.0507, 0.0101), 0.015, ("jubilee clip",
+             "hose clamp",
+             "pipe clip", "worm clip"), bodies=2)),
     _row("circlip", _circlip, (0.027, 0.027, 0.0024), 0.002, ("retaining ring", "snap ring",
              "c clip", "piston ring")),
     _row("o_ring", _oring, (0.0344, 0.0344, 0.0043), 0.001, ("oring", "rubber washer",

@@ -21,6 +21,7 @@ from ...build.making import (
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, rod
 from ...build.solids import join, lathe, prism, torus
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -224,8 +225,8 @@ def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float,
 
 
 CATEGORIES = (
-    _row("polisher", _polish, (0.3, 0.18, 0.093), 1.8, ("car polisher", "buffing machine",
-             "buffer machine", "floor polisher"), bodies=4),
+    at_rest(_row("polisher", _polish, (0.3, 0.18, 0.093), 1.8, ("car polisher", "buffing machine",
+             "buffer machine", "floor polisher"), bodies=4)),
     _row("circular_saw_blade", _blade(24, 0.085, 0.012, ("silver", "gray"), 0.002), (0.171, 0.171,
              0.00277), 0.25, ("saw blade", "round saw blade", "table saw blade"), ("silver",),
              bodies=1),

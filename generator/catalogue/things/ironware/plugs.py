@@ -213,7 +213,7 @@ CATEGORIES = (
              "cable tack"), ("white",), bodies=2),
     _row("grommet", _grommet, (0.032, 0.032, 0.011), 0.004, ("cable grommet", "rubber grommet",
              "cable gland", "eyelet"), ("black",)),
-    _row("power_plug", _mains, (0.102, 0.105, 0.0435), 0.06, ("uk plug", 
+    _row("power_plug", _mains, (0.102, 0.105, 0.0435), 0.06, ("uk plug",
              "electrical plug", "three pin plug", "wall socket plug",
              "plug with a cord"), ("white",), bodies=2),
     _row("network_plug", _schuko("rj45"), (0.095, 0.055, 0.013), 0.015, ("rj45 connector",
@@ -229,7 +229,7 @@ CATEGORIES = (
     _row("cable_organiser", _organiser, (0.0911, 0.1, 0.0177), 0.04, ("cable organizer",
              "cable holder", "cable tidy", "cord organizer", "cable management clip"), ("black",),
              bodies=2),
-    _row("pulley", _pulley, (0.06, 0.13, 0.022), 0.2, ("pulley block", 
+    _row("pulley", _pulley, (0.06, 0.13, 0.022), 0.2, ("pulley block",
              "block and tackle", "rope pulley"), bodies=3),
 )  # fmt: skip
 """The module's categories."""

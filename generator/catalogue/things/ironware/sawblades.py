@@ -20,6 +20,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -234,12 +235,13 @@ def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float,
 
 
 CATEGORIES = (
-    _row("heat_gun", _gun("heat"), (0.26, 0.22, 0.062), 0.7, ("paint stripper gun",), bodies=4),
+    at_rest(_row("heat_gun", _gun("heat"), (0.26, 0.22, 0.062), 0.7, ("paint stripper gun",),
+             bodies=4)),
     _row("nail_gun", _gun("nail"), (0.16, 0.19, 0.062), 1.8, ("brad nailer", "nailer",
              "finish nailer", "pneumatic nailer")),
-    _row("spray_gun", _gun("spray"), (0.155, 0.173, 0.0629), 0.6, ("paint sprayer",
-             "paint spray gun", "airbrush gun"), ("silver",)),
-    _row("soldering_gun", _gun("solder"), (0.21, 0.16, 0.064), 0.7, ("solder gun",)),
+    at_rest(_row("spray_gun", _gun("spray"), (0.155, 0.173, 0.0629), 0.6, ("paint sprayer",
+             "paint spray gun", "airbrush gun"), ("silver",))),
+    at_rest(_row("soldering_gun", _gun("solder"), (0.21, 0.16, 0.064), 0.7, ("solder gun",))),
     _row("oscillating_tool", _multi, (0.29, 0.063, 0.066), 1.2, ("multi tool saw",
              "oscillating multi tool", "oscillating saw"), bodies=4),
     _row("drill_press", _press, (0.16, 0.22, 0.355), 8.0, ("pillar drill", "bench drill",

@@ -24,8 +24,6 @@ from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
-SOFT = ("white", "blue", "sky", "mint", "teal", "pink")
-
 
 def pill(look: Look) -> Shape:
     """One capsule or tablet, a little larger than life."""

@@ -18,7 +18,7 @@ from ...build.solids import (
     open_box,
     tube,
 )
-from ...build.variants import keep_still
+from ...build.variants import keep_still, varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -182,6 +182,7 @@ def glass_rod(look: Look) -> Shape:
     side = [(0, 0), (0.7 * r, 0.0006), (r, 0.003), (r, long - 0.003), (0.7 * r, long - 0.0006),
             (0, long)]  # fmt: skip
     body = lay_down(lathe(side, 14), -long / 2, r)
+    body = body.move(z=-body.bounds[0, 2])
     return shape([(body, textures.plain(look.color("clear", "sky", "clear")))],
                  [flat_foot(body.vertices, 0.1)], opacity=0.8)  # fmt: skip
 
@@ -244,8 +245,8 @@ CATEGORIES = (
     Category("glass_rod", glass_rod, (0.2, 0.0064, 0.0064), 0.02, ("stirring rod", "stir rod",
              "glass stirring rod", "glass stirrer", "stirring stick"), ("lab",), (), ("clear",),
              None, "lying flat"),
-    Category("empty_beaker", empty_beaker, (0.0827, 0.0827, 0.1025), 0.12, ("open beaker",),
-             ("lab",), ("container", "round"), ("clear",)),
+    varied(Category("empty_beaker", empty_beaker, (0.0827, 0.0827, 0.1025), 0.12, ("open beaker",),
+             ("lab",), ("container", "round"), ("clear",))),
     Category("weighing_boat", weighing_boat, (0.075, 0.06, 0.016), 0.008, ("weigh boat",
              "weighing dish", "weighing tray"), ("lab",), ("container",), ("white",)),
     Category("crucible", crucible, (0.055, 0.055, 0.042), 0.05, ("porcelain crucible",), ("lab",),

@@ -6,51 +6,15 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import ring_parts
+from ...build.making import at_box, drum, plate, steel
 from ...build.outlines import rectangle
 from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape, shape
-from ...build.sketch import bar, cut, disc, lies, plain, steel, turned
-from ...build.solids import Solid, box, join, lathe, loft, refine, torus, tube
-from ...surfaces import prints, textures
+from ...build.solids import join, lathe, torus, tube
+from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-
-
-def _crease(look: Look, solid: Solid, high: float, waves: float = 60.0) -> Solid:
-    """Return a thin solid with its surface thrown into irregular folds up to ``high``."""
-    a, b, c = (look.between(0, 6.3) for _ in range(3))
-
-    def warp(p: np.ndarray) -> np.ndarray:
-        rise = np.sin(waves * p[:, 0] + a) + np.sin(waves * (0.6 * p[:, 1] - 0.8 * p[:, 0]) + b)
-        rise = rise + 0.6 * np.sin(2 * waves * (p[:, 1] + 0.3 * p[:, 0]) + c)
-        return np.column_stack([p[:, :2], p[:, 2] + high * (rise + 2.6) / 5.2])
-
-    return solid.bend(warp)
-
-
-def _sheet(x: float, y: float, thick: float, n: int = 3) -> Solid:
-    made = box(x, y, thick)
-    for _ in range(n):
-        made = refine(made)
-    return made
-
-
-def wrapper(look: Look) -> Shape:
-    """An empty sweet wrapper, creased, its ends crimped."""
-    color = look.color("red", "gold", "blue", "purple", "green", "silver", "orange")
-    k = look.between(0.8, 1.25)
-    made = _crease(look, _sheet(0.12, 0.055, 0.0012), 0.012, 90)
-    ends = [
-        _crease(look, _sheet(0.014, 0.06, 0.001, 2).move(s * 0.065), 0.012, 90) for s in (-1, 1)
-    ]
-    image = prints.canvas(160, 80, color)
-    prints.fill(
-        image, 0, 0.36, 1, 0.3, tint_color(color, 1.6) if sum(color) < 500 else (150, 40, 40)
-    )
-    prints.write(image, look.pick(["CHOCO", "SWEET", "NUTTY", "MINT", "CRUNCH"]), 0.5, 0.51, 0.24,
-                 tint_color(color, 0.5), bold=True)  # fmt: skip
-    foil = textures.stripes([(206, 208, 212), (168, 170, 178)], 16, upright=True)
-    return put_down([(made, image), (join(ends), foil)], join([made, *ends]), factor=k, foot=0.3)
+from ...surfaces.textures import plain
 
 
 def foil_ball(look: Look) -> Shape:
@@ -105,76 +69,6 @@ def cigarette_butt(look: Look) -> Shape:
     )
 
 
-def banana_peel(look: Look) -> Shape:
-    """A banana skin, its four flaps spread from the stalk."""
-    color = look.color("yellow", "mustard", "yellow", "lime")
-    k = look.between(0.85, 1.15)
-    plates = []
-    for n in range(4):
-        a = n * np.pi / 2 + look.between(-0.3, 0.3)
-        long = look.between(0.085, 0.12)
-        t = np.linspace(0, 1, 9)
-        x = 0.004 + (long - 0.004) * t
-        z = 0.003 + 0.042 * np.cos(np.clip(t * 2.2, 0, np.pi / 2)) ** 1.2
-        w = 0.0065 + 0.013 * np.sin(np.pi * np.clip(t * 0.9 + 0.1, 0, 1)) ** 0.8
-        left = np.column_stack([x, w, z])
-        right = np.column_stack([x, -w, z])
-        middle, down = (left + right) / 2, np.array([0, 0, 0.0022])
-        rims = [right - down, middle - 1.3 * down, left - down, left, middle + 0.4 * down, right]
-        rings = np.stack(rims, axis=1)
-        plates.append(loft(rings, rings[0][:, 1:]).turn(2, a))
-    stalk = rod([(0, 0, 0.04), (0.002, 0, 0.058), (0.006, 0, 0.068)], [0.008, 0.0045, 0.004], 8)
-    image = textures.spots(look.rng, color, (110, 80, 40), 0.06)
-    return put_down(
-        [(join(plates), image), (stalk, plain((120, 100, 50)))], *plates, stalk, factor=k
-    )
-
-
-def apple_core(look: Look) -> Shape:
-    """An eaten apple lying: a thin pale waist, skin left at both ends, a stalk."""
-    color = look.color("red", "green", "yellow", "crimson")
-    k = look.between(0.85, 1.15)
-    core = lies(
-        turned(
-            [(0.011, -0.028), (0.009, -0.016), (0.0075, 0), (0.009, 0.016), (0.012, 0.028)], fine=16
-        ),
-        0,
-        0,
-        0.019,
-    )
-    ends = [
-        lies(
-            turned([(0.008, 0), (0.021, 0.005), (0.018, 0.012), (0.01, 0.013)], fine=18),
-            x,
-            0,
-            0.019,
-        )
-        for x in (0.024,)
-    ]
-    ends.append(
-        lies(
-            turned([(0.009, 0), (0.017, 0.002), (0.02, 0.008), (0.007, 0.013)], fine=18),
-            -0.036,
-            0,
-            0.019,
-        )
-    )
-    stalk = rod([(0.033, 0, 0.019), (0.046, 0.002, 0.022)], 0.0013, 6)
-    pips = [ball(0.006, 0.004, 0.003, (x, 0.0, 0.0268), 6) for x in (-0.004, 0.006)]
-    flesh = textures.spots(look.rng, (242, 226, 176), (206, 170, 110), 0.12)
-    return put_down(
-        [
-            (core, flesh),
-            (join(ends), textures.speckles(look.rng, color, 10)),
-            (join([stalk, *pips]), plain((84, 56, 36))),
-        ],
-        core,
-        *ends,
-        factor=k,
-        foot=0.12,
-    )
-
-
 def fruit_peel(look: Look) -> Shape:
     """A curl of peel lying in a loose spiral."""
     color = look.color("orange", "yellow", "tan", "lime", "red")
@@ -201,7 +95,7 @@ def crust(look: Look) -> Shape:
             [(-0.03, 0.006), (-0.018, 0.012), (-0.006, 0.004), (0.008, 0.013), (0.022, 0.005)],
         ]
     )
-    rind, crumb = cut(rim, 0.014), cut(0.86 * rim + [0, 0.001], 0.0155, (0, 0, -0.0006))
+    rind, crumb = plate(rim, 0.014), plate(0.86 * rim + [0, 0.001], 0.0155, at=(0, 0, -0.0006))
     return put_down(
         [
             (rind, textures.speckles(look.rng, tint_color(color, 0.9), 10)),
@@ -220,8 +114,8 @@ def ring_pull(look: Look) -> Shape:
     color = look.color("silver", "gold", "red", "blue", "green")
     k = look.between(0.9, 1.3)
     ring = torus(0.0085, 0.0019, 22, 7).move(0.004, 0, 0.0018)
-    tab = cut(rectangle(0.016, 0.015, 0.005), 0.0022, (-0.01, 0, 0))
-    rivet = disc(0.003, 0.0014, (-0.009, 0, 0.002))
+    tab = plate(rectangle(0.016, 0.015, 0.005), 0.0022, at=(-0.01, 0, 0))
+    rivet = drum(0.003, 0.0014, (-0.009, 0, 0.002))
     return put_down([(join([ring, tab, rivet]), steel(look, color))], ring, tab, factor=k)
 
 
@@ -232,7 +126,7 @@ def six_pack_ring(look: Look) -> Shape:
     rings = [torus(0.032, 0.0022, 26, 6).scale(1, 1, 0.7).move(x, y, 0.0016)
              for x in (-0.066, 0, 0.066) for y in (-0.033, 0.033)]  # fmt: skip
     links = [
-        bar(0.012, 0.01, 0.002, (x, y, 0.0004)) for x in (-0.033, 0.033) for y in (-0.033, 0.033)
+        at_box(0.012, 0.01, 0.002, (x, y, 0.0004)) for x in (-0.033, 0.033) for y in (-0.033, 0.033)
     ]
     return put_down([(join([*rings, *links]), plain(color))], join(rings), factor=k)
 
@@ -248,9 +142,9 @@ def fish_bone(look: Look) -> Shape:
         ribs += [
             straight((x, 0, 0.0028), (x - 0.008, s * long, 0.0014), 0.0013, 6) for s in (-1, 1)
         ]
-    head = cut([(0.055, -0.018), (0.098, 0), (0.055, 0.018), (0.062, 0)], 0.006)
-    eye = disc(0.004, 0.001, (0.07, 0.004, 0.0055))
-    tail = cut([(-0.068, 0), (-0.1, 0.022), (-0.092, 0), (-0.1, -0.022)], 0.004)
+    head = plate([(0.055, -0.018), (0.098, 0), (0.055, 0.018), (0.062, 0)], 0.006)
+    eye = drum(0.004, 0.001, (0.07, 0.004, 0.0055))
+    tail = plate([(-0.068, 0), (-0.1, 0.022), (-0.092, 0), (-0.1, -0.022)], 0.004)
     return put_down(
         [
             (join([spine, *ribs, head, tail]), textures.speckles(look.rng, color, 8)),
@@ -269,7 +163,7 @@ def scrap(look: Look) -> Shape:
     n = 11
     a = 2 * np.pi * (np.arange(n) + 0.3 * look.rng.uniform(-1, 1, n)) / n
     r = look.between(0.035, 0.05) * look.rng.uniform(0.78, 1.15, n)
-    made = cut(np.column_stack([1.2 * r * np.cos(a), r * np.sin(a)]), look.between(0.0025, 0.004))
+    made = plate(np.column_stack([1.2 * r * np.cos(a), r * np.sin(a)]), look.between(0.0025, 0.004))
     flat = "silver" if min(color) > 120 and max(color) - min(color) < 20 else "card"
     tile = steel(look, color) if flat == "silver" else textures.cardboard(look.rng, color)
     return put_down([(made, tile)], made)
@@ -291,7 +185,7 @@ def corn_husk(look: Look) -> Shape:
             (0.05, 0.019),
             (0, 0.008),
         ]
-        leaves.append(cut(rim, 0.002, (-0.06, 0, 0.0007 * n)).turn(2, a))
+        leaves.append(plate(rim, 0.002, at=(-0.06, 0, 0.0007 * n)).turn(2, a))
     knot = ball(0.03, 0.026, 0.02, (-0.058, 0, 0.008), 12)
     lines = textures.stripes([color, tint_color(color, 0.85), tint_color(color, 1.15)], 6)
     return put_down(

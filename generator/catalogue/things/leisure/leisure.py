@@ -204,7 +204,8 @@ def cap(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("cap", cap, (0.18, 0.275, 0.12), 0.09,
-             ("baseball cap", "ball cap", "baseball hat", "green visor", "visor", "beret", "peaked cap", "shower cap", "swimming cap" ),
+             ("baseball cap", "ball cap", "baseball hat", "green visor", "visor", "beret",
+             "peaked cap", "shower cap", "swimming cap"),
              ("living",), ("big",),
              ("navy", "red")),
     Category("ball", ball, (0.09, 0.09, 0.088), 0.09,

@@ -9,6 +9,7 @@ from ...build.making import at_block, disc, faceted, of, plate, turned
 from ...build.outlines import arc, smooth
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid, join, tube
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -34,15 +35,6 @@ def _coil(scale: float) -> Solid:
 def _ammonite(look: Look) -> Pieces:
     coil = _coil(1.0)
     return [(coil.move(z=-float(coil.bounds[0, 2])), _skin(look, *STONE))]
-
-
-def _slab(look: Look) -> Pieces:
-    """A slab of stone with an ammonite in it."""
-    color = look.color("gray", "tan", "beige", "charcoal")
-    base = at_block(0.11, 0.09, 0.018, 0.02)
-    tile = textures.spots(look.rng, color, tint_color(color, 0.8), 0.2)
-    dark = textures.speckles(look.rng, tint_color(color, 0.55), 8)
-    return [(base, tile), (_coil(0.85).move(0.002, 0, 0.012), dark)]
 
 
 def _trilobite(look: Look) -> Pieces:
@@ -167,9 +159,9 @@ def _print(look: Look) -> Pieces:
 
 
 CATEGORIES = (
-    Category("ammonite", of(_ammonite, 0.06), (0.0889, 0.089, 0.0328), 0.2, (
+    at_rest(Category("ammonite", of(_ammonite, 0.06), (0.0889, 0.089, 0.0328), 0.2, (
              "fossil ammonite", "nautilus", "nautilus shell"), ("office",), (),
-             ("tan", "gray"), state="lying"),
+             ("tan", "gray"), state="lying")),
     Category("fish_fossil", of(_print, bodies=1), (0.13, 0.085, 0.0134), 0.3, ("fossil fish",
              "fossil plate", "fish skeleton fossil", "fossil leaf", "fern fossil"), ("office",),
              ("flat",), ("beige",), state="lying"),

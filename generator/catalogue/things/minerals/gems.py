@@ -11,21 +11,10 @@ from ...build.making import Drawing, faceted, of
 from ...build.outlines import ellipse, lift
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid
+from ...build.variants import at_rest, varied
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-
-
-def _facets(look: Look, color: RGB) -> textures.Tile:
-    """The glitter of facets: light and dark triangles of one colour."""
-    tones = [tint_color(color, f) for f in (0.55, 0.8, 1.0, 1.25, 1.6)]
-    image = np.zeros((16, 16, 3))
-    y, x = np.mgrid[0:16, 0:16]
-    band = ((x + 2 * y) // 5) % 5
-    order = look.rng.permutation(5)
-    for k in range(5):
-        image[band == k] = tones[order[k]]
-    return np.clip(image, 0, 255).astype(np.uint8)
 
 
 def _shaded(look: Look, body: Solid, color: RGB) -> Pieces:
@@ -144,8 +133,9 @@ def _pearl(look: Look) -> Pieces:
              look.rng))]  # fmt: skip
 
 
-def _row(key: str, colors: tuple[str, ...], cuts: tuple[int, ...], *words: str) -> Category:
-    return Category(key, of(_cut(*cuts, colors=colors)), (0.0108, 0.018, 0.0103), 0.004, words,
+def _row(key: str, colors: tuple[str, ...], cuts: tuple[int, ...], *words: str,
+         size: tuple[float, float, float] = (0.0108, 0.018, 0.0103)) -> Category:  # fmt: skip
+    return Category(key, of(_cut(*cuts, colors=colors)), size, 0.004, words,
                     ("vanity",), (), colors[:2], state="lying")  # fmt: skip
 
 
@@ -158,13 +148,14 @@ CATEGORIES = (
     _row("gemstone", ("red", "green", "blue", "purple", "clear", "amber", "pink"), (0, 1, 2, 3),
          "gem", "cut gem", "cut gemstone", "precious stone", "jewel", "faceted gem", "cut stone",
          "cut crystal"),
-    _row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon"),
-    _row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel"),
-    _row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline"),
+    varied(_row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon")),
+    varied(_row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel")),
+    at_rest(_row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline",
+         size=(0.0126, 0.0182, 0.0073))),
     _row("sapphire", ("blue",), (2, 0), "cut sapphire", "tanzanite"),
-    _row("topaz", ("amber", "yellow"), (1, 3), "cut topaz", "citrine", "yellow topaz"),
+    at_rest(_row("topaz", ("amber", "yellow"), (1, 3), "cut topaz", "citrine", "yellow topaz")),
     _row("garnet", ("maroon",), (0, 2), "cut garnet"),
-    _row("aquamarine", ("sky",), (1, 3), "cut aquamarine", "blue topaz"),
+    at_rest(_row("aquamarine", ("sky",), (1, 3), "cut aquamarine", "blue topaz")),
     Category("opal", of(_dome(("white", "mint"), 0.018)), (0.0185, 0.0139, 0.00924), 0.004,
              ("moonstone", "cabochon"), ("vanity",), (), ("white",), state="lying"),
     Category("tigers_eye", of(_dome(("amber", "bronze"), 0.026, 1.5)), (0.026, 0.0195, 0.013),

@@ -10,6 +10,7 @@ from ...build.category import Category
 from ...build.making import Drawing, at_box, disc, faceted, of, shine, turned
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -27,10 +28,6 @@ def _lump(look: Look, x: float, y: float, z: float, corners: int) -> Solid:
     p = p * look.rng.uniform(0.78, 1.12, (corners, 1)) * [x / 2, y / 2, z / 2]
     p[:, 2] = np.maximum(p[:, 2], -0.3 * z)
     return faceted(np.add(p, (0, 0, 0.3 * z)))
-
-
-def _plain(look: Look, color: RGB) -> textures.Tile:
-    return textures.speckles(look.rng, color, 12)
 
 
 def _grains(other: str, share: float) -> Skin:
@@ -158,8 +155,9 @@ def _logs(look: Look) -> Pieces:
 CATEGORIES = (
     _row("malachite", ("green",), _layered, ("piece of malachite", "malachite stone"),
          density=3800),
-    _row("obsidian", ("black",), _veined(1.5), ("piece of obsidian", "volcanic glass", "tektite",
-         "obsidian shard"), corners=14),
+    at_rest(_row("obsidian", ("black",), _veined(1.5), ("piece of obsidian", "volcanic glass",
+             "tektite",
+         "obsidian shard"), corners=14)),
     _row("flint", ("charcoal", "gray"), _grains("white", 0.12), ("flintstone", "piece of flint",
          "flint stone", "flint nodule"), corners=16, size=(0.07, 0.045, 0.035)),
     _row("pumice", ("gray", "beige"), _grains("charcoal", 0.2), ("pumice stone", "lava stone"),
@@ -188,8 +186,9 @@ CATEGORIES = (
          size=(0.032, 0.024, 0.02), corners=40, density=15000),
     _row("copper_nugget", ("copper",), _metallic, ("native copper", "copper ore"),
          size=(0.045, 0.034, 0.026), corners=40, density=8000),
-    _row("fluorite", ("purple", "mint"), _veined(1.5), ("fluorite crystal", "rough amethyst",
-         "rough crystal", "selenite"), corners=12, density=3100),
+    at_rest(_row("fluorite", ("purple", "mint"), _veined(1.5), ("fluorite crystal",
+             "rough amethyst",
+         "rough crystal", "selenite"), corners=12, density=3100)),
     Category("pyrite", of(_cubes(("gold", "brass"))), (0.0507, 0.0423, 0.0357), 0.15,
              ("pyrite cube",
              "fool gold", "iron pyrite", "piece of pyrite"), ("office",), (), ("gold",)),
@@ -200,8 +199,8 @@ CATEGORIES = (
              "agate coaster", "sliced agate"), ("living",), ("flat",), ("blue", "purple")),
     Category("geode", of(_geode, bodies=2), (0.0984, 0.083, 0.0512), 0.35, ("amethyst geode",
              "crystal geode", "half geode", "split geode"), ("living",), (), ("purple",)),
-    Category("stalactite", of(_dripstone, 0.15), (0.136, 0.037, 0.037), 0.15, ("stalagmite",
-             "stalactite piece", "dripstone"), ("office",), (), ("cream",), state="lying"),
+    at_rest(Category("stalactite", of(_dripstone, 0.15), (0.136, 0.037, 0.037), 0.15, ("stalagmite",
+             "stalactite piece", "dripstone"), ("office",), (), ("cream",), state="lying")),
     Category("petrified_wood", of(_logs, 0.12), (0.081, 0.055, 0.056), 0.35, ("fossil wood",
              "petrified log", "piece of petrified wood"), ("office",), (), ("brown",),
              state="lying"),

@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import at_box, drum, plate, standing
 from ...build.outlines import ellipse, rectangle
 from ...build.recipes import ball, pad, put_down, rod
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, disc, plain, turned
 from ...build.solids import Solid, block, box, join, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-from ...surfaces.textures import Tile
+from ...surfaces.textures import Tile, plain
 
 
 def _stone(look: Look, *colors: str) -> Tile:
@@ -36,8 +36,8 @@ def slab(look: Look) -> Shape:
 def plinth(look: Look) -> Shape:
     """A low square plinth: a foot, a shaft and a top plate."""
     s, h = look.between(0.1, 0.14), look.between(0.045, 0.075)
-    parts = [bar(s, s, 0.2 * h), bar(0.86 * s, 0.86 * s, 0.66 * h, (0, 0, 0.17 * h)),
-             bar(s, s, 0.2 * h, (0, 0, 0.8 * h))]  # fmt: skip
+    parts = [at_box(s, s, 0.2 * h), at_box(0.86 * s, 0.86 * s, 0.66 * h, (0, 0, 0.17 * h)),
+             at_box(s, s, 0.2 * h, (0, 0, 0.8 * h))]  # fmt: skip
     return put_down([(join(parts), _stone(look, "white", "cream", "gray", "beige"))], *parts)
 
 
@@ -45,7 +45,7 @@ def mirror_tile(look: Look) -> Shape:
     """A square mirror lying, its edge ground."""
     s = look.between(0.13, 0.19)
     glass = block(s, s, 0.005, 0.003, 0.001)
-    face = bar(0.94 * s, 0.94 * s, 0.0006, (0, 0, 0.0047))
+    face = at_box(0.94 * s, 0.94 * s, 0.0006, (0, 0, 0.0047))
     y, x = np.mgrid[0:96, 0:96] / 96
     gleam = np.clip(1 - np.abs((x - y + look.between(-0.3, 0.3)) * 5), 0, 1)[..., None] * 60
     sheen = np.clip(np.array([168, 190, 200]) + 26 * (y[..., None] - 0.5) + gleam, 0, 250)
@@ -65,7 +65,7 @@ def clay_tablet(look: Look) -> Shape:
             a, b = 0.1 + 0.09 * n + look.between(-0.02, 0.02), 0.12 + 0.09 * row
             tip = (a + look.between(0.0, 0.05), b + look.between(0.02, 0.06))
             prints.polygon(image, [(a, b), (a + 0.03, b + 0.01), tip], ink)
-    sheet = bar(0.82 * x, 0.82 * y, 0.0008, (0, 0, 0.0196))
+    sheet = at_box(0.82 * x, 0.82 * y, 0.0008, (0, 0, 0.0196))
     return put_down([(made, textures.speckles(look.rng, color, 8)), (sheet, image)], made)
 
 
@@ -77,9 +77,9 @@ def arrowhead(look: Look) -> Shape:
             (-0.025, 0.006)]  # fmt: skip
     rim = np.array([*half, *[(x, -y) for x, y in half[:0:-1]]]) * [1, w]
     jag = 1 + 0.05 * np.array([look.between(-1, 1) for _ in rim])[:, None]
-    base = cut(rim * jag, 0.0035)
-    ridge = cut(0.62 * rim * jag, 0.0035, (0.001, 0, 0.0024))
-    top = cut(0.24 * rim, 0.002, (0.001, 0, 0.0055))
+    base = plate(rim * jag, 0.0035)
+    ridge = plate(0.62 * rim * jag, 0.0035, at=(0.001, 0, 0.0024))
+    top = plate(0.24 * rim, 0.002, at=(0.001, 0, 0.0055))
     flint = textures.scratches(look.rng, color, tint_color(color, 1.3), 70)
     return put_down(
         [
@@ -102,13 +102,13 @@ def pottery_shard(look: Look) -> Shape:
     a = 2 * np.pi * (np.arange(n) + 0.35 * look.rng.uniform(-1, 1, n)) / n
     r = 0.034 * look.rng.uniform(0.72, 1.2, n)
     rim = np.column_stack([1.25 * r * np.cos(a), r * np.sin(a)])
-    body = cut(rim, 0.0065)
+    body = plate(rim, 0.0065)
     image = textures.speckles(look.rng, color, 8, 96).copy()
     ink = look.own_color("black", "brown", "navy", "crimson")
     for row in (0.2, 0.62):
         prints.fill(image, 0, row, 1, 0.06, ink)
     prints.stroke(image, [(0.1 * i, 0.36 + 0.12 * (i % 2)) for i in range(11)], 0.05, ink)
-    skin = cut(0.97 * rim, 0.0008, (0, 0, 0.0062))
+    skin = plate(0.97 * rim, 0.0008, at=(0, 0, 0.0062))
     return put_down([(body, plain(tint_color(color, 0.75))), (skin, image)], body, factor=k)
 
 
@@ -116,7 +116,7 @@ def scarab(look: Look) -> Shape:
     """A scarab carved of stone: wing cases, head and legs on a flat oval."""
     color = look.color("turquoise", "teal", "green", "navy", "gold", "charcoal")
     k = look.between(0.85, 1.2)
-    base = cut(ellipse(0.066, 0.046, 28), 0.006)
+    base = plate(ellipse(0.066, 0.046, 28), 0.006)
     back = ball(0.05, 0.041, 0.034, (-0.006, 0, 0.007), 20)
     collar = ball(0.02, 0.036, 0.024, (0.018, 0, 0.007), 16)
     head = ball(0.016, 0.022, 0.014, (0.028, 0, 0.006), 12)
@@ -140,9 +140,9 @@ def scarab(look: Look) -> Shape:
 def obelisk(look: Look) -> Shape:
     """An obelisk on a stepped base."""
     k = look.between(0.85, 1.2)
-    steps = [bar(0.06, 0.06, 0.01), bar(0.046, 0.046, 0.012, (0, 0, 0.01))]
-    shaft = disc(0.021, 0.13, (0, 0, 0.022), top=0.013, fine=4).turn(2, np.pi / 4)
-    tip = disc(0.013, 0.02, (0, 0, 0.152), top=0.0005, fine=4).turn(2, np.pi / 4)
+    steps = [at_box(0.06, 0.06, 0.01), at_box(0.046, 0.046, 0.012, (0, 0, 0.01))]
+    shaft = drum(0.021, 0.13, (0, 0, 0.022), top=0.013, sides=4).turn(2, np.pi / 4)
+    tip = drum(0.013, 0.02, (0, 0, 0.152), top=0.0005, sides=4).turn(2, np.pi / 4)
     stone = _stone(look, "gray", "beige", "charcoal", "tan", "terracotta")
     return put_down([(join([*steps, shaft, tip]), stone)], *steps, shaft, tip, factor=k)
 
@@ -152,12 +152,12 @@ def moai(look: Look) -> Shape:
     k = look.between(0.85, 1.2)
     neck = block(0.052, 0.05, 0.03, 0.012)
     face = block(0.056, 0.056, 0.08, 0.014, 0.006).move(z=0.028)
-    brow = bar(0.054, 0.016, 0.012, (0, -0.026, 0.082))
-    nose = bar(0.015, 0.018, 0.042, (0, -0.028, 0.046))
+    brow = at_box(0.054, 0.016, 0.012, (0, -0.026, 0.082))
+    nose = at_box(0.015, 0.018, 0.042, (0, -0.028, 0.046))
     chin = block(0.034, 0.02, 0.014, 0.005).move(0, -0.024, 0.029)
-    lips = bar(0.026, 0.01, 0.006, (0, -0.028, 0.043))
-    ears = [bar(0.008, 0.016, 0.045, (s * 0.03, 0, 0.045)) for s in (-1, 1)]
-    eyes = [bar(0.014, 0.004, 0.008, (s * 0.016, -0.0275, 0.073)) for s in (-1, 1)]
+    lips = at_box(0.026, 0.01, 0.006, (0, -0.028, 0.043))
+    ears = [at_box(0.008, 0.016, 0.045, (s * 0.03, 0, 0.045)) for s in (-1, 1)]
+    eyes = [at_box(0.014, 0.004, 0.008, (s * 0.016, -0.0275, 0.073)) for s in (-1, 1)]
     color = look.color("gray", "charcoal", "tan", "sage", spread=14)
     rock = textures.spots(look.rng, color, tint_color(color, 0.7), 0.2)
     body = [neck, face, brow, nose, chin, *ears]
@@ -169,12 +169,12 @@ def totem_pole(look: Look) -> Shape:
     """A carved pole of three painted faces under a pair of wings."""
     k = look.between(0.85, 1.2)
     color = look.color("wooden", "brown", "tan")
-    base = disc(0.03, 0.008)
-    trunk = disc(0.021, 0.165, (0, 0, 0.007))
+    base = drum(0.03, 0.008)
+    trunk = drum(0.021, 0.165, (0, 0, 0.007))
     paint: dict[str, list[Solid]] = {"red": [], "white": [], "black": [], "teal": []}
     for n in range(3):
         z = 0.018 + 0.05 * n
-        paint[("red", "teal", "red")[n]] += [bar(0.036, 0.01, 0.007, (0, -0.018, z + 0.035))]
+        paint[("red", "teal", "red")[n]] += [at_box(0.036, 0.01, 0.007, (0, -0.018, z + 0.035))]
         paint["white"] += [
             ball(0.015, 0.008, 0.013, (s * 0.01, -0.019, z + 0.027)) for s in (-1, 1)
         ]
@@ -182,16 +182,16 @@ def totem_pole(look: Look) -> Shape:
             ball(0.007, 0.008, 0.008, (s * 0.01, -0.021, z + 0.027)) for s in (-1, 1)
         ]
         if n == 2:
-            paint["teal"].append(disc(0.006, 0.03, (0, -0.017, z + 0.018), top=0.001, fine=8)
+            paint["teal"].append(drum(0.006, 0.03, (0, -0.017, z + 0.018), top=0.001, sides=8)
                                  .move(0, 0.017, -z - 0.018).turn(0, np.pi / 2)
                                  .move(0, -0.017, z + 0.018))  # fmt: skip
         else:
-            paint["red"].append(bar(0.026, 0.01, 0.009, (0, -0.018, z + 0.005)))
-            paint["white"].append(bar(0.022, 0.011, 0.003, (0, -0.018, z + 0.008)))
+            paint["red"].append(at_box(0.026, 0.01, 0.009, (0, -0.018, z + 0.005)))
+            paint["white"].append(at_box(0.022, 0.011, 0.003, (0, -0.018, z + 0.008)))
     rim = np.array(
         [(-0.06, 0.02), (0, 0.002), (0.06, 0.02), (0.054, 0.04), (0, 0.026), (-0.054, 0.04)]
     )
-    wing = cut(rim, 0.008).turn(0, np.pi / 2).move(0, 0.012, 0.12)
+    wing = plate(rim, 0.008).turn(0, np.pi / 2).move(0, 0.012, 0.12)
     paint["teal"].append(wing)
     tones = {name: look.own_color(name) for name in paint}
     pieces = [(join([base, trunk]), textures.wood(look.rng, color))]
@@ -204,8 +204,8 @@ def house_brick(look: Look) -> Shape:
     color = look.color("terracotta", "brown", "red", "cream", spread=14)
     k = look.between(0.92, 1.06)
     body = block(0.215, 0.1025, 0.06, 0.002)
-    frame = [bar(0.215, 0.02, 0.006, (0, s * 0.041, 0.059)) for s in (-1, 1)]
-    frame += [bar(0.035, 0.1025, 0.006, (s * 0.09, 0, 0.059)) for s in (-1, 1)]
+    frame = [at_box(0.215, 0.02, 0.006, (0, s * 0.041, 0.059)) for s in (-1, 1)]
+    frame += [at_box(0.035, 0.1025, 0.006, (s * 0.09, 0, 0.059)) for s in (-1, 1)]
     tile = textures.spots(look.rng, color, tint_color(color, 0.6), 0.12)
     whole = box(0.215, 0.1025, 0.065)
     return put_down(
@@ -222,8 +222,8 @@ def paperweight(look: Look) -> Shape:
     """A glass dome with coloured swirls and flowers in it."""
     color = look.color("blue", "purple", "green", "red", "amber", "teal", "pink")
     k = look.between(0.85, 1.15)
-    dome = turned([(0.03, 0), (0.036, 0.008), (0.037, 0.02), (0.032, 0.034), (0.02, 0.044),
-                   (0.008, 0.0478)], fine=28)  # fmt: skip
+    dome = standing((0.03, 0), (0.036, 0.008), (0.037, 0.02), (0.032, 0.034), (0.02, 0.044),
+                   (0.008, 0.0478), sides=28)  # fmt: skip
     image = prints.canvas(160, 96, tint_color(color, 1.3))
     for n in range(16):
         tone = look.own_color("white", "yellow", "pink", "navy", "mint", "coral")
@@ -244,7 +244,7 @@ def fossil(look: Look) -> Shape:
     r = 0.003 + 0.029 * (t / t[-1]) ** 1.3
     path = np.column_stack([r * np.cos(t), r * np.sin(t), 0.013 + 0 * t])
     shell = tube(path, (0.0012 + 0.0056 * r / 0.032) * (1 + 0.16 * np.cos(14 * t)), 7)
-    base = cut(rectangle(0.085, 0.075, 0.03, 3) * 1.0, 0.012, bevel=0.003)
+    base = plate(rectangle(0.085, 0.075, 0.03, 3) * 1.0, 0.012, bevel=0.003)
     stone = textures.spots(look.rng, tint_color(color, 0.6), tint_color(color, 0.4), 0.2)
     return put_down([(base, stone), (shell, textures.speckles(look.rng, color, 10))],
                     base, shell, factor=k)  # fmt: skip

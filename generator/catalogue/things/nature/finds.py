@@ -76,19 +76,6 @@ def pine_cone(look: Look) -> Shape:
     )
 
 
-def acorn(look: Look) -> Shape:
-    """An acorn lying on its side, its cap to the right."""
-    color = look.color("brown", "tan", "olive", "amber", "bronze")
-    nut = ellipsoid(0.017, 0.017, 0.028, 16, 10).turn(1, np.pi / 2).move(-0.005, 0, 0.0075)
-    cap = ellipsoid(0.02, 0.02, 0.018, 16, 8).turn(1, np.pi / 2).move(0.006, 0, 0.0082)
-    tip = cylinder(0.0016, 0.006, 6, top=0.0006).turn(1, -np.pi / 2).move(-0.018, 0, 0.0075)
-    stalk = rod([(0.013, 0, 0.008), (0.019, 0.001, 0.009), (0.024, 0.003, 0.01)], 0.0014, 6)
-    knots = textures.basketwork(look.rng, tint_color(color, 0.7), 14)
-    return put_down([(join([nut, tip]), textures.speckles(look.rng, color, 8)), (cap, knots),
-                    (stalk, textures.plain(tint_color(color, 0.5)))], nut, cap,
-                   factor=look.between(0.85, 1.25))  # fmt: skip
-
-
 def leaf(look: Look) -> Shape:
     """A fallen leaf lying a little curled: oval, maple or oak."""
     color = look.color("orange", "red", "yellow", "green", "brown", "amber")

@@ -188,8 +188,6 @@ def _row(
     return Category(key, made, size, mass, aliases, ("living",), (), colors, state="lying flat")
 
 
-_PASTEL = ("white", "pink", "yellow", "purple", "orange")
-
 CATEGORIES = (
     _row(
         "rose",

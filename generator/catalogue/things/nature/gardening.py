@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import box_part, frame_parts, hull_of, hull_part
+from ...build.collision import box_part, hull_of, hull_part
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, ball, pad, put_down, rod, straight
 from ...build.shape import Shape, shape
@@ -228,26 +228,6 @@ def flower_bulb(look: Look) -> Shape:
     return put_down([(body, skin), (tip, textures.plain((110, 160, 80))),
                     (join(roots), textures.plain((226, 208, 176)))], body,
                    factor=look.between(0.85, 1.2))  # fmt: skip
-
-
-def crate(look: Look) -> Shape:
-    """A small open crate of wooden slats."""
-    x, y, h = look.between(0.2, 0.26), look.between(0.14, 0.18), look.between(0.09, 0.12)
-    color = look.color("wooden", "tan", "white", "brown", "gray")
-    wood = look.surface(color, "wood")
-    t = 0.007
-    slats: list[Solid] = [box(x, y, t)]
-    for n in range(3):
-        z = t + n * (h - t) / 3 + 0.002
-        tall = (h - t) / 3 - 0.006
-        slats += [box(x, t, tall).move(0, s * (y - t) / 2, z) for s in (-1, 1)]
-        slats += [box(t, y - 2 * t - 0.001, tall).move(s * (x - t) / 2, 0, z) for s in (-1, 1)]
-    posts = [box(0.014, 0.014, h).move(sx * (x / 2 - 0.016), sy * (y / 2 - 0.016))
-             for sx in (-1, 1) for sy in (-1, 1)]  # fmt: skip
-    sign = prints.canvas(64, 20, tint_color(color, 1.1))
-    prints.write(sign, look.pick(["FRESH", "FARM", "GARDEN"]), 0.5, 0.5, 0.8, (70, 50, 36), True)
-    plate = box(0.09, 0.0008, (h - t) / 3 - 0.01).move(0, -y / 2, t + (h - t) / 3 + 0.004)
-    return shape([(join([*slats, *posts]), wood), (plate, sign)], frame_parts(x, y, h, t, t))
 
 
 CATEGORIES = (

@@ -7,10 +7,11 @@ from itertools import pairwise
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import whole_hull
+from ...build.collision import hull_part
 from ...build.recipes import rod
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, ellipsoid, join
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -49,11 +50,11 @@ def posy(look: Look) -> Shape:
     cuts = (-1.0, 0.0, 0.09 * k, 1.0)
     near = [points[(points[:, 0] >= a - 0.02 * k) & (points[:, 0] <= b + 0.02 * k)]
             for a, b in pairwise(cuts)]  # fmt: skip
-    return shape(made, [whole_hull(p) for p in near])
+    return shape(made, [hull_part(p) for p in near])
 
 
 CATEGORIES = (
-    Category("posy", posy, (0.36, 0.17, 0.17), 0.25, ("bundle of flowers",), ("living",),
-             ("big",), ("red", "pink"), state="lying flat"),
+    at_rest(Category("posy", posy, (0.36, 0.17, 0.17), 0.25, ("bundle of flowers",), ("living",),
+             ("big",), ("red", "pink"), state="lying flat")),
 )  # fmt: skip
 """The module's categories."""

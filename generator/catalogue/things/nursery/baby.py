@@ -194,7 +194,8 @@ CATEGORIES = (
     Category("play_dough", play_dough, (0.066, 0.066, 0.072), 0.13, ("play dough tub", "play-doh",
              "playdough", "tub of play dough", "modelling clay", "modeling clay", "plasticine",
              "play doh", "magnetic putty", "polymer clay block", "block of modelling clay",
-             "lump of clay", "putty tub", "clay","tub of play-doh", "tub of play doh", "play doh tub", "pot of play-doh" ), ("toys",),
+             "lump of clay", "putty tub", "clay", "tub of play-doh", "tub of play doh",
+             "play doh tub", "pot of play-doh"), ("toys",),
              ("round",), ("red", "blue")),
     Category("diaper", diaper, (0.165, 0.103, 0.031), 0.04, ("nappy", "baby diaper",
              "folded diaper", "folded nappy",
@@ -206,7 +207,8 @@ CATEGORIES = (
              "sky")),
     Category("doll", doll, (0.118, 0.15, 0.17), 0.16, ("toy doll", "rag doll", "baby doll",
              "cloth doll", "dolly", "fabric doll", "porcelain doll", "elf on the shelf",
-             "scarecrow figure", "scarecrow","barbie", "barbie doll", "squeaky doll" ), ("toys",), (), ("pink",
+             "scarecrow figure", "scarecrow", "barbie", "barbie doll", "squeaky doll"), ("toys",),
+             (), ("pink",
              "blue"), state="sitting"),
 )  # fmt: skip
 """The module's categories."""

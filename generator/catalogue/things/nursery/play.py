@@ -142,22 +142,11 @@ def beach_ball(look: Look) -> Shape:
     return shape([(body, tile)], [flat_foot(body.vertices, 0.03)])
 
 
-def skittle(look: Look) -> Shape:
-    """One skittle or bowling pin with two bands."""
-    color = look.color("white", "red", "blue", "yellow", "green", "wooden")
-    body = lathe(np.concatenate([[(0, 0)], smooth([(0.014, 0), (0.024, 0.04), (0.011, 0.085),
-                 (0.014, 0.105), (0.004, 0.118)], 4), [(0, 0.119)]]), 22)  # fmt: skip
-    stripe = (214, 48, 44) if color[0] < 200 or color[1] > 150 else (246, 244, 238)
-    tile = textures.stack((textures.plain(color), 0.68), (textures.plain(stripe), 0.05),
-                          (textures.plain(color), 0.04), (textures.plain(stripe), 0.05),
-                          (textures.plain(color), 0.2))  # fmt: skip
-    return put_down([(body, tile)], body, factor=look.between(0.85, 1.25))
-
-
 CATEGORIES = (
     Category("toy_soldier", toy_soldier, (0.05, 0.04, 0.1), 0.03, ("soldier", "tin soldier",
                  "lead soldier", "army man", "plastic soldier", "soldier figure",
-                 "painted miniature", "miniature", "wargaming miniature", "gaming miniature","warhammer figure", "wargame miniature", "warhammer miniature" ),
+                 "painted miniature", "miniature", "wargaming miniature", "gaming miniature",
+                 "warhammer figure", "wargame miniature", "warhammer miniature"),
              ("toys",), ("tall",),
              ("red", "blue")),
     Category("puppet", puppet, (0.175, 0.106, 0.24), 0.12, ("hand puppet", "glove puppet",

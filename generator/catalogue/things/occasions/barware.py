@@ -13,7 +13,7 @@ from ...build.outlines import smooth
 from ...build.settled import limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import box, cylinder, ellipsoid, join, lathe, prism, torus, tube
-from ...build.variants import keep_still
+from ...build.variants import at_rest, keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -266,9 +266,9 @@ CATEGORIES = (
               "glass of cognac"), ("dining",), ("round",), ("clear",)),
     Category("growler", growler, (0.111, 0.111, 0.26), 1.6, ("beer growler", "beer jug bottle",
         "cider jug", "moonshine jug", "demijohn"), ("dining",), ("tall", "round"), ("brown",)),
-    Category("pourer", _spout("pourer"), (0.0942, 0.022, 0.0301), 0.03,
+    at_rest(Category("pourer", _spout("pourer"), (0.0942, 0.022, 0.0301), 0.03,
              ("pourer spout", "bottle pourer", "speed pourer", "pour spout", "liquor pourer"),
-             ("dining",), (), ("silver",), state="lying"),
+             ("dining",), (), ("silver",), state="lying")),
     Category("wine_aerator", _spout("aerator"), (0.109, 0.0426, 0.0381), 0.08,
              ("aerator", "wine pourer"),
              ("dining",), (), ("black",), state="lying"),

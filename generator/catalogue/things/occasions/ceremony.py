@@ -9,101 +9,13 @@ from ...build.collision import hull_of, ring_parts
 from ...build.forms import blade, spread
 from ...build.settled import limb, settle
 from ...build.shape import Shape, shape
-from ...build.solids import box, cylinder, ellipsoid, join, lathe, tube
+from ...build.solids import box, ellipsoid, join, lathe, tube
+from ...build.variants import keep_still
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 
 GOLD: RGB = (206, 172, 90)
-
-
-def cake_topper(look: Look) -> Shape:
-    """A bride and a groom side by side on a small round base."""
-    k, color = look.between(0.88, 1.12), look.color("white", "ivory", "cream")
-    suit = look.own_color("black", "charcoal", "navy", "gray")
-    base = cylinder(0.042, 0.008, 32, bevel=0.002)
-    dress = lathe(
-        [
-            (0, 0.008),
-            (0.025, 0.008),
-            (0.018, 0.03),
-            (0.0085, 0.056),
-            (0.011, 0.07),
-            (0.007, 0.078),
-            (0, 0.079),
-        ],
-        26,
-    ).move(x=-0.018)
-    veil = blade(
-        [(-0.018, 0.004, 0.098), (-0.018, 0.016, 0.06), (-0.018, 0.024, 0.014)], 0.034, thick=0.15
-    )
-    legs = [box(0.008, 0.011, 0.042).move(0.018 + 0.0052 * s, 0, 0.008) for s in (-1, 1)]
-    coat = (
-        lathe(
-            [
-                (0, 0.044),
-                (0.0115, 0.046),
-                (0.0125, 0.06),
-                (0.014, 0.08),
-                (0.006, 0.086),
-                (0, 0.086),
-            ],
-            20,
-        )
-        .scale(1, 0.75, 1)
-        .move(x=0.018)
-    )
-    arms = [
-        limb(
-            [
-                (0.018 + 0.013 * s, 0, 0.08),
-                (0.018 + 0.017 * s, -0.002, 0.065),
-                (0.018 + 0.015 * s, -0.006, 0.052),
-            ],
-            [0.004, 0.0038, 0.0034],
-            7,
-        )
-        for s in (-1, 1)
-    ]
-    heads = [
-        ellipsoid(0.017, 0.017, 0.02, 14, 10).move(x, 0, z)
-        for x, z in ((-0.018, 0.09), (0.018, 0.096))
-    ]
-    hands = [
-        limb(
-            [
-                (-0.018 + 0.01 * s, 0, 0.07),
-                (-0.018 + 0.013 * s, -0.008, 0.06),
-                (-0.018, -0.013, 0.058),
-            ],
-            [0.0032, 0.003, 0.003],
-            6,
-        )
-        for s in (-1, 1)
-    ]
-    hair = [
-        ellipsoid(0.019, 0.017, 0.013, 12, 8).move(x, 0.0025, z)
-        for x, z in ((-0.018, 0.0965), (0.018, 0.1025))
-    ]
-    shirt = [box(0.006, 0.002, 0.02).move(0.018, -0.0098, 0.064)]
-    posy = [
-        ellipsoid(0.008, 0.008, 0.007, 7, 5).move(
-            -0.018 + 0.004 * np.cos(a), -0.016, 0.058 + 0.004 * np.sin(a)
-        )
-        for a in np.arange(5) * 1.26
-    ]
-    white = look.surface(color, "porcelain")
-    made = [
-        (join([base, dress]), white),
-        (veil, textures.plain((248, 248, 250))),
-        (join([*legs, coat, *arms]), textures.plain(suit)),
-        (join([*heads, *hands]), textures.plain((236, 192, 164))),
-        (join(hair), textures.plain(look.own_color("brown", "black", "gold", "copper"))),
-        (join(shirt), textures.plain((250, 250, 250))),
-        (join(posy), textures.plain(look.own_color("pink", "red", "violet"))),
-    ]
-    made = [(s.scale(k, k, k), t) for s, t in made]
-    return shape(made, [hull_of(base.scale(k, k, k)), hull_of(made[0][0], made[3][0])])
 
 
 def boutonniere(look: Look) -> Shape:
@@ -258,7 +170,7 @@ def cake_pillar(look: Look) -> Shape:
 _W, _E = ("living",), ("living",)
 
 CATEGORIES = (
-    Category("boutonniere", boutonniere, (0.0847, 0.0829, 0.0289), 0.015,
+    Category("boutonniere", keep_still(boutonniere), (0.0847, 0.0829, 0.0289), 0.015,
              ("buttonhole", "lapel flower",
               "groom's buttonhole"), _W, (), ("red", "white"), state="lying"),
     Category("garter", garter, (0.13, 0.133, 0.0251), 0.02, ("wedding garter", "bridal garter",

@@ -131,7 +131,7 @@ CATEGORIES = (
         "freezer pack", "ice block", "gel pack", "cooling pack"), _P, ("flat",), ("blue",),
         state="lying flat"),
     Category("wet_wipes", wipe_packet, (0.184, 0.0977, 0.0515), 0.3, ("wet wipe packet",
-        "pack of wet wipes", "baby wipes", "packet of wet wipes", 
+        "pack of wet wipes", "baby wipes", "packet of wet wipes",
         "pack of baby wipes"), _P, (), ("sky",),
              state="lying flat"),
 )  # fmt: skip

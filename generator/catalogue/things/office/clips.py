@@ -155,12 +155,12 @@ CATEGORIES = (
              "leather hole punch"), ("office",), (), ("black", "red")),
     Category("stamp", stamp, (0.045, 0.028, 0.08), 0.05, ("rubber stamp", "seal",
              "self inking stamp", "wooden stamp", "seal stamp", "ink stamp", "seal matrix",
-             "date stamp","signet seal" ), ("office",),
+             "date stamp", "signet seal"), ("office",),
              ("tall",), ("wooden", "black")),
     Category("ink_pad", ink_pad, (0.0984, 0.105, 0.0668), 0.09, ("inkpad", "stamp pad",
              "stamp ink pad", "ink"), ("office",), (), ("black", "navy"), state="lying open"),
     Category("thumbtacks", thumbtacks, (0.0752, 0.074, 0.0118), 0.004, (
-             "brad fastener","box of thumbtacks", "box of drawing pins" ), ("office",),
+             "brad fastener", "box of thumbtacks", "box of drawing pins"), ("office",),
              ("flat",), ("red", "blue"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

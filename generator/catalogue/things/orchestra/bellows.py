@@ -19,6 +19,7 @@ from ...build.making import (
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod
 from ...build.solids import join, lathe, torus, tube
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -162,11 +163,12 @@ CATEGORIES = (
     Category("bagpipes", of(_bagpipes, 0.05), (0.42, 0.44, 0.095), 1.2, ("bagpipe",
              "set of bagpipes", "highland pipes"), ("living",), ("big",), ("red", "green"),
              state="lying"),
-    Category("didgeridoo", of(_didgeridoo, 0.08, bodies=1), (0.6, 0.066, 0.064), 1.2,
-             ("didjeridu",), ("living",), ("big",), ("brown",), state="lying"),
-    Category("vuvuzela", of(_vuvuzela, 0.06, bodies=1), (0.53, 0.104, 0.102), 0.12, ("stadium horn",
+    at_rest(Category("didgeridoo", of(_didgeridoo, 0.08, bodies=1), (0.6, 0.066, 0.064), 1.2,
+             ("didjeridu",), ("living",), ("big",), ("brown",), state="lying")),
+    at_rest(Category("vuvuzela", of(_vuvuzela, 0.06, bodies=1), (0.53, 0.104, 0.102), 0.12,
+             ("stadium horn",
              "fan horn", "bugle toy"), ("living",), ("big",), ("red", "yellow"),
-             state="lying"),
+             state="lying")),
     Category("jaw_harp", of(_jaw_harp, 0.1), (0.128, 0.0487, 0.0188), 0.03, ("jew harp",
              "mouth harp harp",
              "khomus"), ("living",), (), ("silver",), state="lying"),

@@ -11,6 +11,7 @@ from ...build.making import Drawing, at_box, disc, dye, of, plate, shine, wood
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import Solid, join, tube
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -214,9 +215,10 @@ CATEGORIES = (
     Category("lute", _lute(Lute(_LUTE, 0.15, 0.045, 0.08, 10, 0.08, round_back=True, hole=0.03)),  # type: ignore[arg-type]
              (0.53, 0.23, 0.09), 0.8, ("oud", "theorbo", "medieval lute"), ("living",), ("big",),
              ("brown",), state="lying flat"),
-    Category("sitar", _lute(Lute(_GOURD, 0.34, 0.05, 0.09, 9, 0.08, ("tan", "brown"), 0.0, True)),  # type: ignore[arg-type]
+    at_rest(Category("sitar", _lute(Lute(_GOURD, 0.34, 0.05, 0.09, 9, 0.08, ("tan", "brown"), 0.0,
+             True)),  # type: ignore[arg-type]
              (0.63, 0.16, 0.09), 0.9, ("tanpura", "shamisen", "erhu", "pipa"), ("living",),
-             ("big",), ("brown",), state="lying flat"),
+             ("big",), ("brown",), state="lying flat")),
     Category("harp", of(_harp), (0.18, 0.07, 0.305), 0.8, ("lever harp", "mini harp", "celtic harp",
              "small harp", "toy harp"), ("living",), ("tall",), ("brown", "gold")),
     Category("lyre", of(_lyre, 0.06), (0.217, 0.169, 0.0354), 0.4, ("lyra", "kithara"), ("living",),

@@ -19,6 +19,7 @@ from ...build.making import (
 from ...build.outlines import arc, smooth
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus, tube
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -150,11 +151,12 @@ def _ocarina(look: Look) -> Pieces:
 
 
 CATEGORIES = (
-    Category("trombone", of(_trombone, 0.0), (0.561, 0.186, 0.107), 1.2, ("toy trombone",),
+    at_rest(Category("trombone", of(_trombone, 0.0), (0.561, 0.186, 0.107), 1.2, ("toy trombone",),
              ("living",),
-             ("big",), ("gold",), state="lying flat"),
-    Category("french_horn", of(_horn, 0.0), (0.303, 0.216, 0.139), 1.5, ("horn instrument",
-             "orchestral horn", "post horn"), ("living",), ("big",), ("gold",), state="lying flat"),
+             ("big",), ("gold",), state="lying flat")),
+    at_rest(Category("french_horn", of(_horn, 0.0), (0.303, 0.216, 0.139), 1.5, ("horn instrument",
+             "orchestral horn", "post horn"), ("living",), ("big",), ("gold",),
+             state="lying flat")),
     Category("tuba", of(_tuba, 0.0), (0.205, 0.18, 0.287), 1.8, ("euphonium", "sousaphone",
              "baritone horn"), ("living",), ("tall", "big"), ("gold",)),
     Category("mouthpiece", of(_cup), (0.027, 0.027, 0.08), 0.08, ("trumpet mouthpiece",

@@ -63,7 +63,9 @@ def toast_rack(look: Look) -> Shape:
     bow = [(-0.42 * y, floor - 0.002), (-0.4 * y, 0.66 * h), (-0.2 * y, 0.91 * h), (0.0, h),
            (0.2 * y, 0.91 * h), (0.4 * y, 0.66 * h), (0.42 * y, floor - 0.002)]  # fmt: skip
     hoops = [_wire((u, *a), (u, *b), r) for u in at for a, b in pairwise(bow)]
-    parts = [hull_of(base), *map(hull_of, feet), *map(hull_of, hoops)]
+    spans = [hull_of(*hoops[k:n]) for m in range(0, len(hoops), 6)
+             for k, n in ((m, m + 1), (m + 1, m + 3), (m + 3, m + 5), (m + 5, m + 6))]  # fmt: skip
+    parts = [hull_of(base), *map(hull_of, feet), *spans]
     slots = _choose_slots(_centres(cells, pitch), count, floor)
     return shape([(join([base, *feet, *hoops]), skin)], parts, slots=slots)
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, DARK, at_box, drum, lies, plate, standing, steel
 from ...build.outlines import ellipse
 from ...build.recipes import ball, put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import BRASS, DARK, bar, cut, disc, lies, plain, steel, turned
 from ...build.solids import Solid, block, join, torus
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def _hook(x: float, z: float = 0.0015, size: float = 1.0) -> Solid:
@@ -28,10 +29,10 @@ def reel(look: Look) -> Shape:
     color = look.color("black", "silver", "gold", "navy", "red")
     k = look.between(0.85, 1.15)
     body = block(0.04, 0.045, 0.044, 0.012, 0.005)
-    rotor = disc(0.025, 0.03, (0.02, 0, 0.028), 0, top=0.028, fine=24)
-    spool = disc(0.022, 0.03, (0.048, 0, 0.028), 0, fine=24)
-    lip = [disc(0.0255, 0.004, (x, 0, 0.028), 0, fine=24) for x in (0.048, 0.077)]
-    knob = disc(0.011, 0.012, (0.08, 0, 0.028), 0, fine=14, bevel=0.002)
+    rotor = drum(0.025, 0.03, (0.02, 0, 0.028), 0, top=0.028, sides=24)
+    spool = drum(0.022, 0.03, (0.048, 0, 0.028), 0, sides=24)
+    lip = [drum(0.0255, 0.004, (x, 0, 0.028), 0, sides=24) for x in (0.048, 0.077)]
+    knob = drum(0.011, 0.012, (0.08, 0, 0.028), 0, sides=14, bevel=0.002)
     bail = rod(
         [
             (0.04, 0.026, 0.028),
@@ -43,8 +44,8 @@ def reel(look: Look) -> Shape:
         0.0015,
         6,
     )
-    stem = bar(0.012, 0.014, 0.03, (-0.008, 0, 0.04))
-    foot = bar(0.075, 0.014, 0.005, (-0.008, 0, 0.068))
+    stem = at_box(0.012, 0.014, 0.03, (-0.008, 0, 0.04))
+    foot = at_box(0.075, 0.014, 0.005, (-0.008, 0, 0.068))
     arm = [straight((-0.004, -0.02, 0.026), (-0.004, -0.042, 0.026), 0.0045, 8),
            straight((-0.004, -0.042, 0.026), (-0.05, -0.046, 0.012), 0.0038, 8),
            ball(0.02, 0.026, 0.02, (-0.05, -0.054, 0.0095), 10)]  # fmt: skip
@@ -66,8 +67,8 @@ def fishing_float(look: Look) -> Shape:
     z = float(body.bounds.mean(0)[2])
     halves = textures.stripes([(244, 242, 236), color], 1)
     r = float(body.bounds[1, 2] - z)
-    shell = turned([(0.0012, -1.6 * r), (0.62 * r, -1.25 * r), (r, -0.2 * r), (r, 0.2 * r),
-                    (0.62 * r, 1.25 * r), (0.0012, 1.6 * r)], fine=22)  # fmt: skip
+    shell = standing((0.0012, -1.6 * r), (0.62 * r, -1.25 * r), (r, -0.2 * r), (r, 0.2 * r),
+                    (0.62 * r, 1.25 * r), (0.0012, 1.6 * r), sides=22)  # fmt: skip
     shell = lies(shell, 0, 0, 0.94 * r)
     stem = straight((-1.5 * r - 0.022, 0, 0.94 * r), (1.5 * r + 0.03, 0, 0.94 * r), 0.0012, 8)
     tip = straight((1.5 * r + 0.018, 0, 0.94 * r), (1.5 * r + 0.032, 0, 0.94 * r), 0.0021, 8)
@@ -80,11 +81,13 @@ def lure(look: Look) -> Shape:
     color = look.color("silver", "green", "gold", "red", "blue", "orange")
     k = look.between(0.8, 1.2)
     body = ball(0.075, 0.022, 0.02, (0, 0, 0.0095), 18)
-    tail = cut([(-0.032, 0), (-0.052, 0.014), (-0.047, 0), (-0.052, -0.014)], 0.004, (0, 0, 0.0075))
-    lip = cut([(0.032, -0.006), (0.05, -0.009), (0.05, 0.009), (0.032, 0.006)], 0.002).move(
+    tail = plate(
+        [(-0.032, 0), (-0.052, 0.014), (-0.047, 0), (-0.052, -0.014)], 0.004, at=(0, 0, 0.0075)
+    )
+    lip = plate([(0.032, -0.006), (0.05, -0.009), (0.05, 0.009), (0.032, 0.006)], 0.002).move(
         0, 0, 0.006
     )
-    eyes = [disc(0.0035, 0.0012, (0.026, 0.0, 0.0163), fine=10)]
+    eyes = [drum(0.0035, 0.0012, (0.026, 0.0, 0.0163), sides=10)]
     hooks = [_hook(0.0, 0.0015, 0.9).turn(2, 1.1 + 0.5 * n).move(x, -0.009, 0)
              for x in (-0.022, 0.014) for n in (0, 1)]  # fmt: skip
     loop = torus(0.003, 0.0008, 12, 5).move(0.053, 0, 0.007)
@@ -107,12 +110,12 @@ def spinner(look: Look) -> Shape:
     """A spoon lure lying: a bright hammered blade, rings and a hook."""
     color = look.color("silver", "gold", "copper", "red")
     k = look.between(0.8, 1.25)
-    blade = cut(ellipse(0.05, 0.02, 26), 0.0022, bevel=0.0005)
+    blade = plate(ellipse(0.05, 0.02, 26), 0.0022, bevel=0.0005)
     ridge = ball(0.04, 0.012, 0.004, (0, 0, 0.0022), 14)
     rings = [torus(0.0035, 0.0008, 14, 5).move(x, 0, 0.0009) for x in (-0.0265, 0.0265)]
     hooks = [_hook(-0.029, 0.0012, 0.9), _hook(-0.029, 0.0012, 0.9).scale(1, 1, 1).turn(0, np.pi)
              .move(z=0.0024)]  # fmt: skip
-    tuft = cut(
+    tuft = plate(
         [(-0.03, -0.004), (-0.048, -0.009), (-0.052, 0), (-0.048, 0.009), (-0.03, 0.004)], 0.0012
     )
     return put_down(
@@ -141,10 +144,10 @@ def fly(look: Look) -> Shape:
             straight((0.013, 0, 0.0052), (tip[0], tip[1], max(tip[2], 0.0003)), 0.0004, 4)
         )
     wings = [
-        cut(
+        plate(
             [(0.012, s * 0.001), (0.0, s * 0.009), (-0.012, s * 0.007), (0.002, s * 0.001)],
             0.0006,
-            (0, 0, 0.008),
+            at=(0, 0, 0.008),
         )
         for s in (-1, 1)
     ]
@@ -170,8 +173,8 @@ def sinker(look: Look) -> Shape:
     color = look.color("gray", "charcoal", "silver")
     k = look.between(0.8, 1.3)
     body = lies(
-        turned(
-            [(0.004, 0), (0.0105, 0.007), (0.0125, 0.016), (0.009, 0.034), (0.0035, 0.044)], fine=18
+        standing(
+            (0.004, 0), (0.0105, 0.007), (0.0125, 0.016), (0.009, 0.034), (0.0035, 0.044), sides=18
         ),
         -0.022,
         0,
@@ -179,7 +182,7 @@ def sinker(look: Look) -> Shape:
     )
     eye = torus(0.0045, 0.001, 14, 5).turn(0, np.pi / 2).move(0.026, 0, 0.0115)
     return put_down(
-        [(body, textures.speckles(look.rng, color, 9)), (eye, steel(look, BRASS))],
+        [(body, textures.speckles(look.rng, color, 9)), (eye, steel(look, BRASS_TONE))],
         body,
         factor=k,
         foot=0.35,
@@ -218,8 +221,8 @@ def fishing_rod(look: Look) -> Shape:
         .move(0.06 + 0.075 * n, -0.008, 0.0085 - 0.002 * n)
         for n in range(4)
     ]
-    spool = disc(0.016, 0.02, (-0.085, -0.034, 0.016), 0, fine=18)
-    stem = bar(0.01, 0.02, 0.01, (-0.075, -0.018, 0.01))
+    spool = drum(0.016, 0.02, (-0.085, -0.034, 0.016), 0, sides=18)
+    stem = at_box(0.01, 0.02, 0.01, (-0.075, -0.018, 0.01))
     arm = straight((-0.075, -0.034, 0.016), (-0.095, -0.062, 0.008), 0.003, 6)
     knob = ball(0.012, 0.014, 0.012, (-0.097, -0.066, 0.0058), 8)
     return put_down(

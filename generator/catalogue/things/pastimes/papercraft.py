@@ -1,19 +1,18 @@
-"""Folded and cut paper, and what craft boxes hold: cranes, pinwheels, googly eyes, tassels."""
+"""Folded and crumpled paper: cranes, planes, boats, pinwheels, swans, rosettes."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
-from ...build.outlines import ellipse, rectangle
+from ...build.making import drum, plate, standing
 from ...build.recipes import ball, put_down, rod, standing_plate, straight
 from ...build.shape import Shape
-from ...build.sketch import bar, cut, disc, plain, steel, turned
-from ...build.solids import Solid, cylinder, join, loft, torus, tube
+from ...build.solids import Solid, cylinder, join, loft
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from ...surfaces.textures import Tile
+from ...surfaces.textures import Tile, plain
 
 PAPERS = ("red", "blue", "yellow", "pink", "teal", "orange", "purple", "white", "mint")
 
@@ -56,7 +55,7 @@ def origami_crane(look: Look) -> Shape:
     neck = standing_plate([(0.006, 0.012), (0.02, 0.012), (0.058, 0.062), (0.052, 0.066)], 0.004)
     beak = standing_plate([(0.052, 0.065), (0.058, 0.061), (0.076, 0.05), (0.058, 0.066)], 0.0035)
     tail = standing_plate([(-0.02, 0.012), (-0.006, 0.012), (-0.068, 0.06)], 0.004)
-    keel = turned([(0.015, 0), (0.012, 0.012), (0.002, 0.034)], fine=4).scale(1.4, 1, 1)
+    keel = standing((0.015, 0), (0.012, 0.012), (0.002, 0.034), sides=4).scale(1.4, 1, 1)
     inner = textures.plain(tint_color(color, 1.35))
     paper = _paper(look, color)
     return put_down([(join([*body, *front, keel, neck, tail]), paper), (join(wings), paper),
@@ -73,7 +72,7 @@ def paper_plane(look: Look) -> Shape:
     ]
     keel = [_sheet((0.11, s * 0.0008, 0.026), (-0.11, s * 0.004, 0.026), (-0.11, s * 0.0008, 0.0),
                    (-0.02, s * 0.0008, 0.0)) for s in (1, -1)]  # fmt: skip
-    foot = cut([(-0.1, -0.012), (0.02, -0.004), (0.02, 0.004), (-0.1, 0.012)], 0.002)
+    foot = plate([(-0.1, -0.012), (0.02, -0.004), (0.02, 0.004), (-0.1, 0.012)], 0.002)
     image = prints.canvas(64, 64, color)
     if look.chance(0.5):
         for n in range(1, 8):
@@ -88,7 +87,7 @@ def paper_boat(look: Look) -> Shape:
     k = look.between(0.75, 1.25)
     hull = [_sheet((-0.075, s * 0.001, 0.05), (-0.03, s * 0.014, 0.0), (0.03, s * 0.014, 0.0),
                    (0.075, s * 0.001, 0.05), (0.0, s * 0.03, 0.036)) for s in (1, -1)]  # fmt: skip
-    bottom = cut(
+    bottom = plate(
         [(-0.04, 0), (-0.03, -0.014), (0.03, -0.014), (0.04, 0), (0.03, 0.014), (-0.03, 0.014)],
         0.0015,
     )
@@ -118,8 +117,8 @@ def pinwheel(look: Look) -> Shape:
             (0, 0, 0.008), (0.055, 0.002, 0.008), (0.05, 0.036, 0.024), (0.01, 0.012, 0.014)
         )
         vanes[n % 2].append(leaf.turn(2, n * np.pi / 2))
-    hub = disc(0.008, 0.008, (0, 0, 0.008), bevel=0.002)
-    foot = disc(0.05, 0.002, fine=4).move(0, 0, 0)
+    hub = drum(0.008, 0.008, (0, 0, 0.008), bevel=0.002)
+    foot = drum(0.05, 0.002, sides=4).move(0, 0, 0)
     return put_down(
         [
             (stick, textures.wood(look.rng, (214, 180, 130))),
@@ -136,27 +135,11 @@ def pinwheel(look: Look) -> Shape:
     )
 
 
-def snowflake(look: Look) -> Shape:
-    """A six-armed snowflake cut of paper, lying."""
-    color = look.color("white", "sky", "silver", "blue", "mint")
-    k, side = look.between(0.75, 1.25), look.between(0.5, 0.75)
-    arms = []
-    for n in range(6):
-        arm = [bar(0.05, 0.007, 0.0015, (0.027, 0, 0))]
-        for x, long in ((0.022, 0.016), (0.036, 0.02 * side), (0.046, 0.01)):
-            twig = bar(long, 0.005, 0.0015, (long / 2, 0, 0))
-            arm += [twig.turn(2, s * 0.95).move(x, 0, 0) for s in (-1, 1)]
-        arms.append(join(arm).turn(2, n * np.pi / 3))
-    middle = disc(0.012, 0.0018, fine=6)
-    return put_down([(join([*arms, middle]), textures.speckles(look.rng, color, 3, 32))],
-                    join(arms), factor=k)  # fmt: skip
-
-
 def napkin_swan(look: Look) -> Shape:
     """A napkin folded into a swan."""
     color = look.color("white", "cream", "pink", "sky", "mint")
     k = look.between(0.85, 1.15)
-    body = turned([(0.045, 0), (0.052, 0.008), (0.046, 0.022), (0.016, 0.032)], fine=20).scale(
+    body = standing((0.045, 0), (0.052, 0.008), (0.046, 0.022), (0.016, 0.032), sides=20).scale(
         1.3, 1, 1
     )
     neck = rod([(0.045, 0, 0.018), (0.07, 0, 0.05), (0.05, 0, 0.095), (0.062, 0, 0.115),
@@ -178,10 +161,10 @@ def rosette(look: Look) -> Shape:
     k = look.between(0.8, 1.2)
     a = np.linspace(0, 2 * np.pi, 49)[:-1]
     r = 0.04 + 0.0025 * np.cos(24 * a)
-    ruff = cut(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.006, (0, 0, 0.003))
+    ruff = plate(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.006, at=(0, 0, 0.003))
     r = 0.03 + 0.002 * np.cos(24 * a)
-    inner = cut(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.004, (0, 0, 0.0085))
-    badge = disc(0.021, 0.004, (0, 0, 0.0115), fine=28, bevel=0.001)
+    inner = plate(np.column_stack([r * np.cos(a), r * np.sin(a)]), 0.004, at=(0, 0, 0.0085))
+    badge = drum(0.021, 0.004, (0, 0, 0.0115), sides=28, bevel=0.001)
     face = prints.canvas(96, 96, (250, 240, 206))
     prints.disc(face, 0.5, 0.5, 0.44, color, 0.4)
     prints.write(
@@ -193,7 +176,7 @@ def rosette(look: Look) -> Shape:
         (90, 60, 40),
         bold=True,
     )
-    tails = [cut([(-0.012, -0.085), (0, -0.076), (0.012, -0.085), (0.012, 0), (-0.012, 0)], 0.003)
+    tails = [plate([(-0.012, -0.085), (0, -0.076), (0.012, -0.085), (0.012, 0), (-0.012, 0)], 0.003)
              .turn(2, s * 0.24) for s in (-1, 1)]  # fmt: skip
     rays = textures.stripes([color, tint_color(color, 0.8)], 4, upright=True)
     return put_down(
@@ -202,133 +185,6 @@ def rosette(look: Look) -> Shape:
         *tails,
         factor=k,
     )
-
-
-def googly_eye(look: Look) -> Shape:
-    """A stick-on eye: a white disc and a loose black pupil."""
-    color = look.color("white", "white", "yellow", "sky", "pink", "lime")
-    r = look.between(0.008, 0.016)
-    a, d = look.between(0, 6.28), 0.36 * r
-    back = disc(r, 0.25 * r, fine=26, bevel=0.05 * r)
-    dome = turned([(0.93 * r, 0), (0.9 * r, 0.12 * r), (0.6 * r, 0.2 * r), (0.2 * r, 0.24 * r)],
-                  (0, 0, 0.24 * r), 26)  # fmt: skip
-    pupil = disc(
-        0.5 * r, 0.3 * r, (d * np.cos(a), d * np.sin(a), 0.24 * r), fine=20, bevel=0.05 * r
-    )
-    return put_down(
-        [(join([back, dome]), plain(color)), (pupil, plain((28, 28, 30)))], join([back, dome])
-    )
-
-
-def pipe_cleaner(look: Look) -> Shape:
-    """A fuzzy chenille stem lying, bent in a wave."""
-    color = look.color("red", "blue", "green", "yellow", "pink", "purple", "orange", "brown")
-    k, wave = look.between(0.8, 1.2), look.between(0.006, 0.02)
-    x = np.linspace(-0.09, 0.09, 70)
-    path = np.column_stack([x, wave * np.sin(x * 40), 0.0034 + 0 * x])
-    t = np.arange(70)
-    fuzz = tube(path, 0.0034 * (1 + 0.16 * np.cos(2.6 * t)), 8)
-    fur = textures.scratches(look.rng, color, tint_color(color, 1.35), 120)
-    halves = [tube(path[i : i + 19], 0.0034, 8) for i in (0, 17, 34, 51)]
-    return put_down([(fuzz, fur)], *halves, factor=k, foot=0.4)
-
-
-def lolly_stick(look: Look) -> Shape:
-    """A flat wooden stick with round ends."""
-    color = look.color("tan", "wooden", "red", "blue", "green", "yellow", "beige")
-    long, w = look.between(0.1, 0.15), look.between(0.009, 0.017)
-    made = cut(rectangle(long, w, 0.499 * w, 8), 0.0022, bevel=0.0004)
-    return put_down([(made, textures.wood(look.rng, color))], made)
-
-
-def dreamcatcher(look: Look) -> Shape:
-    """A hoop with a woven net, beads and hanging feathers, lying."""
-    color = look.color("brown", "white", "turquoise", "purple", "tan", "red")
-    k = look.between(0.85, 1.15)
-    hoop = torus(0.06, 0.0045, 36, 8).move(0, 0.05, 0.0044)
-    net = []
-    for r, s in ((0.058, 0.042), (0.042, 0.026), (0.026, 0.011)):
-        for n in range(12):
-            a, b = n * np.pi / 6, (n + 0.5) * np.pi / 6
-            start = (r * np.cos(a), 0.05 + r * np.sin(a), 0.004)
-            net += [
-                straight(start, (s * np.cos(e), 0.05 + s * np.sin(e), 0.004), 0.0006, 4)
-                for e in (b, b - np.pi / 6)
-            ]
-    beads = [ball(0.008, 0.008, 0.008, (x, y, 0.0045), 10)
-             for x, y in ((0, 0.05), (0.02, 0.07), (-0.025, 0.035), (0.03, -0.014), (-0.03, -0.014),
-                          (0, -0.02))]  # fmt: skip
-    cords, quills = [], []
-    for x, y in ((-0.03, -0.002), (0, -0.01), (0.03, -0.002)):
-        cords.append(straight((x, y, 0.003), (x, y - 0.04, 0.003), 0.0008, 5))
-        quills.append(cut(ellipse(0.017, 0.06, 16), 0.0015).move(x, y - 0.06, 0.0008))
-    wrap = textures.stripes([color, tint_color(color, 0.8)], 16, upright=True)
-    other = look.own_color("white", "tan", "turquoise", "coral", "brown")
-    return put_down(
-        [
-            (hoop, wrap),
-            (join([*net, *cords]), plain((232, 224, 206))),
-            (join(beads), plain(look.own_color("turquoise", "red", "navy"))),
-            (join(quills), textures.scratches(look.rng, other, tint_color(other, 0.75), 70)),
-        ],
-        hoop,
-        *quills,
-        factor=k,
-        foot=0.2,
-    )
-
-
-def tassel(look: Look) -> Shape:
-    """A tassel lying: a loop, a bound head and a skirt of threads."""
-    color = look.color("gold", "crimson", "navy", "cream", "green", "purple", "black")
-    k = look.between(0.8, 1.25)
-    loop = rod(
-        [
-            (0.02, 0.002, 0.002),
-            (0.045, 0.009, 0.002),
-            (0.055, 0, 0.002),
-            (0.045, -0.009, 0.002),
-            (0.02, -0.002, 0.002),
-        ],
-        0.0016,
-        6,
-    )
-    head = ball(0.022, 0.02, 0.018, (0.012, 0, 0.0085), 14)
-    band = disc(0.0085, 0.006, (-0.004, 0, 0.0085), 0, fine=14)
-    skirt = rod(
-        [(0.0, 0, 0.0082), (-0.03, 0, 0.0082), (-0.072, 0, 0.0075)], [0.0075, 0.0105, 0.012], 14
-    )
-    strands = textures.stripes([color, tint_color(color, 0.75)], 12, upright=True)
-    return put_down(
-        [
-            (join([loop, head]), plain(color)),
-            (skirt.scale(1, 1, 0.85), strands),
-            (band, plain(tint_color(color, 0.6))),
-        ],
-        head,
-        skirt.scale(1, 1, 0.85),
-        factor=k,
-        foot=0.3,
-    )
-
-
-def wind_chime(look: Look) -> Shape:
-    """A wind chime lying: a round top with metal tubes on cords."""
-    color = look.color("silver", "gold", "copper", "teal", "bronze")
-    k = look.between(0.85, 1.15)
-    top = disc(0.03, 0.008, (0, 0.09, 0), bevel=0.002)
-    loop = torus(0.009, 0.0015, 16, 6).move(0, 0.126, 0.002)
-    tubes, cords = [], []
-    for n in range(5):
-        x, long = 0.017 * (n - 2), 0.1 - 0.012 * abs(n - 1)
-        tubes.append(straight((x, 0.035, 0.0057), (x, 0.035 - long, 0.0057), 0.006, 12))
-        cords.append(straight((0.6 * x, 0.085, 0.005), (x, 0.034, 0.0055), 0.0007, 4))
-    sail = cut(ellipse(0.026, 0.04, 18), 0.003).move(0, -0.1, 0)
-    line = straight((0, -0.07, 0.003), (0, -0.084, 0.002), 0.0007, 4)
-    wood = textures.wood(look.rng, (140, 92, 56))
-    return put_down([(join([top, sail]), wood), (join(tubes), steel(look, color)),
-                     (join([loop, *cords, line]), plain((220, 214, 200)))],
-                    top, *tubes, sail, factor=k, foot=0.3)  # fmt: skip
 
 
 def crumpled_paper(look: Look) -> Shape:
@@ -372,22 +228,6 @@ CATEGORIES = (
              ("paper rosette", "award ribbon", "prize ribbon", "ribbon rosette",
              "winner's rosette"),
              ("living",), ("flat",), ("red", "blue")),
-    Category("googly_eye", googly_eye, (0.0241, 0.0243, 0.00656), 0.001,
-             ("googly eyes", "google eye", "wiggle eye", "craft eye", "toy eye"), ("craft",),
-             ("flat",),
-             ("white",)),
-    Category("pipe_cleaner", pipe_cleaner, (0.175, 0.0301, 0.00705), 0.003,
-             ("chenille stem", "fuzzy stick"), ("craft",), ("flat",), ("red", "blue")),
-    Category("lolly_stick", lolly_stick, (0.127, 0.0135, 0.0022), 0.002,
-             ("ice lolly stick", "lollipop stick",
-              "wooden craft stick"), ("craft",), ("flat",), ("tan",)),
-    Category("dreamcatcher", dreamcatcher, (0.13, 0.216, 0.00898), 0.05,
-             ("dream catcher",), ("living", "craft"), ("flat",), ("brown",)),
-    Category("tassel", tassel, (0.144, 0.0269, 0.0196), 0.01,
-             ("curtain tassel", "macrame knot", "tassel charm", "silk tassel"),
-             ("craft",), (), ("gold",)),
-    Category("wind_chime", wind_chime, (0.0825, 0.264, 0.0121), 0.2,
-             ("wind chimes", "windchime", "chime"), ("living",), ("flat",), ("silver",)),
     Category("crumpled_paper", crumpled_paper, (0.0613, 0.0595, 0.0481), 0.005,
              ("crumpled paper ball", "paper ball", "balled-up paper", "scrunched paper",
               "crumpled sheet", "crumpled note", "ball of paper", "scrunched-up paper",

@@ -224,7 +224,7 @@ def water_plant(look: Look) -> Shape:
     foot = ellipsoid(0.055, 0.05, 0.026, 16, 8).move(z=0.003)
     return settle([(foot, textures.spots(look.rng, (150, 140, 126), (110, 100, 90), 0.3)),
                    (join(leaves), textures.leaf(look.rng, color))],
-                  0.0, hulls=[[0], [1]]).scale(k)  # fmt: skip
+                  0.06, hulls=[[0], [1]]).scale(k)  # fmt: skip
 
 
 _P = ("living",)

@@ -11,7 +11,7 @@ from ...build.forms import blade
 from ...build.recipes import ball
 from ...build.settled import limb, settle
 from ...build.shape import Shape
-from ...build.solids import ellipsoid, join, lathe, tube
+from ...build.solids import ellipsoid, join, lathe
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -97,47 +97,6 @@ def _lizard(
                       0.06, hulls=[[0], [1]])  # fmt: skip
 
     return make
-
-
-def snake(look: Look) -> Shape:
-    """A snake coiled up, its head raised a little, banded or blotched."""
-    k, color = (
-        look.between(0.8, 1.15),
-        look.color("green", "olive", "brown", "red", "mustard", "black", "orange"),
-    )
-    a = np.linspace(0, 2 * np.pi * 2.3, 70)
-    r = 0.075 - 0.019 * a / (2 * np.pi)
-    coil = np.column_stack([r * np.cos(a), r * np.sin(a), 0.0085 + 0.0045 * a / (2 * np.pi)])
-    end = coil[-1]
-    head = [
-        np.add(end, (-0.012, 0.012, 0.012)),
-        np.add(end, (-0.03, 0.012, 0.02)),
-        np.add(end, (-0.046, 0.004, 0.019)),
-    ]
-    path = np.concatenate([coil, head])
-    wide = np.interp(np.linspace(0, 1, len(path)), [0, 0.15, 0.5, 0.9, 0.95, 0.98, 1.0],
-                     [0.0012, 0.006, 0.0095, 0.008, 0.007, 0.0095, 0.004])  # fmt: skip
-    body = tube(path, wide, 10)
-    other = tint_color(color, look.pick([0.45, 1.5]))
-    bands = textures.stripes([color, color, other], look.pick([12, 18]), side=216)
-    tip = path[-1]
-    tongue = [
-        limb(
-            [tuple(tip), (tip[0] - 0.014, tip[1] + 0.004 * s - 0.003, tip[2])], [0.0008, 0.0005], 5
-        )
-        for s in (-1, 1)
-    ]
-    eyes = join(
-        [
-            ball(
-                0.004, 0.004, 0.004, (tip[0] + 0.012, tip[1] + 0.002 + s * 0.007, tip[2] + 0.005), 8
-            )
-            for s in (-1, 1)
-        ]
-    )
-    return settle([(body, bands), (join(tongue), textures.plain((206, 40, 60))),
-                   (eyes, textures.plain(DARK))],
-                  0.05, hulls=[[0]]).scale(k)  # fmt: skip
 
 
 def tarantula(look: Look) -> Shape:
@@ -251,7 +210,8 @@ CATEGORIES = (
              (0.235, 0.0757, 0.0187), 0.08,
              ("toy lizard", "bearded dragon", "chameleon", "iguana", "rubber lizard"), _P, (),
              ("green",), state="lying"),
-    Category("tarantula", tarantula, (0.113, 0.12, 0.0376), 0.05, ("pet spider",), _P, (), ("brown",)),
+    Category("tarantula", tarantula, (0.113, 0.12, 0.0376), 0.05, ("pet spider",), _P, (), ("brown",
+             )),
     Category("stick_insect", stick_insect, (0.166, 0.106, 0.0317), 0.005,
              ("walking stick insect", "praying mantis"), _P, (), ("brown",)),
     Category("goldfish", goldfish, (0.0872, 0.0598, 0.0214), 0.04, ("gold fish", "koi",

@@ -20,6 +20,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -230,12 +231,14 @@ CATEGORIES = (
              "colorimeter", "spectrometer", "plate reader"), bodies=3, roles=("big",)),
     _row("cryobox", _box, (0.13, 0.13, 0.052), 0.3, ("cryo box", "vial box", "box of vials",
              "freezer box", "sample box"), bodies=1),
-    _row("butterfly_net", _net, (0.48, 0.186, 0.044), 0.15, ("insect net", 
+    _row("butterfly_net", _net, (0.48, 0.186, 0.044), 0.15, ("insect net",
              "bug net", "pooter"), roles=("big",)),
     _row("brain_model", _brain, (0.135, 0.125, 0.13), 0.5, ("model brain", "brain",
              "human brain model", "anatomical brain"), ("pink",), bodies=5),
-    _row("eye_model", _eye, (0.1, 0.125, 0.138), 0.3, ("model eye", "eyeball model"), ("blue",), bodies=2),
-    _row("skeleton_model", _bones, (0.13, 0.09, 0.34), 0.4, ("model skeleton", 
+    varied(_row("eye_model", _eye, (0.1, 0.125, 0.138), 0.3, ("model eye", "eyeball model"),
+             ("blue",),
+             bodies=2)),
+    _row("skeleton_model", _bones, (0.13, 0.09, 0.34), 0.4, ("model skeleton",
              "human skeleton"),
              ("ivory",), roles=("tall",)),
 )  # fmt: skip

@@ -25,9 +25,6 @@ from ...surfaces.look import Look
 BLACK = textures.plain((34, 34, 37))
 
 
-BRASS = ("brass", "gold", "bronze")
-
-
 def _vane(look: Look) -> Pieces:
     """A weather vane: a cockerel and an arrow over crossed letters on a foot."""
     tile = metal(look, "black", "copper", "charcoal", "bronze")

@@ -18,6 +18,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces
 from ...build.solids import join, torus
+from ...build.variants import at_rest, varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -220,13 +221,14 @@ def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float,
 
 
 CATEGORIES = (
-    _row("microscope_slide", _slide, (0.076, 0.026, 0.0012), 0.005, ("glass slide",
+    varied(_row("microscope_slide", _slide, (0.076, 0.026, 0.0012), 0.005, ("glass slide",
              "specimen slide", "haemocytometer", "counting chamber", "prepared slide"), ("pink",),
-             roles=("flat",)),
-    _row("cover_slip", _cover, (0.022, 0.022, 0.0008), 0.0003, ("coverslip", "cover glass",
-             "cover slide"), ("clear",), roles=("flat",)),
-    _row("pipette_tip", _tip, (0.05, 0.0068, 0.0068), 0.0005, ("micropipette tip",), ("yellow",),
-             0.1),
+             roles=("flat",)), 0.08),
+    varied(_row("cover_slip", _cover, (0.022, 0.022, 0.0008), 0.0003, ("coverslip", "cover glass",
+             "cover slide"), ("clear",), roles=("flat",)), 0.08),
+    at_rest(_row("pipette_tip", _tip, (0.05, 0.0068, 0.0068), 0.0005, ("micropipette tip",),
+             ("yellow",),
+             0.3)),
     _row("eppendorf_tube", _vial("snap"), (0.045, 0.022, 0.0125), 0.001, ("microcentrifuge tube",
              "microtube", "pcr tube", "eppendorf"), ("clear",), 0.1),
     _row("cryovial", _vial("screw"), (0.052, 0.0124, 0.0124), 0.003, ("cryo tube",

@@ -159,7 +159,7 @@ CATEGORIES = (
     _row("barometer", _meter("RAIN  FAIR"), (0.13, 0.06, 0.131), 0.6, ("aneroid barometer",
              "weather station", "brass barometer"), bodies=2),
     _row("hygrometer", _meter("HUMIDITY"), (0.13, 0.06, 0.131), 0.5, ("humidity meter",
-             "humidity gauge", "analog thermometer", "dial thermometer", 
+             "humidity gauge", "analog thermometer", "dial thermometer",
              "thermo hygrometer"), bodies=2),
     _row("anemometer", _cups, (0.16, 0.16, 0.2), 0.3, ("wind meter", "wind gauge",
              "wind speed meter"), ("black",)),

@@ -22,6 +22,7 @@ from ...build.making import (
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, torus, tube
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
 
@@ -241,13 +242,14 @@ CATEGORIES = (
              "spring scale", "luggage scale", "dynamometer"), ("red",), 0.06, 3),
     _row("van_de_graaff_generator", _graaff, (0.16, 0.16, 0.38), 2.5, ("van de graaff",
              "static generator", "tesla coil", "wimshurst machine", "plasma ball"), ("navy",)),
-    _row("radiometer", _radiometer, (0.082, 0.082, 0.135), 0.1, ("light mill",
-             "crookes radiometer", "solar radiometer"), ("clear",)),
+    varied(_row("radiometer", _radiometer, (0.082, 0.082, 0.135), 0.1, ("light mill",
+             "crookes radiometer", "solar radiometer"), ("clear",)), 0.08),
     _row("seismograph", _quake, (0.22, 0.13, 0.17), 1.5, ("seismometer", "earthquake recorder"),
              ("brown",), bodies=5),
     _row("pantograph", _panto, (0.27, 0.17, 0.018), 0.12, ("drawing pantograph",), ("wooden",)),
-    _row("slide_rule", _rule, (0.3, 0.042, 0.0098), 0.08, ("sliding ruler", "calculating ruler"),
-             ("cream",), bodies=4),
+    varied(_row("slide_rule", _rule, (0.3, 0.042, 0.0098), 0.08, ("sliding ruler",
+             "calculating ruler"),
+             ("cream",), bodies=4), 0.08),
     _row("trundle_wheel", _trundle, (0.48, 0.24, 0.04), 0.7, ("measuring wheel", "odometer wheel",
              "surveyor wheel"), ("yellow",)),
 )  # fmt: skip

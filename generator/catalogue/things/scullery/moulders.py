@@ -267,9 +267,11 @@ CATEGORIES = (
     Category("piping_nozzle", piping_nozzle, (0.027, 0.0273, 0.0444), 0.008,
              ("icing nozzle", "piping tip", "icing tip", "cake nozzle"), _K, ("round",),
              ("silver",)),
-    Category("spoon_rest", spoon_rest, (0.162, 0.0946, 0.0162), 0.2, ("ladle rest",), _K, ("flat",), ("white",)),
+    Category("spoon_rest", spoon_rest, (0.162, 0.0946, 0.0162), 0.2, ("ladle rest",), _K, ("flat",),
+             ("white",)),
     Category("taco_holder", taco_holder, (0.192, 0.0958, 0.0493), 0.15,
              ("taco stand", "taco rack"), _K, (), ("silver",)),
-    Category("tortilla_press", tortilla_press, (0.2, 0.272, 0.211), 1.5, ("roti press",), _K, _B, ("black",)),
+    Category("tortilla_press", tortilla_press, (0.2, 0.272, 0.211), 1.5, ("roti press",), _K, _B,
+             ("black",)),
 )  # fmt: skip
 """The module's categories."""

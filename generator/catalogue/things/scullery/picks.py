@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from ...build.category import Category
@@ -11,10 +9,10 @@ from ...build.collision import box_part
 from ...build.recipes import Pieces
 from ...build.settled import settle
 from ...build.shape import Shape, shape
-from ...build.solids import box, cylinder, ellipsoid, lathe, loft, prism
+from ...build.solids import ellipsoid, lathe, prism
 from ...build.variants import keep_still
-from ...surfaces import prints, textures
-from ...surfaces.colors import RGB, readable_on, tint_color
+from ...surfaces import textures
+from ...surfaces.colors import RGB
 from ...surfaces.look import Look
 from .implements import handled, steel
 
@@ -61,61 +59,10 @@ def cocktail_pick(look: Look) -> Shape:
         )
         pieces.append((flag.move(long / 2 - 0.004, 0, r + 0.0015), look.surface(color, "paper")))
     made = settle(pieces, 0.02)
-    z = float(np.concatenate([p.solid.vertices for p in made.pieces])[:, 2].max())
-    return Shape(made.pieces, (box_part(0.9 * long, 2 * r, 0.8 * z),))
-
-
-def _tube(words: tuple[str, ...], palette: tuple[str, ...]) -> Callable[[Look], Shape]:
-    """Return the shape function of a squeezed tube of paste lying, its name on it."""
-
-    def make(look: Look) -> Shape:
-        k, color = look.between(0.9, 1.12), look.color(*palette)
-        long, r = 0.11 * k, 0.014 * k
-        around = np.linspace(0, 2 * np.pi, 25)[:-1]
-        rings = []
-        for t in np.linspace(0, 1, 9):
-            wide, tall = r * (1.5 - 0.55 * t), r * (0.06 + 0.94 * t**0.7)
-            rings.append(
-                np.column_stack(
-                    [
-                        np.full(24, (t - 0.5) * long),
-                        wide * np.cos(around),
-                        tall * np.sin(around) + r,
-                    ]
-                )
-            )
-        body = loft(np.stack(rings), np.column_stack([np.cos(around), np.sin(around)]))
-        image = prints.canvas(160, 160, color)
-        panel = image[:, 20:]
-        for at in (0.25, 0.75):
-            prints.fill(panel, 0.1, at - 0.12, 0.8, 0.24, tint_color(color, 1.5))
-            prints.write(
-                panel,
-                look.pick(list(words)),
-                0.5,
-                at,
-                0.13,
-                readable_on(tint_color(color, 1.5)),
-                bold=True,
-            )
-        cap = (
-            cylinder(0.62 * r, 0.018 * k, 18, top=0.5 * r)
-            .turn(1, np.pi / 2)
-            .move(0.5 * long + 0.003, 0, r)
-        )
-        crimp = box(0.006, 3.0 * r, 0.0024).move(-0.5 * long, 0, r - 0.0012)
-        skin = np.ascontiguousarray(image.transpose(1, 0, 2)[::-1])
-        return settle(
-            [
-                (body, skin),
-                (cap, textures.plain(look.own_color("white", "red", "green"))),
-                (crimp, textures.plain((214, 216, 220))),
-            ],
-            0.1,
-            hulls=[[0], [1]],
-        )
-
-    return make
+    points = np.concatenate([p.solid.vertices for p in made.pieces])
+    x, y, z = (float(side) for side in np.ptp(points, axis=0) * [0.9, 0.9, 0.8])
+    middle = float(points[:, 1].min() + points[:, 1].max()) / 2
+    return Shape(made.pieces, (box_part(x, y, z, (0, middle, 0)),))
 
 
 def _twin_blade(look: Look, color: RGB, z: float) -> Pieces:

@@ -246,7 +246,7 @@ CATEGORIES = (
              "piece of cloth", "cloth square", "handkerchief", "bandana", "hankie",
              "pocket square", "folded fabric", "microfiber cloth", "cleaning cloth",
              "fabric swatch", "patchwork square", "granny square", "crochet square",
-             "leather strip", "laptop sleeve","challah cover" ),
+             "leather strip", "laptop sleeve", "challah cover"),
              ("craft",), ("flat",), ("red", "teal"), state="lying flat"),
     Category("felt_sheet", felt_sheet, (0.25, 0.18, 0.0028), 0.02, ("sheet of felt",
              "felt square", "craft felt", "piece of felt", "felt pad", "kneeling pad", "kneeler"),
@@ -259,7 +259,7 @@ CATEGORIES = (
              state="lying folded"),
     Category("mannequin", mannequin, (0.104, 0.104, 0.24), 0.4, ("dress form", "tailor dummy",
              "dressmaker dummy", "small mannequin", "mini mannequin", "tailors dummy",
-             "mannequin head","artist mannequin", "wooden mannequin" ),
+             "mannequin head", "artist mannequin", "wooden mannequin"),
              ("craft",), ("tall",), ("beige",)),
 )  # fmt: skip
 """The module's categories."""

@@ -13,6 +13,7 @@ from ...build.making import PAINTS, Drawing, faceted, of, on_a_face, standing
 from ...build.outlines import ellipse
 from ...build.recipes import Pieces, straight
 from ...build.solids import Solid, box, ellipsoid, prism, tube
+from ...build.variants import at_rest
 from ...surfaces.look import Look
 
 Points = Float[np.ndarray, "n 3"]
@@ -209,12 +210,14 @@ CATEGORIES = (
              "wooden ovoid"), ("toys",), (), ("wooden", "teal")),
     Category("helix", of(_made(_spiral), 0.1), (0.075, 0.037, 0.037), 0.02, ("spiral",
              "wire spiral", "coil"), ("toys",), (), ("silver", "red")),
-    Category("moebius_strip", of(_made(_moebius), bodies=range(0, 72, 6)), (0.0944, 0.0794, 0.0243),
+    at_rest(Category("moebius_strip", of(_made(_moebius), bodies=range(0, 72, 3)), (0.0944, 0.0794,
+             0.0243),
              0.015, ("mobius strip", "mobius band", "mobius loop", "klein bottle"), ("toys",), (),
-             ("blue", "gold")),
+             ("blue", "gold"))),
     Category("hollow_cube", of(_made(_frame)), (0.052, 0.052, 0.052), 0.03, ("cube frame",
              "open cube", "wire cube", "soma cube frame"), ("toys",), (), ("wooden", "red")),
-    Category("menger_sponge", of(_made(_sponge), bodies=range(0, 48, 4)), (0.054, 0.054, 0.054),
+    Category("menger_sponge", of(_made(_sponge), bodies=range(0, 48, 3)), (0.054, 0.054,
+             0.054),
              0.05, ("fractal cube",), ("toys",), (), ("white", "blue")),
     Category("u_block", of(_made(lambda: _letter((0, 0), (1, 0), (2, 0), (0, 1), (2, 1)))),
              (0.066, 0.044, 0.022), 0.05, ("u shaped block", "u piece", "u-block", "c block"),

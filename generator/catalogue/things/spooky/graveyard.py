@@ -163,7 +163,7 @@ _D = "lying flat"
 CATEGORIES = (
     Category("tombstone", tombstone, (0.116, 0.0454, 0.136), 0.3, ("gravestone", "gravestone prop",
              "headstone", "fake gravestone", "grave stone"), _L, ("tall",), ("gray",)),
-    Category("coffin", coffin, (0.201, 0.0905, 0.0469), 0.2, ("toy coffin", "coffin prop", 
+    Category("coffin", coffin, (0.201, 0.0905, 0.0469), 0.2, ("toy coffin", "coffin prop",
              "mini coffin", "coffin box"), _L, ("support",), ("brown",)),
     Category("spirit_board", spirit_board, (0.358, 0.249, 0.0175), 0.5, ("ouija board", "ouija",
              "talking board", "witch board"), _L, ("big", "support"), ("tan",), state=_D),

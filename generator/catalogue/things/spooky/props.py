@@ -11,6 +11,7 @@ from ...build.recipes import ball, put_down, straight
 from ...build.settled import lift_parts, limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, join, prism, torus, tube
+from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -154,9 +155,10 @@ _D = "lying flat"
 
 
 CATEGORIES = (
-    Category("witch_broom", broom, (0.397, 0.0573, 0.0381), 0.08, ("witch's broom", "witches broom",
+    at_rest(Category("witch_broom", broom, (0.397, 0.0573, 0.0381), 0.08, ("witch's broom",
+             "witches broom",
              "broomstick", "toy broom", "besom", "mini broom", "hand broom", "broom"), _L, (),
-             ("brown",), state=_D),
+             ("brown",), state=_D)),
     Category("pitchfork", fork, (0.39, 0.132, 0.01), 0.1, ("devil's pitchfork", "pitchfork prop",
              "toy pitchfork", "trident", "devil fork"), _L, (), ("red",), state=_D),
     Category("cauldron", cauldron, (0.19, 0.134, 0.123), 0.35, ("witch's cauldron",

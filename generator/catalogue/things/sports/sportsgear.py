@@ -15,8 +15,6 @@ from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
-BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "pink", "teal", "black")
-
 
 def _bat(profile: list[tuple[float, float]], grip: float) -> Callable[[Look], Shape]:
     """A round bat lying along x with a wrapped grip."""
@@ -242,7 +240,7 @@ CATEGORIES = (
              "sparring glove",),
              ("sports",), ("big",), ("red",)),
     Category("whistle", whistle, (0.057, 0.026, 0.0184), 0.02, ("referee whistle",
-             "sports whistle", "coach whistle", "whistle toy","referee's whistle" ), ("sports",),
+             "sports whistle", "coach whistle", "whistle toy", "referee's whistle"), ("sports",),
              (), ("silver",)),
     Category("stopwatch", stopwatch, (0.055, 0.08, 0.0175), 0.08, ("stop watch", "timer",
              "chronometer", "handheld timer"), ("sports",), ("flat",),

@@ -171,7 +171,7 @@ CATEGORIES = (
              (0.04, 0.003), (0.024, 0.013), (0.006, 0.014)], 0.105, 0.012),
              (0.143, 0.064, 0.0135), 0.18, ("wire cutter", "diagonal cutter", "side cutter",
              "diagonal pliers", "nippers", "side cutters", "snips", "bolt cutter", "tile cutter",
-             "litter picker","hot wire cutter" ),
+             "litter picker", "hot wire cutter"),
              ("workbench",), (),
              ("red", "blue"), None, "lying flat"),
     Category("tin_snips", _cutters([(-0.006, 0.01), (0.004, -0.004), (0.075, -0.001),

@@ -59,7 +59,7 @@ def power_drill(look: Look) -> Shape:
     return shape(
         [(join([body, foot]), shell), (join([vent, grip, battery, collar]), dark),
          (chuck, textures.plain((70, 72, 78))), (bit, steel(look)),
-         (trigger, textures.plain(look.own_color("red", "black", "orange"))), 
+         (trigger, textures.plain(look.own_color("red", "black", "orange"))),
          (join(plates), print_)],
         [hull_of(battery), hull_of(foot, grip), hull_of(body, vent), hull_of(collar, chuck),
          box_part(0.055 * k, 0.005, 0.005, (0.13 * k, 0, axis - 0.0025))],
@@ -283,7 +283,7 @@ def paint_can(look: Look) -> Shape:
 CATEGORIES = (
     Category("power_drill", power_drill, (0.255, 0.07, 0.217), 1.2,
              ("drill", "cordless drill", "electric drill", "hand drill", "drill driver",
-             "hot air gun", "impact driver", "electric screwdriver","hammer drill" ),
+             "hot air gun", "impact driver", "electric screwdriver", "hammer drill"),
              ("workbench",), ("tall",), ("yellow", "teal")),
     Category("hand_saw", hand_saw, (0.415, 0.12, 0.024), 0.45, ("saw", "handsaw", "wood saw",
              "jeweller saw", "coping saw"),
@@ -296,7 +296,8 @@ CATEGORIES = (
              ("yellow", "red")),
     Category("multimeter", multimeter, (0.115, 0.185, 0.051), 0.38,
              ("voltmeter", "tester", "digital multimeter", "volt meter", "ammeter", "stud finder",
-             "light meter", "water meter","ph meter", "conductivity meter", "glucose meter", "hygrometer meter" ),
+             "light meter", "water meter", "ph meter", "conductivity meter", "glucose meter",
+             "hygrometer meter"),
              ("workbench", "lab"), (), ("yellow", "red"), state="lying flat"),
     Category("soldering_iron", soldering_iron, (0.23, 0.08, 0.185), 0.45,
              ("solder iron", "soldering station", "soldering stand", "wood burning pen"),
@@ -306,7 +307,8 @@ CATEGORIES = (
              ("workbench",), ("big",), ("red", "black"), state="standing open"),
     Category("paint_can", paint_can, (0.117, 0.117, 0.12), 0.9,
              ("can of paint", "tin of paint", "paint tin", "paint bucket", "tub of filler",
-             "contact adhesive tin", "tub of grease", "filler tub","varnish tin", "car wax tin", "paint tin lid", "tin of varnish", ),
+             "contact adhesive tin", "tub of grease", "filler tub", "varnish tin", "car wax tin",
+             "paint tin lid", "tin of varnish",),
              ("workbench", "craft"), ("round",), ("red", "blue")),
 )  # fmt: skip
 """The module's categories."""

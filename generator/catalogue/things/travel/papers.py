@@ -11,7 +11,6 @@ from ...build.recipes import put_down, rod
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, loft, prism, tube
 from ...surfaces import prints, textures
-from ...surfaces.artwork import landscape
 from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
 
@@ -88,17 +87,6 @@ def ticket(look: Look) -> Shape:
     made = shape([(card, textures.plain(tint_color(color, 0.9))), (face, image)],
                  [box_part(2 * w, 2 * h, 0.0015)])  # fmt: skip
     return made.scale(look.between(0.9, 1.25))
-
-
-def postcard(look: Look) -> Shape:
-    """A postcard with a picture and a greeting."""
-    image = textures.fit(landscape(look.rng, 176, 120), 120, 176).copy()
-    rim = look.color("white", "cream", "sky", "yellow")
-    for box_ in ((0, 0, 1, 0.05), (0, 0.95, 1, 0.05), (0, 0, 0.035, 1), (0.965, 0, 0.035, 1)):
-        prints.fill(image, *box_, rim)
-    word = look.pick(["GREETINGS", "HELLO", "PARIS", "HOLIDAY"])
-    prints.write(image[8:40], word, 0.5, 0.5, 0.8, (250, 250, 246), bold=True)
-    return _slip(look, 0.148, 0.105, image, (240, 238, 232))
 
 
 def luggage_tag(look: Look) -> Shape:
@@ -239,7 +227,7 @@ CATEGORIES = (
              ("flat",), ("black", "navy"), state="lying flat"),
     Category("travel_adapter", travel_adapter, (0.068, 0.05, 0.0515), 0.1, ("plug adapter",
              "adapter plug", "travel plug", "universal adapter", "socket adapter", "smart plug",
-             "timer switch","travel adaptor", "plug adaptor", "gender changer" ), ("living",
+             "timer switch", "travel adaptor", "plug adaptor", "gender changer"), ("living",
              "office"), (), ("white", "black")),
 )  # fmt: skip
 """The module's categories."""

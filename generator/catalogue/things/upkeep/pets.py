@@ -13,7 +13,6 @@ from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
-TONES = ("red", "blue", "green", "yellow", "teal", "pink", "gray", "orange")
 STEEL = (196, 200, 206)
 
 

@@ -20,6 +20,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, torus, tube
+from ...build.variants import varied
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -256,18 +257,19 @@ CATEGORIES = (
     _row("otoscope", _scope, (0.203, 0.0777, 0.0317), 0.12, ("ophthalmoscope", "ear scope",
              "dermatoscope", "laryngoscope"), ("black",), 0.08),
     _row("tongue_depressor", _spatula, (0.15, 0.018, 0.0016), 0.002, ("tongue spatula",
-             "wooden spatula stick", 
+             "wooden spatula stick",
              "ice cream stick wooden"), ("beige",), roles=("flat",)),
     _row("sharps_container", _bin, (0.136, 0.106, 0.19), 0.3, ("sharps bin", "sharps box",
              "biohazard bin", "needle bin"), ("yellow",), bodies=2, roles=("tall",)),
-    _row("covid_test", _cassette("cassette"), (0.07, 0.02, 0.0053), 0.006, ("lateral flow test",
+    varied(_row("covid_test", _cassette("cassette"), (0.07, 0.02, 0.0053), 0.006,
+             ("lateral flow test",
              "rapid test", "antigen test", "covid test kit", "test cassette",
-             "rapid antigen test"), roles=("flat",)),
+             "rapid antigen test"), roles=("flat",)), 0.08),
     _row("pregnancy_test", _cassette("stick"), (0.134, 0.02, 0.0125), 0.012, ("test stick",
              "ovulation test"), bodies=2),
-    _row("test_strip", _strip, (0.075, 0.0075, 0.0009), 0.001, ("ph strip", "litmus paper",
+    varied(_row("test_strip", _strip, (0.075, 0.0075, 0.0009), 0.001, ("ph strip", "litmus paper",
              "urine test strip", "glucose strip", "ph paper", "indicator paper"), ("yellow",),
-             roles=("flat",)),
+             roles=("flat",)), 0.08),
     _row("hearing_aid", _hearing, (0.046, 0.05, 0.012), 0.005, ("cochlear implant", "ear piece",
              "earpiece"), ("beige",), 0.1),
     _row("tooth", _tooth(False, 0.02), (0.0117, 0.0107, 0.0198), 0.002, ("molar", "human tooth",

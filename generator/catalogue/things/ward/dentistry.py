@@ -284,7 +284,7 @@ CATEGORIES = (
              "oxygen mask"), bodies=2, roles=("big",)),
     _row("ampoule", _ampoule, (0.061, 0.0116, 0.0116), 0.004, ("glass ampoule", "ampule", "ampul",
              "ammonia inhalant", "smelling salt ampoule"), ("amber",), 0.1),
-    _row("prosthetic_hand", _hand, (0.21, 0.13, 0.047), 0.35, ("artificial hand", 
+    _row("prosthetic_hand", _hand, (0.21, 0.13, 0.047), 0.35, ("artificial hand",
              "hand model", "bionic hand"), ("black",), 0.06),
     _row("pacemaker", _pace, (0.1, 0.08, 0.0085), 0.03, ("heart pacemaker",), ("silver",)),
     _row("speculum", _speculum, (0.15, 0.11, 0.042), 0.12, ("retractor", "surgical retractor",

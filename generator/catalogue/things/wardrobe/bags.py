@@ -265,9 +265,9 @@ CATEGORIES = (
              ("big",), ("black", "red"), state="lying"),
     Category("glasses_case", sunglasses_case, (0.163, 0.066, 0.047), 0.09, ("sunglasses case",
              "eyeglasses case",
-             "spectacle case", "eyeglass case", "case for glasses", "spectacles case",
-             "spectacles case", "lens case", "key case", "lorgnette case", "camera case",
-             "calling card case","contact lens case", "retainer case" ), ("living",), (),
+             "spectacle case", "eyeglass case", "case for glasses", "spectacles case", "lens case",
+             "key case", "lorgnette case", "camera case",
+             "calling card case", "contact lens case", "retainer case"), ("living",), (),
              ("black", "brown"), state="lying"),
 )  # fmt: skip
 """The module's categories."""

@@ -255,8 +255,8 @@ def shoe(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("hat", hat, (0.283, 0.322, 0.103), 0.12, ("straw hat", "fedora", "sun hat",
-                  "cowboy hat", "panama hat", "panama hat", "easter bonnet",
-                 "fascinator", "bonnet","trilby" ), ("living",), ("big",), ("tan",
+                  "cowboy hat", "panama hat", "easter bonnet",
+                 "fascinator", "bonnet", "trilby"), ("living",), ("big",), ("tan",
              "black")),
     Category("blanket", blanket, (0.297, 0.269, 0.0886), 0.8, ("folded blanket", "throw blanket",
              "wool blanket", "folded blankets"), ("living",),
@@ -266,6 +266,7 @@ CATEGORIES = (
              state="lying folded"),
     Category("shoe", shoe, (0.27, 0.095, 0.095), 0.32, ("sneaker", "trainer", "running shoe",
              "sports shoe", "tennis shoe", "gym shoe", "loafer", "brogue", "moccasin",
-             "espadrille", "ballet flat", "plimsoll","miniature shoe" ), ("living",), (), ("white", "black")),
+             "espadrille", "ballet flat", "plimsoll", "miniature shoe"), ("living",), (), ("white",
+             "black")),
 )  # fmt: skip
 """The module's categories."""

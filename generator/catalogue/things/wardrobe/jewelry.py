@@ -214,7 +214,9 @@ CATEGORIES = (
     Category("ring", ring, (0.0226, 0.0263, 0.0072), 0.006, ("finger ring", "wedding ring",
              "engagement ring", "gold ring", "diamond ring", "wedding band", "posy ring",
              "jump ring", "curtain ring", "shower curtain ring", "split ring", "towel ring",
-             "teething ring", "toe ring","signet ring", "bishop ring", "toe ring", "nose ring", "friendship ring", "eternity ring", "signet seal ring", "engagement band" ), ("vanity",),
+             "teething ring", "toe ring", "signet ring", "bishop ring", "nose ring",
+             "friendship ring", "eternity ring", "signet seal ring", "engagement band"), ("vanity",
+             ),
              ("flat",), ("gold", "silver"), state="lying flat"),
     Category("necklace", necklace, (0.155, 0.126, 0.00812), 0.04, ("pearl necklace", "jewelry",
              "jewellery", "string of pearls", "pearls", "gold necklace",
@@ -223,7 +225,9 @@ CATEGORIES = (
              "gold"),
              state="lying flat"),
     Category("bracelet", bracelet, (0.0676, 0.0676, 0.014), 0.025, ("bangle", "wristband",
-             "beaded bracelet", "worry beads", "gold torc", "torc", "sweatband", "wrist band", "captain's armband", "loom band","anklet", "ankle bracelet", "friendship bracelet", "charm bracelet"  ), ("vanity",), ("flat", "round"),
+             "beaded bracelet", "worry beads", "gold torc", "torc", "sweatband", "wrist band",
+             "captain's armband", "loom band", "anklet", "ankle bracelet", "friendship bracelet",
+             "charm bracelet"), ("vanity",), ("flat", "round"),
              ("gold", "silver"), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

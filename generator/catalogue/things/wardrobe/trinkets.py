@@ -211,7 +211,7 @@ CATEGORIES = (
              ("gold", "silver"), state="lying"),
     Category("brooch", brooch, (0.052, 0.052, 0.0125), 0.02, ("cameo", "pin badge", "badge",
              "broach", "flower brooch", "lapel pin", "fibula", "press pass", "enamel badge",
-             "gold star sticker", "enamel pin", "aigrette" ), ("vanity",), (), ("gold", "silver"),
+             "gold star sticker", "enamel pin", "aigrette"), ("vanity",), (), ("gold", "silver"),
              state="lying"),
     Category("cufflink", cufflink, (0.0169, 0.0172, 0.0211), 0.008, ("cuff link",), ("vanity",), (),
              ("silver", "gold"), state="lying"),

@@ -1,36 +1,36 @@
-"""Tools to measure, mark and sharpen with: squares, gauges, rules, stones."""
+"""Tools to measure and mark with: squares, gauges, rules, lines."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...build.category import Category
+from ...build.making import BRASS_TONE, DARK, at_box, drum, plate, steel
 from ...build.outlines import rectangle, smooth
 from ...build.recipes import put_down, rod, straight
 from ...build.shape import Shape
-from ...build.sketch import BRASS, DARK, bar, cut, disc, lies, plain, steel, turned
-from ...build.solids import block, join, torus, tube
+from ...build.solids import block, join, tube
 from ...surfaces import prints, textures
-from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def try_square(look: Look) -> Shape:
     """A try square lying: a steel blade in a thick wooden stock."""
     color = look.color("wooden", "brown", "maroon", "black", "blue")
     k = look.between(0.85, 1.15)
-    blade = bar(0.03, 0.2, 0.002, (-0.035, 0.045, 0.0075))
+    blade = at_box(0.03, 0.2, 0.002, (-0.035, 0.045, 0.0075))
     stock = block(0.12, 0.034, 0.017, 0.003, 0.002).move(0.01, -0.06, 0)
-    face = [bar(0.118, 0.002, 0.0155, (0.01, -0.0435, 0.0006))]
+    face = [at_box(0.118, 0.002, 0.0155, (0.01, -0.0435, 0.0006))]
     pins = [
-        disc(0.0028, 0.0006, (x, y, 0.0168), fine=10)
+        drum(0.0028, 0.0006, (x, y, 0.0168), sides=10)
         for x, y in ((-0.045, -0.06), (-0.028, -0.052), (-0.028, -0.068))
     ]
     return put_down(
         [
             (blade, prints.rule(20, (200, 204, 208), (50, 52, 56))),
             (stock, look.surface(color, "wood")),
-            (join([*face, *pins]), steel(look, BRASS)),
+            (join([*face, *pins]), steel(look, BRASS_TONE)),
         ],
         stock,
         blade,
@@ -44,17 +44,17 @@ def bevel(look: Look) -> Shape:
     k = look.between(0.85, 1.15)
     stock = block(0.13, 0.026, 0.017, 0.006, 0.002)
     blade = (
-        cut(rectangle(0.17, 0.022, 0.004), 0.0022, (0.04, 0, 0.0075))
+        plate(rectangle(0.17, 0.022, 0.004), 0.0022, at=(0.04, 0, 0.0075))
         .move(-0.055)
         .turn(2, look.between(0.6, 2.2))
     )
     blade = blade.move(0.055)
-    nut = [disc(0.009, 0.006, (0.055, 0, 0.016)), bar(0.022, 0.005, 0.008, (0.055, 0, 0.018))]
+    nut = [drum(0.009, 0.006, (0.055, 0, 0.016)), at_box(0.022, 0.005, 0.008, (0.055, 0, 0.018))]
     return put_down(
         [
             (stock, look.surface(color, "wood")),
             (blade, steel(look)),
-            (join(nut), steel(look, BRASS)),
+            (join(nut), steel(look, BRASS_TONE)),
         ],
         stock,
         blade,
@@ -67,13 +67,13 @@ def marking_gauge(look: Look) -> Shape:
     """A marking gauge lying: a square beam through a head with a thumbscrew."""
     color = look.color("wooden", "tan", "brown", "maroon")
     k = look.between(0.85, 1.15)
-    beam = bar(0.21, 0.017, 0.017)
+    beam = at_box(0.21, 0.017, 0.017)
     head = block(0.028, 0.066, 0.054, 0.008, 0.003).move(0.03)
-    screw = [disc(0.004, 0.016, (0.03, 0, 0.053)), bar(0.02, 0.005, 0.014, (0.03, 0, 0.062))]
+    screw = [drum(0.004, 0.016, (0.03, 0, 0.053)), at_box(0.02, 0.005, 0.014, (0.03, 0, 0.062))]
     pin = straight((-0.098, 0, 0.016), (-0.098, 0, 0.024), [0.0014, 0.0004], 6)
     wood = look.surface(color, "wood")
     return put_down(
-        [(join([beam, head]), wood), (join([*screw, pin]), steel(look, BRASS))],
+        [(join([beam, head]), wood), (join([*screw, pin]), steel(look, BRASS_TONE))],
         beam,
         head,
         factor=k,
@@ -90,9 +90,9 @@ def micrometer(look: Look) -> Shape:
     )
     anvil = straight((-0.036, 0.008, 0.0065), (-0.008, 0.008, 0.0065), 0.0035, 12)
     spindle = straight((0.002, 0.008, 0.0065), (0.05, 0.008, 0.0065), 0.0033, 12)
-    sleeve = disc(0.0062, 0.03, (0.034, 0.008, 0.0068), 0, fine=18)
-    thimble = disc(0.0078, 0.038, (0.056, 0.008, 0.0076), 0, fine=18)
-    knob = disc(0.005, 0.014, (0.094, 0.008, 0.0076), 0, fine=14)
+    sleeve = drum(0.0062, 0.03, (0.034, 0.008, 0.0068), 0, sides=18)
+    thimble = drum(0.0078, 0.038, (0.056, 0.008, 0.0076), 0, sides=18)
+    knob = drum(0.005, 0.014, (0.094, 0.008, 0.0076), 0, sides=14)
     grip = textures.grid((90, 92, 96), (190, 194, 200), 16, 16, 64, 2)
     return put_down(
         [
@@ -115,20 +115,21 @@ def feeler_gauge(look: Look) -> Shape:
     color = look.color("silver", "red", "black")
     k = look.between(0.85, 1.15)
     blades = [
-        cut(rectangle(0.09, 0.012, 0.0059), 0.001, (0.04, 0, 0.001 + 0.0009 * n)).turn(
+        plate(rectangle(0.09, 0.012, 0.0059), 0.001, at=(0.04, 0, 0.001 + 0.0009 * n)).turn(
             2, 0.16 * n - 0.35
         )
         for n in range(7)
     ]
     holder = [
-        cut(rectangle(0.1, 0.017, 0.008), 0.0012, (0.036, 0, z)).turn(2, -0.5) for z in (0.0, 0.008)
+        plate(rectangle(0.1, 0.017, 0.008), 0.0012, at=(0.036, 0, z)).turn(2, -0.5)
+        for z in (0.0, 0.008)
     ]
-    nut = disc(0.006, 0.012, (0, 0, 0))
+    nut = drum(0.006, 0.012, (0, 0, 0))
     return put_down(
         [
             (join(blades), steel(look)),
             (join(holder), look.surface(color, "steel")),
-            (nut, steel(look, BRASS)),
+            (nut, steel(look, BRASS_TONE)),
         ],
         join(blades),
         *holder,
@@ -146,39 +147,21 @@ def folding_rule(look: Look) -> Shape:
     for n in range(4):
         a = 0.8 * side
         leg = (
-            bar(0.13, 0.015, 0.0034, (0.058, 0, 0.0006 + 0.0026 * (n % 2))).turn(2, a).move(x, y, 0)
+            at_box(0.13, 0.015, 0.0034, (0.058, 0, 0.0006 + 0.0026 * (n % 2)))
+            .turn(2, a)
+            .move(x, y, 0)
         )
         legs.append(leg)
         x, y = x + 0.116 * np.cos(a), y + 0.116 * np.sin(a)
-        pins.append(disc(0.005, 0.0075, (x, y, 0), fine=12))
+        pins.append(drum(0.005, 0.0075, (x, y, 0), sides=12))
         side = -side
     scale = prints.rule(12, color, (40, 38, 36))
     low = [legs[0], legs[2]]
     return put_down(
-        [(join(legs), scale), (join(pins[:3]), steel(look, BRASS))],
+        [(join(legs), scale), (join(pins[:3]), steel(look, BRASS_TONE))],
         *low,
         *legs[1::2],
         *pins[:3],
-        factor=k,
-    )
-
-
-def whetstone(look: Look) -> Shape:
-    """A sharpening stone of two grits, on a wooden or rubber foot."""
-    color = look.color("gray", "terracotta", "white", "charcoal", "sage")
-    k = look.between(0.85, 1.1)
-    low = bar(0.17, 0.06, 0.012, (0, 0, 0.012))
-    top = bar(0.17, 0.06, 0.012, (0, 0, 0.0235))
-    foot = block(0.2, 0.075, 0.016, 0.006, 0.002)
-    wood = textures.wood(look.rng, (200, 164, 112)) if look.chance(0.5) else plain((60, 62, 66))
-    return put_down(
-        [
-            (top, textures.spots(look.rng, color, tint_color(color, 0.85), 0.3)),
-            (low, textures.speckles(look.rng, tint_color(color, 0.6), 6)),
-            (foot, wood),
-        ],
-        foot,
-        join([low, top]),
         factor=k,
     )
 
@@ -201,147 +184,21 @@ def chalk_line(look: Look) -> Shape:
         ],
         3,
     )[:-1]
-    case = cut(rim, 0.03, bevel=0.006)
-    plate = disc(0.02, 0.004, (-0.012, 0, 0.029))
-    crank = [bar(0.034, 0.008, 0.004, (0.0, 0, 0.032)), disc(0.005, 0.014, (0.012, 0, 0.034))]
+    case = plate(rim, 0.03, bevel=0.006)
+    slab = drum(0.02, 0.004, (-0.012, 0, 0.029))
+    crank = [at_box(0.034, 0.008, 0.004, (0.0, 0, 0.032)), drum(0.005, 0.014, (0.012, 0, 0.034))]
     cord = rod([(0.056, 0, 0.014), (0.085, 0.006, 0.003), (0.1, -0.004, 0.002)], 0.0012, 6)
-    hook = bar(0.014, 0.01, 0.002, (0.104, -0.004, 0.0))
+    hook = at_box(0.014, 0.01, 0.002, (0.104, -0.004, 0.0))
     return put_down(
         [
             (case, look.surface(color, "plastic")),
-            (join([plate, *crank]), plain(DARK)),
+            (join([slab, *crank]), plain(DARK)),
             (cord, plain((90, 130, 200))),
             (hook, steel(look)),
         ],
         case,
         join(crank),
         hook,
-        factor=k,
-    )
-
-
-def awl(look: Look) -> Shape:
-    """An awl lying: a thin spike in a round handle."""
-    color = look.color("wooden", "red", "brown", "black", "tan")
-    k = look.between(0.85, 1.2)
-    handle = lies(
-        turned(
-            [(0.006, 0), (0.0145, 0.012), (0.0165, 0.03), (0.011, 0.06), (0.008, 0.07)], fine=18
-        ),
-        -0.07,
-        0,
-        0.0155,
-    )
-    collar = disc(0.0078, 0.012, (-0.002, 0, 0.0155), 0, fine=14)
-    spike = straight((0.008, 0, 0.0155), (0.085, 0, 0.0155), [0.0034, 0.0004], 10)
-    spike = spike.bend(
-        lambda p: np.column_stack(
-            [p[:, :2], p[:, 2] - 0.013 * np.clip((p[:, 0] - 0.008) / 0.077, 0, 1)]
-        )
-    )
-    return put_down(
-        [(handle, look.surface(color, "wood")), (collar, steel(look, BRASS)), (spike, steel(look))],
-        handle,
-        spike,
-        factor=k,
-        foot=0.25,
-    )
-
-
-def punch(look: Look) -> Shape:
-    """A steel punch lying, its middle knurled."""
-    color = look.color("silver", "charcoal", "black", "bronze")
-    k = look.between(0.85, 1.2)
-    bar_ = lies(
-        turned(
-            [(0.004, 0), (0.0065, 0.004), (0.0065, 0.08), (0.0022, 0.115), (0.0008, 0.12)], fine=14
-        ),
-        -0.06,
-        0,
-        0.0062,
-    )
-    grip = disc(0.0068, 0.045, (-0.036, 0, 0.0062), 0, fine=16)
-    knurl = textures.grid((70, 72, 76), (140, 144, 150), 14, 14, 64, 2)
-    return put_down([(bar_, steel(look, color)), (grip, knurl)], bar_, grip, factor=k, foot=0.35)
-
-
-def folding_knife(look: Look) -> Shape:
-    """A pocket knife lying, its blade and tools half out."""
-    color = look.color("red", "red", "black", "wooden", "green", "blue")
-    k = look.between(0.85, 1.15)
-    scales = [cut(rectangle(0.09, 0.026, 0.0125, 6), 0.004, (0, 0, z), 0.001) for z in (0.0, 0.012)]
-    liner = cut(rectangle(0.087, 0.024, 0.0118, 6), 0.009, (0, 0, 0.0035))
-    blade = cut(
-        [(0, -0.0065), (0.055, -0.006), (0.068, 0.002), (0.05, 0.0065), (0, 0.0065)],
-        0.002,
-        (0, 0, 0.0035),
-    )
-    blade = blade.turn(2, look.between(0.3, 0.9)).move(0.037, 0.004, 0)
-    short = cut(
-        [(0, -0.005), (0.03, -0.004), (0.036, 0.003), (0, 0.005)], 0.002, (0, 0, 0.0085)
-    ).turn(2, np.pi - 0.7)
-    short = short.move(-0.037, 0.004, 0)
-    screw = rod(
-        [
-            (-0.005, 0.01, 0.008),
-            (-0.012, 0.03, 0.008),
-            (-0.004, 0.034, 0.008),
-            (-0.012, 0.038, 0.008),
-        ],
-        0.0014,
-        6,
-    )
-    cross = [
-        bar(0.012, 0.0035, 0.0008, (0.015, 0, 0.0156)),
-        bar(0.0035, 0.012, 0.0008, (0.015, 0, 0.0156)),
-    ]
-    ring = torus(0.005, 0.0009, 14, 5).move(-0.049, 0, 0.008)
-    return put_down(
-        [
-            (join(scales), look.surface(color, "plastic")),
-            (join([liner, blade, short, screw, ring]), steel(look)),
-            (join(cross), plain((236, 236, 240))),
-        ],
-        join([*scales, liner]),
-        blade,
-        short,
-        factor=k,
-    )
-
-
-def multitool(look: Look) -> Shape:
-    """A folding multi-tool lying open: plier jaws between two handles, a blade out."""
-    color = look.color("silver", "black", "charcoal", "green")
-    k = look.between(0.85, 1.15)
-    handles = [
-        cut(rectangle(0.1, 0.016, 0.006), 0.015, (-0.048, 0, 0), 0.002)
-        .turn(2, s * 0.24)
-        .move(0.0, s * -0.006, 0)
-        for s in (-1, 1)
-    ]
-    jaws = [
-        cut(
-            [(0, 0), (0.005, s * 0.011), (0.03, s * 0.009), (0.058, s * 0.002), (0.058, 0)],
-            0.008,
-            (0, s * 0.001, 0.0035),
-        )
-        for s in (-1, 1)
-    ]
-    pivot = disc(0.006, 0.014, (0.004, 0, 0.001))
-    blade = (
-        cut([(0, -0.005), (0.05, -0.004), (0.06, 0.002), (0, 0.005)], 0.002, (0, 0, 0.006))
-        .turn(2, 2.2)
-        .move(-0.09, -0.03, 0)
-    )
-    return put_down(
-        [
-            (join(handles), look.surface(color, "metal")),
-            (join([*jaws, blade]), steel(look)),
-            (pivot, plain((80, 82, 88))),
-        ],
-        *handles,
-        join(jaws),
-        blade,
         factor=k,
     )
 
@@ -358,25 +215,10 @@ CATEGORIES = (
              "screw gauge"), ("workbench",), ("flat",), ("green", "gray")),
     Category("feeler_gauge", feeler_gauge, (0.0958, 0.0944, 0.0117), 0.07, ("needle gauge",
              "thread gauge"), ("workbench",), ("flat",), ("silver",)),
-    Category("folding_rule", folding_rule, (0.429, 0.064, 0.00719), 0.1, ("folding ruler",
+    Category("folding_rule", folding_rule, (0.33, 0.0995, 0.00719), 0.1, ("folding ruler",
              "carpenter's rule", "zigzag rule"), ("workbench",),
              ("flat", "big"), ("yellow",)),
-    Category("whetstone", whetstone, (0.192, 0.072, 0.0341), 0.7, ("oilstone", "sharpening stone",
-             "honing stone", "grindstone", "whet stone",
-             "water stone"), ("workbench", "kitchen"), ("flat",), ("gray",)),
     Category("chalk_line", chalk_line, (0.167, 0.0709, 0.0482), 0.18, ("chalk reel",
              "chalk line reel"), ("workbench",), (), ("red", "blue")),
-    Category("awl", awl, (0.162, 0.0344, 0.0331), 0.06, ("bradawl", "scratch awl", "scribe",
-             "scriber", "seam ripper", "gimlet", "bodkin"), ("workbench",),
-             (), ("wooden",)),
-    Category("centre_punch", punch, (0.122, 0.0138, 0.0132), 0.08, ("center punch", "nail punch",
-             "nail set", "pin punch", "metal punch",
-             "leather punch"), ("workbench",), (), ("silver",)),
-    Category("pocket_knife", folding_knife, (0.157, 0.0544, 0.0161), 0.09, ("swiss army knife",
-             "penknife", "pen knife", "folding knife", "jackknife",
-             "camping knife"), ("workbench",), (), ("red",)),
-    Category("multitool", multitool, (0.191, 0.0737, 0.0155), 0.22, ("multi-tool", "multi tool",
-             "bike multi-tool", "leatherman", "pocket tool"),
-             ("workbench",), (), ("silver", "black")),
 )  # fmt: skip
 """The module's categories."""

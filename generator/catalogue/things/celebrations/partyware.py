@@ -11,6 +11,7 @@ from ...build.recipes import Pieces, straight
 from ...build.settled import settle
 from ...build.shape import Shape, shape
 from ...build.solids import box, cylinder, join, prism, torus, tube
+from ...build.variants import at_rest, keep_still
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -132,8 +133,8 @@ _D = "lying flat"
 CATEGORIES = (
     Category("party_blower", blower, (0.162, 0.0363, 0.0554), 0.006, ("party blowout", "blowout",
              "party whistle", "noisemaker", "party noisemaker"), _L, (), ("red",), state=_D),
-    Category("party_horn", horn, (0.213, 0.0754, 0.0711), 0.015, ("paper horn", "toy horn",
-             "party trumpet"), _L, (), ("red",), state=_D),
+    at_rest(Category("party_horn", horn, (0.213, 0.0754, 0.0711), 0.015, ("paper horn", "toy horn",
+             "party trumpet"), _L, (), ("red",), state=_D)),
     Category("cake_board", board, (0.252, 0.252, 0.0102), 0.15, ("cake drum", "cake base",
              "round cake board", "silver cake board", "cake circle"), ("kitchen",), ("flat",
              "support", "round"), ("silver",), state=_D),
@@ -142,7 +143,8 @@ CATEGORIES = (
              "fake moustaches"), _L, (), ("black",), state=_D),
     Category("balloon_pump", pump, (0.253, 0.0624, 0.0451), 0.12, ("hand pump", "inflator",
              "ball pump"), _L, (), ("blue",), state=_D),
-    Category("sparkler", stick, (0.235, 0.0364, 0.025), 0.006, ("lit sparkler", "party sparkler",
+    Category("sparkler", keep_still(stick), (0.235, 0.0364, 0.025), 0.006, ("lit sparkler",
+             "party sparkler",
              "cake sparkler"), _L, (), ("gray",), state=_D),
 )  # fmt: skip
 """The module's categories."""

@@ -11,6 +11,7 @@ from ...build.recipes import put_down
 from ...build.settled import hull_above, limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, cylinder, ellipsoid, join, lathe, loft, prism, torus
+from ...build.variants import at_rest, varied
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -146,12 +147,12 @@ _D = "lying flat"
 
 
 CATEGORIES = (
-    Category("devil_horns", devil_horns, (0.151, 0.181, 0.0298), 0.04, ("horned headband",
-             "devil horn headband", "devil headband"), _L, (), ("red",), state=_D),
-    Category("eye_patch", eye_patch, (0.162, 0.154, 0.00524), 0.008, ("pirate eye patch",
-             "eyepatch", "eye patch for pirate"), _L, ("flat",), ("black",), state=_D),
-    Category("hook_hand", hook, (0.175, 0.133, 0.0805), 0.09, ("pirate hook", "hand hook",
-             "captain hook's hook"), _L, (), ("black",), state=_D),
+    varied(Category("devil_horns", devil_horns, (0.151, 0.181, 0.0298), 0.04, ("horned headband",
+             "devil horn headband", "devil headband"), _L, (), ("red",), state=_D)),
+    varied(Category("eye_patch", eye_patch, (0.162, 0.154, 0.00524), 0.008, ("pirate eye patch",
+             "eyepatch", "eye patch for pirate"), _L, ("flat",), ("black",), state=_D)),
+    at_rest(Category("hook_hand", hook, (0.175, 0.133, 0.0805), 0.09, ("pirate hook", "hand hook",
+             "captain hook's hook"), _L, (), ("black",), state=_D)),
     Category("kazoo", kazoo, (0.119, 0.0285, 0.0256), 0.015, ("kazoo toy", "toy kazoo",
              "metal kazoo"), _L, (), ("red", "blue"), state=_D),
     Category("foil_balloon", foil_balloon, (0.246, 0.355, 0.0607), 0.03, ("mylar balloon",

@@ -14,6 +14,7 @@ from ...build.recipes import put_down
 from ...build.settled import hull_above, limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, cylinder, ellipsoid, join, prism, tube
+from ...build.variants import at_rest
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
@@ -187,9 +188,9 @@ CATEGORIES = (
     Category("party_banner", bunting("PARTY!", False), (0.516, 0.152, 0.00381), 0.03,
              ("birthday banner", "banner", "happy birthday banner", "letter banner"), _L,
              ("big",), ("white",), state=_D),
-    Category("streamer", streamer, (0.324, 0.0443, 0.0688), 0.01, ("paper streamer",
+    at_rest(Category("streamer", streamer, (0.324, 0.0443, 0.0688), 0.01, ("paper streamer",
              "party streamer", "roll of streamers", "crepe streamer", "serpentine streamer"), _L,
-             (), ("pink",), state=_D),
+             (), ("pink",), state=_D)),
     Category("sash", sash, (0.289, 0.18, 0.00865), 0.03, ("birthday sash", "satin sash",
              "pageant sash", "winner's sash"), _L, (), ("pink",), state=_D),
 )  # fmt: skip

@@ -4,26 +4,27 @@ from __future__ import annotations
 
 from ...build.category import Category
 from ...build.collision import frame_parts, hull_part
+from ...build.making import DARK, at_box, drum, steel
 from ...build.recipes import put_down, rod
 from ...build.shape import Shape, shape
-from ...build.sketch import DARK, bar, disc, plain, steel
 from ...build.solids import block, join, open_box
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ...surfaces.textures import plain
 
 
 def gripper(look: Look) -> Shape:
     """A parallel gripper lying: a flange, a body and two fingers with pads."""
     color = look.color("white", "black", "silver", "orange", "blue")
     k, open_ = look.between(0.85, 1.15), look.between(0.02, 0.04)
-    flange = disc(0.032, 0.012, (-0.07, 0, 0.033), 0, fine=24)
+    flange = drum(0.032, 0.012, (-0.07, 0, 0.033), 0, sides=24)
     body = block(0.075, 0.075, 0.05, 0.01, 0.005).move(-0.022, 0, 0.008)
-    rail = bar(0.016, 0.12, 0.026, (0.022, 0, 0.02))
-    fingers = [bar(0.075, 0.014, 0.03, (0.06, s * (open_ + 0.007), 0.018)) for s in (-1, 1)]
-    pads = [bar(0.03, 0.004, 0.026, (0.08, s * (open_ - 0.001), 0.02)) for s in (-1, 1)]
-    foot = bar(0.06, 0.06, 0.01, (-0.02, 0, 0))
-    light = disc(0.006, 0.002, (-0.03, 0, 0.057))
+    rail = at_box(0.016, 0.12, 0.026, (0.022, 0, 0.02))
+    fingers = [at_box(0.075, 0.014, 0.03, (0.06, s * (open_ + 0.007), 0.018)) for s in (-1, 1)]
+    pads = [at_box(0.03, 0.004, 0.026, (0.08, s * (open_ - 0.001), 0.02)) for s in (-1, 1)]
+    foot = at_box(0.06, 0.06, 0.01, (-0.02, 0, 0))
+    light = drum(0.006, 0.002, (-0.03, 0, 0.057))
     return put_down(
         [
             (join([body, foot]), textures.speckles(look.rng, color, 4)),
@@ -44,18 +45,18 @@ def robot_arm(look: Look) -> Shape:
     """A small jointed robot arm on its base, with a gripper at its end."""
     color = look.color("white", "orange", "blue", "yellow", "gray")
     k = look.between(0.85, 1.1)
-    base = [disc(0.06, 0.018, bevel=0.003), disc(0.042, 0.05, (0, 0, 0.016), top=0.036)]
+    base = [drum(0.06, 0.018, bevel=0.003), drum(0.042, 0.05, (0, 0, 0.016), top=0.036)]
     low = rod([(0, 0, 0.08), (0.0, 0.0, 0.11), (-0.035, 0, 0.19)], [0.022, 0.02, 0.018], 12)
     high = rod([(-0.035, 0, 0.19), (0.03, 0, 0.215), (0.09, 0, 0.2)], [0.018, 0.016, 0.014], 12)
     last = rod([(0.09, 0, 0.2), (0.1, 0, 0.17), (0.1, 0, 0.145)], [0.014, 0.013, 0.013], 12)
     joints = [
-        disc(r, 0.062 - 0.006 * n, (x, -0.031 + 0.003 * n, z), 1, fine=20)
+        drum(r, 0.062 - 0.006 * n, (x, -0.031 + 0.003 * n, z), 1, sides=20)
         for n, (x, z, r) in enumerate(
             ((0, 0.085, 0.028), (-0.035, 0.19, 0.024), (0.09, 0.2, 0.019))
         )
     ]
-    palm = bar(0.02, 0.06, 0.014, (0.1, 0, 0.132))
-    claws = [bar(0.012, 0.008, 0.04, (0.1, s * 0.022, 0.094)) for s in (-1, 1)]
+    palm = at_box(0.02, 0.06, 0.014, (0.1, 0, 0.132))
+    claws = [at_box(0.012, 0.008, 0.04, (0.1, s * 0.022, 0.094)) for s in (-1, 1)]
     tone = look.own_color("charcoal", "black", "navy", "teal")
     return put_down(
         [
@@ -95,7 +96,7 @@ def calibration_board(look: Look) -> Shape:
                             prints.fill(image, *place, 0.0317, 0.0422, color)
     board = block(x, y, look.between(0.004, 0.008), 0.003)
     top = float(board.bounds[1, 2])
-    sheet = bar(0.97 * x, 0.96 * y, 0.0008, (0, 0, top - 0.0003))
+    sheet = at_box(0.97 * x, 0.96 * y, 0.0008, (0, 0, top - 0.0003))
     edge = look.own_color("gray", "black", "silver", "tan")
     return put_down([(board, plain(edge)), (sheet, image)], board)
 
@@ -105,13 +106,13 @@ def task_board(look: Look) -> Shape:
     color = look.color("white", "gray", "charcoal", "sky")
     k = look.between(0.85, 1.1)
     board = block(0.24, 0.17, 0.03, 0.006, 0.003)
-    buttons = [disc(0.012, 0.008, (-0.09 + 0.035 * n, 0.055, 0.029), bevel=0.002) for n in (0, 1)]
-    slot = bar(0.1, 0.008, 0.0008, (0.045, 0.055, 0.0296))
-    slider = bar(0.014, 0.022, 0.014, (0.02 + look.between(0, 0.05), 0.055, 0.029))
-    knob = disc(0.017, 0.016, (-0.08, 0.0, 0.029), top=0.014)
-    door = bar(0.07, 0.05, 0.005, (0.02, -0.005, 0.0295))
-    handle = bar(0.03, 0.006, 0.008, (0.02, -0.02, 0.034))
-    sockets = [bar(0.022, 0.022, 0.008, (x, -0.055, 0.0295)) for x in (-0.09, 0.09)]
+    buttons = [drum(0.012, 0.008, (-0.09 + 0.035 * n, 0.055, 0.029), bevel=0.002) for n in (0, 1)]
+    slot = at_box(0.1, 0.008, 0.0008, (0.045, 0.055, 0.0296))
+    slider = at_box(0.014, 0.022, 0.014, (0.02 + look.between(0, 0.05), 0.055, 0.029))
+    knob = drum(0.017, 0.016, (-0.08, 0.0, 0.029), top=0.014)
+    door = at_box(0.07, 0.05, 0.005, (0.02, -0.005, 0.0295))
+    handle = at_box(0.03, 0.006, 0.008, (0.02, -0.02, 0.034))
+    sockets = [at_box(0.022, 0.022, 0.008, (x, -0.055, 0.0295)) for x in (-0.09, 0.09)]
     cable = rod(
         [
             (-0.09, -0.055, 0.036),
@@ -122,7 +123,7 @@ def task_board(look: Look) -> Shape:
         0.003,
         8,
     )
-    screen = bar(0.05, 0.03, 0.002, (0.088, 0.01, 0.0292))
+    screen = at_box(0.05, 0.03, 0.002, (0.088, 0.01, 0.0292))
     return put_down(
         [
             (board, textures.speckles(look.rng, color, 3)),
@@ -148,11 +149,11 @@ def lever(look: Look) -> Shape:
     color = look.color("red", "black", "blue", "yellow", "green")
     k = look.between(0.85, 1.15)
     base = block(0.1, 0.06, 0.018, 0.006, 0.003)
-    cheeks = [bar(0.03, 0.008, 0.035, (0, s * 0.014, 0.016)) for s in (-1, 1)]
-    pin = disc(0.005, 0.042, (0, -0.021, 0.04), 1, fine=14)
+    cheeks = [at_box(0.03, 0.008, 0.035, (0, s * 0.014, 0.016)) for s in (-1, 1)]
+    pin = drum(0.005, 0.042, (0, -0.021, 0.04), 1, sides=14)
     lean = look.between(-0.03, 0.03)
     arm = rod([(0, 0, 0.03), (lean, 0, 0.12)], 0.006, 12)
-    end = disc(0.013, 0.026, (lean, 0, 0.118), bevel=0.006)
+    end = drum(0.013, 0.026, (lean, 0, 0.118), bevel=0.006)
     return put_down(
         [
             (base, textures.speckles(look.rng, look.own_color("gray", "charcoal", "white"), 4)),
@@ -172,8 +173,8 @@ def drawer_unit(look: Look) -> Shape:
     x, y, h = look.between(0.2, 0.26), look.between(0.15, 0.19), look.between(0.06, 0.08)
     color = look.color("wooden", "white", "brown", "gray", "tan")
     t = 0.009
-    front = bar(x + 0.016, 0.012, h + 0.012, (0, -y / 2 - 0.005, 0))
-    knob = disc(0.0125, 0.02, (0, -y / 2 - 0.011, 0.5 * h), 1)
+    front = at_box(x + 0.016, 0.012, h + 0.012, (0, -y / 2 - 0.005, 0))
+    knob = drum(0.0125, 0.02, (0, -y / 2 - 0.011, 0.5 * h), 1)
     knob = knob.move(0, -0.02, 0)
     wood = look.surface(color, "wood")
     parts = (*frame_parts(x, y, h, t, t), hull_part(front.vertices), hull_part(knob.vertices))

@@ -1,1 +1,0 @@
-"""Robots and boards for their tests, and devices of several kinds."""

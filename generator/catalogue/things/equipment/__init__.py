@@ -1,0 +1,1 @@
+"""Robots and boards for their tests, what films and records, props."""
