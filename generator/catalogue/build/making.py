@@ -93,7 +93,7 @@ def shine(look: Look, *palette: str) -> Tile:
     return textures.brushed_metal(look.rng, look.own_color(*(palette or ("silver",))))
 
 
-def turned(*profile: tuple[float, float], sides: int = 16, z: float | None = None) -> Solid:
+def turned_shape(*profile: tuple[float, float], sides: int = 16, z: float | None = None) -> Solid:
     """Return a body turned about the x axis: (x, radius) points from left to right, lying."""
     points = [(r, x) for x, r in profile]
     points = [(0.0, points[0][1]), *points, (0.0, points[-1][1])]
@@ -154,7 +154,7 @@ def drum(
     return made.move(*at)
 
 
-def faceted(points: Any) -> Solid:
+def faceted_shape(points: Any) -> Solid:
     """Return the convex hull of ``points`` with flat faces."""
     from scipy.spatial import ConvexHull
 
@@ -210,7 +210,7 @@ def vessel(
     return shape([(made, tile), *extra], (*parts, *more), opacity).scale(factor)
 
 
-def printed(x: float, y: float, h: float, side: Tile, top: Tile, at: Sequence[float] = (0, 0, 0)
+def printed_shape(x: float, y: float, h: float, side: Tile, top: Tile, at: Sequence[float] = (0, 0, 0)
             ) -> Pieces:  # fmt: skip
     """Return a box with a print on its top."""
     return [(at_box(x, y, h, at), side),

@@ -212,11 +212,11 @@ class Interpreter(ListInterpreter):
             copy = self.reading.add(like.noun, like.category, like.attributes, family=like.family)
             copy.relations = list(like.relations)
             group.append(copy)
-        gone = [draft for draft in group[count:] if all(d is not draft for d in self._related())]
+        gone = [draft for draft in group[count:] if all(d is not draft for d in self._find_related())]
         self.reading.objects[:] = [d for d in self.reading.objects if all(d is not g for g in gone)]
         del group[count:]
 
-    def _related(self) -> Group:
+    def _find_related(self) -> Group:
         """Return the things that others are related to."""
         return [to for d in self.reading.objects for _, to in d.relations if isinstance(to, Draft)]
 

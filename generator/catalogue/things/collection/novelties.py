@@ -17,7 +17,7 @@ from ...build.making import (
     plate,
     shine,
     standing,
-    turned,
+    turned_shape,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, prism, torus
@@ -154,7 +154,7 @@ def _gun(tank: bool, colors: tuple[str, ...]) -> Drawing:
         if tank:
             pieces.append(
                 (
-                    turned(
+                    turned_shape(
                         (-0.05, 0.012), (-0.045, 0.02), (0.0, 0.02), (0.006, 0.012), z=0.0205
                     ).move(y=0.056),
                     textures.plain((150, 206, 236)),

@@ -16,7 +16,7 @@ from ...build.making import (
     plate,
     shine,
     standing,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.outlines import smooth
@@ -29,7 +29,7 @@ from ...surfaces.look import Look
 
 def _wand(look: Look) -> Pieces:
     tile = wood(look, "brown", "wooden", "black", "maroon")
-    body = turned(
+    body = turned_shape(
         (-0.15, 0.004),
         (-0.145, 0.009),
         (-0.135, 0.006),
@@ -41,7 +41,7 @@ def _wand(look: Look) -> Pieces:
         (0.153, 0.001),
         z=0.009,
     )
-    bands = [turned((x, 0.0094), (x + 0.003, 0.0094), z=0.0091) for x in (-0.118, -0.087)]
+    bands = [turned_shape((x, 0.0094), (x + 0.003, 0.0094), z=0.0091) for x in (-0.118, -0.087)]
     return [(body, tile), (join(bands), shine(look, "gold", "silver"))]
 
 
@@ -78,7 +78,7 @@ def _staff(look: Look) -> Pieces:
 def _sceptre(look: Look) -> Pieces:
     gold = metal(look, "gold", "gold", "silver")
     z = 0.03
-    body = turned(
+    body = turned_shape(
         (-0.2, 0.012),
         (-0.19, 0.016),
         (-0.18, 0.007),
@@ -210,7 +210,7 @@ def _blade(bend: float, long: float, wide: float, guard: str) -> Drawing:
         cross = at_block(
             0.012, 0.085 if guard != "cut" else 0.05, 0.014, 0.005, (-0.004, 0, z - 0.007)
         )
-        grip = turned((-0.085, 0.007), (-0.045, 0.0085), (-0.008, 0.007), z=z)
+        grip = turned_shape((-0.085, 0.007), (-0.045, 0.0085), (-0.008, 0.007), z=z)
         end = ball(0.02, 0.02, 0.016, (-0.092, 0, z), 14)
         foot = at_box(0.4 * long, 0.5 * wide, z, (0.42 * long, bend * 0.18, 0))
         pieces: Pieces = [

@@ -16,7 +16,7 @@ from ...build.making import (
     plate,
     shine,
     standing,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
@@ -59,7 +59,7 @@ def _cannon(look: Look) -> Pieces:
     iron = metal(look, "charcoal", "bronze", "black", "brass")
     tile = wood(look, "brown", "wooden", "maroon")
     barrel = (
-        turned(
+        turned_shape(
             (-0.09, 0.008),
             (-0.082, 0.012),
             (-0.075, 0.022),
@@ -73,7 +73,7 @@ def _cannon(look: Look) -> Pieces:
         .turn(1, -0.12)
         .move(0, 0, 0.062)
     )
-    bore = turned((0.0865, 0.013), (0.0885, 0.013), z=0).turn(1, -0.12).move(0, 0, 0.062)
+    bore = turned_shape((0.0865, 0.013), (0.0885, 0.013), z=0).turn(1, -0.12).move(0, 0, 0.062)
     sides = [
         plate([(-0.085, 0.012), (0.045, 0.012), (0.05, 0.05), (0.0, 0.058), (-0.085, 0.028)], 0.012)
         .turn(0, np.pi / 2)
@@ -168,7 +168,7 @@ def _quill(look: Look) -> Pieces:
 def _hilt(look: Look) -> Pieces:
     steel = metal(look, "silver", "gray", "black")
     z = 0.021
-    body = turned(
+    body = turned_shape(
         (-0.13, 0.016),
         (-0.125, 0.02),
         (-0.06, 0.02),
@@ -181,7 +181,7 @@ def _hilt(look: Look) -> Pieces:
         z=z,
     )
     ribs = [
-        turned((-0.12 + 0.013 * k, 0.0215), (-0.113 + 0.013 * k, 0.0215), z=z) for k in range(5)
+        turned_shape((-0.12 + 0.013 * k, 0.0215), (-0.113 + 0.013 * k, 0.0215), z=z) for k in range(5)
     ]
     switch = at_block(0.03, 0.012, 0.006, 0.002, (0.02, 0, 0.037))
     button = disc(0.004, 0.004, (0.02, 0, 0.042))
@@ -190,7 +190,7 @@ def _hilt(look: Look) -> Pieces:
         (join(ribs), BLACK),
         (switch, shine(look, "gold", "silver")),
         (button, dye(look, "red")),
-        (turned((0.1245, 0.013), (0.126, 0.013), z=z), dye(look, "cyan", "green", "red")),
+        (turned_shape((0.1245, 0.013), (0.126, 0.013), z=z), dye(look, "cyan", "green", "red")),
     ]
 
 

@@ -10,13 +10,13 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted,
+    faceted_shape,
     metal,
     of,
     plastic,
     shine,
     standing,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, rod, straight
@@ -74,8 +74,8 @@ def _pans(look: Look) -> Pieces:
             )
         )
     brush = [
-        turned((-0.06, 0.0022), (0.03, 0.003), z=0.0185).move(y=-0.027),
-        turned((0.03, 0.0028), (0.05, 0.0006), z=0.0185).move(y=-0.027),
+        turned_shape((-0.06, 0.0022), (0.03, 0.003), z=0.0185).move(y=-0.027),
+        turned_shape((0.03, 0.0028), (0.05, 0.0006), z=0.0185).move(y=-0.027),
     ]
     return [*pieces, (brush[0], dye(look, "red", "black")), (brush[1], dye(look, "brown"))]
 
@@ -117,7 +117,7 @@ def _screen(look: Look) -> Pieces:
 def _airbrush(look: Look) -> Pieces:
     steel = metal(look, "silver", "gold", "gray")
     z = 0.012
-    body = turned(
+    body = turned_shape(
         (-0.08, 0.0055),
         (-0.075, 0.0085),
         (-0.02, 0.0085),
@@ -154,7 +154,7 @@ def _spread(look: Look) -> Pieces:
     head = at_block(0.034, 0.03, 0.016, 0.01, (0.05, 0, 0.002))
     blade = disc(0.0225, 0.0012, (0.062, -0.004, 0.0085), sides=36)
     nut = disc(0.009, 0.006, (0.06, -0.003, 0.0165))
-    strip = turned((-0.06, 0.0108), (0.0, 0.0108), z=0.0135).scale(1, 0.5, 1)
+    strip = turned_shape((-0.06, 0.0108), (0.0, 0.0108), z=0.0135).scale(1, 0.5, 1)
     return [
         (grip, tile),
         (head, tile),
@@ -174,7 +174,7 @@ def _remover(look: Look) -> Pieces:
     low = min(float(p.bounds[0, 2]) for p in pads)
     pads = [p.move(z=-low) for p in pads]
     fangs = [
-        faceted(
+        faceted_shape(
             [
                 (0.018, y - 0.002, z),
                 (0.018, y + 0.002, z),

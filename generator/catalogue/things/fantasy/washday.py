@@ -11,12 +11,12 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted,
+    faceted_shape,
     of,
     plastic,
     plate,
     shine,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, ball, pad, rod, straight
@@ -31,7 +31,7 @@ def _lectern(look: Look) -> Pieces:
     """A tabletop lectern: a slanting top with a lip on a closed base."""
     tile = wood(look, "brown", "wooden", "black", "maroon")
     base = at_block(0.3, 0.22, 0.02, 0.006)
-    body = faceted(
+    body = faceted_shape(
         [
             (x, y, z)
             for x in (-0.12, 0.12)
@@ -106,7 +106,7 @@ def _washboard(look: Look) -> Pieces:
     bars = [at_box(0.2, 0.06, 0.018, (0, 0.14, 0.002)), at_box(0.2, 0.02, 0.018, (0, -0.13, 0.002))]
     sheet = at_box(0.185, 0.25, 0.008, (0, -0.002, 0.002))
     ribs = [
-        turned((-0.09, 0.004), (0.09, 0.004), z=0.0105, sides=8).move(y=-0.11 + 0.0125 * k)
+        turned_shape((-0.09, 0.004), (0.09, 0.004), z=0.0105, sides=8).move(y=-0.11 + 0.0125 * k)
         for k in range(18)
     ]
     return [

@@ -16,7 +16,7 @@ from ...build.making import (
     plastic,
     shine,
     standing,
-    turned,
+    turned_shape,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus
@@ -190,7 +190,7 @@ def _gauge(look: Look) -> Pieces:
     prints.stroke(image, [(0.5, 0.5), (0.72, 0.28)], 0.05, (200, 40, 36))
     prints.write(image, "PSI", 0.5, 0.72, 0.14, (40, 40, 44), True)
     face = disc(0.027, 0.0012, (0, 0, 0.0155))
-    stem = turned((0.028, 0.006), (0.08, 0.006), (0.084, 0.01), (0.1, 0.01), (0.104, 0.007), z=0.01)
+    stem = turned_shape((0.028, 0.006), (0.08, 0.006), (0.084, 0.01), (0.1, 0.01), (0.104, 0.007), z=0.01)
     return [
         (dial, plastic(look, "black", "red", "charcoal")),
         (stem, shine(look, "silver", "brass")),

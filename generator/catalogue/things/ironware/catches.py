@@ -14,7 +14,7 @@ from ...build.making import (
     of,
     shine,
     standing,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.outlines import arc
@@ -150,7 +150,7 @@ def _pull(look: Look) -> Pieces:
 def _leg(look: Look) -> Pieces:
     """A turned wooden leg lying, a bolt at its thick end."""
     tile = wood(look, "wooden", "brown", "tan")
-    leg = turned(
+    leg = turned_shape(
         (-0.15, 0.013),
         (-0.13, 0.012),
         (0.05, 0.02),
@@ -162,8 +162,8 @@ def _leg(look: Look) -> Pieces:
     )
     return [
         (leg, tile),
-        (turned((0.14, 0.004), (0.165, 0.004), z=0.0215), shine(look)),
-        (turned((-0.155, 0.008), (-0.149, 0.011), z=0.0215), BLACK),
+        (turned_shape((0.14, 0.004), (0.165, 0.004), z=0.0215), shine(look)),
+        (turned_shape((-0.155, 0.008), (-0.149, 0.011), z=0.0215), BLACK),
     ]
 
 

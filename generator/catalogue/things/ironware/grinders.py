@@ -16,7 +16,7 @@ from ...build.making import (
     plate,
     shine,
     standing,
-    turned,
+    turned_shape,
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, rod
@@ -37,14 +37,14 @@ def _polish(look: Look) -> Pieces:
     tile = plastic(look, *BODIES)
     pad = standing((0.06, 0), (0.075, 0.012), (0.07, 0.026), (0.03, 0.032))
     head = at_block(0.06, 0.055, 0.06, 0.016, (0, 0, 0.03))
-    body = turned((0.02, 0.028), (0.05, 0.031), (0.17, 0.027), (0.22, 0.024), z=0.062)
+    body = turned_shape((0.02, 0.028), (0.05, 0.031), (0.17, 0.027), (0.22, 0.024), z=0.062)
     side = rod([(0, -0.02, 0.065), (0, -0.1, 0.075)], [0.012, 0.014], 10)
     return [
         (pad, dye(look, "white", "yellow", "cream")),
         (head, shine(look)),
         (body, tile),
         (side, BLACK),
-        (turned((0.09, 0.0305), (0.2, 0.027), z=0.062), BLACK),
+        (turned_shape((0.09, 0.0305), (0.2, 0.027), z=0.062), BLACK),
     ]
 
 
@@ -121,9 +121,9 @@ def _lathe(look: Look) -> Pieces:
     feet = [at_box(0.05, 0.11, 0.022, (x, 0, 0)) for x in (-0.17, 0.17)]
     head = at_block(0.09, 0.09, 0.12, 0.014, (-0.16, 0, 0.048))
     tail = at_block(0.06, 0.06, 0.085, 0.01, (0.15, 0, 0.048))
-    wheel = turned((0.2, 0.022), (0.212, 0.022), z=0.12)
-    spindle = turned((0.1, 0.009), (0.2, 0.009), z=0.12)
-    work = turned(
+    wheel = turned_shape((0.2, 0.022), (0.212, 0.022), z=0.12)
+    spindle = turned_shape((0.1, 0.009), (0.2, 0.009), z=0.12)
+    work = turned_shape(
         (-0.115, 0.022),
         (-0.08, 0.022),
         (-0.07, 0.014),
@@ -190,7 +190,7 @@ def _jointer(look: Look) -> Pieces:
     tile = plastic(look, *BODIES)
     base = at_block(0.08, 0.12, 0.014, 0.006, (0.08, 0, 0))
     fence = at_box(0.012, 0.12, 0.075, (0.115, 0, 0.0))
-    body = turned((-0.16, 0.028), (-0.14, 0.032), (0.04, 0.032), z=0.036)
+    body = turned_shape((-0.16, 0.028), (-0.14, 0.032), (0.04, 0.032), z=0.036)
     head = at_block(0.09, 0.075, 0.07, 0.01, (0.06, 0, 0.012))
     grip = rod(
         [(0.05, -0.05, 0.06), (0.05, -0.05, 0.115), (0.05, 0.05, 0.115), (0.05, 0.05, 0.06)],

@@ -16,7 +16,7 @@ from ...build.making import (
     plastic,
     shine,
     standing,
-    turned,
+    turned_shape,
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod
@@ -111,7 +111,7 @@ def _schuko(kind: str) -> Drawing:
                 at_box(0.006, 0.0007, 0.0008, (0.0085, -0.0045 + 0.0013 * k, 0.0107))
                 for k in range(8)
             ]
-            boot = turned((-0.032, 0.0035), (-0.011, 0.0062), z=0.0065)
+            boot = turned_shape((-0.032, 0.0035), (-0.011, 0.0062), z=0.0065)
             return [
                 (body, textures.plain((216, 226, 232))),
                 (boot, plastic(look, "blue", "gray", "yellow", "red", "black")),
@@ -120,12 +120,12 @@ def _schuko(kind: str) -> Drawing:
                 (join(pins), shine(look, "gold")),
             ]
         ring = (0.0045, 0.0085) if kind == "phono" else (0.0032, 0.007)
-        body = turned((-0.032, 0.003), (-0.026, 0.0065), (0.006, 0.0078), (0.01, ring[1]), z=z)
-        tip = turned((0.01, ring[0]), (0.036, ring[0]), (0.04, 0.0012), z=z)
+        body = turned_shape((-0.032, 0.003), (-0.026, 0.0065), (0.006, 0.0078), (0.01, ring[1]), z=z)
+        tip = turned_shape((0.01, ring[0]), (0.036, ring[0]), (0.04, 0.0012), z=z)
         band = [
-            turned((x, ring[0] * 1.04), (x + 0.0012, ring[0] * 1.04), z=z) for x in (0.022, 0.03)
+            turned_shape((x, ring[0] * 1.04), (x + 0.0012, ring[0] * 1.04), z=z) for x in (0.022, 0.03)
         ]
-        collar = turned((0.009, ring[1]), (0.016 if kind == "phono" else 0.011, ring[1]), z=z)
+        collar = turned_shape((0.009, ring[1]), (0.016 if kind == "phono" else 0.011, ring[1]), z=z)
         return [
             (body, plastic(look, "black", "silver", "red", "gold")),
             (tip, shine(look, "gold", "silver")),

@@ -16,7 +16,7 @@ from ...build.making import (
     plate,
     shine,
     standing,
-    turned,
+    turned_shape,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join
@@ -46,9 +46,9 @@ def _gun(kind: str) -> Drawing:
         ]
         if kind == "heat":
             pieces += [
-                (turned((-0.1, 0.026), (-0.09, 0.031), (0.05, 0.03), (0.07, 0.02), z=z), tile),
-                (turned((0.07, 0.018), (0.12, 0.014), (0.122, 0.017), z=z), shine(look)),
-                (turned((0.1215, 0.013), (0.1225, 0.013), z=z), BLACK),
+                (turned_shape((-0.1, 0.026), (-0.09, 0.031), (0.05, 0.03), (0.07, 0.02), z=z), tile),
+                (turned_shape((0.07, 0.018), (0.12, 0.014), (0.122, 0.017), z=z), shine(look)),
+                (turned_shape((0.1215, 0.013), (0.1225, 0.013), z=z), BLACK),
                 (
                     rod(
                         [
@@ -65,7 +65,7 @@ def _gun(kind: str) -> Drawing:
             ]
         elif kind == "nail":
             pieces += [
-                (turned((-0.06, 0.024), (-0.05, 0.031), (0.07, 0.029), z=z), tile),
+                (turned_shape((-0.06, 0.024), (-0.05, 0.031), (0.07, 0.029), z=z), tile),
                 (
                     at_block(0.03, 0.13, 0.03, 0.006, (0.085, -0.05, z - 0.015)),
                     shine(look, "gray", "charcoal"),
@@ -92,7 +92,7 @@ def _gun(kind: str) -> Drawing:
             )
             pieces += [
                 (
-                    turned(
+                    turned_shape(
                         (-0.06, 0.009),
                         (-0.05, 0.014),
                         (0.05, 0.014),
@@ -104,7 +104,7 @@ def _gun(kind: str) -> Drawing:
                     tile,
                 ),
                 (cup, dye(look, "gray", "red", "blue", "black")),
-                (turned((-0.078, 0.006), (-0.058, 0.008), z=z), shine(look, "brass")),
+                (turned_shape((-0.078, 0.006), (-0.058, 0.008), z=z), shine(look, "brass")),
                 (
                     straight((-0.033, -0.125, z), (-0.035, -0.155, z), 0.008, 10),
                     shine(look, "brass"),
@@ -112,10 +112,10 @@ def _gun(kind: str) -> Drawing:
             ]
         else:
             pieces += [
-                (turned((-0.075, 0.024), (-0.065, 0.032), (0.03, 0.032), (0.04, 0.022), z=z), tile),
-                (turned((0.04, 0.016), (0.075, 0.007), z=z), BLACK),
+                (turned_shape((-0.075, 0.024), (-0.065, 0.032), (0.03, 0.032), (0.04, 0.022), z=z), tile),
+                (turned_shape((0.04, 0.016), (0.075, 0.007), z=z), BLACK),
                 (
-                    turned((0.075, 0.0035), (0.13, 0.0028), (0.135, 0.001), z=z),
+                    turned_shape((0.075, 0.0035), (0.13, 0.0028), (0.135, 0.001), z=z),
                     shine(look, "copper", "silver"),
                 ),
             ]
@@ -128,12 +128,12 @@ def _multi(look: Look) -> Pieces:
     """An oscillating tool lying: a long body, a flat blade at an angle below its head."""
     tile = plastic(look, *BODIES)
     z = 0.034
-    body = turned((-0.14, 0.026), (-0.12, 0.031), (0.03, 0.029), (0.07, 0.026), z=z)
+    body = turned_shape((-0.14, 0.026), (-0.12, 0.031), (0.03, 0.029), (0.07, 0.026), z=z)
     head = at_block(0.05, 0.05, 0.05, 0.014, (0.09, 0, 0.012))
     blade = plate([(0.09, -0.012), (0.15, -0.016), (0.15, 0.016), (0.09, 0.012)], 0.0018, 0.006)
     nut = disc(0.013, 0.012)
     nut = nut.move(0.09, 0, 0.003)
-    band = turned((-0.07, 0.0315), (0.0, 0.0305), z=z)
+    band = turned_shape((-0.07, 0.0315), (0.0, 0.0305), z=z)
     return [
         (body, tile),
         (head, dye(look, "charcoal", "black")),
@@ -184,9 +184,9 @@ def _press(look: Look) -> Pieces:
 
 def _compressor(look: Look) -> Pieces:
     tile = plastic(look, "red", "blue", "black", "orange")
-    tank = turned((-0.15, 0.04), (-0.135, 0.065), (0.135, 0.065), (0.15, 0.04), z=0.09)
+    tank = turned_shape((-0.15, 0.04), (-0.135, 0.065), (0.135, 0.065), (0.15, 0.04), z=0.09)
     feet = [at_box(0.03, 0.1, 0.03, (x, 0, 0)) for x in (-0.09, 0.09)]
-    motor = turned((-0.02, 0.038), (0.1, 0.038), z=0.195)
+    motor = turned_shape((-0.02, 0.038), (0.1, 0.038), z=0.195)
     pump = at_block(0.06, 0.07, 0.07, 0.008, (-0.07, 0, 0.15))
     fins = [at_box(0.066, 0.076, 0.003, (-0.07, 0, 0.165 + 0.012 * k)) for k in range(5)]
     dial = disc(0.018, 0.01).turn(0, np.pi / 2).move(0.02, -0.06, 0.15)

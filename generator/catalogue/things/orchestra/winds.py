@@ -13,7 +13,7 @@ from ...build.making import (
     metal,
     of,
     shine,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.outlines import arc, smooth
@@ -45,7 +45,7 @@ def _trombone(look: Look) -> Pieces:
     bell = _bell(0.02, 0.05, z, 0.055, 0.14)
     braces = [straight((x, -0.075, z), (x, -0.03, z), 0.003) for x in (-0.06, 0.0)]
     more = [straight((-0.06, -0.03, z), (-0.06, 0.05, z), 0.003)]
-    cup = turned((-0.13, 0.011), (-0.122, 0.009), (-0.11, 0.005), (-0.095, 0.005), z=z).move(
+    cup = turned_shape((-0.13, 0.011), (-0.122, 0.009), (-0.11, 0.005), (-0.095, 0.005), z=z).move(
         y=-0.075
     )
     return [(bell, tile), (join(slide), tile), (end, tile), (bow, tile), (join([upper, lower]),
@@ -106,9 +106,9 @@ def _mute(look: Look) -> Pieces:
 def _bassoon(look: Look) -> Pieces:
     """A long double pipe with a thin bent crook, lying."""
     tile = wood(look, "maroon", "brown", "black")
-    body = turned((-0.27, 0.016), (-0.26, 0.02), (-0.1, 0.02), (-0.09, 0.014), (0.2, 0.0125),
+    body = turned_shape((-0.27, 0.016), (-0.26, 0.02), (-0.1, 0.02), (-0.09, 0.014), (0.2, 0.0125),
                   (0.205, 0.017), (0.23, 0.017), z=0.02)  # fmt: skip
-    second = turned((-0.1, 0.011), (0.06, 0.01), z=0.02).move(y=0.025)
+    second = turned_shape((-0.1, 0.011), (0.06, 0.01), z=0.02).move(y=0.025)
     crook = rod([(0.055, 0.025, 0.02), (0.09, 0.035, 0.025), (0.11, 0.06, 0.024), (0.1, 0.085,
              0.012)],
                 [0.004, 0.0035, 0.003, 0.002], 8)  # fmt: skip

@@ -9,7 +9,7 @@ from ...build.making import (
     Drawing,
     at_block,
     disc,
-    faceted,
+    faceted_shape,
     metal,
     of,
     plate,
@@ -42,7 +42,7 @@ def _vane(look: Look) -> Pieces:
     ]
     arrow = [
         straight((-0.09, 0, 0.17), (0.07, 0, 0.17), 0.003, 8),
-        faceted(
+        faceted_shape(
             [
                 (0.07, 0, 0.185),
                 (0.07, 0, 0.155),
@@ -109,7 +109,7 @@ def _sundial(look: Look) -> Pieces:
     tile = look.surface(color, "metal")
     foot = standing((0.06, 0), (0.05, 0.014), (0.04, 0.03), (0.075, 0.046), (0.08, 0.056), sides=36)
     face = disc(0.076, 0.001, (0, 0, 0.0556), sides=36)
-    fin = faceted(
+    fin = faceted_shape(
         [
             (x, y, z)
             for x in (-0.002, 0.002)

@@ -13,7 +13,7 @@ from ...build.making import (
     of,
     plastic,
     standing,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
@@ -114,9 +114,9 @@ def _ants(look: Look) -> Pieces:
 def _condenser(look: Look) -> Pieces:
     """A glass condenser lying: a jacket round a tube, two side pipes."""
     z = 0.02
-    jacket = turned((-0.1, 0.008), (-0.09, 0.018), (0.09, 0.018), (0.1, 0.008), z=z)
-    inner = turned((-0.16, 0.007), (0.16, 0.007), z=z)
-    bell = turned((-0.19, 0.012), (-0.165, 0.011), (-0.155, 0.007), z=z)
+    jacket = turned_shape((-0.1, 0.008), (-0.09, 0.018), (0.09, 0.018), (0.1, 0.008), z=z)
+    inner = turned_shape((-0.16, 0.007), (0.16, 0.007), z=z)
+    bell = turned_shape((-0.19, 0.012), (-0.165, 0.011), (-0.155, 0.007), z=z)
     pipes = [
         rod([(x, 0, z), (x, s * 0.03, z), (x, s * 0.05, z)], 0.005, 8)
         for x, s in ((-0.07, 1), (0.07, -1))

@@ -18,7 +18,7 @@ from ...build.making import (
     plate,
     shine,
     standing,
-    turned,
+    turned_shape,
     wood,
 )
 from ...build.outlines import arc, smooth
@@ -88,7 +88,7 @@ def _theodolite(look: Look) -> Pieces:
     yoke = [at_block(0.026, 0.06, 0.13, 0.01, (s * 0.05, 0, 0.046)) for s in (-1, 1)]
     bridge = at_block(0.13, 0.07, 0.02, 0.012, (0, 0, 0.045))
     scope = (
-        turned(
+        turned_shape(
             (-0.09, 0.018),
             (-0.05, 0.018),
             (-0.03, 0.024),
@@ -174,7 +174,7 @@ def _geometry(look: Look) -> Pieces:
     legs = [
         straight((0.0, -0.02, 0.008), (0.08, -0.03 + 0.014 * k, 0.006), 0.0026, 8) for k in (0, 1)
     ]
-    pencil = turned((-0.06, 0.0035), (0.06, 0.0035), (0.07, 0.0004), sides=6, z=0.008).move(y=-0.04)
+    pencil = turned_shape((-0.06, 0.0035), (0.06, 0.0035), (0.07, 0.0004), sides=6, z=0.008).move(y=-0.04)
     return [
         (floor, tile),
         *((s, tile) for s in sides),

@@ -15,7 +15,7 @@ from ...build.making import (
     plastic,
     plate,
     shine,
-    turned,
+    turned_shape,
 )
 from ...build.recipes import Pieces, pad, rod, straight
 from ...build.solids import join, lathe, tube
@@ -30,11 +30,11 @@ WHITE = textures.plain((244, 243, 240))
 
 
 def _spacer(look: Look) -> Pieces:
-    body = turned(
+    body = turned_shape(
         (-0.07, 0.02), (-0.06, 0.028), (0.05, 0.028), (0.065, 0.018), (0.085, 0.014), z=0.028
     )
-    back = turned((-0.085, 0.014), (-0.068, 0.022), z=0.028)
-    ring = turned((0.048, 0.0295), (0.056, 0.0295), z=0.0285)
+    back = turned_shape((-0.085, 0.014), (-0.068, 0.022), z=0.028)
+    ring = turned_shape((0.048, 0.0295), (0.056, 0.0295), z=0.0285)
     return [
         (body, textures.plain(tint_color(look.color("clear", "sky"), 1.1))),
         (back, dye(look, "blue", "gray", "purple")),
@@ -60,7 +60,7 @@ def _plugs(look: Look) -> Pieces:
     """One soft ear plug lying."""
     return [
         (
-            turned(
+            turned_shape(
                 (-0.012, 0.006),
                 (-0.011, 0.0066),
                 (0.004, 0.0058),
@@ -98,7 +98,7 @@ def _roller(look: Look) -> Pieces:
     color = look.color("sage", "pink", "green", "purple")
     stone = textures.marble(look.rng, color, tint_color(color, 1.5))
     z = 0.016
-    grip = turned((-0.05, 0.006), (0.05, 0.006), z=z)
+    grip = turned_shape((-0.05, 0.006), (0.05, 0.006), z=z)
     gold = [
         rod([(s * 0.05, 0, z), (s * 0.058, -0.024, z), (s * 0.075, -0.024, z)], 0.0018, 6)
         for s in (-1, 1)
@@ -108,12 +108,12 @@ def _roller(look: Look) -> Pieces:
         for s in (-1, 1)
     ]
     big = (
-        turned((-0.02, 0.01), (-0.012, 0.016), (0.012, 0.016), (0.02, 0.01), z=z)
+        turned_shape((-0.02, 0.01), (-0.012, 0.016), (0.012, 0.016), (0.02, 0.01), z=z)
         .turn(2, np.pi / 2)
         .move(x=0.075)
     )
     small = (
-        turned((-0.018, 0.005), (-0.01, 0.0085), (0.01, 0.0085), (0.018, 0.005), z=z)
+        turned_shape((-0.018, 0.005), (-0.01, 0.0085), (0.01, 0.0085), (0.018, 0.005), z=z)
         .turn(2, np.pi / 2)
         .move(x=-0.075)
     )
