@@ -27,7 +27,9 @@ def petals(count: int, long: float, wide: float, lift: float, start: float = 0.0
     return [petal.turn(2, start + 2 * np.pi * k / count) for k in range(count)]
 
 
-def layered_shape(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1) -> Head:
+def layered_shape(
+    rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1
+) -> Head:
     """Return rings of petals one over the other, the inner ones deeper in colour."""
 
     def head(look: Look, color: RGB) -> Pieces:

@@ -103,7 +103,9 @@ def _parchment(look: Look) -> Pieces:
     prints.lines(image, look.rng, (0.12, 0.16, 0.76, 0.66), 15, (98, 74, 52), 0.3)
     prints.disc(image, 0.7, 0.9, 0.045, (150, 30, 34))
     sheet = at_box(0.15, 0.17, 0.0012)
-    rolls = [turned_shape((-0.078, 0.009), (0.078, 0.009), z=0.009).move(y=y) for y in (-0.09, 0.09)]
+    rolls = [
+        turned_shape((-0.078, 0.009), (0.078, 0.009), z=0.009).move(y=y) for y in (-0.09, 0.09)
+    ]
     tile = textures.spots(look.rng, paper, (176, 146, 102), 0.06)
     return [(sheet, image), *((r, tile) for r in rolls)]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -98,7 +100,7 @@ def _balloons(look: Look) -> Pieces:
     """A dog twisted of long balloons."""
     color = look.color("pink", "red", "blue", "yellow", "green", "orange")
 
-    def sausage(a: tuple[float, float, float], b: tuple[float, float, float], r: float) -> object:
+    def sausage(a: tuple[float, float, float], b: tuple[float, float, float], r: float) -> Any:
         p, q = np.array(a), np.array(b)
         t = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 13))
         path = p + (q - p) * ((t + 1) / 2)[:, None]
@@ -209,7 +211,7 @@ def _furby(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -202,7 +204,7 @@ def _vitrine(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

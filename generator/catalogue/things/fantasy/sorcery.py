@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -181,7 +183,8 @@ def _hilt(look: Look) -> Pieces:
         z=z,
     )
     ribs = [
-        turned_shape((-0.12 + 0.013 * k, 0.0215), (-0.113 + 0.013 * k, 0.0215), z=z) for k in range(5)
+        turned_shape((-0.12 + 0.013 * k, 0.0215), (-0.113 + 0.013 * k, 0.0215), z=z)
+        for k in range(5)
     ]
     switch = at_block(0.03, 0.012, 0.006, 0.002, (0.02, 0, 0.037))
     button = disc(0.004, 0.004, (0.02, 0, 0.042))
@@ -197,7 +200,7 @@ def _hilt(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("brown",), foot: float = 0.0,
-             bodies: object = None) -> Category:  # fmt: skip
+             bodies: Any = None) -> Category:  # fmt: skip
     roles = ("big",) if max(size[:2]) > 0.18 else ()
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
 

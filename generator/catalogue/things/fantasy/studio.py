@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ...build.category import Category
 from ...build.making import (
     PAINTS,
@@ -192,7 +194,7 @@ def _remover(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: object = None,
+         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Any = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors

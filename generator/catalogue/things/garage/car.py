@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -190,7 +192,9 @@ def _gauge(look: Look) -> Pieces:
     prints.stroke(image, [(0.5, 0.5), (0.72, 0.28)], 0.05, (200, 40, 36))
     prints.write(image, "PSI", 0.5, 0.72, 0.14, (40, 40, 44), True)
     face = disc(0.027, 0.0012, (0, 0, 0.0155))
-    stem = turned_shape((0.028, 0.006), (0.08, 0.006), (0.084, 0.01), (0.1, 0.01), (0.104, 0.007), z=0.01)
+    stem = turned_shape(
+        (0.028, 0.006), (0.08, 0.006), (0.084, 0.01), (0.1, 0.01), (0.104, 0.007), z=0.01
+    )
     return [
         (dial, plastic(look, "black", "red", "charcoal")),
         (stem, shine(look, "silver", "brass")),
@@ -233,7 +237,7 @@ def _pump(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: object = None,
+         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Any = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("workbench",), roles, colors

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -147,7 +149,8 @@ def _crank(look: Look) -> Pieces:
     """A crankshaft lying: journals, webs with weights, pins to either side."""
     steel = metal(look, "silver", "gray", "charcoal")
     journals = [
-        turned_shape((x, 0.016), (x + 0.034, 0.016), z=0.048) for x in (-0.19, -0.105, -0.02, 0.065, 0.15)
+        turned_shape((x, 0.016), (x + 0.034, 0.016), z=0.048)
+        for x in (-0.19, -0.105, -0.02, 0.065, 0.15)
     ]
     web = np.concatenate(
         [arc((0, -0.012), 0.034, np.pi, 2 * np.pi, 10), arc((0, 0.026), 0.02, 0, np.pi, 8)]
@@ -212,7 +215,7 @@ def _head(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: object = None) -> Category:  # fmt: skip
+             bodies: Any = None) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, words, ("workbench",), (), colors
     )  # type: ignore[arg-type]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -172,7 +174,9 @@ def _catalyst(look: Look) -> Pieces:
         turned_shape((x, 0.0512), (x + 0.006, 0.0512), z=0.05).scale(1, 1.29, 1)
         for x in (-0.06, 0.0, 0.054)
     ]
-    flanges = [turned_shape((x, 0.036), (x + 0.008, 0.036), sides=6, z=0.05) for x in (-0.15, 0.142)]
+    flanges = [
+        turned_shape((x, 0.036), (x + 0.008, 0.036), sides=6, z=0.05) for x in (-0.15, 0.142)
+    ]
     return [(body, steel), (join(shield), steel), (join(flanges), dye(look, "charcoal"))]
 
 
@@ -221,7 +225,7 @@ def _pump(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: object = None) -> Category:  # fmt: skip
+             bodies: Any = None) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, words, ("workbench",), (), colors
     )  # type: ignore[arg-type]

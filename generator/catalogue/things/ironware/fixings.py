@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -93,7 +95,9 @@ def _hoseclip(look: Look) -> Pieces:
     steel = metal(look, "silver", "silver", "gray")
     band = lathe([(0.019, 0), (0.02, 0), (0.02, 0.009), (0.019, 0.009)], 36, loop=True)
     box = at_block(0.014, 0.01, 0.01, 0.002, (0, 0.022, 0))
-    screw = turned_shape((-0.012, 0.0032), (-0.008, 0.0042), (0.009, 0.003), z=0.0045).move(y=0.0255)
+    screw = turned_shape((-0.012, 0.0032), (-0.008, 0.0042), (0.009, 0.003), z=0.0045).move(
+        y=0.0255
+    )
     slits = [
         at_box(0.0012, 0.0008, 0.006, (0.0202 * np.sin(a), -0.0202 * np.cos(a), 0.0015)).turn(2, 0)
         for a in np.linspace(-0.7, 0.7, 9)
@@ -164,7 +168,7 @@ def _latch(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: object = None) -> Category:  # fmt: skip
+             bodies: Any = None) -> Category:  # fmt: skip
     return Category(
         key,
         of(draw, foot, bodies=bodies),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -120,10 +122,13 @@ def _schuko(kind: str) -> Drawing:
                 (join(pins), shine(look, "gold")),
             ]
         ring = (0.0045, 0.0085) if kind == "phono" else (0.0032, 0.007)
-        body = turned_shape((-0.032, 0.003), (-0.026, 0.0065), (0.006, 0.0078), (0.01, ring[1]), z=z)
+        body = turned_shape(
+            (-0.032, 0.003), (-0.026, 0.0065), (0.006, 0.0078), (0.01, ring[1]), z=z
+        )
         tip = turned_shape((0.01, ring[0]), (0.036, ring[0]), (0.04, 0.0012), z=z)
         band = [
-            turned_shape((x, ring[0] * 1.04), (x + 0.0012, ring[0] * 1.04), z=z) for x in (0.022, 0.03)
+            turned_shape((x, ring[0] * 1.04), (x + 0.0012, ring[0] * 1.04), z=z)
+            for x in (0.022, 0.03)
         ]
         collar = turned_shape((0.009, ring[1]), (0.016 if kind == "phono" else 0.011, ring[1]), z=z)
         return [
@@ -192,7 +197,7 @@ def _pulley(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: object = None) -> Category:  # fmt: skip
+             bodies: Any = None) -> Category:  # fmt: skip
     return Category(
         key,
         of(draw, foot, bodies=bodies),

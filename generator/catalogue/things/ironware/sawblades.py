@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -46,7 +48,10 @@ def _gun(kind: str) -> Drawing:
         ]
         if kind == "heat":
             pieces += [
-                (turned_shape((-0.1, 0.026), (-0.09, 0.031), (0.05, 0.03), (0.07, 0.02), z=z), tile),
+                (
+                    turned_shape((-0.1, 0.026), (-0.09, 0.031), (0.05, 0.03), (0.07, 0.02), z=z),
+                    tile,
+                ),
                 (turned_shape((0.07, 0.018), (0.12, 0.014), (0.122, 0.017), z=z), shine(look)),
                 (turned_shape((0.1215, 0.013), (0.1225, 0.013), z=z), BLACK),
                 (
@@ -112,7 +117,12 @@ def _gun(kind: str) -> Drawing:
             ]
         else:
             pieces += [
-                (turned_shape((-0.075, 0.024), (-0.065, 0.032), (0.03, 0.032), (0.04, 0.022), z=z), tile),
+                (
+                    turned_shape(
+                        (-0.075, 0.024), (-0.065, 0.032), (0.03, 0.032), (0.04, 0.022), z=z
+                    ),
+                    tile,
+                ),
                 (turned_shape((0.04, 0.016), (0.075, 0.007), z=z), BLACK),
                 (
                     turned_shape((0.075, 0.0035), (0.13, 0.0028), (0.135, 0.001), z=z),
@@ -219,7 +229,7 @@ def _compressor(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("teal", "red"), foot: float = 0.0,
-             bodies: object = None) -> Category:  # fmt: skip
+             bodies: Any = None) -> Category:  # fmt: skip
     roles = ("big",) if max(size[:2]) > 0.18 else ()
     return Category(
         key,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -69,7 +71,7 @@ def _tooth(long: float, serrated: bool) -> np.ndarray:
     return np.concatenate([left, right[1:], root[1:-1]])
 
 
-def _shark(long: float) -> object:
+def _shark(long: float) -> Any:
     def draw(look: Look) -> Pieces:
         """A shark's tooth lying."""
         color = look.color("gray", "charcoal", "cream", "tan")
@@ -87,7 +89,7 @@ def _shark(long: float) -> object:
     return draw
 
 
-def _fang(bend: float, r: float) -> object:
+def _fang(bend: float, r: float) -> Any:
     def draw(look: Look) -> Pieces:
         """A curved tooth or claw lying."""
         color = look.color("tan", "brown", "charcoal", "cream")

@@ -146,7 +146,14 @@ def _rosin(look: Look) -> Pieces:
     color = look.color("amber", "brown", "orange")
     return [
         (pad, cloth),
-        (cake, textures.gradient(color, tuple(min(1.3 * c, 250) for c in color), look.rng)),
+        (
+            cake,
+            textures.gradient(
+                color,
+                (min(1.3 * color[0], 250), min(1.3 * color[1], 250), min(1.3 * color[2], 250)),
+                look.rng,
+            ),
+        ),
     ]  # type: ignore[arg-type]
 
 

@@ -111,7 +111,9 @@ def _didgeridoo(look: Look) -> Pieces:
     bands = textures.stripes(
         [color, (226, 206, 160), color, color, (70, 36, 26), color, (196, 120, 60)], 3
     )
-    body = turned_shape((-0.3, 0.014), (-0.29, 0.017), (0.0, 0.019), (0.2, 0.024), (0.3, 0.033), z=0.031)
+    body = turned_shape(
+        (-0.3, 0.014), (-0.29, 0.017), (0.0, 0.019), (0.2, 0.024), (0.3, 0.033), z=0.031
+    )
     return [
         (body, bands),
         (turned_shape((0.2995, 0.026), (0.3006, 0.026), z=0.031), textures.plain((30, 22, 18))),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -26,7 +28,7 @@ from ...surfaces.look import Look
 BRASSY = ("gold", "gold", "brass", "silver")
 
 
-def _bell(x: float, y: float, z: float, r: float, long: float) -> object:
+def _bell(x: float, y: float, z: float, r: float, long: float) -> Any:
     """A flared bell opening towards +x from ``x``."""
     outer = [(0.0065, 0), (0.009, 0.5 * long), (0.4 * r, 0.8 * long), (r, long)]
     inner = [(0.96 * r, long), (0.36 * r, 0.8 * long), (0.006, 0.4 * long)]

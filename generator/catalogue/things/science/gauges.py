@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -174,7 +176,9 @@ def _geometry(look: Look) -> Pieces:
     legs = [
         straight((0.0, -0.02, 0.008), (0.08, -0.03 + 0.014 * k, 0.006), 0.0026, 8) for k in (0, 1)
     ]
-    pencil = turned_shape((-0.06, 0.0035), (0.06, 0.0035), (0.07, 0.0004), sides=6, z=0.008).move(y=-0.04)
+    pencil = turned_shape((-0.06, 0.0035), (0.06, 0.0035), (0.07, 0.0004), sides=6, z=0.008).move(
+        y=-0.04
+    )
     return [
         (floor, tile),
         *((s, tile) for s in sides),
@@ -236,7 +240,7 @@ def _cubes(n: int, soma: bool) -> Drawing:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: object = None) -> Category:  # fmt: skip
+             bodies: Any = None) -> Category:  # fmt: skip
     roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors

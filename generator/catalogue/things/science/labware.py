@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -54,7 +56,9 @@ def _cover(look: Look) -> Pieces:
 def _tip(look: Look) -> Pieces:
     return [
         (
-            turned_shape((-0.025, 0.0034), (-0.018, 0.0034), (-0.012, 0.0029), (0.025, 0.0005), z=0.0034),
+            turned_shape(
+                (-0.025, 0.0034), (-0.018, 0.0034), (-0.012, 0.0029), (0.025, 0.0005), z=0.0034
+            ),
             plastic(look, "yellow", "sky", "clear", "white"),
         )
     ]
@@ -70,7 +74,9 @@ def _vial(cap: str) -> Drawing:
             (textures.plain(tint_color(color, 1.0)), 1), (textures.plain((226, 236, 240)), 1)
         )
         if cap == "snap":
-            body = turned_shape((-0.016, 0.0054), (0.0, 0.0052), (0.018, 0.0022), (0.02, 0.001), z=z)
+            body = turned_shape(
+                (-0.016, 0.0054), (0.0, 0.0052), (0.018, 0.0022), (0.02, 0.001), z=z
+            )
             rim = turned_shape((-0.0175, 0.0066), (-0.0155, 0.0066), z=z)
             lid = disc(0.0062, 0.003).turn(1, np.pi / 2).turn(2, 0.9).move(-0.021, 0.009, 0.0062)
             return [
@@ -215,7 +221,7 @@ def _cabinet(kind: str) -> Drawing:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: object = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 

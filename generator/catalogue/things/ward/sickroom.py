@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ...build.category import Category
@@ -217,7 +219,7 @@ def _winder(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: object = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 
