@@ -11,7 +11,7 @@ import trimesh
 from jaxtyping import Float
 
 from ..catalogue import Category
-from ..catalogue.build.matter import friction
+from ..catalogue.matter import friction
 from ..errors import require
 from ..geometry import to_unit_box
 from ..language.naming import known_category

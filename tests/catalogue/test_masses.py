@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from generator.catalogue import CATEGORIES, build
-from generator.catalogue.build.matter import ASSEMBLED, FRICTION, HOLLOW, MATERIALS, growth
+from generator.catalogue.matter import ASSEMBLED, FRICTION, HOLLOW, MATERIALS, growth
 from generator.physics.inertia import body_mass
 from generator.physics.parts import model_parts
 

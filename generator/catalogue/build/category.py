@@ -12,8 +12,8 @@ from jaxtyping import Float
 from ...geometry import parts_to_unit_box, to_unit_box
 from ...scene import Mesh, Model, Physics
 from ..holder import Holder
+from ..matter import HOLLOW, friction, growth
 from ..surfaces.look import SIZE_FACTORS, Look
-from .matter import HOLLOW, friction, growth
 from .shape import Shape, mesh_of
 from .solids import signed_volume
 from .styles import apply_style

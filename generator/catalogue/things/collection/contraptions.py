@@ -10,7 +10,7 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted,
+    hull_solid,
     of,
     plastic,
     shine,
@@ -159,7 +159,7 @@ def _kitchen(look: Look) -> Pieces:
 
 def _phone(look: Look) -> Pieces:
     """A toddler's telephone: a face, a dial, wheels, a receiver on a cord."""
-    body = faceted(
+    body = hull_solid(
         [
             (x, y, z)
             for x in (-0.05, 0.05)

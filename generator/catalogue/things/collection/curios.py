@@ -10,11 +10,11 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted,
+    hull_solid,
     of,
     plastic,
     plate,
-    turned,
+    spindle,
     wood,
 )
 from ...build.outlines import rectangle, smooth
@@ -31,7 +31,7 @@ def _ship(look: Look) -> Pieces:
     stand = [at_box(0.014, 0.09, 0.022, (x, 0, 0)) for x in (-0.06, 0.05)]
     z = 0.06
     floor = plate(rectangle(0.14, 0.07, 0.03), 0.012, z - 0.026)
-    hull = faceted(
+    hull = hull_solid(
         [
             (x, y, h)
             for x, w, h in (
@@ -76,7 +76,7 @@ def _ship(look: Look) -> Pieces:
         .turn(1, np.pi / 2)
         .move(0.094, 0, z)
     ]
-    cork = turned((0.138, 0.0115), (0.158, 0.013), z=z)
+    cork = spindle((0.138, 0.0115), (0.158, 0.013), z=z)
     back = (
         lathe([(0.0, 0), (0.03, 0), (0.034, 0.006), (0, 0.006)], 26)
         .turn(1, np.pi / 2)
@@ -220,11 +220,11 @@ def _message(look: Look) -> Pieces:
         )
         for a in np.arange(9) * 0.698
     ]
-    base = turned((-0.09, 0.03), (-0.087, 0.032), z=z)
+    base = spindle((-0.09, 0.03), (-0.087, 0.032), z=z)
     lip = torus(0.0125, 0.003, 22, 6).turn(1, np.pi / 2).move(0.11, 0, z)
-    scroll = turned((-0.06, 0.014), (0.05, 0.014), z=0.018)
-    tie = turned((-0.01, 0.0148), (0.0, 0.0148), z=0.018)
-    cork = turned((0.1, 0.011), (0.13, 0.0125), z=z)
+    scroll = spindle((-0.06, 0.014), (0.05, 0.014), z=0.018)
+    tie = spindle((-0.01, 0.0148), (0.0, 0.0148), z=0.018)
+    cork = spindle((0.1, 0.011), (0.13, 0.0125), z=z)
     foot = at_box(0.12, 0.03, 0.003)
     return [
         (join([*hoops, *wires]), glass),

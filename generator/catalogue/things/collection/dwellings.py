@@ -19,7 +19,7 @@ from ...build.making import (
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, standing_plate, straight
 from ...build.solids import join, tube
-from ...build.variants import varied
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -242,7 +242,7 @@ CATEGORIES = (
     _row("neon_sign", of(_sign(("",), ("pink", "cyan", "purple", "yellow", "red"), "neon")), (0.2,
              0.06, 0.136), 0.4, ("neon light", "led sign", "neon lamp"), ("pink",),
              ("big",)),
-    varied(_row("zen_garden", of(_zen, bodies=5), (0.245, 0.184, 0.0368), 0.8, ("sand garden",
+    vary(_row("zen_garden", of(_zen, bodies=5), (0.245, 0.184, 0.0368), 0.8, ("sand garden",
              "mini zen garden", "desktop zen garden", "japanese garden"), ("brown",), ("flat",
              "big"))),
     _row("tabletop_fountain", of(_fountain, bodies=7), (0.184, 0.184, 0.18), 1.5,

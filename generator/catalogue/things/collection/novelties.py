@@ -16,8 +16,8 @@ from ...build.making import (
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, prism, torus
@@ -154,7 +154,7 @@ def _gun(tank: bool, colors: tuple[str, ...]) -> Drawing:
         if tank:
             pieces.append(
                 (
-                    turned(
+                    spindle(
                         (-0.05, 0.012), (-0.045, 0.02), (0.0, 0.02), (0.006, 0.012), z=0.0205
                     ).move(y=0.056),
                     textures.plain((150, 206, 236)),

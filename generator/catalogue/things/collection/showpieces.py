@@ -13,13 +13,13 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted,
+    hull_solid,
     metal,
     of,
     plastic,
     plate,
+    spindle,
     standing,
-    turned,
     wood,
 )
 from ...build.outlines import rectangle
@@ -40,7 +40,7 @@ def _tank(look: Look) -> Pieces:
         for s in (-1, 1)
         for x in np.linspace(-0.055, 0.055, 5)
     ]
-    hull = faceted(
+    hull = hull_solid(
         [
             (x, y, z)
             for y in (-0.042, 0.042)
@@ -54,7 +54,7 @@ def _tank(look: Look) -> Pieces:
             )
         ]
     )
-    turret = faceted(
+    turret = hull_solid(
         [
             (x, y, z)
             for x, y, z in (
@@ -142,7 +142,7 @@ def _pirate(look: Look) -> Pieces:
     for s in (-1, 1):
         prints.disc(image, 0.5 + 0.055 * s, 0.4, 0.05, (26, 26, 28))
         prints.stroke(image, [(0.5 - 0.24 * s, 0.68), (0.5 + 0.24 * s, 0.9)], 0.06, (244, 242, 236))
-    pole = turned((-0.15, 0.004), (0.11, 0.004)).turn(2, np.pi / 2)
+    pole = spindle((-0.15, 0.004), (0.11, 0.004)).turn(2, np.pi / 2)
     return [
         (pole.move(x=-0.1), wood(look, "brown", "wooden")),
         (at_box(0.18, 0.12, 0.0014, (-0.006, 0.046, 0.0)), image),

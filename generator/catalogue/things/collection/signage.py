@@ -9,7 +9,7 @@ from ...build.making import (
     at_block,
     at_box,
     dye,
-    faceted,
+    hull_solid,
     metal,
     of,
     plastic,
@@ -110,7 +110,7 @@ def _cat(look: Look) -> Pieces:
     body = standing((0.032, 0), (0.04, 0.012), (0.036, 0.05), (0.022, 0.07))
     head = ball(0.07, 0.06, 0.058, (0, -0.004, 0.09), 20)
     ears = [
-        faceted(
+        hull_solid(
             [
                 (s * 0.03, -0.008, 0.105),
                 (s * 0.012, -0.008, 0.112),

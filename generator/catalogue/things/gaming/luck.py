@@ -100,7 +100,9 @@ def cigarette_packet(look: Look) -> Shape:
     prints.write(image, look.pick(["LUCKY", "ROYAL", "GOLD", "WEST", "PRIME"]), 0.5, 0.64, 0.12,
                  tint_color(color, 0.8), bold=True)  # fmt: skip
     prints.fill(image, 0.06, 0.8, 0.88, 0.14, (30, 30, 32))
-    skin = textures.plain(tuple(float(c) for c in image[100, 4]))
+    skin = textures.plain(
+        (float(image[100, 4, 0]), float(image[100, 4, 1]), float(image[100, 4, 2]))
+    )
     panel = box(x, 0.0005, h)
     if look.chance(0.5):
         pieces = [(box(x, y, h), skin), (panel.move(y=-y / 2), image), (panel.move(y=y / 2), image)]
