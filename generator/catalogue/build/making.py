@@ -22,6 +22,9 @@ from .solids import Solid, block, box, cylinder, lathe, prism
 Drawing = Callable[[Look], Pieces]
 """What draws the pieces of one variant."""
 
+Bodies = int | Sequence[int] | None
+"""How many of the first pieces collide, or which ones; None stands for all."""
+
 STEEL = ("silver", "silver", "gray", "charcoal")
 BRASS = ("brass", "gold", "bronze")
 GOLD = ("gold", "gold", "silver")
@@ -37,13 +40,12 @@ def of(
     draw: Drawing,
     foot: float = 0.0,
     *,
-    bodies: int | Sequence[int] | None = None,
+    bodies: Bodies = None,
     spread: float = 0.1,
     opacity: float = 1.0,
 ) -> Callable[[Look], Shape]:
     """Return a shape function of what ``draw`` draws, larger and smaller by up to ``spread``.
 
-    ``bodies`` is how many of the first pieces collide, or which ones; None stands for all.
     ``foot`` is the lowest share of each body that is pressed flat.
     """
 
@@ -93,7 +95,7 @@ def shine(look: Look, *palette: str) -> Tile:
     return textures.brushed_metal(look.rng, look.own_color(*(palette or ("silver",))))
 
 
-def turned_shape(*profile: tuple[float, float], sides: int = 16, z: float | None = None) -> Solid:
+def spindle(*profile: tuple[float, float], sides: int = 16, z: float | None = None) -> Solid:
     """Return a body turned about the x axis: (x, radius) points from left to right, lying."""
     points = [(r, x) for x, r in profile]
     points = [(0.0, points[0][1]), *points, (0.0, points[-1][1])]
@@ -154,7 +156,7 @@ def drum(
     return made.move(*at)
 
 
-def faceted_shape(points: Any) -> Solid:
+def hull_solid(points: Any) -> Solid:
     """Return the convex hull of ``points`` with flat faces."""
     from scipy.spatial import ConvexHull
 
@@ -210,7 +212,7 @@ def vessel(
     return shape([(made, tile), *extra], (*parts, *more), opacity).scale(factor)
 
 
-def printed_shape(x: float, y: float, h: float, side: Tile, top: Tile, at: Sequence[float] = (0, 0, 0)
+def print_box(x: float, y: float, h: float, side: Tile, top: Tile, at: Sequence[float] = (0, 0, 0)
             ) -> Pieces:  # fmt: skip
     """Return a box with a print on its top."""
     return [(at_box(x, y, h, at), side),

@@ -39,7 +39,7 @@ def in_sizes(made: Callable[[Look], Shape], spread: float) -> Callable[[Look], S
     return make
 
 
-def varied_shape(kind: Category, sizes: float = 0.15, shades: float = 0.12) -> Category:
+def vary(kind: Category, sizes: float = 0.15, shades: float = 0.12) -> Category:
     """Return a category whose things also differ in size and shade, by up to these shares."""
 
     def make(look: Look) -> Shape:
@@ -57,10 +57,10 @@ def varied_shape(kind: Category, sizes: float = 0.15, shades: float = 0.12) -> C
 
 def at_rest(kind: Category) -> Category:
     """Return a category whose things lie as they come to rest, on the nearest stable side."""
-    return replace(kind, shape=lambda look: settled_shape(kind.shape(look)))
+    return replace(kind, shape=lambda look: settle_shape(kind.shape(look)))
 
 
-def settled_shape(thing: Shape) -> Shape:
+def settle_shape(thing: Shape) -> Shape:
     """Return a shape turned onto the side nearest to its underside on which it does not tip."""
     points = np.concatenate([part.vertices for part in thing.parts])
     hull = ConvexHull(points)

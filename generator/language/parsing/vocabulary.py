@@ -363,8 +363,11 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
     {
         "piece": (("chess_board", "chess_piece"),),
         "set": (("chess_board", "chess_piece"),),
-        "bean": (("coffee_grinder", "coffee_bean"), ("espresso_machine", "coffee_bean"),
-                 ("moka_pot", "coffee_bean")),
+        "bean": (
+            ("coffee_grinder", "coffee_bean"),
+            ("espresso_machine", "coffee_bean"),
+            ("moka_pot", "coffee_bean"),
+        ),
         "slice": (
             ("pizza_box", "pizza_slice"),
             ("pizza", "pizza_slice"),

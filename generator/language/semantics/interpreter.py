@@ -212,7 +212,9 @@ class Interpreter(ListInterpreter):
             copy = self.reading.add(like.noun, like.category, like.attributes, family=like.family)
             copy.relations = list(like.relations)
             group.append(copy)
-        gone = [draft for draft in group[count:] if all(d is not draft for d in self._find_related())]
+        gone = [
+            draft for draft in group[count:] if all(d is not draft for d in self._find_related())
+        ]
         self.reading.objects[:] = [d for d in self.reading.objects if all(d is not g for g in gone)]
         del group[count:]
 

@@ -10,7 +10,7 @@ from ...build.category import Category
 from ...build.making import Drawing, at_block, at_box, dye, of
 from ...build.recipes import Pieces
 from ...build.solids import join
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
@@ -237,9 +237,9 @@ def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float,
 
 
 CATEGORIES = (
-    varied_shape(_row("star_chart", _paper(0.28, 0.28, _stars, "navy"), (0.28, 0.28, 0.0011), 0.008,
+    vary(_row("star_chart", _paper(0.28, 0.28, _stars, "navy"), (0.28, 0.28, 0.0011), 0.008,
              ("star map", "sky map", "constellation chart", "constellation map"), ("navy",)), 0.08),
-    varied_shape(_row("telegram", _paper(0.2, 0.13, _telegram, "beige", "cream"), (0.2, 0.13, 0.0011),
+    vary(_row("telegram", _paper(0.2, 0.13, _telegram, "beige", "cream"), (0.2, 0.13, 0.0011),
              0.003,
              ("telegraph message",), ("beige",)), 0.08),
     _row("ransom_note", _paper(0.17, 0.2, _ransom, "white", "cream"), (0.17, 0.2, 0.0011), 0.004,
@@ -249,9 +249,9 @@ CATEGORIES = (
              "handwritten list", "wish list")),
     _row("xray_film", _paper(0.24, 0.3, _film, "charcoal"), (0.24, 0.3, 0.0011), 0.01,
              ("x ray film", "x ray", "xray", "x ray image", "x-ray film", "x-ray"), ("charcoal",)),
-    varied_shape(_row("eye_chart", _paper(0.2, 0.29, _chart, "white"), (0.2, 0.29, 0.0011), 0.006,
+    vary(_row("eye_chart", _paper(0.2, 0.29, _chart, "white"), (0.2, 0.29, 0.0011), 0.006,
              ("eye test chart", "snellen chart", "vision chart")), 0.08),
-    varied_shape(_row("colour_chart", _paper(0.21, 0.16, _swatch, "white"), (0.21, 0.16, 0.0011), 0.006,
+    vary(_row("colour_chart", _paper(0.21, 0.16, _swatch, "white"), (0.21, 0.16, 0.0011), 0.006,
              ("color chart", "paint chart", "colour card", "color swatch", "colour swatch",
              "paint swatch", "colour sample card", "periodic table")), 0.08),
     _row("poster", _paper(0.3, 0.42, _poster, "white", "cream"), (0.3, 0.42, 0.0011), 0.02,
@@ -260,7 +260,7 @@ CATEGORIES = (
              "school report", "book report", "thesis", "dissertation",
              "first aid manual", "user manual", "instruction manual", "handbook",
              "instruction booklet", "report binder")),
-    varied_shape(_row("memo_pad", _memo, (0.1, 0.145, 0.0088), 0.09, ("memo block", "reporter pad",
+    vary(_row("memo_pad", _memo, (0.1, 0.145, 0.0088), 0.09, ("memo block", "reporter pad",
              "jotter pad"), ("yellow",)), 0.08),
 )  # fmt: skip
 """The module's categories."""

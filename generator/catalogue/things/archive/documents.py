@@ -7,9 +7,9 @@ from collections.abc import Callable
 import numpy as np
 
 from ...build.category import Category
-from ...build.making import Drawing, at_box, dye, of, turned_shape
+from ...build.making import Drawing, at_box, dye, of, spindle
 from ...build.recipes import Pieces
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
@@ -165,13 +165,13 @@ def _booklet(title: tuple[str, ...], *colors: str) -> Drawing:
     return draw
 
 
-def _rolled_shape(look: Look) -> Pieces:
+def _rolled_plan(look: Look) -> Pieces:
     """A plan half rolled up."""
     image = prints.canvas(176, 128, (34, 78, 150))
     _blueprint(look, image, INK)
     sheet = at_box(0.36, 0.27, 0.0011)
     roll = (
-        turned_shape((-0.135, 0.008), (-0.135, 0.016), (0.135, 0.016), (0.135, 0.008))
+        spindle((-0.135, 0.008), (-0.135, 0.016), (0.135, 0.016), (0.135, 0.008))
         .turn(2, np.pi / 2)
         .move(x=0.185)
     )
@@ -204,7 +204,7 @@ CATEGORIES = (
              0.015,
          ("agreement", "lease agreement", "affidavit", "subpoena", "insurance policy", "treaty",
              "signed contract", "legal document", "rental agreement", "last will", "testament")),
-    varied_shape(_row("official_letter", _paper(*A4, _letterhead, "white", "ivory"), (*A4, 0.0011), 0.005,
+    vary(_row("official_letter", _paper(*A4, _letterhead, "white", "ivory"), (*A4, 0.0011), 0.005,
              ("business letter", "prescription", "memo", "memorandum", "cover letter", "iou",
              "prescription note", "printed letter")), 0.08),
     _row("resume", _paper(*A4, _resume, "white"), (*A4, 0.0011), 0.005, ("cv", "curriculum vitae",
@@ -219,7 +219,8 @@ CATEGORIES = (
     _row("coupon", _paper(0.15, 0.07, _coupon, "white", accents=("red", "orange", "green",
              "purple", "blue")), (0.15, 0.07, 0.0011), 0.002, (
              "gift coupon", "discount voucher")),
-    varied_shape(_row("blueprint", _rolled_shape, (0.38, 0.27, 0.032), 0.05, ("building plan", "architect plan",
+    vary(_row("blueprint", _rolled_plan, (0.38, 0.27, 0.032), 0.05, ("building plan",
+    "architect plan",
              "technical drawing", "construction plan"), ("blue",)), 0.08),
     _row("floor_plan", _paper(0.297, 0.21, _floor, "white", "cream"), (0.297, 0.21, 0.0011),
              0.006, ("floorplan", "ground plan", "house plan", "site plan")),

@@ -11,7 +11,7 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     metal,
     of,
     plastic,
@@ -85,7 +85,7 @@ def _ingot(look: Look) -> Pieces:
         mark, look.pick(["999.9", "1 KG", "FINE GOLD"]), 0.5, 0.5, 0.5, tint_color(color, 0.5), True
     )
     return [
-        (faceted_shape(rings), look.surface(color, "metal")),
+        (hull_solid(rings), look.surface(color, "metal")),
         (at_box(0.07, 0.02, 0.0006, (0, 0, 0.0317)), mark),
     ]
 

@@ -10,7 +10,7 @@ from ...build.forms import lobe, speck
 from ...build.settled import scatter
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, prism
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -110,26 +110,26 @@ _L = "lying flat"
 
 
 CATEGORIES = (
-    varied_shape(Category("flapjack", biscuit_slab((206, 150, 78), (238, 206, 140), 90, 5, (), (0.075,
+    vary(Category("flapjack", biscuit_slab((206, 150, 78), (238, 206, 140), 90, 5, (), (0.075,
              0.05,
              0.02)), (0.0755, 0.0504, 0.0201), 0.06, ("oat flapjack", "nut bar"), _T, _E, ())),
     Category("blondie", biscuit_slab((228, 184, 116), (112, 66, 38), 16, 7, (), (0.062, 0.062,
              0.03)), (0.0636, 0.0636, 0.0308), 0.07, ("blondie square", "traybake square",
              "blondies"), _T, _E, ()),
-    varied_shape(Category("crispy_square", biscuit_slab((240, 214, 156), (252, 238, 206), 90, 7, (),
+    vary(Category("crispy_square", biscuit_slab((240, 214, 156), (252, 238, 206), 90, 7, (),
              (0.062,
              0.062, 0.034)), (0.0616, 0.0616, 0.0338), 0.03, ("rice crispy square",
              "rice krispie treat", "rice crispy treat", "rice krispie square", "crispy cake"), _T,
              _E, ())),
     Category("shortbread", shortbread, (0.0797, 0.0259, 0.0152), 0.02, ("shortbread finger",
              "shortbread biscuit", "shortbread cookie"), _T, _E, ("cream",), state=_L),
-    varied_shape(Category("biscotti", biscotti, (0.112, 0.0204, 0.0163), 0.025, ("biscotto", "cantuccini",
+    vary(Category("biscotti", biscotti, (0.112, 0.0204, 0.0163), 0.025, ("biscotto", "cantuccini",
              "biscottis"), _T, _E, (), state=_L)),
-    varied_shape(Category("madeleine", madeleine, (0.071, 0.0469, 0.0172), 0.025, ("madeleine cake",
+    vary(Category("madeleine", madeleine, (0.071, 0.0469, 0.0172), 0.025, ("madeleine cake",
              "maamoul"), _T, _E, (), state=_L)),
     Category("stroopwafel", stroopwafel, (0.0863, 0.0867, 0.00966), 0.035, ("syrup waffle",
              "dutch waffle"), _T, ("edible", "flat", "round"), (), state=_L),
-    varied_shape(Category("teacake", teacake, (0.0604, 0.0608, 0.0351), 0.03, ("tea cake",
+    vary(Category("teacake", teacake, (0.0604, 0.0608, 0.0351), 0.03, ("tea cake",
              "chocolate teacake",
              "marshmallow teacake", "chocolate kiss"), _T, ("edible", "round"), ("brown",))),
     Category("eccles_cake", eccles, (0.0798, 0.0804, 0.0266), 0.06, ("welsh cake", "chorley cake",

@@ -12,7 +12,7 @@ from ...build.recipes import ball, pad
 from ...build.settled import rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -261,12 +261,12 @@ _E = ("edible",)
 CATEGORIES = (
     Category("scone", scone, (0.0695, 0.07, 0.0527), 0.07, ("fruit scone", "cheese scone",
              "rock cake", "soda scone"), _T, ("edible", "round"), ()),
-    varied_shape(Category("brioche", brioche, (0.0817, 0.0817, 0.0688), 0.06, ("brioche bun",
+    vary(Category("brioche", brioche, (0.0817, 0.0817, 0.0688), 0.06, ("brioche bun",
              "brioche roll",
              "brioches"), _T, ("edible", "round"), ("copper",))),
     Category("danish_pastry", danish, (0.117, 0.117, 0.0297), 0.09, ("danish", "fruit danish",
              "custard danish", "apple danish"), _T, ("edible", "flat"), ("amber",)),
-    varied_shape(Category("hot_cross_bun", cross_bun, (0.0997, 0.0997, 0.0509), 0.07, ("cross bun",
+    vary(Category("hot_cross_bun", cross_bun, (0.0997, 0.0997, 0.0509), 0.07, ("cross bun",
              "easter bun"), _T, ("edible", "round"), ())),
     Category("turnover", turnover, (0.119, 0.088, 0.0297), 0.09, ("apple turnover",
              "cherry turnover", "pasty", "puff pastry triangle"), _T,
@@ -279,26 +279,26 @@ CATEGORIES = (
              "cream horn", "cannolis"), _T, _E, (), state="lying flat"),
     Category("profiterole", profiterole, (0.0468, 0.0465, 0.0365), 0.025, ("cream puff",
              "choux bun"), _T, ("edible", "round"), ("brown",)),
-    varied_shape(Category("palmier", palmier, (0.0942, 0.0845, 0.00964), 0.02, ("elephant ear",
+    vary(Category("palmier", palmier, (0.0942, 0.0845, 0.00964), 0.02, ("elephant ear",
              "pig's ear pastry"), _T, ("edible", "flat"), (), state="lying flat")),
     Category("bear_claw", bear_claw, (0.134, 0.0792, 0.0349), 0.09, ("bear claw pastry",), _T, _E,
              (), state="lying flat"),
-    varied_shape(Category("rum_baba", baba, (0.0707, 0.0679, 0.0684), 0.08, ("baba", "savarin"), _T,
+    vary(Category("rum_baba", baba, (0.0707, 0.0679, 0.0684), 0.08, ("baba", "savarin"), _T,
              ("edible",
              "round"), ())),
     Category("baklava", pastry_square, (0.0911, 0.0574, 0.0331), 0.04, ("piece of baklava",
              "baklawa"), _T, _E, ()),
-    varied_shape(Category("borek", coil, (0.115, 0.12, 0.0194), 0.15, ("burek", "bourekas",
+    vary(Category("borek", coil, (0.115, 0.12, 0.0194), 0.15, ("burek", "bourekas",
              "spinach pie spiral",
              "filo pastry coil"), ("dining",), ("edible", "flat"), (), state="lying flat")),
-    varied_shape(Category("jalebi", orange_spiral, (0.0748, 0.0611, 0.012), 0.02, ("jilebi", "zalabia",
+    vary(Category("jalebi", orange_spiral, (0.0748, 0.0611, 0.012), 0.02, ("jilebi", "zalabia",
              "jalebis"), ("dining",), ("edible", "flat"), (), state="lying flat")),
     Category("cupcake_case", case, (0.0712, 0.0712, 0.0324), 0.003, ("muffin case", "cupcake liner",
              "paper baking case", "cake case", "empty cupcake case", "fairy cake case",
              "bun case"), ("kitchen",), ("container", "round"), ("pink",)),
     Category("halva", halva, (0.109, 0.0627, 0.0415), 0.25, ("halva block", "halwa",
              "block of halva", "piece of halva"), ("dining",), _E, ("beige",)),
-    varied_shape(Category("kouign_amann", cushion, (0.0744, 0.0744, 0.045), 0.09, ("kouign-amann",
+    vary(Category("kouign_amann", cushion, (0.0744, 0.0744, 0.045), 0.09, ("kouign-amann",
              "puff pastry"), _T, _E, ())),
 )  # fmt: skip
 """The module's categories."""

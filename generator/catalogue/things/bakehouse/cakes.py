@@ -12,7 +12,7 @@ from ...build.recipes import ball
 from ...build.settled import settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -208,13 +208,13 @@ CATEGORIES = (
              "battenburg", "chequered cake"), _T, _E, ("yellow",)),
     Category("bundt_cake", bundt, (0.219, 0.219, 0.0834), 0.7, ("bundt", "ring cake", "gugelhupf",
              "angel food cake", "lemon drizzle cake"), _T, ("edible", "round", "big"), ("white",)),
-    varied_shape(Category("victoria_sponge", victoria, (0.189, 0.189, 0.103), 0.6,
+    vary(Category("victoria_sponge", victoria, (0.189, 0.189, 0.103), 0.6,
              ("victoria sponge cake",
              "sponge cake", "victoria sandwich", "layer cake", "jam sponge"), _T, ("edible",
              "round", "big"), ("red",))),
     Category("cheesecake", cheesecake, (0.115, 0.0637, 0.0625), 0.12, ("slice of cheesecake",
              "cheesecake slice", "piece of cheesecake", "strawberry cheesecake"), _T, _E, ("red",)),
-    varied_shape(Category("christmas_pudding", pudding, (0.174, 0.174, 0.112), 0.6, ("plum pudding",
+    vary(Category("christmas_pudding", pudding, (0.174, 0.174, 0.112), 0.6, ("plum pudding",
              "xmas pudding", "figgy pudding", "sticky toffee pudding"), _T, ("edible", "round"),
              ())),
     Category("cake_pop", cake_pop, (0.15, 0.0401, 0.0353), 0.03, ("cake lollipop",), _T, _E,

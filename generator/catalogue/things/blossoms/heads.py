@@ -27,9 +27,7 @@ def petals(count: int, long: float, wide: float, lift: float, start: float = 0.0
     return [petal.turn(2, start + 2 * np.pi * k / count) for k in range(count)]
 
 
-def layered_shape(
-    rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1
-) -> Head:
+def layered_head(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1) -> Head:
     """Return rings of petals one over the other, the inner ones deeper in colour."""
 
     def head(look: Look, color: RGB) -> Pieces:
@@ -48,7 +46,7 @@ def layered_shape(
     return head
 
 
-def faced_shape(count: int, long: float, wide: float, lift: float, heart: float, eye: RGB,
+def open_head(count: int, long: float, wide: float, lift: float, heart: float, eye: RGB,
           ring: RGB | None = None, pistil: float = 0.0) -> Head:  # fmt: skip
     """Return a few broad petals round an eye, with a ring of another colour or a long pistil."""
 

@@ -15,7 +15,7 @@ from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-from .heads import GREEN, layered_shape, petals
+from .heads import GREEN, layered_head, petals
 
 
 def lotus(look: Look) -> Shape:
@@ -23,7 +23,7 @@ def lotus(look: Look) -> Shape:
     k = look.between(0.9, 1.15)
     color = look.color("pink", "white", "pink", "lavender")
     leaf = cylinder(0.062, 0.004, 26)
-    head = layered_shape([(11, 0.05, 0.019, 0.22, 0), (9, 0.044, 0.018, 0.6, 0.002),
+    head = layered_head([(11, 0.05, 0.019, 0.22, 0), (9, 0.044, 0.018, 0.6, 0.002),
                     (7, 0.036, 0.015, 1.0, 0.004)], 0.009, fade=-0.05)(look, color)  # fmt: skip
     bloom = [(s.move(z=0.008), t) for s, t in head]
     pieces: Pieces = [(leaf, textures.leaf(look.rng, (70, 120, 66))), *bloom]
@@ -119,7 +119,7 @@ def corsage(look: Look) -> Shape:
     """A small spray to pin on: a bloom, leaves, a ribbon bow."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "pink", "red", "lavender")
-    head = layered_shape([(8, 0.024, 0.02, 0.2, 0), (7, 0.02, 0.017, 0.6, 0.002),
+    head = layered_head([(8, 0.024, 0.02, 0.2, 0), (7, 0.02, 0.017, 0.6, 0.002),
                     (5, 0.014, 0.012, 1.0, 0.004)], 0.005, None, 0.05)(look, color)  # fmt: skip
     leaves = [blade([(0, 0, 0.002), (0.02 * np.cos(a), 0.02 * np.sin(a), 0.006),
                      (0.046 * np.cos(a), 0.046 * np.sin(a), 0.002)], 0.02, thick=0.15)

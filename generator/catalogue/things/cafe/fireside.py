@@ -11,7 +11,7 @@ from ...build.recipes import ball, straight
 from ...build.settled import hull_above, limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, torus
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -252,17 +252,17 @@ CATEGORIES = (
     Category("tabletop_grill", grill, (0.335, 0.277, 0.128), 2.0, ("tabletop barbecue",
              "mini barbecue", "barbecue grill", "charcoal grill", "bbq grill", "hibachi",
              "barbecue", "small grill", "table grill"), _K, ("big",), ("black", "red")),
-    varied_shape(Category("disposable_barbecue", tray_grill, (0.315, 0.243, 0.0654), 0.8,
+    vary(Category("disposable_barbecue", tray_grill, (0.315, 0.243, 0.0654), 0.8,
              ("disposable bbq",
              "instant barbecue", "foil barbecue", "disposable grill"), _K, ("big", "flat"),
              ("silver",))),
-    varied_shape(Category("chimney_starter", chimney, (0.241, 0.162, 0.202), 1.2, ("charcoal chimney",
+    vary(Category("chimney_starter", chimney, (0.241, 0.162, 0.202), 1.2, ("charcoal chimney",
              "charcoal starter"), _K, ("tall",), ("silver",))),
     Category("burger_press", press, (0.122, 0.122, 0.0785), 0.4, ("patty press", "hamburger press",
              "bacon press"), _K, ("round",), ("silver",)),
     Category("meat_claw", claw, (0.12, 0.112, 0.0232), 0.08, ("bear claw shredder", "meat shredder",
              "shredding claw", "bbq claw"), _K, (), ("black",), state="lying flat"),
-    varied_shape(Category("corn_holder", corn_fork, (0.0704, 0.0243, 0.0172), 0.008, ("corn skewer",
+    vary(Category("corn_holder", corn_fork, (0.0704, 0.0243, 0.0172), 0.008, ("corn skewer",
              "corn fork",
              "corn cob holder"), _K, (), ("yellow",), state="lying flat")),
     Category("egg_topper", topper, (0.037, 0.0373, 0.167), 0.12, ("egg cracker", "egg opener",

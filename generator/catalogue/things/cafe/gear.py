@@ -12,7 +12,7 @@ from ...build.recipes import ball, straight
 from ...build.settled import limb, scatter
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -227,7 +227,7 @@ CATEGORIES = (
     Category("coffee_dripper", dripper, (0.148, 0.118, 0.0762), 0.3, ("pour over dripper",
              "dripper", "pour-over dripper", "v60", "pour over cone", "coffee cone"), _C,
              ("container", "round"), ("white",)),
-    varied_shape(Category("chemex", hourglass_pot, (0.124, 0.124, 0.215), 0.7, ("chemex coffee maker",
+    vary(Category("chemex", hourglass_pot, (0.124, 0.124, 0.215), 0.7, ("chemex coffee maker",
              "pour over carafe", "pour over coffee maker", "glass coffee maker"), _C,
              ("tall", "round"), ("wooden",))),
     Category("aeropress", aeropress, (0.0867, 0.1, 0.198), 0.2, ("aero press", "plunger brewer"),
@@ -240,7 +240,7 @@ CATEGORIES = (
              _C, ("flat",), ("wooden",), state="lying flat"),
     Category("cup_sleeve", sleeve, (0.0829, 0.0829, 0.0622), 0.005, ("coffee sleeve",
              "cardboard sleeve", "coffee cup sleeve", "cup cosy"), _C, (), ("tan",)),
-    varied_shape(Category("siphon_brewer", siphon, (0.158, 0.098, 0.27), 1.0, ("siphon", "coffee siphon",
+    vary(Category("siphon_brewer", siphon, (0.158, 0.098, 0.27), 1.0, ("siphon", "coffee siphon",
              "vacuum brewer", "syphon coffee maker", "siphon coffee maker"), _C, ("tall",),
              ("black",))),
     Category("drink_dispenser", dispenser, (0.166, 0.185, 0.271), 2.5, ("beverage dispenser",

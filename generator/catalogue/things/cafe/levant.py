@@ -72,11 +72,12 @@ def spice_box(look: Look) -> Shape:
              (140, 112, 50), (190, 96, 40))  # fmt: skip
     for n in range(7):
         a = n * np.pi / 3
-        at = (0, 0) if n == 6 else (0.62 * r * np.cos(a), 0.62 * r * np.sin(a))
+        at = (0.0, 0.0) if n == 6 else (0.62 * r * float(np.cos(a)), 0.62 * r * float(np.sin(a)))
         cup = lathe([(0, 0.003), (0.26 * r, 0.003), (0.285 * r, 0.74 * h), (0.27 * r, 0.74 * h),
                      (0.25 * r, 0.5 * h), (0, 0.5 * h)], 20).move(*at)  # fmt: skip
         bowls.append(cup)
-        heaps[n] = (ball(0.5 * r, 0.5 * r, 0.3 * h, (at[0], at[1], 0.58 * h), 14), textures.speckles(
+        heaps[n] = (ball(0.5 * r, 0.5 * r, 0.3 * h, (at[0], at[1], 0.58 * h), 14),
+                 textures.speckles(
             look.rng, tones[n], 14))  # fmt: skip
     steel = textures.brushed_metal(look.rng, color)
     return shape([(join([tin, *bowls]), steel), *heaps.values()],

@@ -14,7 +14,7 @@ from ...build.recipes import ball
 from ...build.settled import limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, join, lathe, loft
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -187,7 +187,7 @@ _D = "lying flat"
 CATEGORIES = (
     Category("crouton", crouton, (0.0216, 0.0216, 0.0228), 0.002, ("bread cube", "cube of bread",
              "bread crouton", "toasted bread cube"), _K, _E, ("cream",)),
-    varied_shape(Category("charcoal_briquette", briquette, (0.0524, 0.0524, 0.0302), 0.03, ("briquette",
+    vary(Category("charcoal_briquette", briquette, (0.0524, 0.0524, 0.0302), 0.03, ("briquette",
              "lump of coal", "piece of coal", "lump of charcoal", "barbecue charcoal",
              "charcoal"), _K, (), ("black",))),
     Category("firelighter", cube((0.04, 0.026, 0.02), ("white", "tan", "ivory"), 0.3, 0.85),

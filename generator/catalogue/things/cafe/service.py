@@ -11,7 +11,7 @@ from ...build.recipes import ball
 from ...build.settled import crockery, limb, rod, scatter, serve, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
@@ -190,7 +190,7 @@ CATEGORIES = (
     Category("tofu_dish", tofu_dish, (0.158, 0.158, 0.064), 0.6, ("mapo tofu", "bowl of tofu",
              "tofu stew", "tofu soup", "fried tofu dish"), ("dining",), ("edible", "round"),
              ("white",)),
-    varied_shape(Category("ticket_dispenser", ticket_dispenser, (0.146, 0.0881, 0.201), 0.5,
+    vary(Category("ticket_dispenser", ticket_dispenser, (0.146, 0.0881, 0.201), 0.5,
              ("queue ticket dispenser", "take a number dispenser", "number dispenser",
              "queue number dispenser"), ("office",), ("tall",), ("red",))),
     Category("cone_holder", cone_stand, (0.192, 0.081, 0.142), 0.3, ("cone stand",

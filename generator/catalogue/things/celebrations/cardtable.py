@@ -10,7 +10,7 @@ from ...build.category import Category
 from ...build.collision import box_part, hull_of
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
@@ -205,7 +205,7 @@ CATEGORIES = (
     Category("trading_card_deck", card(0.063, 0.088, _trading, _GAY, 0.02), (0.0637, 0.089,
              0.0204), 0.1, ("deck of pokemon cards", "pokemon deck", "stack of trading cards",
              "magic deck", "pack of pokemon cards", "booster pack"), _L, (), ("yellow",)),
-    varied_shape(Category("bingo_card", card(0.14, 0.165, _bingo, ("red", "blue", "green", "purple")),
+    vary(Category("bingo_card", card(0.14, 0.165, _bingo, ("red", "blue", "green", "purple")),
              (0.139, 0.163, 0.0015), 0.006, ("bingo ticket", "bingo sheet", "lotto card"), _L, _F,
              ("red", "blue"), state=_D), 0.08),
     Category("scratch_card", card(0.1, 0.125, _scratch, ("red", "green", "purple", "blue")),

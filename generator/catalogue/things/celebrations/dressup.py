@@ -11,7 +11,7 @@ from ...build.recipes import put_down
 from ...build.settled import hull_above, limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, cylinder, ellipsoid, join, lathe, loft, prism, torus
-from ...build.variants import at_rest, varied_shape
+from ...build.variants import at_rest, vary
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -147,9 +147,9 @@ _D = "lying flat"
 
 
 CATEGORIES = (
-    varied_shape(Category("devil_horns", devil_horns, (0.151, 0.181, 0.0298), 0.04, ("horned headband",
+    vary(Category("devil_horns", devil_horns, (0.151, 0.181, 0.0298), 0.04, ("horned headband",
              "devil horn headband", "devil headband"), _L, (), ("red",), state=_D)),
-    varied_shape(Category("eye_patch", eye_patch, (0.162, 0.154, 0.00524), 0.008, ("pirate eye patch",
+    vary(Category("eye_patch", eye_patch, (0.162, 0.154, 0.00524), 0.008, ("pirate eye patch",
              "eyepatch", "eye patch for pirate"), _L, ("flat",), ("black",), state=_D)),
     at_rest(Category("hook_hand", hook, (0.175, 0.133, 0.0805), 0.09, ("pirate hook", "hand hook",
              "captain hook's hook"), _L, (), ("black",), state=_D)),

@@ -10,7 +10,7 @@ from ...build.recipes import ball
 from ...build.settled import hull_above, limb
 from ...build.shape import Shape, shape
 from ...build.solids import join, lathe, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -80,7 +80,7 @@ def paper_crown(look: Look) -> Shape:
 
 _L = ("living",)
 CATEGORIES = (
-    varied_shape(Category("santa_hat", santa_hat, (0.238, 0.207, 0.166), 0.06, ("santa's hat",
+    vary(Category("santa_hat", santa_hat, (0.238, 0.207, 0.166), 0.06, ("santa's hat",
              "christmas hat",
              "father christmas hat", "santa claus hat"), _L, (), ("red",))),
     Category("elf_hat", elf_hat, (0.191, 0.191, 0.196), 0.06, ("elf's hat", "pixie hat",

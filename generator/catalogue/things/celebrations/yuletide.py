@@ -11,7 +11,7 @@ from ...build.recipes import Pieces, ball, rod, straight
 from ...build.settled import limb
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, prism
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
@@ -170,13 +170,13 @@ _L = ("living",)
 
 
 CATEGORIES = (
-    varied_shape(Category("nativity_set", nativity, (0.21, 0.111, 0.149), 0.6, ("nativity scene",
+    vary(Category("nativity_set", nativity, (0.21, 0.111, 0.149), 0.6, ("nativity scene",
              "nativity",
              "christmas crib", "creche", "nativity figures", "manger scene", "creches"), _L,
              ("big",), ("wooden",))),
     Category("christmas_pyramid", pyramid, (0.155, 0.155, 0.204), 0.4, ("candle pyramid",
              "wooden christmas pyramid", "german christmas pyramid"), _L, ("tall",), ("wooden",)),
-    varied_shape(Category("cake_topper", topper, (0.0709, 0.0687, 0.093), 0.06,
+    vary(Category("cake_topper", topper, (0.0709, 0.0687, 0.093), 0.06,
              ("bride and groom cake topper",
              "wedding cake topper", "bride and groom", "bride and groom figurine",
              "bride and groom topper"), _L, (), ("white",))),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
 
 import numpy as np
 
@@ -86,7 +86,7 @@ def _beads(cross: bool) -> Drawing:
     return draw
 
 
-def _cup(lid: bool) -> Any:
+def _cup(lid: bool) -> Callable[[Look], Shape]:
     def make(look: Look) -> Shape:
         """A metal cup on a stem with a knob; with ``lid`` covered and a cross on top."""
         k = look.between(0.9, 1.1)

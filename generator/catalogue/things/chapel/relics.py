@@ -15,8 +15,8 @@ from ...build.making import (
     dye,
     metal,
     of,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.outlines import smooth
@@ -69,7 +69,7 @@ def _wheel(look: Look) -> Pieces:
 def _vajra(look: Look) -> Pieces:
     """A vajra lying: two crowns of bent prongs on a round grip."""
     tile = metal(look, "brass", "bronze", "gold")
-    grip = turned_shape((-0.03, 0.009), (-0.022, 0.0115), (-0.014, 0.008), (-0.008, 0.011), (0, 0.013),
+    grip = spindle((-0.03, 0.009), (-0.022, 0.0115), (-0.014, 0.008), (-0.008, 0.011), (0, 0.013),
                   (0.008, 0.011), (0.014, 0.008), (0.022, 0.0115), (0.03, 0.009),
              z=0.016)  # fmt: skip
     prongs = []

@@ -63,7 +63,7 @@ def _buddha_head(look: Look) -> Pieces:
             (join(_face(0.1, -0.041, 0.046)), dark)]  # fmt: skip
 
 
-def _robed_shape(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> Drawing:
+def _robed_figure(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> Drawing:
     """A standing robed figure, hands folded, a veil over its head."""
 
     def draw(look: Look) -> Pieces:
@@ -239,11 +239,12 @@ CATEGORIES = (
              "meditating statue", "golden buddha"), ("living",), (), ("gold", "bronze")),
     Category("buddha_head", of(_buddha_head, bodies=4), (0.0976, 0.0994, 0.183), 0.9,
              ("head of buddha", "buddha bust"), ("living",), ("tall",), ("gray",)),
-    Category("virgin_mary_statue", of(_robed_shape(("white", "cream"), ("sky", "blue"), True), bodies=4),
+    Category("virgin_mary_statue", of(_robed_figure(("white", "cream"), ("sky", "blue"), True),
+             bodies=4),
              (0.072, 0.072, 0.192), 0.4, ("virgin mary", "madonna", "madonna statue",
              "our lady statue", "mary statue", "mary figurine"), ("living",), ("tall",),
              ("white",)),
-    Category("nativity_figure", of(_robed_shape(("brown", "crimson", "purple", "tan"),
+    Category("nativity_figure", of(_robed_figure(("brown", "crimson", "purple", "tan"),
              ("brown", "navy", "green", "maroon"), False), bodies=4), (0.072, 0.072, 0.186), 0.3,
              ("nativity figurine", "saint statue", "saint figurine", "jesus statue", "monk statue",
               "shepherd figure", "apostle statue", "jesus figurine", "monk figurine", "wise man",

@@ -12,16 +12,16 @@ from ...build.making import (
     cloth,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     metal,
     of,
-    turned_shape,
+    spindle,
     wood,
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod
 from ...build.solids import join, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
@@ -88,9 +88,9 @@ def _torah(look: Look) -> Pieces:
         points = [(0.5 + 0.15 * np.cos(t), 0.5 - 0.23 * np.sin(t)) for t in a]
         prints.stroke(front, [*points, points[0]], 0.03, GILT)
     top = at_box(0.2, 0.08, 0.0008, (0, 0, 0.0516))
-    rolls = [turned_shape((-0.17, 0.01), (-0.15, 0.012), (-0.149, 0.006), (0.149, 0.006), (0.15, 0.012),
+    rolls = [spindle((-0.17, 0.01), (-0.15, 0.012), (-0.149, 0.006), (0.149, 0.006), (0.15, 0.012),
                     (0.17, 0.01), z=0.026).move(y=y) for y in (-0.026, 0.026)]  # fmt: skip
-    discs = [turned_shape((x, 0.022), (x + 0.006, 0.022), z=0.0265).move(y=y)
+    discs = [spindle((x, 0.022), (x + 0.006, 0.022), z=0.0265).move(y=y)
              for x in (-0.14, 0.134) for y in (-0.026, 0.026)]  # fmt: skip
     return [(coat, textures.speckles(look.rng, velvet, 9)), (top, front),
             (join(rolls), stick), (join(discs), stick)]  # fmt: skip
@@ -103,9 +103,7 @@ def _parchment(look: Look) -> Pieces:
     prints.lines(image, look.rng, (0.12, 0.16, 0.76, 0.66), 15, (98, 74, 52), 0.3)
     prints.disc(image, 0.7, 0.9, 0.045, (150, 30, 34))
     sheet = at_box(0.15, 0.17, 0.0012)
-    rolls = [
-        turned_shape((-0.078, 0.009), (0.078, 0.009), z=0.009).move(y=y) for y in (-0.09, 0.09)
-    ]
+    rolls = [spindle((-0.078, 0.009), (0.078, 0.009), z=0.009).move(y=y) for y in (-0.09, 0.09)]
     tile = textures.spots(look.rng, paper, (176, 146, 102), 0.06)
     return [(sheet, image), *((r, tile) for r in rolls)]
 
@@ -132,7 +130,7 @@ def _case(look: Look) -> Pieces:
 def _pointer(look: Look) -> Pieces:
     """A silver pointer ending in a small hand, a chain at its head."""
     tile = metal(look, "silver", "silver", "gold")
-    body = turned_shape((-0.09, 0.004), (-0.085, 0.008), (-0.078, 0.004), (-0.05, 0.0045), (-0.045,
+    body = spindle((-0.09, 0.004), (-0.085, 0.008), (-0.078, 0.004), (-0.05, 0.0045), (-0.045,
              0.007),
                   (-0.04, 0.0045), (0.02, 0.0035), (0.024, 0.0055), (0.028, 0.0035),
                   (0.068, 0.0028), z=0.008)  # fmt: skip
@@ -187,7 +185,7 @@ def _palm(look: Look) -> Pieces:
     color = look.color("sage", "olive", "mustard")
     tile = textures.scratches(look.rng, color, tuple(0.8 * c for c in color))  # type: ignore[arg-type]
     return [(at_box(0.012, 0.13, 0.003), tile), (at_box(0.075, 0.012, 0.003, (0, 0.025, 0.002)),
-             tile), (faceted_shape([(x, y, z) for x in (-0.009, 0.009) for y in (0.019, 0.037)
+             tile), (hull_solid([(x, y, z) for x in (-0.009, 0.009) for y in (0.019, 0.037)
                               for z in (0, 0.0065)]), tile)]  # fmt: skip
 
 
@@ -231,13 +229,13 @@ CATEGORIES = (
     Category("book_rest", of(_rest), (0.191, 0.165, 0.17), 0.4, ("quran stand", "rehal",
              "koran stand", "book stand with crossed boards", "folding book stand"), ("living",),
              (), ("brown",)),
-    varied_shape(Category("prayer_flags", of(_flags), (0.396, 0.0904, 0.00298), 0.02, ("prayer flag",
+    vary(Category("prayer_flags", of(_flags), (0.396, 0.0904, 0.00298), 0.02, ("prayer flag",
              "string of prayer flags", "tibetan flags",
              "pennant garland"), ("living",), ("flat", "big"), ("blue",),
              state="lying"), 0.2),
     Category("palm_cross", of(_palm), (0.075, 0.13, 0.0065), 0.004, ("cross of palm leaf",),
              ("living",), ("flat",), ("sage",), state="lying"),
-    varied_shape(Category("prayer_shawl", of(_shawl), (0.24, 0.205, 0.031), 0.3, ("tallit", "tallis",
+    vary(Category("prayer_shawl", of(_shawl), (0.24, 0.205, 0.031), 0.3, ("tallit", "tallis",
              "folded tallit"), ("living",), (), ("white",))),
 )  # fmt: skip
 """The module's categories."""

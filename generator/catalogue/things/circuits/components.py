@@ -12,7 +12,7 @@ from ...build.forms import lay_down
 from ...build.outlines import ellipse, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, prism, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
@@ -216,7 +216,7 @@ CATEGORIES = (
              "cooling fan", "cpu fan"), ("electronics",), ("flat",), ("black",)),
     Category("graphics_card", graphics_card, (0.242, 0.122, 0.0392), 0.9, ("gpu", "video card",
              "graphic card"), ("electronics",), ("flat", "big"), ("black",)),
-    varied_shape(Category("ram_stick", _stick(0.133, 0.03, 8, ("green", "black", "green", "blue"), ()),
+    vary(Category("ram_stick", _stick(0.133, 0.03, 8, ("green", "black", "green", "blue"), ()),
              (0.134, 0.0303, 0.0037), 0.03, ("ram", "memory module", "ram module", "ram memory",
              "memory chip", "ram card"), ("electronics",), ("flat",), ("green",)), 0.04),
     Category("memory_card", _stick(0.024, 0.032, 0, ("black", "blue", "charcoal"), ("32 GB",

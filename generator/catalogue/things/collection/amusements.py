@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -19,7 +17,7 @@ from ...build.making import (
 )
 from ...build.recipes import Pieces, ball, rod
 from ...build.solids import join, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -182,7 +180,7 @@ def _slinky(look: Look) -> Pieces:
     return [(join(g), tone) for g in groups]
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip
@@ -192,10 +190,10 @@ def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, nam
 CATEGORIES = (
     _row("fidget_cube", of(_fidget), (0.0355, 0.037, 0.036), 0.04, ("fidget toy", "stress cube",
              "fidget die"), ("black",)),
-    varied_shape(_row("pop_it", of(_poppit, bodies=(0, 2, 4, 6, 8, 10)), (0.128, 0.128, 0.011), 0.06,
+    vary(_row("pop_it", of(_poppit, bodies=(0, 2, 4, 6, 8, 10)), (0.128, 0.128, 0.011), 0.06,
              ("popit",
              "pop it toy", "pop-it", "bubble popper", "push pop toy"), roles=("flat",))),
-    varied_shape(_row("magic_8_ball", of(_eightball, 0.06, bodies=1), (0.1, 0.1, 0.1), 0.35,
+    vary(_row("magic_8_ball", of(_eightball, 0.06, bodies=1), (0.1, 0.1, 0.1), 0.35,
              ("magic eight ball", "8 ball", "fortune ball"), ("black",), ("round",))),
     _row("etch_a_sketch", of(_sketcher, bodies=2), (0.24, 0.2, 0.041), 0.5, ("drawing toy",
              "etch sketch", "magnetic drawing board", "sketch toy", "magna doodle"),

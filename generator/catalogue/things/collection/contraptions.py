@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -12,7 +10,7 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     of,
     plastic,
     shine,
@@ -161,7 +159,7 @@ def _kitchen(look: Look) -> Pieces:
 
 def _phone(look: Look) -> Pieces:
     """A toddler's telephone: a face, a dial, wheels, a receiver on a cord."""
-    body = faceted_shape(
+    body = hull_solid(
         [
             (x, y, z)
             for x in (-0.05, 0.05)
@@ -210,7 +208,7 @@ def _phone(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -12,11 +10,11 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     of,
     plastic,
     plate,
-    turned_shape,
+    spindle,
     wood,
 )
 from ...build.outlines import rectangle, smooth
@@ -33,7 +31,7 @@ def _ship(look: Look) -> Pieces:
     stand = [at_box(0.014, 0.09, 0.022, (x, 0, 0)) for x in (-0.06, 0.05)]
     z = 0.06
     floor = plate(rectangle(0.14, 0.07, 0.03), 0.012, z - 0.026)
-    hull = faceted_shape(
+    hull = hull_solid(
         [
             (x, y, h)
             for x, w, h in (
@@ -78,7 +76,7 @@ def _ship(look: Look) -> Pieces:
         .turn(1, np.pi / 2)
         .move(0.094, 0, z)
     ]
-    cork = turned_shape((0.138, 0.0115), (0.158, 0.013), z=z)
+    cork = spindle((0.138, 0.0115), (0.158, 0.013), z=z)
     back = (
         lathe([(0.0, 0), (0.03, 0), (0.034, 0.006), (0, 0.006)], 26)
         .turn(1, np.pi / 2)
@@ -222,11 +220,11 @@ def _message(look: Look) -> Pieces:
         )
         for a in np.arange(9) * 0.698
     ]
-    base = turned_shape((-0.09, 0.03), (-0.087, 0.032), z=z)
+    base = spindle((-0.09, 0.03), (-0.087, 0.032), z=z)
     lip = torus(0.0125, 0.003, 22, 6).turn(1, np.pi / 2).move(0.11, 0, z)
-    scroll = turned_shape((-0.06, 0.014), (0.05, 0.014), z=0.018)
-    tie = turned_shape((-0.01, 0.0148), (0.0, 0.0148), z=0.018)
-    cork = turned_shape((0.1, 0.011), (0.13, 0.0125), z=z)
+    scroll = spindle((-0.06, 0.014), (0.05, 0.014), z=0.018)
+    tie = spindle((-0.01, 0.0148), (0.0, 0.0148), z=0.018)
+    cork = spindle((0.1, 0.011), (0.13, 0.0125), z=z)
     foot = at_box(0.12, 0.03, 0.003)
     return [
         (join([*hoops, *wires]), glass),
@@ -239,7 +237,7 @@ def _message(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

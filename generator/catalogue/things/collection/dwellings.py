@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -21,7 +19,7 @@ from ...build.making import (
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, standing_plate, straight
 from ...build.solids import join, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -220,7 +218,7 @@ def _fountain(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip
@@ -244,7 +242,7 @@ CATEGORIES = (
     _row("neon_sign", of(_sign(("",), ("pink", "cyan", "purple", "yellow", "red"), "neon")), (0.2,
              0.06, 0.136), 0.4, ("neon light", "led sign", "neon lamp"), ("pink",),
              ("big",)),
-    varied_shape(_row("zen_garden", of(_zen, bodies=5), (0.245, 0.184, 0.0368), 0.8, ("sand garden",
+    vary(_row("zen_garden", of(_zen, bodies=5), (0.245, 0.184, 0.0368), 0.8, ("sand garden",
              "mini zen garden", "desktop zen garden", "japanese garden"), ("brown",), ("flat",
              "big"))),
     _row("tabletop_fountain", of(_fountain, bodies=7), (0.184, 0.184, 0.18), 1.5,

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -18,8 +16,8 @@ from ...build.making import (
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, prism, torus
@@ -156,7 +154,7 @@ def _gun(tank: bool, colors: tuple[str, ...]) -> Drawing:
         if tank:
             pieces.append(
                 (
-                    turned_shape(
+                    spindle(
                         (-0.05, 0.012), (-0.045, 0.02), (0.0, 0.02), (0.006, 0.012), z=0.0205
                     ).move(y=0.056),
                     textures.plain((150, 206, 236)),
@@ -203,7 +201,7 @@ def _spinner(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -20,7 +18,7 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.solids import join, lathe, torus, tube
+from ...build.solids import Solid, join, lathe, torus, tube
 from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
@@ -100,7 +98,7 @@ def _balloons(look: Look) -> Pieces:
     """A dog twisted of long balloons."""
     color = look.color("pink", "red", "blue", "yellow", "green", "orange")
 
-    def sausage(a: tuple[float, float, float], b: tuple[float, float, float], r: float) -> Any:
+    def sausage(a: tuple[float, float, float], b: tuple[float, float, float], r: float) -> Solid:
         p, q = np.array(a), np.array(b)
         t = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 13))
         path = p + (q - p) * ((t + 1) / 2)[:, None]
@@ -211,7 +209,7 @@ def _furby(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

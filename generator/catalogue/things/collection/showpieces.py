@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -15,13 +13,13 @@ from ...build.making import (
     at_box,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     metal,
     of,
     plastic,
     plate,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.outlines import rectangle
@@ -42,7 +40,7 @@ def _tank(look: Look) -> Pieces:
         for s in (-1, 1)
         for x in np.linspace(-0.055, 0.055, 5)
     ]
-    hull = faceted_shape(
+    hull = hull_solid(
         [
             (x, y, z)
             for y in (-0.042, 0.042)
@@ -56,7 +54,7 @@ def _tank(look: Look) -> Pieces:
             )
         ]
     )
-    turret = faceted_shape(
+    turret = hull_solid(
         [
             (x, y, z)
             for x, y, z in (
@@ -144,7 +142,7 @@ def _pirate(look: Look) -> Pieces:
     for s in (-1, 1):
         prints.disc(image, 0.5 + 0.055 * s, 0.4, 0.05, (26, 26, 28))
         prints.stroke(image, [(0.5 - 0.24 * s, 0.68), (0.5 + 0.24 * s, 0.9)], 0.06, (244, 242, 236))
-    pole = turned_shape((-0.15, 0.004), (0.11, 0.004)).turn(2, np.pi / 2)
+    pole = spindle((-0.15, 0.004), (0.11, 0.004)).turn(2, np.pi / 2)
     return [
         (pole.move(x=-0.1), wood(look, "brown", "wooden")),
         (at_box(0.18, 0.12, 0.0014, (-0.006, 0.046, 0.0)), image),
@@ -211,7 +209,7 @@ def _cradle_dish(look: Look) -> Shape:
     return shape([(body, tile)], parts).scale(look.between(0.9, 1.1))
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -11,7 +9,7 @@ from ...build.making import (
     at_block,
     at_box,
     dye,
-    faceted_shape,
+    hull_solid,
     metal,
     of,
     plastic,
@@ -112,7 +110,7 @@ def _cat(look: Look) -> Pieces:
     body = standing((0.032, 0), (0.04, 0.012), (0.036, 0.05), (0.022, 0.07))
     head = ball(0.07, 0.06, 0.058, (0, -0.004, 0.09), 20)
     ears = [
-        faceted_shape(
+        hull_solid(
             [
                 (s * 0.03, -0.008, 0.105),
                 (s * 0.012, -0.008, 0.112),
@@ -204,7 +202,7 @@ def _vitrine(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: Any, size: tuple[float, float, float], mass: float, names: tuple[str,
+def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
              ...] = ()) -> Category:  # fmt: skip

@@ -21,7 +21,7 @@ Point = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class Houseplant:
+class PlantForm:
     """A potted plant, in metres.
 
     ``form`` names how it grows: "rosette" from the soil, "stems" with a leaf on each, "cane" with
@@ -43,7 +43,7 @@ class Houseplant:
     steep: float = 0.7
 
 
-def _skin(look: Look, kind: Houseplant, green: RGB) -> textures.Tile:
+def _skin(look: Look, kind: PlantForm, green: RGB) -> textures.Tile:
     mark = np.array(rgb(kind.mark))
     if kind.skin in ("leaf", "split"):
         return textures.leaf(look.rng, green).transpose(1, 0, 2)
@@ -87,7 +87,7 @@ def _stem(top: Point, base: float, start: float) -> Solid:
 
 
 def _foliage(
-    look: Look, kind: Houseplant, base: float, r: float
+    look: Look, kind: PlantForm, base: float, r: float
 ) -> tuple[list[Solid], list[Solid], list[Point]]:
     """Return leaves, stems, and places where flowers may sit."""
     leaves: list[Solid] = []
@@ -205,7 +205,7 @@ def _foliage(
     return leaves, stems, tips
 
 
-def _flowers(look: Look, kind: Houseplant, base: float, r: float, tips: list[Point]) -> Pieces:
+def _flowers(look: Look, kind: PlantForm, base: float, r: float, tips: list[Point]) -> Pieces:
     if not kind.bloom:
         return []
     hue = look.own_color(*kind.hues)
@@ -262,7 +262,7 @@ def _flowers(look: Look, kind: Houseplant, base: float, r: float, tips: list[Poi
     return pieces
 
 
-def plant(kind: Houseplant) -> Callable[[Look], Shape]:
+def plant(kind: PlantForm) -> Callable[[Look], Shape]:
     """Return the shape function of one kind of potted plant."""
 
     def make(look: Look) -> Shape:

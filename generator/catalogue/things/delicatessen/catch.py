@@ -11,7 +11,7 @@ from ...build.recipes import ball
 from ...build.settled import limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, tube
-from ...build.variants import at_rest, varied_shape
+from ...build.variants import at_rest, vary
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -130,7 +130,7 @@ CATEGORIES = (
              _K, _E, ("red",), state=_L),
     Category("crayfish", crayfish, (0.179, 0.0666, 0.0224), 0.06, ("langoustine", "crawfish",
              "dublin bay prawn", "yabby"), _K, _E, ("red",), state=_L),
-    varied_shape(Category("fish_finger", finger, (0.0907, 0.0272, 0.0171), 0.028, ("fish stick",
+    vary(Category("fish_finger", finger, (0.0907, 0.0272, 0.0171), 0.028, ("fish stick",
              "fishfinger",
              "potato croquette", "croquette", "mozzarella stick"), _K, _E, ("amber",), state=_L)),
     Category("fishcake", cake, (0.0769, 0.0775, 0.0227), 0.08, ("fish cake", "crab cake",

@@ -18,7 +18,7 @@ from ...surfaces.look import Look
 STEEL: RGB = (188, 191, 196)
 
 
-def turned_shape(profile: list[tuple[float, float]], segments: int) -> Solid:
+def cheese_wheel(profile: list[tuple[float, float]], segments: int) -> Solid:
     """Return a body turned from a smooth curve through ``profile``."""
     curve = np.maximum(smooth(profile, 4), 0)
     return lathe(curve, segments)
@@ -87,7 +87,8 @@ def edam(look: Look) -> Shape:
     """A ball of cheese in red wax with a wedge-shaped cut."""
     r = look.between(0.062, 0.072)
     color = look.color("red", "red", "yellow")
-    body = turned_shape([(0, 0), (0.5 * r, 0), (0.9 * r, 0.42 * r), (r, 0.85 * r), (0.9 * r, 1.3 * r),
+    body = cheese_wheel([(0, 0), (0.5 * r, 0), (0.9 * r, 0.42 * r), (r, 0.85 * r), (0.9 * r,
+    1.3 * r),
                    (0.5 * r, 1.65 * r), (0, 1.72 * r)], 32)  # fmt: skip
     wax = textures.speckles(look.rng, color, 5)
     label = lathe([(0, 1.715 * r), (0.42 * r, 1.67 * r), (0.42 * r, 1.69 * r), (0, 1.74 * r)], 26)
@@ -97,7 +98,8 @@ def edam(look: Look) -> Shape:
 def cheese_ball(look: Look) -> Shape:
     """A soft white ball of fresh cheese, knotted on top."""
     r = look.between(0.036, 0.044)
-    body = turned_shape([(0, 0), (0.6 * r, 0), (0.92 * r, 0.3 * r), (r, 0.65 * r), (0.85 * r, 1.1 * r),
+    body = cheese_wheel([(0, 0), (0.6 * r, 0), (0.92 * r, 0.3 * r), (r, 0.65 * r), (0.85 * r,
+    1.1 * r),
                    (0.5 * r, 1.42 * r), (0.2 * r, 1.52 * r), (0.13 * r, 1.6 * r),
                    (0.2 * r, 1.68 * r), (0, 1.74 * r)], 26)  # fmt: skip
     return shape([(body, textures.speckles(look.rng, look.color("ivory", "white"), 4))],

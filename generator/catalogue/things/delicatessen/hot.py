@@ -12,7 +12,7 @@ from ...build.recipes import ball, straight
 from ...build.settled import hull_above, limb, rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -129,7 +129,7 @@ def omelette(look: Look) -> Shape:
                  [hull_of(low), hull_of(top)]).scale(k)  # fmt: skip
 
 
-def scrambled_shape(look: Look) -> Shape:
+def scrambled_eggs(look: Look) -> Shape:
     """A heap of scrambled egg with chives."""
     x = look.between(0.095, 0.11)
     heap = []
@@ -216,7 +216,7 @@ CATEGORIES = (
              "sunday roast", "gammon joint"), _K, ("edible", "big"), ("brown",), state=_L),
     Category("meatloaf", meatloaf, (0.189, 0.092, 0.0688), 0.8, ("meat loaf", "nut roast", "pate",
              "terrine"), _K, _E, ("red",)),
-    varied_shape(Category("lamb_chop", chop, (0.152, 0.0753, 0.018), 0.12, ("pork chop", "cutlet",
+    vary(Category("lamb_chop", chop, (0.152, 0.0753, 0.018), 0.12, ("pork chop", "cutlet",
              "lamb cutlet",
              "chop", "veal chop"), _K, ("edible", "flat"), ("brown",), state=_L)),
     Category("chicken_breast", breast, (0.148, 0.0791, 0.0298), 0.17, ("chicken fillet",
@@ -225,16 +225,16 @@ CATEGORIES = (
     Category("omelette", omelette, (0.178, 0.0862, 0.0264), 0.15, ("omelet", "folded omelette",
              "frittata", "tamagoyaki"), ("breakfast",), ("edible", "flat"), ("yellow",),
              state=_L),
-    Category("scrambled_eggs", scrambled_shape, (0.1, 0.101, 0.0308), 0.12, ("heap of scrambled egg",
+    Category("scrambled_eggs", scrambled_eggs, (0.1, 0.101, 0.0308), 0.12, ("heap of scrambled egg",
              "scrambled egg", "scrambled egg heap",
              "bowl of scrambled eggs"), ("breakfast",), _E, ("yellow",), state=_L),
     Category("black_pudding", pudding_slice, (0.0589, 0.0593, 0.0143), 0.03, ("black pudding slice",
              "blood sausage", "slice of black pudding", "white pudding"), ("breakfast",),
              ("edible", "round", "flat"), ("black",), state=_L),
-    varied_shape(Category("kofta", kebab_skewer, (0.275, 0.0286, 0.0251), 0.1, ("kofta kebab",
+    vary(Category("kofta", kebab_skewer, (0.275, 0.0286, 0.0251), 0.1, ("kofta kebab",
              "seekh kebab",
              "kofte", "kafta", "adana kebab"), _K, _E, ("brown",), state=_L)),
-    varied_shape(Category("hot_dog_bun", hot_dog_bun, (0.153, 0.0811, 0.0391), 0.05, ("hotdog bun",
+    vary(Category("hot_dog_bun", hot_dog_bun, (0.153, 0.0811, 0.0391), 0.05, ("hotdog bun",
              "finger roll", "brioche hot dog bun", "sub roll", "hot dog roll"), _K, _E, (),
              state=_L)),
     Category("pineapple_hedgehog", hedgehog, (0.192, 0.191, 0.0991), 0.6,

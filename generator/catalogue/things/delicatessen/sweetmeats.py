@@ -11,7 +11,7 @@ from ...build.collision import box_part
 from ...build.settled import rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, ellipsoid, lathe, prism, torus
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -53,7 +53,7 @@ def ring_fritter(look: Look) -> Shape:
                                          0.3))], 0.12)  # fmt: skip
 
 
-def steamed_shape(look: Look) -> Shape:
+def steamed_bun(look: Look) -> Shape:
     """Idli: a soft white steamed cake."""
     r, h = look.between(0.034, 0.04), look.between(0.022, 0.027)
     body = lathe([(0, 0), (0.5 * r, 0.0), (0.88 * r, 0.3 * h), (r, 0.55 * h), (0.8 * r, 0.85 * h),
@@ -138,9 +138,9 @@ CATEGORIES = (
     Category("laddu", rough_ball((0.042, 0.042, 0.038), ("orange", "amber", "yellow"), 1.0, 0.02,
              0.4, (226, 206, 150)), (0.0414, 0.0416, 0.0343), 0.045, ("ladoo", "laddoo",
              "besan laddu", "motichoor laddu", "laddus"), _K, _R, ("orange",)),
-    varied_shape(Category("vada", ring_fritter, (0.0773, 0.0773, 0.0215), 0.05, ("medu vada", "vadai",
+    vary(Category("vada", ring_fritter, (0.0773, 0.0773, 0.0215), 0.05, ("medu vada", "vadai",
              "vada fritter", "vadas"), _K, _R, ("copper",))),
-    Category("idli", steamed_shape, (0.0727, 0.0727, 0.0236), 0.04, ("idly", "steamed rice cake",
+    Category("idli", steamed_bun, (0.0727, 0.0727, 0.0236), 0.04, ("idly", "steamed rice cake",
              "idlis"), _K, _R, ("white",)),
     Category("dosa", dosa, (0.279, 0.0668, 0.0447), 0.12, ("masala dosa", "rolled pancake",
              "injera"), _K, ("edible", "big"), ("amber",), state=_L),

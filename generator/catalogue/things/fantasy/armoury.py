@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,8 +16,8 @@ from ...build.making import (
     of,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.outlines import smooth
@@ -31,7 +30,7 @@ from ...surfaces.look import Look
 
 def _wand(look: Look) -> Pieces:
     tile = wood(look, "brown", "wooden", "black", "maroon")
-    body = turned_shape(
+    body = spindle(
         (-0.15, 0.004),
         (-0.145, 0.009),
         (-0.135, 0.006),
@@ -43,7 +42,7 @@ def _wand(look: Look) -> Pieces:
         (0.153, 0.001),
         z=0.009,
     )
-    bands = [turned_shape((x, 0.0094), (x + 0.003, 0.0094), z=0.0091) for x in (-0.118, -0.087)]
+    bands = [spindle((x, 0.0094), (x + 0.003, 0.0094), z=0.0091) for x in (-0.118, -0.087)]
     return [(body, tile), (join(bands), shine(look, "gold", "silver"))]
 
 
@@ -80,7 +79,7 @@ def _staff(look: Look) -> Pieces:
 def _sceptre(look: Look) -> Pieces:
     gold = metal(look, "gold", "gold", "silver")
     z = 0.03
-    body = turned_shape(
+    body = spindle(
         (-0.2, 0.012),
         (-0.19, 0.016),
         (-0.18, 0.007),
@@ -212,7 +211,7 @@ def _blade(bend: float, long: float, wide: float, guard: str) -> Drawing:
         cross = at_block(
             0.012, 0.085 if guard != "cut" else 0.05, 0.014, 0.005, (-0.004, 0, z - 0.007)
         )
-        grip = turned_shape((-0.085, 0.007), (-0.045, 0.0085), (-0.008, 0.007), z=z)
+        grip = spindle((-0.085, 0.007), (-0.045, 0.0085), (-0.008, 0.007), z=z)
         end = ball(0.02, 0.02, 0.016, (-0.092, 0, z), 14)
         foot = at_box(0.4 * long, 0.5 * wide, z, (0.42 * long, bend * 0.18, 0))
         pieces: Pieces = [
@@ -250,7 +249,7 @@ def _blade(bend: float, long: float, wide: float, guard: str) -> Drawing:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("brown",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("big",) if max(size[:2]) > 0.18 else ()
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,8 +16,8 @@ from ...build.making import (
     of,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
@@ -61,7 +60,7 @@ def _cannon(look: Look) -> Pieces:
     iron = metal(look, "charcoal", "bronze", "black", "brass")
     tile = wood(look, "brown", "wooden", "maroon")
     barrel = (
-        turned_shape(
+        spindle(
             (-0.09, 0.008),
             (-0.082, 0.012),
             (-0.075, 0.022),
@@ -75,7 +74,7 @@ def _cannon(look: Look) -> Pieces:
         .turn(1, -0.12)
         .move(0, 0, 0.062)
     )
-    bore = turned_shape((0.0865, 0.013), (0.0885, 0.013), z=0).turn(1, -0.12).move(0, 0, 0.062)
+    bore = spindle((0.0865, 0.013), (0.0885, 0.013), z=0).turn(1, -0.12).move(0, 0, 0.062)
     sides = [
         plate([(-0.085, 0.012), (0.045, 0.012), (0.05, 0.05), (0.0, 0.058), (-0.085, 0.028)], 0.012)
         .turn(0, np.pi / 2)
@@ -170,7 +169,7 @@ def _quill(look: Look) -> Pieces:
 def _hilt(look: Look) -> Pieces:
     steel = metal(look, "silver", "gray", "black")
     z = 0.021
-    body = turned_shape(
+    body = spindle(
         (-0.13, 0.016),
         (-0.125, 0.02),
         (-0.06, 0.02),
@@ -183,8 +182,7 @@ def _hilt(look: Look) -> Pieces:
         z=z,
     )
     ribs = [
-        turned_shape((-0.12 + 0.013 * k, 0.0215), (-0.113 + 0.013 * k, 0.0215), z=z)
-        for k in range(5)
+        spindle((-0.12 + 0.013 * k, 0.0215), (-0.113 + 0.013 * k, 0.0215), z=z) for k in range(5)
     ]
     switch = at_block(0.03, 0.012, 0.006, 0.002, (0.02, 0, 0.037))
     button = disc(0.004, 0.004, (0.02, 0, 0.042))
@@ -193,14 +191,14 @@ def _hilt(look: Look) -> Pieces:
         (join(ribs), BLACK),
         (switch, shine(look, "gold", "silver")),
         (button, dye(look, "red")),
-        (turned_shape((0.1245, 0.013), (0.126, 0.013), z=z), dye(look, "cyan", "green", "red")),
+        (spindle((0.1245, 0.013), (0.126, 0.013), z=z), dye(look, "cyan", "green", "red")),
     ]
 
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("brown",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("big",) if max(size[:2]) > 0.18 else ()
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
     PAINTS,
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -19,8 +18,8 @@ from ...build.making import (
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, rod
@@ -48,11 +47,11 @@ def _rolo(look: Look) -> Pieces:
         at_box(0.016, 0.002, 0.008, (-0.04 + 0.016 * (k % 6), 0, 0.071)).turn(0, a).move(0, 0, 0.08)
         for k, a in enumerate(np.linspace(-1.7, 1.7, 12))
     ]
-    core = turned_shape((-0.06, 0.024), (0.06, 0.024), z=0.08)
+    core = spindle((-0.06, 0.024), (0.06, 0.024), z=0.08)
     knobs = [
-        turned_shape((s * 0.072, 0.018), (s * 0.088, 0.018), z=0.08)
+        spindle((s * 0.072, 0.018), (s * 0.088, 0.018), z=0.08)
         if s > 0
-        else turned_shape((-0.088, 0.018), (-0.072, 0.018), z=0.08)
+        else spindle((-0.088, 0.018), (-0.072, 0.018), z=0.08)
         for s in (-1, 1)
     ]
     return [
@@ -179,7 +178,7 @@ def _blotter(look: Look) -> Pieces:
 def _grip(look: Look) -> Pieces:
     return [
         (
-            turned_shape(
+            spindle(
                 (-0.02, 0.0058),
                 (-0.016, 0.0075),
                 (0.0, 0.0062),
@@ -190,13 +189,13 @@ def _grip(look: Look) -> Pieces:
             ),
             plastic(look, *PAINTS),
         ),
-        (turned_shape((0.0199, 0.0036), (0.0205, 0.0036), z=0.0073), BLACK),
+        (spindle((0.0199, 0.0036), (0.0205, 0.0036), z=0.0073), BLACK),
     ]
 
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors

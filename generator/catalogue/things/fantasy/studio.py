@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from ...build.category import Category
 from ...build.making import (
     PAINTS,
+    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     metal,
     of,
     plastic,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, rod, straight
@@ -76,8 +75,8 @@ def _pans(look: Look) -> Pieces:
             )
         )
     brush = [
-        turned_shape((-0.06, 0.0022), (0.03, 0.003), z=0.0185).move(y=-0.027),
-        turned_shape((0.03, 0.0028), (0.05, 0.0006), z=0.0185).move(y=-0.027),
+        spindle((-0.06, 0.0022), (0.03, 0.003), z=0.0185).move(y=-0.027),
+        spindle((0.03, 0.0028), (0.05, 0.0006), z=0.0185).move(y=-0.027),
     ]
     return [*pieces, (brush[0], dye(look, "red", "black")), (brush[1], dye(look, "brown"))]
 
@@ -119,7 +118,7 @@ def _screen(look: Look) -> Pieces:
 def _airbrush(look: Look) -> Pieces:
     steel = metal(look, "silver", "gold", "gray")
     z = 0.012
-    body = turned_shape(
+    body = spindle(
         (-0.08, 0.0055),
         (-0.075, 0.0085),
         (-0.02, 0.0085),
@@ -156,7 +155,7 @@ def _spread(look: Look) -> Pieces:
     head = at_block(0.034, 0.03, 0.016, 0.01, (0.05, 0, 0.002))
     blade = disc(0.0225, 0.0012, (0.062, -0.004, 0.0085), sides=36)
     nut = disc(0.009, 0.006, (0.06, -0.003, 0.0165))
-    strip = turned_shape((-0.06, 0.0108), (0.0, 0.0108), z=0.0135).scale(1, 0.5, 1)
+    strip = spindle((-0.06, 0.0108), (0.0, 0.0108), z=0.0135).scale(1, 0.5, 1)
     return [
         (grip, tile),
         (head, tile),
@@ -176,7 +175,7 @@ def _remover(look: Look) -> Pieces:
     low = min(float(p.bounds[0, 2]) for p in pads)
     pads = [p.move(z=-low) for p in pads]
     fangs = [
-        faceted_shape(
+        hull_solid(
             [
                 (0.018, y - 0.002, z),
                 (0.018, y + 0.002, z),
@@ -194,7 +193,7 @@ def _remover(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors

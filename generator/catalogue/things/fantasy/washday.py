@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     of,
     plastic,
     plate,
     shine,
-    turned_shape,
+    spindle,
     wood,
 )
 from ...build.recipes import Pieces, ball, pad, rod, straight
@@ -33,7 +32,7 @@ def _lectern(look: Look) -> Pieces:
     """A tabletop lectern: a slanting top with a lip on a closed base."""
     tile = wood(look, "brown", "wooden", "black", "maroon")
     base = at_block(0.3, 0.22, 0.02, 0.006)
-    body = faceted_shape(
+    body = hull_solid(
         [
             (x, y, z)
             for x in (-0.12, 0.12)
@@ -108,7 +107,7 @@ def _washboard(look: Look) -> Pieces:
     bars = [at_box(0.2, 0.06, 0.018, (0, 0.14, 0.002)), at_box(0.2, 0.02, 0.018, (0, -0.13, 0.002))]
     sheet = at_box(0.185, 0.25, 0.008, (0, -0.002, 0.002))
     ribs = [
-        turned_shape((-0.09, 0.004), (0.09, 0.004), z=0.0105, sides=8).move(y=-0.11 + 0.0125 * k)
+        spindle((-0.09, 0.004), (0.09, 0.004), z=0.0105, sides=8).move(y=-0.11 + 0.0125 * k)
         for k in range(18)
     ]
     return [
@@ -192,7 +191,7 @@ def _chair(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors

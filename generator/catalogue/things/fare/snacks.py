@@ -11,7 +11,7 @@ from ...build.outlines import arc
 from ...build.settled import hull_above, rod, scatter, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -289,7 +289,7 @@ CATEGORIES = (
              ("yellow",), state="lying flat"),
     Category("tofu", tofu, (0.0924, 0.0712, 0.0411), 0.3, ("block of tofu", "tofu block", "feta",
              "paneer", "halloumi", "bean curd"), ("kitchen",), ("edible",), ("ivory",)),
-    varied_shape(Category("kebab", kebab, (0.223, 0.0321, 0.0282), 0.12, ("shish kebab", "kabob",
+    vary(Category("kebab", kebab, (0.223, 0.0321, 0.0282), 0.12, ("shish kebab", "kabob",
              "meat skewer",
              "yakitori", "grilled skewer", "shashlik", "chicken skewer"), ("dining",), ("edible",),
              (), state="lying flat")),

@@ -18,7 +18,7 @@ from ...build.variants import keep_still
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-from .savouries import crust, toasted_shape
+from .savouries import crust, toasted_slice
 
 BAKED = ("wooden", "tan", "amber", "copper")
 
@@ -31,12 +31,12 @@ def quesadilla(look: Look) -> Shape:
     for n, turn in enumerate((0.0, 1.5)):
         z = 0.0
         for solid, tile in (
-            (prism(wedge, 0, 0.004), toasted_shape(look, color)),
+            (prism(wedge, 0, 0.004), toasted_slice(look, color)),
             (
                 prism(wedge * 0.98, 0.004, 0.012),
                 textures.spots(look.rng, (244, 196, 84), (150, 80, 50), 0.2),
             ),
-            (prism(wedge, 0.012, 0.016), toasted_shape(look, color)),
+            (prism(wedge, 0.012, 0.016), toasted_slice(look, color)),
         ):
             pieces.append((solid.turn(2, turn).move(-0.3 * r + 0.02 * n, -0.35 * r, z), tile))
     return shape(
@@ -80,7 +80,7 @@ def tostada(look: Look) -> Shape:
     green = scatter(look, 0.7 * r, 26, (0.012, 0.02), 0.009, dome=0.008, stretch=(1, 0.4, 0.3))
     red = scatter(look, 0.6 * r, 12, (0.008, 0.011), 0.016, dome=0.006)
     white = scatter(look, 0.55 * r, 14, (0.006, 0.009), 0.018, dome=0.006, stretch=(1.6, 0.4, 0.4))
-    return settle([(disc, toasted_shape(look, color)),
+    return settle([(disc, toasted_slice(look, color)),
                    (beans, textures.spots(look.rng, (110, 66, 48), (80, 46, 36), 0.2)),
                    (green, textures.plain((110, 160, 70))), (red, textures.plain((206, 52, 44))),
                    (white, textures.plain((250, 244, 226)))], 0.0, hulls=[[0],
@@ -130,7 +130,7 @@ def enchilada(look: Look) -> Shape:
         scatter(look, 0.05, 12, (0.006, 0.009), 0.047, stretch=(1, 0.6, 0.3)),
     )
     made = [(plate, textures.plain((240, 238, 232))),
-            (join(rolls), toasted_shape(look, (214, 172, 110))),
+            (join(rolls), toasted_slice(look, (214, 172, 110))),
             (sauce, textures.spots(look.rng, color, tint_color(color, 0.8), 0.2)),
             (cheese, textures.plain((252, 232, 160))),
             (herbs, textures.plain((90, 150, 70)))]  # fmt: skip

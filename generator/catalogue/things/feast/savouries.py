@@ -25,7 +25,7 @@ def crust(look: Look, color: RGB) -> textures.Tile:
     return textures.gradient(tint_color(color, 0.8), tint_color(color, 1.2), look.rng, 14)
 
 
-def toasted_shape(look: Look, color: RGB) -> textures.Tile:
+def toasted_slice(look: Look, color: RGB) -> textures.Tile:
     """Return pale dough with brown spots."""
     return textures.spots(look.rng, tint_color(color, 1.35), tint_color(color, 0.7), 0.12)
 
@@ -80,7 +80,7 @@ def pita(look: Look) -> Shape:
     ]
     return settle(
         [
-            (half, toasted_shape(look, color)),
+            (half, toasted_slice(look, color)),
             (join(balls), crust(look, (150, 96, 54))),
             (leaves, textures.plain((110, 164, 76))),
             (join(red), textures.plain((206, 56, 46))),

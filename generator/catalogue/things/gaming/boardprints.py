@@ -71,9 +71,7 @@ def rooms(look: Look, color: RGB) -> textures.Tile:
     places = [(0.02, 0.02), (0.38, 0.02), (0.72, 0.02), (0.02, 0.37), (0.72, 0.37), (0.02, 0.72),
               (0.38, 0.72), (0.72, 0.72)]  # fmt: skip
     for (x, y), word, n in zip(places, words, range(8), strict=True):
-        tone = (
-            tint_color((color[0], color[1], color[2]), 0.75 + 0.07 * n) if n % 2 else BRIGHT[n % 6]
-        )
+        tone = tint_color(color, 0.75 + 0.07 * n) if n % 2 else BRIGHT[n % 6]
         prints.fill(image, x, y, 0.26, 0.26, (60, 44, 36))
         prints.fill(image, x + 0.01, y + 0.01, 0.24, 0.24, tint_color(tone, 1.2))
         prints.write(image[:, int(240 * x):int(240 * (x + 0.26))], word, 0.5, y + 0.13, 0.035,

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,8 +16,8 @@ from ...build.making import (
     of,
     plastic,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus
@@ -192,7 +191,7 @@ def _gauge(look: Look) -> Pieces:
     prints.stroke(image, [(0.5, 0.5), (0.72, 0.28)], 0.05, (200, 40, 36))
     prints.write(image, "PSI", 0.5, 0.72, 0.14, (40, 40, 44), True)
     face = disc(0.027, 0.0012, (0, 0, 0.0155))
-    stem = turned_shape(
+    stem = spindle(
         (0.028, 0.006), (0.08, 0.006), (0.084, 0.01), (0.1, 0.01), (0.104, 0.007), z=0.01
     )
     return [
@@ -237,7 +236,7 @@ def _pump(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("workbench",), roles, colors

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -18,8 +17,8 @@ from ...build.making import (
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod, straight
@@ -33,15 +32,15 @@ DARK = textures.plain((28, 28, 30))
 def _plug(look: Look) -> Pieces:
     """A spark plug lying: terminal, ribbed insulator, hexagon, thread, electrode."""
     steel = metal(look, "silver", "gray")
-    white = turned_shape((-0.035, 0.0045), (-0.034, 0.005), (-0.03, 0.0045), (-0.028, 0.005),
+    white = spindle((-0.035, 0.0045), (-0.034, 0.005), (-0.03, 0.0045), (-0.028, 0.005),
                    (-0.024, 0.0045), (-0.022, 0.005), (-0.005, 0.0062), z=0.01)  # fmt: skip
-    tip = turned_shape((-0.045, 0.0022), (-0.043, 0.0032), (-0.035, 0.0032), z=0.01)
-    hexagon = turned_shape(
+    tip = spindle((-0.045, 0.0022), (-0.043, 0.0032), (-0.035, 0.0032), z=0.01)
+    hexagon = spindle(
         (-0.006, 0.0085), (-0.004, 0.0105), (0.004, 0.0105), (0.006, 0.0085), sides=6, z=0.0092
     )
-    shoulder = turned_shape((0.005, 0.0085), (0.011, 0.0085), (0.012, 0.007), z=0.01)
+    shoulder = spindle((0.005, 0.0085), (0.011, 0.0085), (0.012, 0.007), z=0.01)
     points = [(0.012 + 0.001 * k, 0.0068 - 0.0008 * (k % 2)) for k in range(19)]
-    thread = turned_shape(*points, z=0.01, sides=14)
+    thread = spindle(*points, z=0.01, sides=14)
     end = straight((0.03, 0, 0.01), (0.034, 0, 0.01), 0.0018)
     hook = rod([(0.03, 0, 0.016), (0.036, 0, 0.0155), (0.036, 0, 0.01)], 0.0011, 6)
     return [(hexagon, steel), (white, textures.plain((240, 238, 232))), (thread, shine(look)),
@@ -149,7 +148,7 @@ def _crank(look: Look) -> Pieces:
     """A crankshaft lying: journals, webs with weights, pins to either side."""
     steel = metal(look, "silver", "gray", "charcoal")
     journals = [
-        turned_shape((x, 0.016), (x + 0.034, 0.016), z=0.048)
+        spindle((x, 0.016), (x + 0.034, 0.016), z=0.048)
         for x in (-0.19, -0.105, -0.02, 0.065, 0.15)
     ]
     web = np.concatenate(
@@ -166,9 +165,9 @@ def _crank(look: Look) -> Pieces:
                 .turn(2, np.pi / 2)
             )
             pieces.append(one.move(x + dx, 0, 0.048))
-        pins.append(turned_shape((x + 0.008, 0.014), (x + 0.036, 0.014), z=0.048 + flip * 0.024))
-    nose = turned_shape((-0.225, 0.01), (-0.19, 0.012), z=0.048)
-    flange = turned_shape((0.184, 0.03), (0.194, 0.03), z=0.048)
+        pins.append(spindle((x + 0.008, 0.014), (x + 0.036, 0.014), z=0.048 + flip * 0.024))
+    nose = spindle((-0.225, 0.01), (-0.19, 0.012), z=0.048)
+    flange = spindle((0.184, 0.03), (0.194, 0.03), z=0.048)
     return [(join(pieces), steel), (join([*journals, nose]), shine(look)), (join(pins),
              shine(look)),
             (flange, steel)]  # fmt: skip
@@ -176,7 +175,7 @@ def _crank(look: Look) -> Pieces:
 
 def _cams(look: Look) -> Pieces:
     steel = metal(look, "silver", "gray", "charcoal")
-    shaft = turned_shape((-0.18, 0.009), (0.18, 0.009), z=0.022)
+    shaft = spindle((-0.18, 0.009), (0.18, 0.009), z=0.022)
     lobe = np.concatenate(
         [arc((0, 0), 0.015, np.pi * 0.9, 2.1 * np.pi, 14), [(0.006, 0.021), (-0.006, 0.021)]]
     )
@@ -185,7 +184,7 @@ def _cams(look: Look) -> Pieces:
         a = (0, 2.4, 3.9, 1.2)[k % 4]
         one = prism(lobe, 0, 0.013).turn(2, a).turn(0, np.pi / 2).turn(2, np.pi / 2)
         lobes.append(one.move(-0.15 + 0.04 * k, 0, 0.022))
-    end = turned_shape((0.17, 0.024), (0.18, 0.024), sides=20, z=0.0225)
+    end = spindle((0.17, 0.024), (0.18, 0.024), sides=20, z=0.0225)
     return [(shaft, shine(look)), (join(lobes), steel), (end, steel)]
 
 
@@ -215,7 +214,7 @@ def _head(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, words, ("workbench",), (), colors
     )  # type: ignore[arg-type]

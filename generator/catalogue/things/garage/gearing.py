@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,7 +16,7 @@ from ...build.making import (
     of,
     plastic,
     shine,
-    turned_shape,
+    spindle,
 )
 from ...build.recipes import Pieces, straight
 from ...build.solids import join, lathe, prism, torus, tube
@@ -93,9 +92,9 @@ def _snail(look: Look) -> Pieces:
 def _shock(look: Look) -> Pieces:
     """A shock absorber lying: a rod and a tube with a coloured spring."""
     z = 0.03
-    body = turned_shape((-0.16, 0.012), (-0.155, 0.017), (-0.02, 0.017), (-0.015, 0.012), z=z)
-    shaft = turned_shape((-0.02, 0.006), (0.15, 0.006), z=z)
-    seats = [turned_shape((x, 0.028), (x + 0.006, 0.028), z=z) for x in (-0.11, 0.12)]
+    body = spindle((-0.16, 0.012), (-0.155, 0.017), (-0.02, 0.017), (-0.015, 0.012), z=z)
+    shaft = spindle((-0.02, 0.006), (0.15, 0.006), z=z)
+    seats = [spindle((x, 0.028), (x + 0.006, 0.028), z=z) for x in (-0.11, 0.12)]
     t = np.linspace(0, 1, 130)
     a = 2 * np.pi * 8 * t
     coil = tube(
@@ -130,7 +129,7 @@ def _flywheel(look: Look) -> Pieces:
 
 def _coil(look: Look) -> Pieces:
     body = at_block(0.04, 0.03, 0.03, 0.005, (0.06, 0, 0))
-    stem = turned_shape((-0.09, 0.009), (-0.085, 0.012), (0.0, 0.012), (0.045, 0.01), z=0.0145)
+    stem = spindle((-0.09, 0.009), (-0.085, 0.012), (0.0, 0.012), (0.045, 0.01), z=0.0145)
     plug = at_block(0.02, 0.024, 0.02, 0.003, (0.088, 0, 0.004))
     lug = at_block(0.02, 0.02, 0.006, 0.008, (0.06, 0.022, 0.006))
     return [
@@ -161,7 +160,7 @@ def _gasket(look: Look) -> Pieces:
 
 def _catalyst(look: Look) -> Pieces:
     steel = metal(look, "silver", "gray", "bronze")
-    body = turned_shape(
+    body = spindle(
         (-0.15, 0.024),
         (-0.11, 0.024),
         (-0.08, 0.05),
@@ -171,12 +170,10 @@ def _catalyst(look: Look) -> Pieces:
         z=0.05,
     ).scale(1, 1.3, 1)
     shield = [
-        turned_shape((x, 0.0512), (x + 0.006, 0.0512), z=0.05).scale(1, 1.29, 1)
+        spindle((x, 0.0512), (x + 0.006, 0.0512), z=0.05).scale(1, 1.29, 1)
         for x in (-0.06, 0.0, 0.054)
     ]
-    flanges = [
-        turned_shape((x, 0.036), (x + 0.008, 0.036), sides=6, z=0.05) for x in (-0.15, 0.142)
-    ]
+    flanges = [spindle((x, 0.036), (x + 0.008, 0.036), sides=6, z=0.05) for x in (-0.15, 0.142)]
     return [(body, steel), (join(shield), steel), (join(flanges), dye(look, "charcoal"))]
 
 
@@ -184,8 +181,8 @@ def _generator(look: Look) -> Pieces:
     """An alternator: a ribbed round housing with slots, a pulley, lugs."""
     steel = metal(look, "silver", "gray")
     z = 0.07
-    body = turned_shape((-0.05, 0.045), (-0.04, 0.06), (0.045, 0.06), (0.055, 0.045), z=z)
-    band = turned_shape((-0.012, 0.0615), (0.018, 0.0615), z=z)
+    body = spindle((-0.05, 0.045), (-0.04, 0.06), (0.045, 0.06), (0.055, 0.045), z=z)
+    band = spindle((-0.012, 0.0615), (0.018, 0.0615), z=z)
     slots = [
         at_box(0.02, 0.004, 0.012, (-0.03 if k % 2 else 0.034, 0, 0.053))
         .turn(0, 0.42 * k)
@@ -193,7 +190,7 @@ def _generator(look: Look) -> Pieces:
         for k in range(15)
     ]
     pulley = [
-        turned_shape((x, 0.028), (x + 0.004, 0.025), (x + 0.008, 0.028), z=z)
+        spindle((x, 0.028), (x + 0.004, 0.025), (x + 0.008, 0.028), z=z)
         for x in (0.062, 0.07, 0.078)
     ]
     lugs = [at_block(0.03, 0.026, 0.07, 0.008, (0, s * 0.035, 0)) for s in (-1, 1)]
@@ -225,7 +222,7 @@ def _pump(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, words, ("workbench",), (), colors
     )  # type: ignore[arg-type]

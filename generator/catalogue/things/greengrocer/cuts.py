@@ -167,7 +167,7 @@ def _peel_strip(palette: tuple[str, ...], sugar: bool) -> Callable[[Look], Shape
     return make
 
 
-def _dried_shape(palette: tuple[str, ...], d: tuple[float, float]) -> Callable[[Look], Shape]:
+def _dried_fruit(palette: tuple[str, ...], d: tuple[float, float]) -> Callable[[Look], Shape]:
     """Return the shape function of a dried half fruit: a dented wrinkled disc."""
 
     def make(look: Look) -> Shape:
@@ -241,7 +241,8 @@ CATEGORIES = (
              (0.0737, 0.0133, 0.00732), 0.006,
              ("candied orange peel", "candied orange", "candied lemon peel", "orangette"), _K, _E,
              ("orange",), state="lying flat"),
-    Category("dried_apricot", _dried_shape(("orange", "amber", "terracotta", "copper"), (0.03, 0.04)),
+    Category("dried_apricot", _dried_fruit(("orange", "amber", "terracotta", "copper"), (0.03,
+             0.04)),
              (0.0358, 0.0321, 0.00883), 0.008, ("dried peach", "dried mango", "dried pear",
                                                 "dried fig", "dried prune"), _K,
              _E, ("orange",),

@@ -19,7 +19,7 @@ from ..harvest.greens import head, leafy
 GREEN: RGB = (70, 132, 62)
 
 
-def _stalked_shape(
+def _stalked_leaf(
     long: tuple[float, float], stalks: tuple[str, ...], thick: float, leaf: float, count: int
 ) -> Callable[[Look], Shape]:
     """Return the shape function of leaves on broad stalks that meet at a foot, lying."""
@@ -216,15 +216,16 @@ def lavender_sachet(look: Look) -> Shape:
 _K = ("kitchen", "food")
 _E = ("edible",)
 CATEGORIES = (
-    Category("pak_choi", _stalked_shape((0.17, 0.2), ("white", "ivory", "sage"), 0.075, 0.3, 7),
+    Category("pak_choi", _stalked_leaf((0.17, 0.2), ("white", "ivory", "sage"), 0.075, 0.3, 7),
              (0.188, 0.133, 0.0279), 0.15, ("bok choy", "pak choy", "bok choi",
                  "chinese cabbage", "napa cabbage", "chinese leaf"), _K, _E, ("green",),
              state="lying flat"),
-    Category("chard", _stalked_shape((0.26, 0.31), ("crimson", "yellow", "white", "pink"), 0.03, 0.26, 5),
+    Category("chard", _stalked_leaf((0.26, 0.31), ("crimson", "yellow", "white", "pink"), 0.03,
+             0.26, 5),
              (0.29, 0.192, 0.0238), 0.2, ("swiss chard", "rainbow chard", "silverbeet",
                                           "chard leaf"), _K, _E,
              ("crimson",), state="lying flat"),
-    Category("spinach", _stalked_shape((0.13, 0.16), ("lime", "sage", "pink"), 0.018, 0.3, 8),
+    Category("spinach", _stalked_leaf((0.13, 0.16), ("lime", "sage", "pink"), 0.018, 0.3, 8),
              (0.141, 0.103, 0.0227),
              0.1, ("spinach bunch", "bunch of spinach", "spinach leaf", "baby spinach",
              "fresh spinach"), _K, _E, ("green",), state="lying flat"),

@@ -12,7 +12,7 @@ from ...build.forms import pillow
 from ...build.recipes import ball
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, loft
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
@@ -225,7 +225,7 @@ CATEGORIES = (
              "coffee sachet", "sachet of sugar", "sachet of ketchup", "sugar stick", "silica gel",
              "silica gel packet", "shampoo sachet", "wet wipe sachet", "salt packet",
              "pepper sachet"), _K, _F, ("red", "white"), state=_L),
-    varied_shape(Category("ready_meal", tray_meal, (0.196, 0.149, 0.0359), 0.4, ("microwave meal",
+    vary(Category("ready_meal", tray_meal, (0.196, 0.149, 0.0359), 0.4, ("microwave meal",
              "tv dinner",
              "frozen dinner", "microwave dinner", "frozen meal"), _K, _F,
              ("green",), state=_L)),

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -15,8 +14,8 @@ from ...build.making import (
     metal,
     of,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.outlines import arc
@@ -152,7 +151,7 @@ def _pull(look: Look) -> Pieces:
 def _leg(look: Look) -> Pieces:
     """A turned wooden leg lying, a bolt at its thick end."""
     tile = wood(look, "wooden", "brown", "tan")
-    leg = turned_shape(
+    leg = spindle(
         (-0.15, 0.013),
         (-0.13, 0.012),
         (0.05, 0.02),
@@ -164,15 +163,15 @@ def _leg(look: Look) -> Pieces:
     )
     return [
         (leg, tile),
-        (turned_shape((0.14, 0.004), (0.165, 0.004), z=0.0215), shine(look)),
-        (turned_shape((-0.155, 0.008), (-0.149, 0.011), z=0.0215), BLACK),
+        (spindle((0.14, 0.004), (0.165, 0.004), z=0.0215), shine(look)),
+        (spindle((-0.155, 0.008), (-0.149, 0.011), z=0.0215), BLACK),
     ]
 
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     return Category(
         key,
         of(draw, foot, bodies=bodies),

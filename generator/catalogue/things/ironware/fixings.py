@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -16,12 +15,12 @@ from ...build.making import (
     of,
     plastic,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.recipes import Pieces
 from ...build.solids import join, lathe, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.look import Look
 
@@ -47,7 +46,7 @@ def _plug(look: Look) -> Pieces:
         points += [(-0.013 + 0.0036 * k, 0.0029), (-0.011 + 0.0036 * k, 0.0037)]
     return [
         (
-            turned_shape(*points, (0.017, 0.0018), z=0.0042),
+            spindle(*points, (0.017, 0.0018), z=0.0042),
             plastic(look, "red", "gray", "brown", "white", "yellow"),
         )
     ]
@@ -56,8 +55,8 @@ def _plug(look: Look) -> Pieces:
 def _eye(look: Look) -> Pieces:
     steel = metal(look, "silver", "gold", "brass")
     ring = torus(0.0075, 0.0017, 22, 7).move(-0.008, 0, 0.0018)
-    shank = turned_shape((0.0, 0.0017), (0.018, 0.0017), (0.024, 0.0004), z=0.0018)
-    thread = turned_shape(
+    shank = spindle((0.0, 0.0017), (0.018, 0.0017), (0.024, 0.0004), z=0.0018)
+    thread = spindle(
         *[(0.008 + 0.001 * k, 0.0021 - 0.0006 * (k % 2)) for k in range(13)], z=0.0021, sides=10
     )
     return [(ring, steel), (shank, steel), (thread, steel)]
@@ -95,9 +94,7 @@ def _hoseclip(look: Look) -> Pieces:
     steel = metal(look, "silver", "silver", "gray")
     band = lathe([(0.019, 0), (0.02, 0), (0.02, 0.009), (0.019, 0.009)], 36, loop=True)
     box = at_block(0.014, 0.01, 0.01, 0.002, (0, 0.022, 0))
-    screw = turned_shape((-0.012, 0.0032), (-0.008, 0.0042), (0.009, 0.003), z=0.0045).move(
-        y=0.0255
-    )
+    screw = spindle((-0.012, 0.0032), (-0.008, 0.0042), (0.009, 0.003), z=0.0045).move(y=0.0255)
     slits = [
         at_box(0.0012, 0.0008, 0.006, (0.0202 * np.sin(a), -0.0202 * np.cos(a), 0.0015)).turn(2, 0)
         for a in np.linspace(-0.7, 0.7, 9)
@@ -134,9 +131,9 @@ def _bush(look: Look) -> Pieces:
 def _standoff(look: Look) -> Pieces:
     steel = metal(look, "brass", "silver", "gold")
     return [
-        (turned_shape((-0.008, 0.0032), (0.008, 0.0032), sides=6, z=0.0028), steel),
-        (turned_shape((0.008, 0.0016), (0.014, 0.0016), sides=10, z=0.0028), steel),
-        (turned_shape((-0.0081, 0.0017), (-0.0079, 0.0017), z=0.0028), BLACK),
+        (spindle((-0.008, 0.0032), (0.008, 0.0032), sides=6, z=0.0028), steel),
+        (spindle((0.008, 0.0016), (0.014, 0.0016), sides=10, z=0.0028), steel),
+        (spindle((-0.0081, 0.0017), (-0.0079, 0.0017), z=0.0028), BLACK),
     ]
 
 
@@ -146,7 +143,7 @@ def _latch(look: Look) -> Pieces:
     base = at_block(0.08, 0.03, 0.002, 0.004)
     keep = at_block(0.016, 0.03, 0.002, 0.003, (0.054, 0, 0))
     loops = [at_block(0.01, 0.02, 0.012, 0.004, (x, 0, 0.001)) for x in (-0.025, 0.022, 0.054)]
-    bolt = turned_shape((-0.036, 0.004), (0.066, 0.004), z=0.0065)
+    bolt = spindle((-0.036, 0.004), (0.066, 0.004), z=0.0065)
     knob = standing((0.003, 0.006), (0.003, 0.016), (0.005, 0.018), (0.005, 0.022), sides=12).move(
         x=-0.004
     )
@@ -168,7 +165,7 @@ def _latch(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     return Category(
         key,
         of(draw, foot, bodies=bodies),
@@ -194,10 +191,10 @@ CATEGORIES = (
              bodies=1),
     _row("staple", _staple, (0.0126, 0.0068, 0.0006), 0.0001, ("single staple", "wire staple",
              "loose staple")),
-    varied_shape(_row("staple_strip", _strip, (0.05, 0.0126, 0.0064), 0.004, ("strip of staples",
+    vary(_row("staple_strip", _strip, (0.05, 0.0126, 0.0064), 0.004, ("strip of staples",
              "staples",
              "box of staples"))),
-    varied_shape(_row("hose_clip", _hoseclip, (0.0403, 0.0507, 0.0101), 0.015, ("jubilee clip",
+    vary(_row("hose_clip", _hoseclip, (0.0403, 0.0507, 0.0101), 0.015, ("jubilee clip",
              "hose clamp",
              "pipe clip", "worm clip"), bodies=2)),
     _row("circlip", _circlip, (0.027, 0.027, 0.0024), 0.002, ("retaining ring", "snap ring",

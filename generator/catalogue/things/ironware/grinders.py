@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,8 +16,8 @@ from ...build.making import (
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, rod
@@ -39,14 +38,14 @@ def _polish(look: Look) -> Pieces:
     tile = plastic(look, *BODIES)
     pad = standing((0.06, 0), (0.075, 0.012), (0.07, 0.026), (0.03, 0.032))
     head = at_block(0.06, 0.055, 0.06, 0.016, (0, 0, 0.03))
-    body = turned_shape((0.02, 0.028), (0.05, 0.031), (0.17, 0.027), (0.22, 0.024), z=0.062)
+    body = spindle((0.02, 0.028), (0.05, 0.031), (0.17, 0.027), (0.22, 0.024), z=0.062)
     side = rod([(0, -0.02, 0.065), (0, -0.1, 0.075)], [0.012, 0.014], 10)
     return [
         (pad, dye(look, "white", "yellow", "cream")),
         (head, shine(look)),
         (body, tile),
         (side, BLACK),
-        (turned_shape((0.09, 0.0305), (0.2, 0.027), z=0.062), BLACK),
+        (spindle((0.09, 0.0305), (0.2, 0.027), z=0.062), BLACK),
     ]
 
 
@@ -123,9 +122,9 @@ def _lathe(look: Look) -> Pieces:
     feet = [at_box(0.05, 0.11, 0.022, (x, 0, 0)) for x in (-0.17, 0.17)]
     head = at_block(0.09, 0.09, 0.12, 0.014, (-0.16, 0, 0.048))
     tail = at_block(0.06, 0.06, 0.085, 0.01, (0.15, 0, 0.048))
-    wheel = turned_shape((0.2, 0.022), (0.212, 0.022), z=0.12)
-    spindle = turned_shape((0.1, 0.009), (0.2, 0.009), z=0.12)
-    work = turned_shape(
+    wheel = spindle((0.2, 0.022), (0.212, 0.022), z=0.12)
+    shaft = spindle((0.1, 0.009), (0.2, 0.009), z=0.12)
+    work = spindle(
         (-0.115, 0.022),
         (-0.08, 0.022),
         (-0.07, 0.014),
@@ -149,7 +148,7 @@ def _lathe(look: Look) -> Pieces:
         (head, tile),
         (tail, tile),
         (wheel, BLACK),
-        (spindle, shine(look)),
+        (shaft, shine(look)),
         (work, dye(look, "wooden", "tan")),
         (join(rest), BLACK),
     ]
@@ -192,7 +191,7 @@ def _jointer(look: Look) -> Pieces:
     tile = plastic(look, *BODIES)
     base = at_block(0.08, 0.12, 0.014, 0.006, (0.08, 0, 0))
     fence = at_box(0.012, 0.12, 0.075, (0.115, 0, 0.0))
-    body = turned_shape((-0.16, 0.028), (-0.14, 0.032), (0.04, 0.032), z=0.036)
+    body = spindle((-0.16, 0.028), (-0.14, 0.032), (0.04, 0.032), z=0.036)
     head = at_block(0.09, 0.075, 0.07, 0.01, (0.06, 0, 0.012))
     grip = rod(
         [(0.05, -0.05, 0.06), (0.05, -0.05, 0.115), (0.05, 0.05, 0.115), (0.05, 0.05, 0.06)],
@@ -211,7 +210,7 @@ def _jointer(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("teal", "red"), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("big",) if max(size[:2]) > 0.18 else ()
     return Category(
         key,

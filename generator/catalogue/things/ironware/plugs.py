@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,8 +16,8 @@ from ...build.making import (
     of,
     plastic,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod
@@ -113,7 +112,7 @@ def _schuko(kind: str) -> Drawing:
                 at_box(0.006, 0.0007, 0.0008, (0.0085, -0.0045 + 0.0013 * k, 0.0107))
                 for k in range(8)
             ]
-            boot = turned_shape((-0.032, 0.0035), (-0.011, 0.0062), z=0.0065)
+            boot = spindle((-0.032, 0.0035), (-0.011, 0.0062), z=0.0065)
             return [
                 (body, textures.plain((216, 226, 232))),
                 (boot, plastic(look, "blue", "gray", "yellow", "red", "black")),
@@ -122,15 +121,12 @@ def _schuko(kind: str) -> Drawing:
                 (join(pins), shine(look, "gold")),
             ]
         ring = (0.0045, 0.0085) if kind == "phono" else (0.0032, 0.007)
-        body = turned_shape(
-            (-0.032, 0.003), (-0.026, 0.0065), (0.006, 0.0078), (0.01, ring[1]), z=z
-        )
-        tip = turned_shape((0.01, ring[0]), (0.036, ring[0]), (0.04, 0.0012), z=z)
+        body = spindle((-0.032, 0.003), (-0.026, 0.0065), (0.006, 0.0078), (0.01, ring[1]), z=z)
+        tip = spindle((0.01, ring[0]), (0.036, ring[0]), (0.04, 0.0012), z=z)
         band = [
-            turned_shape((x, ring[0] * 1.04), (x + 0.0012, ring[0] * 1.04), z=z)
-            for x in (0.022, 0.03)
+            spindle((x, ring[0] * 1.04), (x + 0.0012, ring[0] * 1.04), z=z) for x in (0.022, 0.03)
         ]
-        collar = turned_shape((0.009, ring[1]), (0.016 if kind == "phono" else 0.011, ring[1]), z=z)
+        collar = spindle((0.009, ring[1]), (0.016 if kind == "phono" else 0.011, ring[1]), z=z)
         return [
             (body, plastic(look, "black", "silver", "red", "gold")),
             (tip, shine(look, "gold", "silver")),
@@ -197,7 +193,7 @@ def _pulley(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     return Category(
         key,
         of(draw, foot, bodies=bodies),

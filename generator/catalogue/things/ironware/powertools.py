@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    faceted_shape,
+    hull_solid,
     of,
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, ball, rod, straight
@@ -108,7 +107,7 @@ def _router(look: Look) -> Pieces:
     motor = standing((0.034, 0.05), (0.042, 0.07), (0.042, 0.16), (0.036, 0.185), (0.02, 0.19))
     yoke = at_block(0.14, 0.06, 0.035, 0.02, (0, 0, 0.085))
     knobs = [ball(0.042, 0.042, 0.05, (s * 0.088, 0, 0.105), 14) for s in (-1, 1)]
-    bit = turned_shape((0, 0.004), (0.05, 0.004)).turn(1, -np.pi / 2).move(z=0.005)
+    bit = spindle((0, 0.004), (0.05, 0.004)).turn(1, -np.pi / 2).move(z=0.005)
     collet = disc(0.013, 0.02, (0, 0, 0.034))
     return [
         (base, BLACK),
@@ -126,7 +125,7 @@ def _router(look: Look) -> Pieces:
 def _planer(look: Look) -> Pieces:
     tile = plastic(look, *BODIES)
     sole = at_box(0.28, 0.085, 0.012)
-    body = faceted_shape(
+    body = hull_solid(
         [
             (x, y, z)
             for y in (-0.042, 0.042)
@@ -142,13 +141,13 @@ def _pen(look: Look) -> Pieces:
     """A rotary tool lying: a slim body, a collar, a bit with a small wheel."""
     tile = plastic(look, "gray", "charcoal", *BODIES)
     z = 0.026
-    body = turned_shape(
+    body = spindle(
         (-0.095, 0.02), (-0.085, 0.026), (0.02, 0.025), (0.05, 0.018), (0.07, 0.0125), z=z
     )
-    band = turned_shape((-0.03, 0.0268), (0.02, 0.0258), z=z)
-    nose = turned_shape((0.07, 0.009), (0.088, 0.0075), z=z)
-    bit = turned_shape((0.088, 0.0016), (0.11, 0.0016), z=z)
-    wheel = turned_shape((0.106, 0.011), (0.109, 0.011), z=z)
+    band = spindle((-0.03, 0.0268), (0.02, 0.0258), z=z)
+    nose = spindle((0.07, 0.009), (0.088, 0.0075), z=z)
+    bit = spindle((0.088, 0.0016), (0.11, 0.0016), z=z)
+    wheel = spindle((0.106, 0.011), (0.109, 0.011), z=z)
     cord = rod(
         [(-0.09, 0, z), (-0.12, 0, 0.015), (-0.15, 0.02, 0.004), (-0.11, 0.05, 0.004)], 0.0036, 8, 5
     )
@@ -165,7 +164,7 @@ def _pen(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("teal", "red"), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("big",) if max(size[:2]) > 0.18 else ()
     return Category(
         key,

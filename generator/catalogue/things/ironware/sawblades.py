@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,8 +16,8 @@ from ...build.making import (
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join
@@ -48,12 +47,9 @@ def _gun(kind: str) -> Drawing:
         ]
         if kind == "heat":
             pieces += [
-                (
-                    turned_shape((-0.1, 0.026), (-0.09, 0.031), (0.05, 0.03), (0.07, 0.02), z=z),
-                    tile,
-                ),
-                (turned_shape((0.07, 0.018), (0.12, 0.014), (0.122, 0.017), z=z), shine(look)),
-                (turned_shape((0.1215, 0.013), (0.1225, 0.013), z=z), BLACK),
+                (spindle((-0.1, 0.026), (-0.09, 0.031), (0.05, 0.03), (0.07, 0.02), z=z), tile),
+                (spindle((0.07, 0.018), (0.12, 0.014), (0.122, 0.017), z=z), shine(look)),
+                (spindle((0.1215, 0.013), (0.1225, 0.013), z=z), BLACK),
                 (
                     rod(
                         [
@@ -70,7 +66,7 @@ def _gun(kind: str) -> Drawing:
             ]
         elif kind == "nail":
             pieces += [
-                (turned_shape((-0.06, 0.024), (-0.05, 0.031), (0.07, 0.029), z=z), tile),
+                (spindle((-0.06, 0.024), (-0.05, 0.031), (0.07, 0.029), z=z), tile),
                 (
                     at_block(0.03, 0.13, 0.03, 0.006, (0.085, -0.05, z - 0.015)),
                     shine(look, "gray", "charcoal"),
@@ -97,7 +93,7 @@ def _gun(kind: str) -> Drawing:
             )
             pieces += [
                 (
-                    turned_shape(
+                    spindle(
                         (-0.06, 0.009),
                         (-0.05, 0.014),
                         (0.05, 0.014),
@@ -109,7 +105,7 @@ def _gun(kind: str) -> Drawing:
                     tile,
                 ),
                 (cup, dye(look, "gray", "red", "blue", "black")),
-                (turned_shape((-0.078, 0.006), (-0.058, 0.008), z=z), shine(look, "brass")),
+                (spindle((-0.078, 0.006), (-0.058, 0.008), z=z), shine(look, "brass")),
                 (
                     straight((-0.033, -0.125, z), (-0.035, -0.155, z), 0.008, 10),
                     shine(look, "brass"),
@@ -118,14 +114,12 @@ def _gun(kind: str) -> Drawing:
         else:
             pieces += [
                 (
-                    turned_shape(
-                        (-0.075, 0.024), (-0.065, 0.032), (0.03, 0.032), (0.04, 0.022), z=z
-                    ),
+                    spindle((-0.075, 0.024), (-0.065, 0.032), (0.03, 0.032), (0.04, 0.022), z=z),
                     tile,
                 ),
-                (turned_shape((0.04, 0.016), (0.075, 0.007), z=z), BLACK),
+                (spindle((0.04, 0.016), (0.075, 0.007), z=z), BLACK),
                 (
-                    turned_shape((0.075, 0.0035), (0.13, 0.0028), (0.135, 0.001), z=z),
+                    spindle((0.075, 0.0035), (0.13, 0.0028), (0.135, 0.001), z=z),
                     shine(look, "copper", "silver"),
                 ),
             ]
@@ -138,12 +132,12 @@ def _multi(look: Look) -> Pieces:
     """An oscillating tool lying: a long body, a flat blade at an angle below its head."""
     tile = plastic(look, *BODIES)
     z = 0.034
-    body = turned_shape((-0.14, 0.026), (-0.12, 0.031), (0.03, 0.029), (0.07, 0.026), z=z)
+    body = spindle((-0.14, 0.026), (-0.12, 0.031), (0.03, 0.029), (0.07, 0.026), z=z)
     head = at_block(0.05, 0.05, 0.05, 0.014, (0.09, 0, 0.012))
     blade = plate([(0.09, -0.012), (0.15, -0.016), (0.15, 0.016), (0.09, 0.012)], 0.0018, 0.006)
     nut = disc(0.013, 0.012)
     nut = nut.move(0.09, 0, 0.003)
-    band = turned_shape((-0.07, 0.0315), (0.0, 0.0305), z=z)
+    band = spindle((-0.07, 0.0315), (0.0, 0.0305), z=z)
     return [
         (body, tile),
         (head, dye(look, "charcoal", "black")),
@@ -194,9 +188,9 @@ def _press(look: Look) -> Pieces:
 
 def _compressor(look: Look) -> Pieces:
     tile = plastic(look, "red", "blue", "black", "orange")
-    tank = turned_shape((-0.15, 0.04), (-0.135, 0.065), (0.135, 0.065), (0.15, 0.04), z=0.09)
+    tank = spindle((-0.15, 0.04), (-0.135, 0.065), (0.135, 0.065), (0.15, 0.04), z=0.09)
     feet = [at_box(0.03, 0.1, 0.03, (x, 0, 0)) for x in (-0.09, 0.09)]
-    motor = turned_shape((-0.02, 0.038), (0.1, 0.038), z=0.195)
+    motor = spindle((-0.02, 0.038), (0.1, 0.038), z=0.195)
     pump = at_block(0.06, 0.07, 0.07, 0.008, (-0.07, 0, 0.15))
     fins = [at_box(0.066, 0.076, 0.003, (-0.07, 0, 0.165 + 0.012 * k)) for k in range(5)]
     dial = disc(0.018, 0.01).turn(0, np.pi / 2).move(0.02, -0.06, 0.15)
@@ -229,7 +223,7 @@ def _compressor(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("teal", "red"), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("big",) if max(size[:2]) > 0.18 else ()
     return Category(
         key,

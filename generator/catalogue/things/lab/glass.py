@@ -18,7 +18,7 @@ from ...build.solids import (
     open_box,
     tube,
 )
-from ...build.variants import keep_still, varied_shape
+from ...build.variants import keep_still, vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -245,7 +245,7 @@ CATEGORIES = (
     Category("glass_rod", glass_rod, (0.2, 0.0064, 0.0064), 0.02, ("stirring rod", "stir rod",
              "glass stirring rod", "glass stirrer", "stirring stick"), ("lab",), (), ("clear",),
              None, "lying flat"),
-    varied_shape(Category("empty_beaker", empty_beaker, (0.0827, 0.0827, 0.1025), 0.12, ("open beaker",),
+    vary(Category("empty_beaker", empty_beaker, (0.0827, 0.0827, 0.1025), 0.12, ("open beaker",),
              ("lab",), ("container", "round"), ("clear",))),
     Category("weighing_boat", weighing_boat, (0.075, 0.06, 0.016), 0.008, ("weigh boat",
              "weighing dish", "weighing tray"), ("lab",), ("container",), ("white",)),

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
-from ...build.making import at_block, disc, faceted_shape, of, plate, turned_shape
+from ...build.making import Drawing, at_block, disc, hull_solid, of, plate, spindle
 from ...build.outlines import arc, smooth
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid, join, tube
@@ -71,7 +69,7 @@ def _tooth(long: float, serrated: bool) -> np.ndarray:
     return np.concatenate([left, right[1:], root[1:-1]])
 
 
-def _shark(long: float) -> Any:
+def _shark(long: float) -> Drawing:
     def draw(look: Look) -> Pieces:
         """A shark's tooth lying."""
         color = look.color("gray", "charcoal", "cream", "tan")
@@ -79,7 +77,7 @@ def _shark(long: float) -> Any:
         body = plate(outline, 0.14 * long)
         crown = outline[outline[:, 1] > -0.02 * long]
         mid = 0.3 * long
-        bulge = faceted_shape(np.concatenate([
+        bulge = hull_solid(np.concatenate([
             np.column_stack([crown, np.full(len(crown), 0.13 * long)]),
             [(0.0, mid, 0.24 * long), (0, 0.1 * long, 0.24 * long)]]))  # fmt: skip
         root = textures.spots(look.rng, tint_color(color, 0.62), tint_color(color, 0.45), 0.2)
@@ -89,7 +87,7 @@ def _shark(long: float) -> Any:
     return draw
 
 
-def _fang(bend: float, r: float) -> Any:
+def _fang(bend: float, r: float) -> Drawing:
     def draw(look: Look) -> Pieces:
         """A curved tooth or claw lying."""
         color = look.color("tan", "brown", "charcoal", "cream")
@@ -102,7 +100,7 @@ def _fang(bend: float, r: float) -> Any:
 
 
 def _belemnite(look: Look) -> Pieces:
-    return [(turned_shape((-0.04, 0.005), (-0.038, 0.0062), (0.01, 0.0066), (0.032, 0.0035),
+    return [(spindle((-0.04, 0.005), (-0.038, 0.0062), (0.01, 0.0066), (0.032, 0.0035),
                     (0.041, 0.0006), sides=14), _skin(look, "brown", "amber", "gray"))]  # fmt: skip
 
 
@@ -113,7 +111,7 @@ def _stem(look: Look) -> Pieces:
     for k in range(11):
         x = -0.03 + 0.0054 * k
         points += [(x, 0.0072), (x + 0.0008, 0.0085), (x + 0.004, 0.0085), (x + 0.0048, 0.0072)]
-    return [(turned_shape(*points, sides=14), tile)]
+    return [(spindle(*points, sides=14), tile)]
 
 
 def _lampshell(look: Look) -> Pieces:
@@ -121,13 +119,13 @@ def _lampshell(look: Look) -> Pieces:
     color = look.color("gray", "tan", "brown")
     body = ball(0.036, 0.03, 0.02, (0, 0, 0.008), 20)
 
-    def ribbed_shape(p: np.ndarray) -> np.ndarray:
+    def ribbed_shell(p: np.ndarray) -> np.ndarray:
         a = np.arctan2(p[:, 0], p[:, 1] + 0.017)
         return p * np.column_stack([1 + 0.05 * np.cos(26 * a), 1 + 0.05 * np.cos(26 * a),
                                     np.ones(len(p))])  # fmt: skip
 
     tile = textures.stripes([tint_color(color, 1.15), tint_color(color, 0.6)], 14, upright=True)
-    return [(body.bend(ribbed_shape), tile)]
+    return [(body.bend(ribbed_shell), tile)]
 
 
 def _molar(look: Look) -> Pieces:

@@ -7,17 +7,17 @@ from collections.abc import Callable
 import numpy as np
 
 from ...build.category import Category
-from ...build.making import Drawing, faceted_shape, of
+from ...build.making import Drawing, hull_solid, of
 from ...build.outlines import ellipse, lift
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid
-from ...build.variants import at_rest, varied_shape
+from ...build.variants import at_rest, vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
 
 
-def _shaded_shape(look: Look, body: Solid, color: RGB) -> Pieces:
+def _shade(look: Look, body: Solid, color: RGB) -> Pieces:
     """A body whose faces have tones of their own."""
     faces = body.faces
     a, b, c = body.vertices[faces].transpose(1, 0, 2)
@@ -73,13 +73,13 @@ def _cut(*cuts: int, colors: tuple[str, ...], size: float = 0.018) -> Drawing:
 
     def draw(look: Look) -> Pieces:
         points = _CUTS[look.pick(cuts)]() * size
-        body = faceted_shape(points)
-        return _shaded_shape(look, _tilted_shape(body), look.color(*colors))
+        body = hull_solid(points)
+        return _shade(look, _tilt(body), look.color(*colors))
 
     return draw
 
 
-def _tilted_shape(body: Solid) -> Solid:
+def _tilt(body: Solid) -> Solid:
     """A cut stone leaning as it comes to rest: on a facet of its underside."""
     v, f = body.vertices, body.faces
     cross = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
@@ -106,7 +106,7 @@ def _dome(colors: tuple[str, ...], size: float, vein: float = 0.0) -> Drawing:
     return draw
 
 
-def _tumbled_shape(colors: tuple[str, ...], vein: float | None, size: float = 0.028) -> Drawing:
+def _tumbled_stone(colors: tuple[str, ...], vein: float | None, size: float = 0.028) -> Drawing:
     """A small polished stone, rounded all over."""
 
     def draw(look: Look) -> Pieces:
@@ -140,7 +140,8 @@ def _row(key: str, colors: tuple[str, ...], cuts: tuple[int, ...], *words: str,
 
 
 def _stone(key: str, colors: tuple[str, ...], vein: float | None, *words: str) -> Category:
-    return Category(key, of(_tumbled_shape(colors, vein), 0.06), (0.029, 0.022, 0.016), 0.015, words,
+    return Category(key, of(_tumbled_stone(colors, vein), 0.06), (0.029, 0.022, 0.016), 0.015,
+    words,
                     ("vanity",), (), colors[:2], state="lying")  # fmt: skip
 
 
@@ -148,8 +149,8 @@ CATEGORIES = (
     _row("gemstone", ("red", "green", "blue", "purple", "clear", "amber", "pink"), (0, 1, 2, 3),
          "gem", "cut gem", "cut gemstone", "precious stone", "jewel", "faceted gem", "cut stone",
          "cut crystal"),
-    varied_shape(_row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon")),
-    varied_shape(_row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel")),
+    vary(_row("diamond", ("clear",), (0,), "cut diamond", "brilliant", "rhinestone", "zircon")),
+    vary(_row("ruby", ("crimson",), (2, 1), "cut ruby", "spinel")),
     at_rest(_row("emerald", ("green",), (1,), "cut emerald", "beryl", "peridot", "tourmaline",
          size=(0.0126, 0.0182, 0.0073))),
     _row("sapphire", ("blue",), (2, 0), "cut sapphire", "tanzanite"),

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...build.category import Category
-from ...build.making import Drawing, at_box, disc, faceted_shape, of, shine, turned_shape
+from ...build.making import Drawing, at_box, disc, hull_solid, of, shine, spindle
 from ...build.recipes import Pieces, ball
 from ...build.solids import Solid
 from ...build.variants import at_rest
@@ -27,7 +27,7 @@ def _lump(look: Look, x: float, y: float, z: float, corners: int) -> Solid:
     p = np.column_stack([away * np.cos(around), away * np.sin(around), up])
     p = p * look.rng.uniform(0.78, 1.12, (corners, 1)) * [x / 2, y / 2, z / 2]
     p[:, 2] = np.maximum(p[:, 2], -0.3 * z)
-    return faceted_shape(np.add(p, (0, 0, 0.3 * z)))
+    return hull_solid(np.add(p, (0, 0, 0.3 * z)))
 
 
 def _grains(other: str, share: float) -> Skin:
@@ -37,14 +37,14 @@ def _grains(other: str, share: float) -> Skin:
     return skin
 
 
-def _veined_shape(factor: float) -> Skin:
+def _veined_skin(factor: float) -> Skin:
     def skin(look: Look, color: RGB) -> textures.Tile:
         return textures.marble(look.rng, color, tint_color(color, factor))
 
     return skin
 
 
-def _layered_shape(look: Look, color: RGB) -> textures.Tile:
+def _layered_skin(look: Look, color: RGB) -> textures.Tile:
     return textures.stripes([color, tint_color(color, 0.85), tint_color(color, 1.12), color,
                              tint_color(color, 0.72)], 2)  # fmt: skip
 
@@ -107,7 +107,7 @@ def _slice(look: Look) -> Pieces:
     for k, tone in enumerate(tones):
         rings = np.concatenate([np.column_stack([ring * (1 - 0.12 * k), np.full(40, z)])
                                 for z in (0.0, 0.006 + 0.0002 * k)])  # fmt: skip
-        pieces.append((faceted_shape(rings), textures.speckles(look.rng, tone, 8, 32)))
+        pieces.append((hull_solid(rings), textures.speckles(look.rng, tone, 8, 32)))
     return pieces
 
 
@@ -126,7 +126,7 @@ def _geode(look: Look) -> Pieces:
         h = look.between(0.008, 0.014)
         tip = [(0.0045 * np.cos(a), 0.0045 * np.sin(a), z) for a in np.arange(6) * np.pi / 3
                for z in (-0.001, 0.6 * h)] + [(0, 0, h)]  # fmt: skip
-        one = faceted_shape(tip).turn(1, look.between(-0.4, 0.4)).turn(0, look.between(-0.4, 0.4))
+        one = hull_solid(tip).turn(1, look.between(-0.4, 0.4)).turn(0, look.between(-0.4, 0.4))
         tone = textures.plain(tint_color(color, 0.75 + 0.2 * (k % 4)))
         pieces.append((one.move(1.15 * r * np.cos(t), 0.95 * r * np.sin(t), cut), tone))
     return pieces
@@ -134,14 +134,14 @@ def _geode(look: Look) -> Pieces:
 
 def _dripstone(look: Look) -> Pieces:
     color = look.color("cream", "tan", "beige")
-    body = turned_shape((-0.07, 0.003), (-0.05, 0.006), (-0.02, 0.0095), (0.01, 0.0105), (0.03, 0.015),
+    body = spindle((-0.07, 0.003), (-0.05, 0.006), (-0.02, 0.0095), (0.01, 0.0105), (0.03, 0.015),
                   (0.06, 0.019), (0.066, 0.017), sides=14)  # fmt: skip
     return [(body, textures.spots(look.rng, color, tint_color(color, 0.8), 0.2))]
 
 
 def _logs(look: Look) -> Pieces:
     color = look.color("brown", "terracotta", "tan")
-    body = turned_shape((-0.04, 0.028), (0.04, 0.026), sides=11)
+    body = spindle((-0.04, 0.028), (0.04, 0.026), sides=11)
     rings = np.zeros((64, 64, 3))
     y, x = np.mgrid[0:64, 0:64] / 63 - 0.5
     band = (np.hypot(x, y) * 22).astype(int) % 3
@@ -153,9 +153,9 @@ def _logs(look: Look) -> Pieces:
 
 
 CATEGORIES = (
-    _row("malachite", ("green",), _layered_shape, ("piece of malachite", "malachite stone"),
+    _row("malachite", ("green",), _layered_skin, ("piece of malachite", "malachite stone"),
          density=3800),
-    at_rest(_row("obsidian", ("black",), _veined_shape(1.5), ("piece of obsidian", "volcanic glass",
+    at_rest(_row("obsidian", ("black",), _veined_skin(1.5), ("piece of obsidian", "volcanic glass",
              "tektite",
          "obsidian shard"), corners=14)),
     _row("flint", ("charcoal", "gray"), _grains("white", 0.12), ("flintstone", "piece of flint",
@@ -165,13 +165,14 @@ CATEGORIES = (
     _row("granite_sample", ("gray", "pink"), _grains("black", 0.22), ("granite rock",
          "piece of granite", "granite stone", "rock sample", "mineral specimen", "mineral",
          "rock specimen"), corners=18),
-    _row("marble_sample", ("white",), _veined_shape(0.6), ("piece of marble", "marble chunk",
+    _row("marble_sample", ("white",), _veined_skin(0.6), ("piece of marble", "marble chunk",
          "lump of marble"), corners=16),
-    _row("sandstone", ("tan", "terracotta"), _layered_shape, ("sandstone sample", "piece of sandstone",
+    _row("sandstone", ("tan", "terracotta"), _layered_skin, ("sandstone sample",
+             "piece of sandstone",
          "limestone", "chalk lump", "lump of chalk"), corners=34, density=2200),
-    _row("slate_piece", ("charcoal",), _layered_shape, ("piece of slate", "shale", "slate shard"),
+    _row("slate_piece", ("charcoal",), _layered_skin, ("piece of slate", "shale", "slate shard"),
          size=(0.11, 0.075, 0.018), corners=22),
-    _row("coal", ("black",), _veined_shape(1.25), ("coal lump",
+    _row("coal", ("black",), _veined_skin(1.25), ("coal lump",
          "anthracite", "charcoal lump", "piece of charcoal"), corners=16,
          density=1400),
     _row("basalt", ("charcoal",), _grains("black", 0.2), ("basalt rock", "lava rock", "magnetite",
@@ -186,7 +187,7 @@ CATEGORIES = (
          size=(0.032, 0.024, 0.02), corners=40, density=15000),
     _row("copper_nugget", ("copper",), _metallic, ("native copper", "copper ore"),
          size=(0.045, 0.034, 0.026), corners=40, density=8000),
-    at_rest(_row("fluorite", ("purple", "mint"), _veined_shape(1.5), ("fluorite crystal",
+    at_rest(_row("fluorite", ("purple", "mint"), _veined_skin(1.5), ("fluorite crystal",
              "rough amethyst",
          "rough crystal", "selenite"), corners=12, density=3100)),
     Category("pyrite", of(_cubes(("gold", "brass"))), (0.0507, 0.0423, 0.0357), 0.15,

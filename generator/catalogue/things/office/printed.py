@@ -291,7 +291,7 @@ CATEGORIES = (
     Category("letter", letter, (0.18, 0.245, 0.012), 0.006, ("handwritten letter", "love letter",
              "handwritten note", "typed letter", "letter to santa", "letter to father christmas"),
              ("office",), ("flat",), ("white", "cream"), state="lying flat"),
-    Category("banknotes", banknotes, (0.153, 0.0826, 0.0108), 0.02, ("money","bank notes",
+    Category("banknotes", banknotes, (0.153, 0.0826, 0.0108), 0.02, ("money", "bank notes",
                  "cash",  "dollar bills", "dollar bill", "stack of money",
                  "bundle of money", "bundle of banknotes", "dollars", "wad of cash",
                  "euro notes",  "stack of bills"),

@@ -21,6 +21,7 @@ from ...build.making import (
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, torus
 from ...surfaces import prints, textures
+from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
 
 HIDE = textures.plain((232, 216, 184))
@@ -146,14 +147,7 @@ def _rosin(look: Look) -> Pieces:
     color = look.color("amber", "brown", "orange")
     return [
         (pad, cloth),
-        (
-            cake,
-            textures.gradient(
-                color,
-                (min(1.3 * color[0], 250), min(1.3 * color[1], 250), min(1.3 * color[2], 250)),
-                look.rng,
-            ),
-        ),
+        (cake, textures.gradient(color, tint_color(color, 1.3), look.rng)),
     ]  # type: ignore[arg-type]
 
 

@@ -13,7 +13,7 @@ from ...build.making import (
     metal,
     of,
     plastic,
-    turned_shape,
+    spindle,
     wood,
 )
 from ...build.outlines import smooth
@@ -111,22 +111,20 @@ def _didgeridoo(look: Look) -> Pieces:
     bands = textures.stripes(
         [color, (226, 206, 160), color, color, (70, 36, 26), color, (196, 120, 60)], 3
     )
-    body = turned_shape(
-        (-0.3, 0.014), (-0.29, 0.017), (0.0, 0.019), (0.2, 0.024), (0.3, 0.033), z=0.031
-    )
+    body = spindle((-0.3, 0.014), (-0.29, 0.017), (0.0, 0.019), (0.2, 0.024), (0.3, 0.033), z=0.031)
     return [
         (body, bands),
-        (turned_shape((0.2995, 0.026), (0.3006, 0.026), z=0.031), textures.plain((30, 22, 18))),
+        (spindle((0.2995, 0.026), (0.3006, 0.026), z=0.031), textures.plain((30, 22, 18))),
     ]
 
 
 def _vuvuzela(look: Look) -> Pieces:
     tile = plastic(look, "red", "yellow", "green", "blue", "orange")
-    horn = turned_shape((-0.26, 0.012), (-0.25, 0.008), (-0.1, 0.011), (0.12, 0.02), (0.22, 0.034),
+    horn = spindle((-0.26, 0.012), (-0.25, 0.008), (-0.1, 0.011), (0.12, 0.02), (0.22, 0.034),
                   (0.27, 0.052), z=0.05)  # fmt: skip
     return [
         (horn, tile),
-        (turned_shape((0.2695, 0.046), (0.2705, 0.046), z=0.05), textures.plain((40, 36, 36))),
+        (spindle((0.2695, 0.046), (0.2705, 0.046), z=0.05), textures.plain((40, 36, 36))),
     ]
 
 
@@ -146,7 +144,7 @@ def _jaw_harp(look: Look) -> Pieces:
     return [(frame, tile), (tongue, tile)]
 
 
-def _reed_stem(look: Look) -> Pieces:
+def _reed_piece(look: Look) -> Pieces:
     tile = wood(look, "beige", "cream", "tan")
     body = at_block(0.067, 0.013, 0.003, 0.003).bend(
         lambda p: p * np.column_stack([np.ones((len(p), 2)), np.clip(0.75 - 11 * p[:, 0], 0.2,
@@ -174,7 +172,7 @@ CATEGORIES = (
     Category("jaw_harp", of(_jaw_harp, 0.1), (0.128, 0.0487, 0.0188), 0.03, ("jew harp",
              "mouth harp harp",
              "khomus"), ("living",), (), ("silver",), state="lying"),
-    Category("clarinet_reed", of(_reed_stem), (0.0661, 0.0128, 0.00296), 0.001, ("reed",
+    Category("clarinet_reed", of(_reed_piece), (0.0661, 0.0128, 0.00296), 0.001, ("reed",
              "saxophone reed",
              "sax reed", "oboe reed"), ("living",), ("flat",), ("beige",), state="lying"),
 )  # fmt: skip

@@ -14,7 +14,7 @@ from ...build.making import (
     of,
     plastic,
     shine,
-    turned_shape,
+    spindle,
     wood,
     words,
 )
@@ -83,8 +83,8 @@ def _amp(look: Look) -> Pieces:
 
 
 def _baton(look: Look) -> Pieces:
-    grip = turned_shape((-0.16, 0.004), (-0.155, 0.008), (-0.14, 0.009), (-0.12, 0.004), z=0.0085)
-    stick = turned_shape((-0.122, 0.0022), (0.19, 0.0012), z=0.0085).turn(1, 0.022).move(z=0.0)
+    grip = spindle((-0.16, 0.004), (-0.155, 0.008), (-0.14, 0.009), (-0.12, 0.004), z=0.0085)
+    stick = spindle((-0.122, 0.0022), (0.19, 0.0012), z=0.0085).turn(1, 0.022).move(z=0.0)
     rest = ball(0.02, 0.02, 0.017, (-0.145, 0, 0.0085), 12)
     return [(rest, wood(look, "brown", "wooden", "maroon")), (grip, dye(look, "brown", "wooden")),
             (stick, plastic(look, "white", "cream"))]  # fmt: skip
@@ -92,8 +92,8 @@ def _baton(look: Look) -> Pieces:
 
 def _beater(look: Look) -> Pieces:
     """A thin metal rod with a rubber grip."""
-    return [(turned_shape((-0.1, 0.003), (0.06, 0.003), z=0.0055), metal(look, "silver", "gray")),
-            (turned_shape((0.02, 0.0045), (0.03, 0.0056), (0.095, 0.0056), (0.1, 0.0045), z=0.0055),
+    return [(spindle((-0.1, 0.003), (0.06, 0.003), z=0.0055), metal(look, "silver", "gray")),
+            (spindle((0.02, 0.0045), (0.03, 0.0056), (0.095, 0.0056), (0.1, 0.0045), z=0.0055),
              dye(look, "red", "black", "blue"))]  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,7 @@ from ...build.category import Category
 from ...build.making import Drawing, at_box, disc, dye, of, plate, shine, wood
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.shape import Shape
 from ...build.solids import Solid, join, tube
 from ...build.variants import at_rest
 from ...surfaces import textures
@@ -57,7 +59,7 @@ def _strings(lute: Lute, z: float, start: float, end: float) -> Solid:
     return join([tube([(start, 1.3 * y, z), (end, y, z)], 0.0007, 4) for y in rows])
 
 
-def _plucked_shape(lute: Lute, back: tuple[str, ...]) -> Drawing:
+def _plucked_strings(lute: Lute, back: tuple[str, ...]) -> Drawing:
     def draw(look: Look) -> Pieces:
         skin = wood(look, *back)
         front = dye(look, *lute.face) if lute.face else skin
@@ -118,7 +120,7 @@ def _electric(look: Look) -> Pieces:
     """A solid electric guitar with horns, pickups and knobs."""
     body = _DOUBLE
     lute = Lute(body, 0.26, 0.032, 0.075, 6, 0.026, (), 0.0)
-    pieces = _plucked_shape(lute, ("red", "black", "sky", "white", "mustard", "teal"))(look)
+    pieces = _plucked_strings(lute, ("red", "black", "sky", "white", "mustard", "teal"))(look)
     color = look.surface(look.color("red", "black", "sky", "white", "mustard", "teal"))
     pieces = [(s, color if k < 2 else t) for k, (s, t) in enumerate(pieces)]
     neck = dye(look, "wooden", "tan")
@@ -136,7 +138,7 @@ def _banjo(look: Look) -> Pieces:
     """A banjo: a drum with a skin and brackets, a long neck."""
     lute = Lute(((-0.13, 0.0), (-0.12, 0.05), (-0.03, 0.05), (0.0, 0.0)), 0.26, 0.032, 0.07, 5,
                 0.05, (), 0.0)  # fmt: skip
-    parts = _plucked_shape(lute, ("brown", "wooden"))(look)
+    parts = _plucked_strings(lute, ("brown", "wooden"))(look)
     skin = wood(look, "brown", "wooden", "maroon")
     rim = disc(0.092, 0.052, (-0.065, 0, 0), sides=36)
     head = disc(0.085, 0.0012, (-0.065, 0, 0.0516), sides=36)
@@ -200,8 +202,8 @@ def _zither(look: Look) -> Pieces:
              "black"))]  # fmt: skip
 
 
-def _lute(lute: Lute, *back: str) -> object:
-    return of(_plucked_shape(lute, back or ("brown", "wooden", "maroon")), 0.06, bodies=4)
+def _lute(lute: Lute, *back: str) -> Callable[[Look], Shape]:
+    return of(_plucked_strings(lute, back or ("brown", "wooden", "maroon")), 0.06, bodies=4)
 
 
 CATEGORIES = (

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
@@ -15,12 +13,12 @@ from ...build.making import (
     metal,
     of,
     shine,
-    turned_shape,
+    spindle,
     wood,
 )
 from ...build.outlines import arc, smooth
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.solids import join, lathe, torus, tube
+from ...build.solids import Solid, join, lathe, torus, tube
 from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
@@ -28,7 +26,7 @@ from ...surfaces.look import Look
 BRASSY = ("gold", "gold", "brass", "silver")
 
 
-def _bell(x: float, y: float, z: float, r: float, long: float) -> Any:
+def _bell(x: float, y: float, z: float, r: float, long: float) -> Solid:
     """A flared bell opening towards +x from ``x``."""
     outer = [(0.0065, 0), (0.009, 0.5 * long), (0.4 * r, 0.8 * long), (r, long)]
     inner = [(0.96 * r, long), (0.36 * r, 0.8 * long), (0.006, 0.4 * long)]
@@ -47,7 +45,7 @@ def _trombone(look: Look) -> Pieces:
     bell = _bell(0.02, 0.05, z, 0.055, 0.14)
     braces = [straight((x, -0.075, z), (x, -0.03, z), 0.003) for x in (-0.06, 0.0)]
     more = [straight((-0.06, -0.03, z), (-0.06, 0.05, z), 0.003)]
-    cup = turned_shape((-0.13, 0.011), (-0.122, 0.009), (-0.11, 0.005), (-0.095, 0.005), z=z).move(
+    cup = spindle((-0.13, 0.011), (-0.122, 0.009), (-0.11, 0.005), (-0.095, 0.005), z=z).move(
         y=-0.075
     )
     return [(bell, tile), (join(slide), tile), (end, tile), (bow, tile), (join([upper, lower]),
@@ -108,9 +106,9 @@ def _mute(look: Look) -> Pieces:
 def _bassoon(look: Look) -> Pieces:
     """A long double pipe with a thin bent crook, lying."""
     tile = wood(look, "maroon", "brown", "black")
-    body = turned_shape((-0.27, 0.016), (-0.26, 0.02), (-0.1, 0.02), (-0.09, 0.014), (0.2, 0.0125),
+    body = spindle((-0.27, 0.016), (-0.26, 0.02), (-0.1, 0.02), (-0.09, 0.014), (0.2, 0.0125),
                   (0.205, 0.017), (0.23, 0.017), z=0.02)  # fmt: skip
-    second = turned_shape((-0.1, 0.011), (0.06, 0.01), z=0.02).move(y=0.025)
+    second = spindle((-0.1, 0.011), (0.06, 0.01), z=0.02).move(y=0.025)
     crook = rod([(0.055, 0.025, 0.02), (0.09, 0.035, 0.025), (0.11, 0.06, 0.024), (0.1, 0.085,
              0.012)],
                 [0.004, 0.0035, 0.003, 0.002], 8)  # fmt: skip

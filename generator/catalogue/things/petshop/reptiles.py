@@ -20,7 +20,7 @@ from .critters import eyes
 DARK: RGB = (26, 24, 26)
 
 
-def _shelled_shape(flippers: bool) -> Callable[[Look], Shape]:
+def _shelled_animal(flippers: bool) -> Callable[[Look], Shape]:
     """Return the shape function of a tortoise, or a turtle with flippers, looking to the left."""
 
     def make(look: Look) -> Shape:
@@ -199,9 +199,10 @@ def goldfish(look: Look) -> Shape:
 _P = ("living",)
 
 CATEGORIES = (
-    Category("tortoise", _shelled_shape(False), (0.137, 0.0948, 0.0662), 0.3,
+    Category("tortoise", _shelled_animal(False), (0.137, 0.0948, 0.0662), 0.3,
              ("toy tortoise", "tortoise figurine", "terrapin"), _P, (), ("olive",)),
-    Category("turtle", _shelled_shape(True), (0.152, 0.163, 0.053), 0.3, ("sea turtle", "toy turtle",
+    Category("turtle", _shelled_animal(True), (0.152, 0.163, 0.053), 0.3, ("sea turtle",
+             "toy turtle",
         "turtle figurine"), _P, (), ("green",)),
     Category("gecko", _lizard(0.17, ("yellow", "amber", "tan", "lime"), spotted=True, fat=1.15),
              (0.174, 0.0561, 0.0151), 0.05,

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -16,13 +15,13 @@ from ...build.making import (
     of,
     plastic,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, lathe, torus
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -107,9 +106,9 @@ def _net(look: Look) -> Pieces:
     bag = lathe(
         [(0.0, 0.0), (0.088, 0.0), (0.08, 0.02), (0.05, 0.035), (0.012, 0.042), (0.0, 0.043)], 30
     ).move(0.1, 0, 0.001)
-    stick = turned_shape((-0.28, 0.006), (0.012, 0.006), z=0.006)
+    stick = spindle((-0.28, 0.006), (0.012, 0.006), z=0.006)
     mesh = textures.grid(tint_color(color, 0.8), tint_color(color, 1.2), 24, 24)
-    grip = turned_shape((-0.285, 0.009), (-0.18, 0.009), z=0.009)
+    grip = spindle((-0.285, 0.009), (-0.18, 0.009), z=0.009)
     return [(bag, mesh), (hoop, shine(look)), (stick, wood(look, "wooden")), (grip, BLACK)]
 
 
@@ -221,7 +220,7 @@ def _bones(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 
@@ -237,7 +236,7 @@ CATEGORIES = (
              "bug net", "pooter"), roles=("big",)),
     _row("brain_model", _brain, (0.135, 0.125, 0.13), 0.5, ("model brain", "brain",
              "human brain model", "anatomical brain"), ("pink",), bodies=5),
-    varied_shape(_row("eye_model", _eye, (0.1, 0.125, 0.138), 0.3, ("model eye", "eyeball model"),
+    vary(_row("eye_model", _eye, (0.1, 0.125, 0.138), 0.3, ("model eye", "eyeball model"),
              ("blue",),
              bodies=2)),
     _row("skeleton_model", _bones, (0.13, 0.09, 0.34), 0.4, ("model skeleton",

@@ -2,21 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
-from ...build.making import (
-    Drawing,
-    at_block,
-    disc,
-    faceted_shape,
-    metal,
-    of,
-    plate,
-    standing,
-)
+from ...build.making import Bodies, Drawing, at_block, disc, hull_solid, metal, of, plate, standing
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, straight
 from ...build.solids import join, lathe
@@ -44,7 +33,7 @@ def _vane(look: Look) -> Pieces:
     ]
     arrow = [
         straight((-0.09, 0, 0.17), (0.07, 0, 0.17), 0.003, 8),
-        faceted_shape(
+        hull_solid(
             [
                 (0.07, 0, 0.185),
                 (0.07, 0, 0.155),
@@ -111,7 +100,7 @@ def _sundial(look: Look) -> Pieces:
     tile = look.surface(color, "metal")
     foot = standing((0.06, 0), (0.05, 0.014), (0.04, 0.03), (0.075, 0.046), (0.08, 0.056), sides=36)
     face = disc(0.076, 0.001, (0, 0, 0.0556), sides=36)
-    fin = faceted_shape(
+    fin = hull_solid(
         [
             (x, y, z)
             for x in (-0.002, 0.002)
@@ -162,7 +151,7 @@ def _sphere(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors

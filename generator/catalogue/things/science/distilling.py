@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
     dye,
     of,
     plastic,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
@@ -116,9 +115,9 @@ def _ants(look: Look) -> Pieces:
 def _condenser(look: Look) -> Pieces:
     """A glass condenser lying: a jacket round a tube, two side pipes."""
     z = 0.02
-    jacket = turned_shape((-0.1, 0.008), (-0.09, 0.018), (0.09, 0.018), (0.1, 0.008), z=z)
-    inner = turned_shape((-0.16, 0.007), (0.16, 0.007), z=z)
-    bell = turned_shape((-0.19, 0.012), (-0.165, 0.011), (-0.155, 0.007), z=z)
+    jacket = spindle((-0.1, 0.008), (-0.09, 0.018), (0.09, 0.018), (0.1, 0.008), z=z)
+    inner = spindle((-0.16, 0.007), (0.16, 0.007), z=z)
+    bell = spindle((-0.19, 0.012), (-0.165, 0.011), (-0.155, 0.007), z=z)
     pipes = [
         rod([(x, 0, z), (x, s * 0.03, z), (x, s * 0.05, z)], 0.005, 8)
         for x, s in ((-0.07, 1), (0.07, -1))
@@ -213,7 +212,7 @@ def _trough(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 

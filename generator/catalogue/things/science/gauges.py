@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
     PAINTS,
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -19,8 +18,8 @@ from ...build.making import (
     plastic,
     plate,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.outlines import arc, smooth
@@ -90,7 +89,7 @@ def _theodolite(look: Look) -> Pieces:
     yoke = [at_block(0.026, 0.06, 0.13, 0.01, (s * 0.05, 0, 0.046)) for s in (-1, 1)]
     bridge = at_block(0.13, 0.07, 0.02, 0.012, (0, 0, 0.045))
     scope = (
-        turned_shape(
+        spindle(
             (-0.09, 0.018),
             (-0.05, 0.018),
             (-0.03, 0.024),
@@ -176,7 +175,7 @@ def _geometry(look: Look) -> Pieces:
     legs = [
         straight((0.0, -0.02, 0.008), (0.08, -0.03 + 0.014 * k, 0.006), 0.0026, 8) for k in (0, 1)
     ]
-    pencil = turned_shape((-0.06, 0.0035), (0.06, 0.0035), (0.07, 0.0004), sides=6, z=0.008).move(
+    pencil = spindle((-0.06, 0.0035), (0.06, 0.0035), (0.07, 0.0004), sides=6, z=0.008).move(
         y=-0.04
     )
     return [
@@ -240,7 +239,7 @@ def _cubes(n: int, soma: bool) -> Drawing:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -16,11 +15,11 @@ from ...build.making import (
     of,
     plastic,
     shine,
-    turned_shape,
+    spindle,
 )
 from ...build.recipes import Pieces
 from ...build.solids import join, torus
-from ...build.variants import at_rest, varied_shape
+from ...build.variants import at_rest, vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -56,7 +55,7 @@ def _cover(look: Look) -> Pieces:
 def _tip(look: Look) -> Pieces:
     return [
         (
-            turned_shape(
+            spindle(
                 (-0.025, 0.0034), (-0.018, 0.0034), (-0.012, 0.0029), (0.025, 0.0005), z=0.0034
             ),
             plastic(look, "yellow", "sky", "clear", "white"),
@@ -74,18 +73,16 @@ def _vial(cap: str) -> Drawing:
             (textures.plain(tint_color(color, 1.0)), 1), (textures.plain((226, 236, 240)), 1)
         )
         if cap == "snap":
-            body = turned_shape(
-                (-0.016, 0.0054), (0.0, 0.0052), (0.018, 0.0022), (0.02, 0.001), z=z
-            )
-            rim = turned_shape((-0.0175, 0.0066), (-0.0155, 0.0066), z=z)
+            body = spindle((-0.016, 0.0054), (0.0, 0.0052), (0.018, 0.0022), (0.02, 0.001), z=z)
+            rim = spindle((-0.0175, 0.0066), (-0.0155, 0.0066), z=z)
             lid = disc(0.0062, 0.003).turn(1, np.pi / 2).turn(2, 0.9).move(-0.021, 0.009, 0.0062)
             return [
                 (body, liquid),
                 (rim, textures.plain((216, 228, 234))),
                 (lid, textures.plain((216, 228, 234))),
             ]
-        body = turned_shape((-0.02, 0.0056), (0.017, 0.0056), (0.02, 0.003), z=z)
-        top = turned_shape((-0.032, 0.0062), (-0.019, 0.0062), z=0.0062)
+        body = spindle((-0.02, 0.0056), (0.017, 0.0056), (0.02, 0.003), z=z)
+        top = spindle((-0.032, 0.0062), (-0.019, 0.0062), z=0.0062)
         return [(body, liquid), (top, plastic(look, "red", "blue", "green", "yellow", "purple"))]
 
     return draw
@@ -116,7 +113,7 @@ def _wells(rows: int, columns: int) -> Drawing:
 def _strip(look: Look) -> Pieces:
     tile = textures.plain(tint_color(look.color("clear", "sky", "white"), 1.1))
     tubes = [
-        turned_shape((-0.0075, 0.0028), (0.003, 0.0026), (0.0095, 0.001), z=0)
+        spindle((-0.0075, 0.0028), (0.003, 0.0026), (0.0095, 0.001), z=0)
         .turn(1, np.pi / 2)
         .move((k - 3.5) * 0.009, 0, 0.0095)
         for k in range(8)
@@ -221,16 +218,16 @@ def _cabinet(kind: str) -> Drawing:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 
 
 CATEGORIES = (
-    varied_shape(_row("microscope_slide", _slide, (0.076, 0.026, 0.0012), 0.005, ("glass slide",
+    vary(_row("microscope_slide", _slide, (0.076, 0.026, 0.0012), 0.005, ("glass slide",
              "specimen slide", "haemocytometer", "counting chamber", "prepared slide"), ("pink",),
              roles=("flat",)), 0.08),
-    varied_shape(_row("cover_slip", _cover, (0.022, 0.022, 0.0008), 0.0003, ("coverslip", "cover glass",
+    vary(_row("cover_slip", _cover, (0.022, 0.022, 0.0008), 0.0003, ("coverslip", "cover glass",
              "cover slide"), ("clear",), roles=("flat",)), 0.08),
     at_rest(_row("pipette_tip", _tip, (0.05, 0.0068, 0.0068), 0.0005, ("micropipette tip",),
              ("yellow",),

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
     PAINTS,
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,14 +16,14 @@ from ...build.making import (
     of,
     plastic,
     shine,
+    spindle,
     standing,
-    turned_shape,
     wood,
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
 
@@ -85,8 +84,8 @@ def _newton(look: Look) -> Pieces:
     """A spring balance lying: a clear tube with a scale, a ring and a hook."""
     z = 0.013
     scale = textures.grid((60, 60, 66), (232, 238, 240), 0, 20)
-    body = turned_shape((-0.09, 0.0125), (0.07, 0.0125), z=z)
-    caps = [turned_shape((x, 0.0134), (x + 0.014, 0.0134), z=z + 0.0004) for x in (-0.095, 0.065)]
+    body = spindle((-0.09, 0.0125), (0.07, 0.0125), z=z)
+    caps = [spindle((x, 0.0134), (x + 0.014, 0.0134), z=z + 0.0004) for x in (-0.095, 0.065)]
     ring = torus(0.012, 0.002, 22, 6).move(-0.108, 0, 0.0022)
     hook = tube(
         [
@@ -155,12 +154,12 @@ def _quake(look: Look) -> Pieces:
     )
     prints.stroke(image, list(zip(x, wave, strict=True)), 0.02, (170, 30, 34))
     base = at_block(0.22, 0.13, 0.022, 0.008)
-    drum = turned_shape((-0.055, 0.035), (0.055, 0.035), sides=28, z=0.065).move(x=-0.03)
-    ends = [turned_shape((x, 0.038), (x + 0.004, 0.038), z=0.065) for x in (-0.089, 0.025)]
+    drum = spindle((-0.055, 0.035), (0.055, 0.035), sides=28, z=0.065).move(x=-0.03)
+    ends = [spindle((x, 0.038), (x + 0.004, 0.038), z=0.065) for x in (-0.089, 0.025)]
     posts = [at_box(0.012, 0.03, 0.065, (x, 0, 0.02)) for x in (-0.1, 0.04)]
     tower = at_box(0.02, 0.02, 0.15, (0.09, 0.03, 0.02))
     arm = straight((0.09, 0.03, 0.12), (-0.02, -0.01, 0.101), 0.0026, 8)
-    weight = turned_shape((0.03, 0.016), (0.06, 0.016), z=0.11).move(y=0.015)
+    weight = spindle((0.03, 0.016), (0.06, 0.016), z=0.11).move(y=0.015)
     return [
         (base, wood(look, "brown", "wooden", "black")),
         (drum, image),
@@ -228,7 +227,7 @@ def _trundle(look: Look) -> Pieces:
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
          colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: Any = None) -> Category:  # fmt: skip
+             bodies: Bodies = None) -> Category:  # fmt: skip
     roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
     return Category(
         key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
@@ -244,12 +243,12 @@ CATEGORIES = (
              "spring scale", "luggage scale", "dynamometer"), ("red",), 0.06, 3),
     _row("van_de_graaff_generator", _graaff, (0.16, 0.16, 0.38), 2.5, ("van de graaff",
              "static generator", "tesla coil", "wimshurst machine", "plasma ball"), ("navy",)),
-    varied_shape(_row("radiometer", _radiometer, (0.082, 0.082, 0.135), 0.1, ("light mill",
+    vary(_row("radiometer", _radiometer, (0.082, 0.082, 0.135), 0.1, ("light mill",
              "crookes radiometer", "solar radiometer"), ("clear",)), 0.08),
     _row("seismograph", _quake, (0.22, 0.13, 0.17), 1.5, ("seismometer", "earthquake recorder"),
              ("brown",), bodies=5),
     _row("pantograph", _panto, (0.27, 0.17, 0.018), 0.12, ("drawing pantograph",), ("wooden",)),
-    varied_shape(_row("slide_rule", _rule, (0.3, 0.042, 0.0098), 0.08, ("sliding ruler",
+    vary(_row("slide_rule", _rule, (0.3, 0.042, 0.0098), 0.08, ("sliding ruler",
              "calculating ruler"),
              ("cream",), bodies=4), 0.08),
     _row("trundle_wheel", _trundle, (0.48, 0.24, 0.04), 0.7, ("measuring wheel", "odometer wheel",

@@ -11,7 +11,7 @@ from ...build.outlines import smooth
 from ...build.settled import limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, torus, tube
-from ...build.variants import keep_still, varied_shape
+from ...build.variants import keep_still, vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -229,7 +229,7 @@ CATEGORIES = (
     Category("salad_spinner", salad_spinner, (0.247, 0.247, 0.178), 0.9,
              ("lettuce spinner", "salad dryer", "salad drier"), _K, ("big", "round"),
              ("green", "white")),
-    varied_shape(Category("pasta_machine", pasta_machine, (0.27, 0.175, 0.157), 2.5,
+    vary(Category("pasta_machine", pasta_machine, (0.27, 0.175, 0.157), 2.5,
              ("pasta maker", "pasta roller", "noodle maker"), _K, _B, ("silver",))),
     Category("mincer", mincer, (0.233, 0.118, 0.209), 1.6, ("meat grinder", "meat mincer",
                                                             "hand mincer", "sausage maker"), _K,

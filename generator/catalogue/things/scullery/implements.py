@@ -27,7 +27,7 @@ Head = Callable[[Look, RGB, float], Pieces]
 """Makes the head that starts at x = 0 and reaches to the left, at height z."""
 
 
-def handled_shape(
+def with_handle(
     head: Head,
     grip: tuple[float, float],
     neck: float,
@@ -140,7 +140,7 @@ def _mallet(look: Look, color: RGB, z: float) -> Pieces:
     ]
 
 
-def _forked_shape(look: Look, color: RGB, z: float) -> Pieces:
+def _fork_head(look: Look, color: RGB, z: float) -> Pieces:
     bowl = ellipsoid(0.085, 0.06, 0.026, 22, 10).bend(
         lambda p: np.column_stack([p[:, :2], np.where(p[:, 2] > 0, -0.55 * p[:, 2], p[:, 2])])
     )
@@ -187,22 +187,22 @@ def row(
 
 
 CATEGORIES = (
-    row("melon_baller", handled_shape(_scoop, (0.08, 0.1), 0.045), 0.04, (0.164, 0.0273, 0.0203),
+    row("melon_baller", with_handle(_scoop, (0.08, 0.1), 0.045), 0.04, (0.164, 0.0273, 0.0203),
          "melon scoop", "fruit baller", "parisienne scoop"),
-    row("apple_corer", handled_shape(_tube_head, (0.08, 0.1), 0.012, r=0.011), 0.06,
+    row("apple_corer", with_handle(_tube_head, (0.08, 0.1), 0.012, r=0.011), 0.06,
          (0.199, 0.0253, 0.0248), "corer", "pineapple corer"),
-    row("zester", handled_shape(_rasp(0.17, 0.03), (0.1, 0.12), 0.01), 0.09, (0.292, 0.0332, 0.0208),
+    row("zester", with_handle(_rasp(0.17, 0.03), (0.1, 0.12), 0.01), 0.09, (0.292, 0.0332, 0.0208),
          "microplane", "lemon zester", "rasp grater", "hand grater", "nutmeg grater",
          "fine grater"),
-    row("citrus_zester", handled_shape(_holes_tip, (0.08, 0.1), 0.03), 0.05, (0.142, 0.0212, 0.0203),
+    row("citrus_zester", with_handle(_holes_tip, (0.08, 0.1), 0.03), 0.05, (0.142, 0.0212, 0.0203),
          "channel knife", "five hole zester"),
-    row("sharpening_steel", handled_shape(_long_rod, (0.1, 0.12), 0.0, r=0.011), 0.2,
+    row("sharpening_steel", with_handle(_long_rod, (0.1, 0.12), 0.0, r=0.011), 0.2,
          (0.322, 0.0262, 0.0256), "honing steel", "knife steel", "sharpening rod", "honing rod"),
-    row("meat_tenderiser", handled_shape(_mallet, (0.13, 0.16), 0.01, r=0.01), 0.35,
+    row("meat_tenderiser", with_handle(_mallet, (0.13, 0.16), 0.01, r=0.01), 0.35,
          (0.203, 0.0562, 0.0501), "meat tenderizer", "meat mallet", "meat hammer", "steak hammer"),
-    row("pasta_server", handled_shape(_forked_shape, (0.15, 0.18), 0.05), 0.08, (0.307, 0.0713, 0.0316),
+    row("pasta_server", with_handle(_fork_head, (0.15, 0.18), 0.05), 0.08, (0.307, 0.0713, 0.0316),
          "spaghetti server", "pasta fork", "pasta spoon", "spaghetti spoon"),
-    row("splatter_guard", handled_shape(_mesh_disc(0.13), (0.1, 0.13), 0.02), 0.2,
+    row("splatter_guard", with_handle(_mesh_disc(0.13), (0.1, 0.13), 0.02), 0.2,
          (0.396, 0.263, 0.0209), "splatter screen", "frying pan guard"),
 )  # fmt: skip
 """The module's categories."""

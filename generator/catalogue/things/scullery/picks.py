@@ -14,7 +14,7 @@ from ...build.variants import keep_still
 from ...surfaces import textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
-from .implements import handled_shape, steel
+from .implements import steel, with_handle
 
 
 def toothpick(look: Look) -> Shape:
@@ -79,7 +79,7 @@ CATEGORIES = (
     Category("cocktail_pick", cocktail_pick, (0.0936, 0.0124, 0.00407), 0.0006,
              ("cocktail stick", "party pick", "olive pick", "sandwich pick", "food pick",
               "flag pick"), _K, (), ("red",), state="lying"),
-    Category("electric_knife", keep_still(handled_shape(_twin_blade, (0.16, 0.19), 0.0,
+    Category("electric_knife", keep_still(with_handle(_twin_blade, (0.16, 0.19), 0.0,
                                                   ("white", "black", "gray", "red"), 0.02)),
                                                   (0.383, 0.046, 0.0451), 0.7,
                                                   ("electric carving knife",

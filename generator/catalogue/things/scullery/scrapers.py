@@ -11,7 +11,7 @@ from ...build.solids import cylinder, join, lathe, prism, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from .implements import handled_shape, row, steel
+from .implements import row, steel, with_handle
 
 
 def _swatter(look: Look, color: RGB, z: float) -> Pieces:
@@ -140,26 +140,27 @@ def _spatula_scraper(look: Look, color: RGB, z: float) -> Pieces:
 
 
 CATEGORIES = (
-    row("fly_swatter", handled_shape(_swatter, (0.09, 0.12), 0.2, ("red", "blue", "green", "yellow",
+    row("fly_swatter", with_handle(_swatter, (0.09, 0.12), 0.2, ("red", "blue", "green", "yellow",
         "pink")), 0.04, (0.427, 0.102, 0.0203), "fly swat", "fly-swatter", "swatter"),
-    row("spork", handled_shape(_spork, (0.08, 0.1), 0.0, ("red", "blue", "green", "orange", "gray",
+    row("spork", with_handle(_spork, (0.08, 0.1), 0.0, ("red", "blue", "green", "orange", "gray",
                                                      "black"), 0.0055), 0.015,
                                                      (0.149, 0.0405, 0.013), "camping spork",
                                                      "plastic spork",
          "titanium spork"),
-    row("herb_stripper", handled_shape(_leaf_plate, (0.05, 0.07), 0.01), 0.05, (0.173, 0.0499, 0.0211),
+    row("herb_stripper", with_handle(_leaf_plate, (0.05, 0.07), 0.01), 0.05, (0.173, 0.0499,
+    0.0211),
          "herb peeler", "kale stripper"),
-    row("egg_separator", handled_shape(_separator, (0.06, 0.08), 0.0, ("white", "yellow", "red",
+    row("egg_separator", with_handle(_separator, (0.06, 0.08), 0.0, ("white", "yellow", "red",
         "green", "sky"), 0.006), 0.03, (0.132, 0.065, 0.024), "yolk separator"),
-    row("turkey_baster", handled_shape(_balloon, (0.06, 0.07), 0.0, ("red", "black", "blue", "orange",
+    row("turkey_baster", with_handle(_balloon, (0.06, 0.07), 0.0, ("red", "black", "blue", "orange",
         "gray"), 0.02), 0.08, (0.264, 0.0453, 0.0444), "baster", "meat baster"),
-    row("jar_opener", handled_shape(_jaw, (0.11, 0.14), 0.0, r=0.01), 0.12, (0.187, 0.0634, 0.0223),
+    row("jar_opener", with_handle(_jaw, (0.11, 0.14), 0.0, r=0.01), 0.12, (0.187, 0.0634, 0.0223),
          "lid opener", "bottle grip", "jar wrench"),
-    row("butter_curler", handled_shape(_curl, (0.08, 0.1), 0.04), 0.04, (0.2, 0.0434, 0.0209),
+    row("butter_curler", with_handle(_curl, (0.08, 0.1), 0.04), 0.04, (0.2, 0.0434, 0.0209),
          "butter scraper"),
-    row("matcha_whisk", handled_shape(_matcha, (0.04, 0.05), 0.0, ("wooden", "tan", "cream"), 0.013),
+    row("matcha_whisk", with_handle(_matcha, (0.04, 0.05), 0.0, ("wooden", "tan", "cream"), 0.013),
          0.02, (0.115, 0.0511, 0.0501), "bamboo whisk", "chasen", "tea whisk"),
-    row("dough_scraper", handled_shape(_spatula_scraper, (0.1, 0.13), 0.0), 0.06,
+    row("dough_scraper", with_handle(_spatula_scraper, (0.1, 0.13), 0.0), 0.06,
          (0.204, 0.0601, 0.0201), "bowl scraper", "silicone scraper", "jar spatula",
          "dish scraper"),
 )  # fmt: skip

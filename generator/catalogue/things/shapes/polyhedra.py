@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...build.category import Category
-from ...build.making import PAINTS, Drawing, faceted_shape, of, on_a_face, standing
+from ...build.making import PAINTS, Drawing, hull_solid, of, on_a_face, standing
 from ...build.outlines import ellipse
 from ...build.recipes import Pieces, straight
 from ...build.solids import Solid, box, ellipsoid, prism, tube
@@ -20,7 +20,7 @@ Points = Float[np.ndarray, "n 3"]
 GOLDEN = (1 + 5**0.5) / 2
 
 
-def _signed_shape(*corners: tuple[float, float, float]) -> Points:
+def _with_signs(*corners: tuple[float, float, float]) -> Points:
     """Return corners with every choice of signs."""
     signs = np.array(list(itertools.product((-1, 1), repeat=3)), float)
     return np.concatenate([np.array(c) * signs for c in corners])
@@ -28,15 +28,15 @@ def _signed_shape(*corners: tuple[float, float, float]) -> Points:
 
 def _turns(*corners: tuple[float, float, float]) -> Points:
     """Return corners with every choice of signs, their coordinates exchanged in a circle."""
-    return np.concatenate([_signed_shape(tuple(np.roll(c, n))) for c in corners for n in range(3)])
+    return np.concatenate([_with_signs(tuple(np.roll(c, n))) for c in corners for n in range(3)])
 
 
 _TETRAHEDRON = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)], float)
 _OCTAHEDRON = _turns((1, 0, 0))
 _ICOSAHEDRON = _turns((0, 1, GOLDEN))
-_DODECAHEDRON = np.concatenate([_signed_shape((1, 1, 1)), _turns((0, 1 / GOLDEN, GOLDEN))])
-_CUBOCTAHEDRON = np.concatenate([_signed_shape(c) for c in ((1, 1, 0), (1, 0, 1), (0, 1, 1))])
-_RHOMBIC = np.concatenate([_signed_shape((1, 1, 1)), _turns((2, 0, 0))])
+_DODECAHEDRON = np.concatenate([_with_signs((1, 1, 1)), _turns((0, 1 / GOLDEN, GOLDEN))])
+_CUBOCTAHEDRON = np.concatenate([_with_signs(c) for c in ((1, 1, 0), (1, 0, 1), (0, 1, 1))])
+_RHOMBIC = np.concatenate([_with_signs((1, 1, 1)), _turns((2, 0, 0))])
 _FOOTBALL = _turns((0, 1, 3 * GOLDEN), (1, 2 + GOLDEN, 2 * GOLDEN), (GOLDEN, 2, 2 * GOLDEN + 1))
 
 
@@ -46,7 +46,7 @@ def _skin(look: Look) -> np.ndarray:
 
 def _poly(points: Points, size: float) -> Drawing:
     """A polyhedron of a width, lying on a face."""
-    body = on_a_face(faceted_shape(points))
+    body = on_a_face(hull_solid(points))
     body = body.scale(*(3 * [size / float(np.ptp(body.vertices, axis=0).max())]))
 
     def draw(look: Look) -> Pieces:
@@ -55,7 +55,7 @@ def _poly(points: Points, size: float) -> Drawing:
     return draw
 
 
-def _made_shape(make: Callable[[], list[Solid]]) -> Drawing:
+def _body(make: Callable[[], list[Solid]]) -> Drawing:
     """A body of one colour."""
 
     def draw(look: Look) -> Pieces:
@@ -68,7 +68,7 @@ def _made_shape(make: Callable[[], list[Solid]]) -> Drawing:
 def _antiprism() -> list[Solid]:
     low, high = ellipse(0.056, 0.056, 6), ellipse(0.056, 0.056, 6, np.pi / 6)
     rings = [np.column_stack([o, np.full(6, z)]) for o, z in ((low, 0.0), (high, 0.038))]
-    return [faceted_shape(np.concatenate(rings))]
+    return [hull_solid(np.concatenate(rings))]
 
 
 def _slanted_box() -> list[Solid]:
@@ -97,8 +97,8 @@ def _egg() -> list[Solid]:
     return [ellipsoid(0.06, 0.042, 0.042, 32, 18).bend(taper).move(z=0.0205)]
 
 
-def _stellated_shape() -> list[Solid]:
-    made = [faceted_shape(0.024 * s * _TETRAHEDRON) for s in (1, -1)]
+def _stellated_solid() -> list[Solid]:
+    made = [hull_solid(0.024 * s * _TETRAHEDRON) for s in (1, -1)]
     a = float(np.arctan2(1, 1))
     made = [m.turn(2, a).turn(1, float(np.arctan(2**0.5))) for m in made]
     low = min(float(m.bounds[0, 2]) for m in made)
@@ -127,7 +127,7 @@ def _moebius() -> list[Solid]:
 
 
 def _cell(a: np.ndarray, b: np.ndarray) -> Solid:
-    return faceted_shape(np.concatenate([a, b]))
+    return hull_solid(np.concatenate([a, b]))
 
 
 def _frame() -> list[Solid]:
@@ -190,50 +190,50 @@ CATEGORIES = (
              ("toys",), (), ("yellow", "green")),
     Category("truncated_icosahedron", of(_poly(_FOOTBALL, 0.05)), (0.05, 0.05, 0.048), 0.06,
              ("buckyball", "geodesic ball"), ("toys",), (), ("white", "blue")),
-    Category("stellated_octahedron", of(_made_shape(_stellated_shape)), (0.0791, 0.0685, 0.0839), 0.03,
+    Category("stellated_octahedron", of(_body(_stellated_solid)), (0.0791, 0.0685, 0.0839), 0.03,
              ("stella octangula", "star polyhedron", "stellated polyhedron",
               "stellated dodecahedron"), ("toys",), (), ("gold", "red")),
-    Category("antiprism", of(_made_shape(_antiprism)), (0.056, 0.056, 0.038), 0.05, ("polyhedron",
+    Category("antiprism", of(_body(_antiprism)), (0.056, 0.056, 0.038), 0.05, ("polyhedron",
              "hexagonal antiprism"), ("toys",), (), ("teal", "red")),
-    Category("parallelepiped", of(_made_shape(_slanted_box)), (0.075, 0.048, 0.04), 0.06,
+    Category("parallelepiped", of(_body(_slanted_box)), (0.075, 0.048, 0.04), 0.06,
              ("rhomboid", "slanted block", "parallelogram block", "rhombohedron"), ("toys",), (),
              ("blue", "green")),
-    Category("frustum", of(_made_shape(_frustum)), (0.06, 0.06, 0.045), 0.05, ("truncated cone",
+    Category("frustum", of(_body(_frustum)), (0.06, 0.06, 0.045), 0.05, ("truncated cone",
              "cone frustum", "truncated pyramid"), ("toys",), ("support",), ("orange", "blue")),
-    Category("hemisphere", of(_made_shape(_hemisphere)), (0.06, 0.06, 0.03), 0.04, ("dome",
+    Category("hemisphere", of(_body(_hemisphere)), (0.06, 0.06, 0.03), 0.04, ("dome",
              "half sphere", "half ball", "dome block"), ("toys",), (), ("red", "blue")),
-    Category("paraboloid", of(_made_shape(_paraboloid)), (0.049, 0.049, 0.0565), 0.04, (), ("toys",), (),
+    Category("paraboloid", of(_body(_paraboloid)), (0.049, 0.049, 0.0565), 0.04, (), ("toys",), (),
              ("green", "blue")),
-    Category("ellipsoid", of(_made_shape(_round(0.07, 0.045, 0.045)), 0.06), (0.07, 0.045, 0.045), 0.05,
+    Category("ellipsoid", of(_body(_round(0.07, 0.045, 0.045)), 0.06), (0.07, 0.045, 0.045), 0.05,
              ("spheroid", "oval ball", "prolate spheroid"), ("toys",), (), ("blue", "red")),
-    Category("ovoid", of(_made_shape(_egg), 0.06), (0.06, 0.044, 0.041), 0.04, ("egg shape", "gomboc",
+    Category("ovoid", of(_body(_egg), 0.06), (0.06, 0.044, 0.041), 0.04, ("egg shape", "gomboc",
              "wooden ovoid"), ("toys",), (), ("wooden", "teal")),
-    Category("helix", of(_made_shape(_spiral), 0.1), (0.075, 0.037, 0.037), 0.02, ("spiral",
+    Category("helix", of(_body(_spiral), 0.1), (0.075, 0.037, 0.037), 0.02, ("spiral",
              "wire spiral", "coil"), ("toys",), (), ("silver", "red")),
-    at_rest(Category("moebius_strip", of(_made_shape(_moebius), bodies=range(0, 72, 3)), (0.0944, 0.0794,
+    at_rest(Category("moebius_strip", of(_body(_moebius), bodies=range(0, 72, 3)), (0.0944, 0.0794,
              0.0243),
              0.015, ("mobius strip", "mobius band", "mobius loop", "klein bottle"), ("toys",), (),
              ("blue", "gold"))),
-    Category("hollow_cube", of(_made_shape(_frame)), (0.052, 0.052, 0.052), 0.03, ("cube frame",
+    Category("hollow_cube", of(_body(_frame)), (0.052, 0.052, 0.052), 0.03, ("cube frame",
              "open cube", "wire cube", "soma cube frame"), ("toys",), (), ("wooden", "red")),
-    Category("menger_sponge", of(_made_shape(_sponge), bodies=range(0, 48, 3)), (0.054, 0.054,
+    Category("menger_sponge", of(_body(_sponge), bodies=range(0, 48, 3)), (0.054, 0.054,
              0.054),
              0.05, ("fractal cube",), ("toys",), (), ("white", "blue")),
-    Category("u_block", of(_made_shape(lambda: _letter((0, 0), (1, 0), (2, 0), (0, 1), (2, 1)))),
+    Category("u_block", of(_body(lambda: _letter((0, 0), (1, 0), (2, 0), (0, 1), (2, 1)))),
              (0.066, 0.044, 0.022), 0.05, ("u shaped block", "u piece", "u-block", "c block"),
              ("toys",), (), ("blue", "red")),
-    Category("s_block", of(_made_shape(lambda: _letter((0, 0), (1, 0), (1, 1), (2, 1)))),
+    Category("s_block", of(_body(lambda: _letter((0, 0), (1, 0), (1, 1), (2, 1)))),
              (0.066, 0.044, 0.022), 0.04, ("s shaped block", "s piece", "s-block"), ("toys",), (),
              ("green", "red")),
-    Category("z_block", of(_made_shape(lambda: _letter((0, 1), (1, 1), (1, 0), (2, 0)))),
+    Category("z_block", of(_body(lambda: _letter((0, 1), (1, 1), (1, 0), (2, 0)))),
              (0.066, 0.044, 0.022), 0.04, ("z shaped block", "z piece", "z-block"), ("toys",), (),
              ("red", "blue")),
-    Category("hexagram", of(_made_shape(_hexagram), 0.1), (0.0649, 0.071, 0.00789), 0.03,
+    Category("hexagram", of(_body(_hexagram), 0.1), (0.0649, 0.071, 0.00789), 0.03,
              ("star of david", "six pointed star"), ("living",), ("flat",), ("gold", "blue")),
-    Category("bar_block", of(_made_shape(lambda: [box(0.12, 0.02, 0.02)])), (0.12, 0.02, 0.02), 0.05,
+    Category("bar_block", of(_body(lambda: [box(0.12, 0.02, 0.02)])), (0.12, 0.02, 0.02), 0.05,
              ("bar", "square bar", "long bar", "rectangular bar"), ("toys",), (),
              ("wooden", "silver")),
-    Category("disc", of(_made_shape(_flat(40, 0.032, 0.01))), (0.064, 0.064, 0.01), 0.03, ("disk",
+    Category("disc", of(_body(_flat(40, 0.032, 0.01))), (0.064, 0.064, 0.01), 0.03, ("disk",
              "flat disc", "flat disk", "round disc", "wooden disc", "plastic disc", "metal disc"),
              ("toys",), ("flat", "round"), ("red", "blue")),
 )  # fmt: skip

@@ -11,7 +11,7 @@ from ...build.recipes import Pieces, ball, straight
 from ...build.settled import hull_above, limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, cylinder, ellipsoid, join, lathe, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -207,10 +207,10 @@ CATEGORIES = (
              "halloween ghost", "ghost decoration", "toy ghost"), _L, (), ("white",)),
     Category("mummy", mummy, (0.0896, 0.0825, 0.136), 0.12, ("mummy figure", "mummy figurine",
              "toy mummy", "zombie figure", "zombie", "zombies"), _L, (), ("cream",)),
-    varied_shape(Category("severed_hand", hand, (0.113, 0.174, 0.0351), 0.15, ("fake hand", "zombie hand",
+    vary(Category("severed_hand", hand, (0.113, 0.174, 0.0351), 0.15, ("fake hand", "zombie hand",
              "mannequin hand", "rubber hand", "plastic hand", "hand prop"), _L,
              (), (), state=_D)),
-    varied_shape(Category("severed_finger", finger, (0.0772, 0.0207, 0.0199), 0.012, ("fake finger",
+    vary(Category("severed_finger", finger, (0.0772, 0.0207, 0.0199), 0.012, ("fake finger",
              "rubber finger", "zombie finger", "plastic finger"), _L, (), (), state=_D)),
     Category("eyeball", eyeball, (0.0316, 0.0311, 0.0275), 0.01, ("fake eyeball", "glass eye",
              "plastic eyeball", "rubber eyeball", "candy eyeball"), _L, ("round",),

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,12 +16,12 @@ from ...build.making import (
     plastic,
     plate,
     shine,
-    turned_shape,
+    spindle,
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
 from ...build.solids import join, torus, tube
-from ...build.variants import varied_shape
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -36,8 +35,8 @@ WHITE = textures.plain((244, 243, 240))
 def _scope(look: Look) -> Pieces:
     """An otoscope lying: a handle, a round head with a cone."""
     z = 0.016
-    grip = turned_shape((-0.11, 0.012), (-0.1, 0.0155), (0.02, 0.0145), (0.03, 0.011), z=z)
-    neck = turned_shape((0.03, 0.008), (0.055, 0.008), z=z)
+    grip = spindle((-0.11, 0.012), (-0.1, 0.0155), (0.02, 0.0145), (0.03, 0.011), z=z)
+    neck = spindle((0.03, 0.008), (0.055, 0.008), z=z)
     head = disc(0.019, 0.024, (0.07, 0, 0.004))
     cone = straight((0.07, -0.012, z), (0.07, -0.05, z), (0.011, 0.003), 14)
     lens = disc(0.013, 0.014).turn(0, -np.pi / 2).move(0.07, 0.012, z)
@@ -226,7 +225,7 @@ def _retainer(wire: bool) -> Drawing:
     return draw
 
 
-def _moulded_shape(look: Look) -> Pieces:
+def _moulded_piece(look: Look) -> Pieces:
     """A plaster cast of a jaw on a base."""
     color = look.color("white", "cream", "yellow", "beige")
     tile = textures.speckles(look.rng, color, 5)
@@ -250,7 +249,7 @@ def _moulded_shape(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 
@@ -263,13 +262,13 @@ CATEGORIES = (
              "ice cream stick wooden"), ("beige",), roles=("flat",)),
     _row("sharps_container", _bin, (0.136, 0.106, 0.19), 0.3, ("sharps bin", "sharps box",
              "biohazard bin", "needle bin"), ("yellow",), bodies=2, roles=("tall",)),
-    varied_shape(_row("covid_test", _cassette("cassette"), (0.07, 0.02, 0.0053), 0.006,
+    vary(_row("covid_test", _cassette("cassette"), (0.07, 0.02, 0.0053), 0.006,
              ("lateral flow test",
              "rapid test", "antigen test", "covid test kit", "test cassette",
              "rapid antigen test"), roles=("flat",)), 0.08),
     _row("pregnancy_test", _cassette("stick"), (0.134, 0.02, 0.0125), 0.012, ("test stick",
              "ovulation test"), bodies=2),
-    varied_shape(_row("test_strip", _strip, (0.075, 0.0075, 0.0009), 0.001, ("ph strip", "litmus paper",
+    vary(_row("test_strip", _strip, (0.075, 0.0075, 0.0009), 0.001, ("ph strip", "litmus paper",
              "urine test strip", "glucose strip", "ph paper", "indicator paper"), ("yellow",),
              roles=("flat",)), 0.08),
     _row("hearing_aid", _hearing, (0.046, 0.05, 0.012), 0.005, ("cochlear implant", "ear piece",
@@ -292,7 +291,8 @@ CATEGORIES = (
     _row("retainer", _retainer(True), (0.066, 0.05, 0.014), 0.012, ("dental retainer",
              "dental brace", "braces retainer", "orthodontic retainer", "orthodontic brace"),
              ("sky", "pink"), bodies=1),
-    _row("dental_mould", _moulded_shape, (0.0739, 0.046, 0.0318), 0.08, ("dental mold", "dental cast",
+    _row("dental_mould", _moulded_piece, (0.0739, 0.046, 0.0318), 0.08, ("dental mold",
+             "dental cast",
              "plaster teeth", "dental impression", "jaw cast")),
 )  # fmt: skip
 """The module's categories."""

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -16,7 +15,7 @@ from ...build.making import (
     of,
     plastic,
     shine,
-    turned_shape,
+    spindle,
 )
 from ...build.recipes import Pieces, ball, pad, rod, straight
 from ...build.solids import join, lathe, torus
@@ -150,7 +149,7 @@ def _nebuliser(look: Look) -> Pieces:
 
 def _ampoule(look: Look) -> Pieces:
     color = look.color("amber", "clear", "brown", "sky")
-    body = turned_shape(
+    body = spindle(
         (-0.03, 0.0035),
         (-0.028, 0.0056),
         (0.008, 0.0056),
@@ -160,7 +159,7 @@ def _ampoule(look: Look) -> Pieces:
         (0.031, 0.0008),
         z=0.0056,
     )
-    band = turned_shape((-0.02, 0.0058), (0.0, 0.0058), z=0.0057)
+    band = spindle((-0.02, 0.0058), (0.0, 0.0058), z=0.0057)
     return [
         (body, textures.plain(color)),
         (band, textures.stripes([(246, 246, 244), (60, 110, 180)], 1, upright=True)),
@@ -189,7 +188,7 @@ def _hand(look: Look) -> Pieces:
         [0.011, 0.01, 0.008],
         10,
     )
-    wrist = turned_shape((-0.085, 0.026), (-0.035, 0.024), z=0.0225).scale(1, 1.15, 1)
+    wrist = spindle((-0.085, 0.026), (-0.035, 0.024), z=0.0225).scale(1, 1.15, 1)
     rings = [
         torus(0.0095, 0.0016, 14, 5).turn(1, np.pi / 2).move(0.07, 1.1 * y, 0.0195)
         for y in (-0.03, -0.01, 0.011, 0.031)
@@ -258,7 +257,7 @@ def _flow(look: Look) -> Pieces:
     """A peak flow meter lying: a tube with a scale and a mouthpiece."""
     scale = prints.rule(8, (250, 250, 248), (30, 60, 140))
     body = at_block(0.15, 0.04, 0.03, 0.012)
-    mouth = turned_shape((0.072, 0.0145), (0.105, 0.0145), z=0.0152)
+    mouth = spindle((0.072, 0.0145), (0.105, 0.0145), z=0.0152)
     slider = at_box(0.006, 0.01, 0.003, (look.between(-0.03, 0.03), 0.0, 0.0296))
     return [
         (body, plastic(look, "white", "blue", "yellow")),
@@ -270,7 +269,7 @@ def _flow(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...build.category import Category
 from ...build.making import (
+    Bodies,
     Drawing,
     at_block,
     at_box,
@@ -17,7 +16,7 @@ from ...build.making import (
     plastic,
     plate,
     shine,
-    turned_shape,
+    spindle,
 )
 from ...build.recipes import Pieces, pad, rod, straight
 from ...build.solids import join, lathe, tube
@@ -32,11 +31,11 @@ WHITE = textures.plain((244, 243, 240))
 
 
 def _spacer(look: Look) -> Pieces:
-    body = turned_shape(
+    body = spindle(
         (-0.07, 0.02), (-0.06, 0.028), (0.05, 0.028), (0.065, 0.018), (0.085, 0.014), z=0.028
     )
-    back = turned_shape((-0.085, 0.014), (-0.068, 0.022), z=0.028)
-    ring = turned_shape((0.048, 0.0295), (0.056, 0.0295), z=0.0285)
+    back = spindle((-0.085, 0.014), (-0.068, 0.022), z=0.028)
+    ring = spindle((0.048, 0.0295), (0.056, 0.0295), z=0.0285)
     return [
         (body, textures.plain(tint_color(look.color("clear", "sky"), 1.1))),
         (back, dye(look, "blue", "gray", "purple")),
@@ -62,7 +61,7 @@ def _plugs(look: Look) -> Pieces:
     """One soft ear plug lying."""
     return [
         (
-            turned_shape(
+            spindle(
                 (-0.012, 0.006),
                 (-0.011, 0.0066),
                 (0.004, 0.0058),
@@ -100,7 +99,7 @@ def _roller(look: Look) -> Pieces:
     color = look.color("sage", "pink", "green", "purple")
     stone = textures.marble(look.rng, color, tint_color(color, 1.5))
     z = 0.016
-    grip = turned_shape((-0.05, 0.006), (0.05, 0.006), z=z)
+    grip = spindle((-0.05, 0.006), (0.05, 0.006), z=z)
     gold = [
         rod([(s * 0.05, 0, z), (s * 0.058, -0.024, z), (s * 0.075, -0.024, z)], 0.0018, 6)
         for s in (-1, 1)
@@ -110,12 +109,12 @@ def _roller(look: Look) -> Pieces:
         for s in (-1, 1)
     ]
     big = (
-        turned_shape((-0.02, 0.01), (-0.012, 0.016), (0.012, 0.016), (0.02, 0.01), z=z)
+        spindle((-0.02, 0.01), (-0.012, 0.016), (0.012, 0.016), (0.02, 0.01), z=z)
         .turn(2, np.pi / 2)
         .move(x=0.075)
     )
     small = (
-        turned_shape((-0.018, 0.005), (-0.01, 0.0085), (0.01, 0.0085), (0.018, 0.005), z=z)
+        spindle((-0.018, 0.005), (-0.01, 0.0085), (0.01, 0.0085), (0.018, 0.005), z=z)
         .turn(2, np.pi / 2)
         .move(x=-0.075)
     )
@@ -219,7 +218,7 @@ def _winder(look: Look) -> Pieces:
 
 def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
              ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Any = None,
+         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
              roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
     return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
 
