@@ -8,6 +8,7 @@ must show - counts, relations, and nothing else - is read from a plain MuJoCo si
 bundle (``wording/seen.py``); labels, stand-ins and warnings are the command's ``--json``. Rows go
 to ``understanding_<route>_<half>.csv`` as they come (a second run resumes), the summary to the
 ``.md`` beside it. The test half is held back: its rows and its summary have figures only.
+``--half more`` takes ``wording/more.json``, 320 texts to learn from, written after the two halves.
 ``--bundles`` keeps the scenes, and judges those that are there already; ``--sheet N`` draws N
 scenes of the test half with their texts, for marks from 1 to 5.
 """
@@ -184,7 +185,7 @@ def draw(count: int, route: str, seed: int, bundles: Path | None, out: Path) -> 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    parser.add_argument("--half", choices=("dev", "test", "both"), default="dev")
+    parser.add_argument("--half", choices=("dev", "test", "both", "more"), default="dev")
     parser.add_argument("--route", choices=("generate", "compose"), default="compose")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--limit", type=int, default=None, help="only the first N texts")
@@ -199,7 +200,7 @@ def main() -> None:
     tables.alone()
     for folder in (args.out, args.bundles or args.out):
         folder.mkdir(parents=True, exist_ok=True)
-    shown = {c.id for c in cases_of("dev")}
+    shown = {c.id for half in ("dev", "more") for c in cases_of(half)}
     cases = [c for c in cases_of(args.half) if args.theme in (None, c.theme)][: args.limit]
     asked = {(c.id, str(args.seed)): c for c in cases}
     if args.sheet:

@@ -1,7 +1,8 @@
 """A text and what its table must show; ``dev.json`` and ``test.json`` hold one a line.
 
 Texts were written and dealt to the two halves before anything was run: theme by theme, easy ones
-first, each to the half that has fewer of its level and of its theme so far.
+first, each to the half that has fewer of its level and of its theme so far. ``more.json`` holds
+texts that were written later, to learn from: five sets by writers who knew nothing of the parser.
 """
 
 from __future__ import annotations
@@ -75,7 +76,7 @@ def plain(words: str) -> str:
 
 
 def cases_of(half: str, folder: Path = HERE) -> list[Case]:
-    """Return the cases of a half, or of "both"."""
+    """Return the cases of a half, of "both", or those of "more"."""
     halves = HALVES if half == "both" else (half,)
     lists = [json.loads((folder / f"{h}.json").read_text(encoding="utf-8")) for h in halves]
     return [case_of(entry) for entries in lists for entry in entries]
