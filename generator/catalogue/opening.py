@@ -17,6 +17,7 @@ OPENED: Mapping[str, str] = MappingProxyType(
             "empty_vase": "vase",
             "empty_pencil_holder": "pencil_holder",
             "open_steamer": "bamboo_steamer",
+            "open_paper_bag": "paper_bag",
             "open_ice_bucket": "ice_bucket",
             "open_pot": "pot casserole",
             "open_can": "can soup_can",

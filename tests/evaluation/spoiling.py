@@ -12,7 +12,7 @@ from generator.geometry import Camera, yaw_quaternion
 from generator.render.picture import render_scene
 from generator.scene import TABLE, Object, Pose, Scene, View
 
-FOUR = {"can_1": "overlap", "bottle_1": "float", "mug_1": "shrink", "bar_1": "turn"}
+FOUR = {"can_1": "overlap", "bottle_1": "float", "mug_1": "shrink", "strut_1": "turn"}
 """What is spoiled in ``spoiled_four_ways``, and how."""
 
 VIEW = View(azimuth=0.2, elevation=0.8, fov=0.6)
@@ -33,7 +33,7 @@ def sound() -> Scene:
         toy_object("mug_1", (0.09, 0.09, 0.095), (-0.3, 0.05), wall=0.006, mass=0.3),
         toy_object("can_1", (0.066, 0.066, 0.12), (0.1, 0.12), mass=0.3, kind="cylinder"),
         toy_object("bottle_1", (0.075, 0.075, 0.24), (-0.15, 0.15), mass=0.4, kind="cylinder"),
-        toy_object("bar_1", (0.22, 0.04, 0.04), (0.0, -0.15), yaw=0.4, color=(40, 90, 160)),
+        toy_object("strut_1", (0.22, 0.04, 0.04), (0.0, -0.15), yaw=0.4, color=(40, 90, 160)),
         toy_object("box_1", (0.2, 0.14, 0.1), (0.4, 0.05), mass=2.0, color=(90, 110, 140)),
     )
     return toy_scene(things, name="sound").replace(view=VIEW)

@@ -79,7 +79,7 @@ def test_defects_are_reported_without_picture_or_truth(
 @pytest.mark.parametrize(
     ("name", "change", "kind"),
     [
-        ("bar_1", "turn", "wrong_yaw"),
+        ("strut_1", "turn", "wrong_yaw"),
         ("box_1", "shrink", "wrong_size"),
         ("can_1", "lose", "missing"),
     ],
@@ -97,7 +97,7 @@ def test_the_picture_tells_turns_sizes_and_losses(
 @pytest.mark.parametrize(
     ("name", "change", "kind"),
     [
-        ("bar_1", "turn", "wrong_yaw"),
+        ("strut_1", "turn", "wrong_yaw"),
         ("box_1", "shrink", "wrong_size"),
         ("can_1", "overlap", "wrong_place"),
         ("can_1", "lose", "missing"),
@@ -152,7 +152,7 @@ def test_findings_carry_figures_and_limits() -> None:
 def test_an_overlap_is_found_by_either_name() -> None:
     found = evaluate(spoiled(sound(), "can_1", "overlap"), simulate=False)
     assert found.of("can_1") == found.of("box_1") == found.findings
-    assert found.of("bar_1") == ()
+    assert found.of("strut_1") == ()
 
 
 @pytest.mark.slow
@@ -253,8 +253,8 @@ def test_the_command_reports_all_four_defects_of_one_bundle(
     assert told["overlap", "box_1", "meshes"] == pytest.approx(3, abs=0.2)  # millimetres
     assert ("floats", "bottle_1", "simulation") in told
     assert told["wrong_size", "mug_1", "truth"] == pytest.approx(0.45, abs=1e-3)
-    assert told["wrong_yaw", "bar_1", "truth"] == pytest.approx(90, abs=0.1)
-    assert {name for kind, name, _ in told if kind == "wrong_yaw"} == {"bar_1"}
+    assert told["wrong_yaw", "strut_1", "truth"] == pytest.approx(90, abs=0.1)
+    assert {name for kind, name, _ in told if kind == "wrong_yaw"} == {"strut_1"}
     assert {name for kind, name, _ in told if kind == "wrong_size"} == {"mug_1"}
     assert {name for kind, name, _ in told if kind == "floats"} == {"bottle_1"}
 

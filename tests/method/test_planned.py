@@ -243,7 +243,7 @@ def test_real_things_may_differ_more_from_the_catalogues():
 
 
 def test_a_stand_in_takes_no_found_things_place():
-    found = Found("A desk with a theodolite")
+    found = Found("A desk with a clavichord")
     name = next(iter(found.names.values()))
     found.change(name, scale=by_name(found.placements)[name].scale * [1, 1, 4])
     draft = found.draft()

@@ -331,6 +331,7 @@ SYNONYMS = _pairs(
     dish soap: washing liquid, washing up liquid
     kitchen scale: scale, scales, digital scale, weighing scale
     bread roll: roll
+    cake slice: slice
     sticky notes: pad of sticky notes, block of sticky notes, pad of post its
     place card: label card, name card, info card
     baseball cap: cap
@@ -362,7 +363,11 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
     {
         "piece": (("chess_board", "chess_piece"),),
         "set": (("chess_board", "chess_piece"),),
-        "bean": (("coffee_grinder", "coffee_bag"), ("espresso_machine", "coffee_bag")),
+        "bean": (
+            ("coffee_grinder", "coffee_bean"),
+            ("espresso_machine", "coffee_bean"),
+            ("moka_pot", "coffee_bean"),
+        ),
         "slice": (
             ("pizza_box", "pizza_slice"),
             ("pizza", "pizza_slice"),

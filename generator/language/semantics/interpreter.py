@@ -212,11 +212,13 @@ class Interpreter(ListInterpreter):
             copy = self.reading.add(like.noun, like.category, like.attributes, family=like.family)
             copy.relations = list(like.relations)
             group.append(copy)
-        gone = [draft for draft in group[count:] if all(d is not draft for d in self._related())]
+        gone = [
+            draft for draft in group[count:] if all(d is not draft for d in self._find_related())
+        ]
         self.reading.objects[:] = [d for d in self.reading.objects if all(d is not g for g in gone)]
         del group[count:]
 
-    def _related(self) -> Group:
+    def _find_related(self) -> Group:
         """Return the things that others are related to."""
         return [to for d in self.reading.objects for _, to in d.relations if isinstance(to, Draft)]
 
@@ -243,6 +245,11 @@ class Interpreter(ListInterpreter):
                          and (noun.category or d.noun == noun.head)]  # fmt: skip
                 if found:
                     return found
+            part = noun.definite and noun.head in ("lid", "cap", "label", "rim")
+            if part and not find_referred(noun, self.reading.objects, subject):
+                whole = antecedent(_IT, place.kind, context)  # "on the lid"
+                if whole is not None:
+                    return whole
             bare = noun.kind == "thing" and not (noun.determined or noun.plural or noun.post)
             known = find_referred(replace(noun, definite=True), self.reading.objects, subject)
             if bare and known:  # "left of tray: ..."
@@ -291,6 +298,9 @@ class Interpreter(ListInterpreter):
                     draft.relations.append(("right_of", members[0]))
             standing = tuple(d for d in members if not is_supported(d))
             self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
+
+
+_IT = Noun("pronoun", ("it",), (0, 0), "it", definite=True)
 
 
 def _is_one(noun: Noun) -> bool:

@@ -80,7 +80,7 @@ class ThingReader(Relater, ABC):
     def _collective(self, noun: Noun) -> Group:
         if noun.definite and noun.count == 2:
             return []  # "both tools"
-        if noun.definite and (known := self._collected(noun)):
+        if noun.definite and (known := self._find_collected(noun)):
             return known
         members = [m for m in noun.members if m not in self.reading.excluded]
         if noun.head.endswith(("setting", "settings")) and (noun.count or 1) > 1:
@@ -92,7 +92,7 @@ class ThingReader(Relater, ABC):
             for category in members
         ]
 
-    def _collected(self, noun: Noun) -> Group:
+    def _find_collected(self, noun: Noun) -> Group:
         """Return what "the cutlery" or "all the fruit" means of the things there are."""
         food = singular(noun.head.split()[-1]) in _FOOD
         return [

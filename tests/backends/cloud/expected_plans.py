@@ -111,9 +111,9 @@ EXPECTED: tuple[Expected, ...] = (
         looks={"egg_carton": {"state": "empty", "places": "12"}},
     ),
     Expected(
-        "a zither between a laptop and a large lamp",
+        "a clavichord between a laptop and a large lamp",
         {"generic": 1, "laptop": 1, "desk_lamp": 1},
-        [thing(1, "zither", ("right_of", 2), ("left_of", 3)), thing(2, "laptop"),
+        [thing(1, "clavichord", ("right_of", 2), ("left_of", 3)), thing(2, "laptop"),
          thing(3, "lamp", size_word="large")],
         looks={"desk_lamp": {"size": "large"}},
         order=("laptop", "generic", "desk_lamp"),

@@ -124,9 +124,9 @@ class Parser(OpeningReader):
             return None
         aimed = not subjects or subjects[0].kind == "pronoun" or self._task == "goal"
         if self._task and aimed:
-            predicate = [_aimed(post) for post in predicate]  # "and put it in the basket"
+            predicate = [_as_aim(post) for post in predicate]  # "and put it in the basket"
             for noun in subjects:
-                noun.post = [_aimed(post) for post in noun.post]
+                noun.post = [_as_aim(post) for post in noun.post]
         if single and predicate and len(subjects) > 1 and "comma" in subjects[-1].joint:
             self._pending.append(Clause(subjects[-1:], predicate))
             return Clause(subjects[:-1], [], lead, people)
@@ -176,7 +176,7 @@ class Parser(OpeningReader):
                 first.post.append(Carry("with", tuple(items)))
 
 
-def _aimed(post: Post) -> Post:
+def _as_aim(post: Post) -> Post:
     """Return a place as one to which a robot is to bring something."""
     return replace(post, kind="aim") if isinstance(post, Location) else post
 

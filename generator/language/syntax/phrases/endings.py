@@ -117,6 +117,8 @@ def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     on it".
     """
     word = tokens[i].text
+    if lexicon.is_setting(word):
+        return False  # "a fondue evening"
     ahead_of_it = i + 1 < len(tokens) and tokens[i + 1].text in ("it", "them", "him", "her")
     if not is_verb(word) and not (ahead_of_it and word.endswith("s") and _is_single(run)):
         return False

@@ -145,11 +145,11 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
         return [*before, Token("stop", after[0].words), *after]
     if after[0].tag in ("relation", "here", "arranged") or read_zone(after, 0) is not None:
         cut = _place_before(before)
-        return None if cut is None else before[:cut] + _unpaused(after)
+        return None if cut is None else before[:cut] + _drop_pause(after)
     participle = after[0].tag == "word" and after[0].text in fw.PARTICIPLES
     if participle and len(after) > 1 and after[1].tag in ("relation", "arranged"):
         cut = _place_before(before)
-        return None if cut is None else before[:cut] + _unpaused(after)
+        return None if cut is None else before[:cut] + _drop_pause(after)
     noun, end = read_noun(after, 0)
     if noun is None:
         return None
@@ -159,7 +159,7 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
         and (noun.kind not in ("member", "adjective"))
     ):  # "no wait, the lamp is not there any more"
         return [*before, Token("stop", after[0].words), *after]
-    rest = _unpaused(after[end:], first=True)
+    rest = _drop_pause(after[end:], first=True)
     if noun.attributes and noun.kind in ("adjective", "member"):
         return _repaint(before, noun, rest)
     if noun.kind in ("adjective", "member"):
@@ -176,7 +176,7 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
     return before[: span[0]] + kept + after[:end] + rest
 
 
-def _unpaused(tokens: list[Token], *, first: bool = False) -> list[Token]:
+def _drop_pause(tokens: list[Token], *, first: bool = False) -> list[Token]:
     """Drop the dash or bracket that closes an aside, the next one or the first token."""
     for k, token in enumerate(tokens):
         if token.tag in ENDS or (first and k):
@@ -252,11 +252,11 @@ def _repaint(before: list[Token], noun: Noun, rest: list[Token]) -> list[Token] 
             kinds = set(attributes_of((before[k].text,))) & set(noun.attributes)
             if kinds:
                 words = [w for w in noun.words if set(attributes_of((w,))) & kinds]
-                new = [_said(before[k], w) for w in words]
+                new = [_word_token(before[k], w) for w in words]
                 return before[:k] + new + before[k + 1 :] + rest
     return None
 
 
-def _said(token: Token, word: str) -> Token:
+def _word_token(token: Token, word: str) -> Token:
     """Return a token of another word at the same place."""
     return Token("word", (replace(token.words[0], text=word),), word)

@@ -44,7 +44,7 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
             out.append(Token("task", tokens[i].words))
             i += robot
             continue
-        if (skipped := _skipped(tokens, i)) > i:
+        if (skipped := _end_of_skip(tokens, i)) > i:
             i = skipped
             continue
         if tokens[i].text == "please" and out and out[-1].tag == "comma":
@@ -59,10 +59,10 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
         else:
             out.append(tokens[i])
             i += 1
-    return _answered(_unbracketed(out)), lost
+    return _read_answers(_open_brackets(out)), lost
 
 
-def _unbracketed(tokens: list[Token]) -> list[Token]:
+def _open_brackets(tokens: list[Token]) -> list[Token]:
     """Return tokens where a bracket that is a statement of its own is a sentence."""
     out = list(tokens)
     for i, token in enumerate(tokens):
@@ -89,11 +89,13 @@ def _robot(texts: Sequence[str]) -> int:
     return next((k + len(verb) for verb in _DOING if texts[k : k + len(verb)] == verb), 0)
 
 
-def _skipped(tokens: Sequence[Token], i: int) -> int:
+def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
     """Return the end of "if possible", "otherwise any mug" and of "not on the table but"."""
     texts = [token.text for token in tokens[i : i + 10]]
     if skipped := _robot(texts):
         return i + skipped
+    if texts[:1] == ["nothing"] and (found := {"except", "but"} & {*texts[1:]}):
+        return i + min(texts.index(word) for word in found) + 1  # "nothing else except a card"
     if texts[:2] == ["in", "turn"]:
         return i + 2
     if texts[:2] in (["rotate", "it"], ["turn", "it"]):
@@ -171,7 +173,7 @@ def _is_person(word: str) -> bool:
 _DENYING = frozenset(["no", "none", "leave", "skip", "forget", "not", "nope", "never", "drop"])
 
 
-def _answered(tokens: list[Token]) -> list[Token]:
+def _read_answers(tokens: list[Token]) -> list[Token]:
     """Read "remote control? Yes, on the right" and "the iron? Leave it in the cupboard"."""
     out: list[Token] = []
     i = 0

@@ -96,7 +96,8 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
     if name == "circa":
         return [(_ABBREVIATIONS.get(said[:-1], "about"), "word")]
     if name == "latin":
-        return [(",", "mark")]
+        corrects = said[0] == "i"  # "a thali, i.e. a round tray"
+        return [(",", "mark"), *([("or", "word"), ("rather", "word")] if corrects else [])]
     if name == "dash":
         return [("-", "mark")]
     if name == "contraction":
