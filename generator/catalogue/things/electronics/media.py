@@ -10,6 +10,7 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, ring_parts
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
@@ -182,8 +183,8 @@ CATEGORIES = (
              "audio tape", "music cassette", "mixtape", "tape cassette", "vhs tape",
              "eight-track tape", "video cassette", "vhs"), ("music",), ("flat",),
              ("black",)),
-    Category("floppy_disk", floppy_disk, (0.09, 0.094, 0.0037), 0.02, ("floppy", "diskette",
-             "floppy disc"), ("office",), ("flat",), ("black", "blue")),
+    vary(Category("floppy_disk", floppy_disk, (0.09, 0.094, 0.0037), 0.02, ("floppy", "diskette",
+             "floppy disc"), ("office",), ("flat",), ("black", "blue"))),
     Category("game_cartridge", game_cartridge, (0.0635, 0.07, 0.0105), 0.05, ("cartridge",
              "video game cartridge", "game card", "video game"), ("living",), ("flat",),
              ("gray",)),

@@ -11,6 +11,7 @@ from ...build.outlines import smooth
 from ...build.settled import hull_above, limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, loft, prism
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -254,8 +255,8 @@ CATEGORIES = (
              ("edible", "big"), ("red",), state="lying flat"),
     Category("crab", crab, (0.216, 0.197, 0.0478), 0.4, ("boiled crab", "king crab"), ("dining",),
              ("edible", "big"), ("red",), state="lying flat"),
-    Category("oyster", oyster, (0.0878, 0.0551, 0.0177), 0.06, ("oyster shell", "raw oyster"),
-             ("dining",), ("edible",), (), state="lying flat"),
+    vary(Category("oyster", oyster, (0.0878, 0.0551, 0.0177), 0.06, ("oyster shell", "raw oyster"),
+             ("dining",), ("edible",), (), state="lying flat")),
     Category("clam", clam, (0.0453, 0.0468, 0.0406), 0.02, ("cockle", "shellfish"),
              ("dining",), ("edible",), (), state="lying flat"),
 )  # fmt: skip

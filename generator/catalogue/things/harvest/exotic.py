@@ -10,7 +10,7 @@ from ...build.forms import blade, lobe
 from ...build.settled import limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, ellipsoid, join, lathe, tube
-from ...build.variants import in_sizes
+from ...build.variants import in_sizes, vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -205,7 +205,8 @@ CATEGORIES = (
              ), _K, ("round", "edible", "big"), ("orange",)),
     Category("papaya", papaya, (0.173, 0.0948, 0.062), 0.5, ("pawpaw", "half papaya"), _K,
              ("edible",), ("yellow",), state="lying flat"),
-    Category("dragon_fruit", dragon_fruit, (0.14, 0.113, 0.0763), 0.35, ("dragonfruit", "pitaya",
-             "pitahaya"), _K, ("edible",), ("magenta",), state="lying flat"),
+    vary(Category("dragon_fruit", dragon_fruit, (0.14, 0.113, 0.0763), 0.35, ("dragonfruit",
+             "pitaya",
+             "pitahaya"), _K, ("edible",), ("magenta",), state="lying flat")),
 )  # fmt: skip
 """The module's categories."""

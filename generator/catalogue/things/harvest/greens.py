@@ -10,6 +10,7 @@ from ...build.outlines import smooth
 from ...build.settled import limb, settle
 from ...build.shape import Shape
 from ...build.solids import Solid, cylinder, ellipsoid, join, outward, tube
+from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
@@ -272,8 +273,8 @@ CATEGORIES = (
              "cauliflower head"), _K, ("edible", "round"), ("ivory",)),
     Category("artichoke", artichoke, (0.0805, 0.0805, 0.091), 0.25, ("globe artichoke",), _K,
              ("edible", "round"), ("sage",)),
-    Category("basil", basil, (0.151, 0.125, 0.0142), 0.03, ("bunch of basil", "basil leaf",
-             "fresh basil"), _K, ("edible",), ("green",), state="lying flat"),
+    vary(Category("basil", basil, (0.151, 0.125, 0.0142), 0.03, ("bunch of basil", "basil leaf",
+             "fresh basil"), _K, ("edible",), ("green",), state="lying flat")),
     Category("mint", mint, (0.15, 0.117, 0.0139), 0.03, ("bunch of mint", "mint leaf",
                  "fresh mint", "sage", "mint sprig", "sprig of mint"), _K, ("edible",), ("green",),
              state="lying flat"),

@@ -10,6 +10,7 @@ from ...build.forms import facing
 from ...build.outlines import ellipse, smooth
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, prism, tube
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tint_color
 from ...surfaces.look import Look
@@ -183,8 +184,8 @@ CATEGORIES = (
              ("sports",), ("round",), ("navy", "black")),
     Category("rugby_ball", rugby_ball, (0.2, 0.135, 0.135), 0.24, ("rugby", "mini rugby ball"),
              ("sports",), ("big",), ("white",)),
-    Category("hockey_puck", hockey_puck, (0.076, 0.076, 0.0254), 0.16, ("puck",
-             "ice hockey puck"), ("sports",), ("round", "flat"), ("black",)),
+    vary(Category("hockey_puck", hockey_puck, (0.076, 0.076, 0.0254), 0.16, ("puck",
+             "ice hockey puck"), ("sports",), ("round", "flat"), ("black",))),
     Category("bowling_pin", bowling_pin, (0.064, 0.064, 0.205), 0.25,
         ("skittle", "tenpin", "mini bowling pin"), ("sports",), ("round", "tall"), ("white",)),
     Category("golf_tee", golf_tee, (0.0125, 0.0125, 0.0555), 0.002, (), ("sports",),

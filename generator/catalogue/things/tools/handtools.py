@@ -21,6 +21,7 @@ from ...build.solids import (
     sweep,
     tube,
 )
+from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
@@ -272,10 +273,10 @@ CATEGORIES = (
     Category("hand_plane", hand_plane, (0.227, 0.056, 0.085), 1.2, ("wood plane",
              "block plane", "bench plane", "carpenter plane", "jack plane",
              "woodworking plane"), ("workbench",), (), ("wooden",)),
-    Category("caliper", caliper, (0.215, 0.069, 0.0094), 0.15, ("calliper", "vernier caliper",
+    vary(Category("caliper", caliper, (0.215, 0.069, 0.0094), 0.15, ("calliper", "vernier caliper",
              "digital caliper", "calipers", "callipers", "vernier calliper", "sewing gauge"),
              ("workbench",),
-             ("flat",), ("silver",), None, "lying flat"),
+             ("flat",), ("silver",), None, "lying flat")),
     Category("drill_bit", drill_bit, (0.105, 0.0084, 0.0084), 0.03, ("twist drill",
              "drill bit piece", "spade bit", "screwdriver bit", "auger bit", "sds bit",
              "router bit", "dental burr", "countersink bit", "masonry bit"),
