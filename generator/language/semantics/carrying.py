@@ -141,6 +141,10 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
     sided = [i for i in items if any(_is_side(p) for p in i.post)]
     if len(sided) > 1:
         return []  # "a tray with cups on the left and a teapot on the right"
+    named = {i.head for i in items}
+    if any(isinstance(p, Location) and isinstance(p.target, Noun) and p.target.head in named
+           for p in item.post):  # fmt: skip
+        return []  # "a tray: a plate, a mug to the right of the plate"
     loose = not first and not item.determined and inside == "in"
     return [
         place

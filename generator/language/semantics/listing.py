@@ -63,10 +63,16 @@ class ListInterpreter(CarryReader, ABC):
         groups = [group for group in found if isinstance(group, list)]
         if not posts or len(groups) < 2:
             return
-        if posts[0].order == "listed":
+        if any(post.order == "listed" for post in posts):
             self._line_up(groups)
-        elif all(len(g) == 1 and not g[0].relations for g in groups):
+        elif all(len(g) == 1 and all(to == TABLE for _, to in g[0].relations) for g in groups):
             self._arrange(posts[0], [draft for group in groups for draft in group])
+        zones = [p for p in nouns[-1].post
+                 if isinstance(p, Location) and isinstance(p.target, Zone)]  # fmt: skip
+        for place in zones:  # "a clock, a vase and a frame in a row at the back edge"
+            for group in groups[:-1]:
+                if not group[0].placed:
+                    self._attach(place, TABLE, group)
 
     def _line_up(self, groups: Sequence[Group]) -> None:
         """Put groups beside one another in the order in which they were named."""

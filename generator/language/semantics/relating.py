@@ -78,7 +78,7 @@ class Relater:
             held = [assumed_relation(group[0], to, held=True) for to in target[:1]]
             kind = held[0] if held else "on"
         apart = [draft for draft in group if all(draft is not other for other in target)]
-        if apart and len(apart) < len(group) > 2:
+        if apart and len(apart) < len(group):
             group = apart  # "everything on the tray", the tray among it
         if any(draft is other for draft in group for other in target):
             named = isinstance(place.target, Noun) and place.target.kind == "thing"

@@ -305,4 +305,6 @@ class ThingReader(Relater, ABC):
 
 def _claims(draft: Draft, noun: Noun) -> bool:
     alike = draft.category == noun.category and (noun.category or draft.noun == noun.head)
-    return bool(alike)
+    color = draft.attributes.get("color")
+    clash = color is not None and noun.attributes.get("color", color) != color
+    return bool(alike) and not clash

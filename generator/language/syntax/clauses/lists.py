@@ -136,7 +136,7 @@ class ListReader(PostReader):
 
     def _closes(self, owner: Noun | None, how: How, items: list[Noun], joint: str) -> bool:
         """Tell whether the list of what ``owner`` brings along ends here."""
-        if owner is None or owner.kind in ("table", "setting", "vague"):
+        if owner is None or owner.kind in ("table", "setting", "vague", "title"):
             return False
         noun, end = read_noun(self.tokens, self.i)
         if noun is None:

@@ -96,6 +96,11 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
         return i + skipped
     if texts[:1] == ["nothing"] and (found := {"except", "but"} & {*texts[1:]}):
         return i + min(texts.index(word) for word in found) + 1  # "nothing else except a card"
+    if texts[:3] in (["in", "the", "order"], ["in", "this", "order"], ["in", "that", "order"]):
+        k = i + 3
+        while k < len(tokens) and tokens[k].tag not in _PAUSES:
+            k += 1
+        return k
     if texts[:2] == ["in", "turn"]:
         return i + 2
     if texts[:2] in (["rotate", "it"], ["turn", "it"]):

@@ -52,6 +52,7 @@ _LIKE = re.compile(
     r"(?i)\b[a-z]+-(?:shaped|sized|style|styled|themed|scented|flavoured|flavored|inspired|like|free)\b"
 )
 """What only says how a thing looks or smells: "cat-shaped"."""
+_AMOUNT = re.compile(r"(?i)\(\s*\d+(?:[.,]\d+)?\s*(?:ml|l|cl|dl|g|kg|oz|lb|lbs|w|v|gb|mb)\s*\)")
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
@@ -75,6 +76,7 @@ def words_of(text: str) -> tuple[Word, ...]:
     text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
     text = _VAGUE_COUNT.sub(lambda found: " " * len(found.group()), text)
     text = _LIKE.sub(lambda found: " " * len(found.group()), text)
+    text = _AMOUNT.sub(lambda found: " " * len(found.group()), text)
     text = _AGE.sub(lambda found: " " * len(found.group()), text)
     text = _JOINED_UP.sub(lambda found: " " * len(found.group()), text)
     text = _PARTS.sub(lambda found: " " * len(found.group()), text)
