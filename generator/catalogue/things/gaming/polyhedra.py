@@ -24,7 +24,7 @@ def _signs(*triples: tuple[float, float, float]) -> Float[np.ndarray, "n 3"]:
     made = {tuple(np.round(np.roll(np.array(t) * [i, j, k], n), 9))
             for t in triples for i in (-1, 1) for j in (-1, 1) for k in (-1,
                 1) for n in range(3)}  # fmt: skip
-    return np.array(sorted(made))
+    return np.array(sorted(made), float)
 
 
 def _kite_ends() -> Float[np.ndarray, "n 3"]:
