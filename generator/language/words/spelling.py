@@ -44,10 +44,10 @@ def correct(
         rare = {w.text for w in words if _is_rare(w, known)} - {*found}
         found |= {word: best for word in sorted(rare) if (best := _nearest(word, words, 1, set()))}
     found = {word: best for word, best in found.items() if best != word}
-    following = [*words[1:], None]
+    after = [word.text for word in words[1:]]
     words = [
-        replace(w, text="and") if w.text == "an" and n is not None and n.text in _AFTER_AND else w
-        for w, n in zip(words, following, strict=True)
+        replace(w, text="and") if w.text == "an" and {*after[k : k + 1]} & _AFTER_AND else w
+        for k, w in enumerate(words)
     ]
     out: list[Word] = []
     for word in words:
