@@ -81,7 +81,11 @@ def test_restyling_keeps_size_and_all_else(desk: Path, tmp_path: Path) -> None:
         (lambda b: editing.swap(b, "mug_1", "a clavichord"), InputError, "clavichord"),
         (lambda b: editing.swap(b, "mug_1", "  "), InputError, "empty"),
         (lambda b: editing.swap(b, "mug_1", "a vase left of the pen"), InputError, "says a place"),
-        (lambda b: editing.add(b, "a clavichord left of the laptop"), InputError, "no 'clavichord'"),
+        (
+            lambda b: editing.add(b, "a clavichord left of the laptop"),
+            InputError,
+            "no 'clavichord'",
+        ),
         (lambda b: editing.add(b, "a mug next to the teapot"), InputError, "no teapot on the"),
         (lambda b: editing.add(b, "a mug and a vase"), InputError, "several things"),
         (lambda b: editing.remove(b, "stapler"), InputError, "Did you mean 'stapler_1'"),
