@@ -212,14 +212,6 @@ def vessel(
     return shape([(made, tile), *extra], (*parts, *more), opacity).scale(factor)
 
 
-def print_box(x: float, y: float, h: float, side: Tile, top: Tile, at: Sequence[float] = (0, 0, 0)
-            ) -> Pieces:  # fmt: skip
-    """Return a box with a print on its top."""
-    return [(at_box(x, y, h, at), side),
-            (at_box(0.998 * x, 0.998 * y, 0.0004, (at[0], at[1], at[2] + h - 0.0002)),
-             top)]  # fmt: skip
-
-
 def words(text: str, ground: RGB, ink: RGB, size: float = 0.3, wide: int = 128, tall: int = 64
           ) -> Tile:  # fmt: skip
     """Return a plate with one word on it."""

@@ -2,52 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
-from ...build.category import Category
-from ...build.making import Drawing, at_block, at_box, dye, of
+from ...build.making import at_block, at_box, dye
 from ...build.recipes import Pieces
+from ...build.rows import Rows
 from ...build.solids import join
 from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
-
-INK: RGB = (62, 62, 70)
-
-
-GRAY: RGB = (140, 140, 146)
-
-
-Print = Callable[[Look, prints.Canvas, RGB], None]
-
-
-def _paper(
-    x: float, y: float, mark: Print, *grounds: str, sheets: int = 1, accents: tuple[str, ...] = ()
-) -> Drawing:
-    """A sheet, or a few askew, printed by ``mark``."""
-
-    def draw(look: Look) -> Pieces:
-        ground = look.color(*grounds)
-        accent = look.own_color(*(accents or ("navy", "crimson", "green", "teal", "maroon")))
-        wide = 128 if y >= x else 176
-        image = prints.canvas(wide, round(min(max(wide * y / x, 32), 250)), ground)
-        mark(look, image, accent)
-        h = 0.0011
-        pieces: Pieces = []
-        for k in range(sheets - 1):
-            turn = look.between(-0.06, 0.06)
-            pieces.append(
-                (
-                    at_box(x, y, h).turn(2, turn).move(0.004 * k, -0.003 * k, h * k),
-                    textures.plain(ground),
-                )
-            )
-        return [*pieces, (at_box(x, y, h, (0, 0, h * (sheets - 1))), image)]
-
-    return draw
+from .papers import GRAY, INK, paper
 
 
 def _stars(look: Look, image: prints.Canvas, accent: RGB) -> None:
@@ -220,41 +185,28 @@ def _memo(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("white",)) -> Category:  # fmt: skip
-    return Category(
-        key,
-        of(draw, spread=0.06),
-        size,
-        mass,
-        words,
-        ("office",),
-        ("flat",),
-        colors,
-        state="lying flat",
-    )
+_row = Rows("office", ("white",), "lying flat", spread=0.06, roles=("flat",)).drawn
 
 
 CATEGORIES = (
-    vary(_row("star_chart", _paper(0.28, 0.28, _stars, "navy"), (0.28, 0.28, 0.0011), 0.008,
+    vary(_row("star_chart", paper(0.28, 0.28, _stars, "navy"), (0.28, 0.28, 0.0011), 0.008,
              ("star map", "sky map", "constellation chart", "constellation map"), ("navy",)), 0.08),
-    vary(_row("telegram", _paper(0.2, 0.13, _telegram, "beige", "cream"), (0.2, 0.13, 0.0011),
+    vary(_row("telegram", paper(0.2, 0.13, _telegram, "beige", "cream"), (0.2, 0.13, 0.0011),
              0.003,
              ("telegraph message",), ("beige",)), 0.08),
-    _row("ransom_note", _paper(0.17, 0.2, _ransom, "white", "cream"), (0.17, 0.2, 0.0011), 0.004,
+    _row("ransom_note", paper(0.17, 0.2, _ransom, "white", "cream"), (0.17, 0.2, 0.0011), 0.004,
              ("collage note",)),
-    _row("shopping_list", _paper(0.1, 0.16, _list, "white", "yellow", "cream"), (0.1, 0.16,
+    _row("shopping_list", paper(0.1, 0.16, _list, "white", "yellow", "cream"), (0.1, 0.16,
              0.0011), 0.002, ("to do list", "grocery list", "todo list", "packing list",
              "handwritten list", "wish list")),
-    _row("xray_film", _paper(0.24, 0.3, _film, "charcoal"), (0.24, 0.3, 0.0011), 0.01,
+    _row("xray_film", paper(0.24, 0.3, _film, "charcoal"), (0.24, 0.3, 0.0011), 0.01,
              ("x ray film", "x ray", "xray", "x ray image", "x-ray film", "x-ray"), ("charcoal",)),
-    vary(_row("eye_chart", _paper(0.2, 0.29, _chart, "white"), (0.2, 0.29, 0.0011), 0.006,
+    vary(_row("eye_chart", paper(0.2, 0.29, _chart, "white"), (0.2, 0.29, 0.0011), 0.006,
              ("eye test chart", "snellen chart", "vision chart")), 0.08),
-    vary(_row("colour_chart", _paper(0.21, 0.16, _swatch, "white"), (0.21, 0.16, 0.0011), 0.006,
+    vary(_row("colour_chart", paper(0.21, 0.16, _swatch, "white"), (0.21, 0.16, 0.0011), 0.006,
              ("color chart", "paint chart", "colour card", "color swatch", "colour swatch",
              "paint swatch", "colour sample card", "periodic table")), 0.08),
-    _row("poster", _paper(0.3, 0.42, _poster, "white", "cream"), (0.3, 0.42, 0.0011), 0.02,
+    _row("poster", paper(0.3, 0.42, _poster, "white", "cream"), (0.3, 0.42, 0.0011), 0.02,
              ("art print", "film poster", "movie poster", "concert poster", "unframed print")),
     _row("report", _report, (0.218, 0.297, 0.0136), 0.35, ("bound report", "annual report",
              "school report", "book report", "thesis", "dissertation",

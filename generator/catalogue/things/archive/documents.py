@@ -2,51 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
-from ...build.category import Category
-from ...build.making import Drawing, at_box, dye, of, spindle
+from ...build.making import Drawing, at_box, dye, spindle
 from ...build.recipes import Pieces
+from ...build.rows import Rows
 from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
-
-INK: RGB = (62, 62, 70)
-
-
-GRAY: RGB = (140, 140, 146)
-
-
-Print = Callable[[Look, prints.Canvas, RGB], None]
-
-
-def _paper(
-    x: float, y: float, mark: Print, *grounds: str, sheets: int = 1, accents: tuple[str, ...] = ()
-) -> Drawing:
-    """A sheet, or a few askew, printed by ``mark``."""
-
-    def draw(look: Look) -> Pieces:
-        ground = look.color(*grounds)
-        accent = look.own_color(*(accents or ("navy", "crimson", "green", "teal", "maroon")))
-        wide = 128 if y >= x else 176
-        image = prints.canvas(wide, round(min(max(wide * y / x, 32), 250)), ground)
-        mark(look, image, accent)
-        h = 0.0011
-        pieces: Pieces = []
-        for k in range(sheets - 1):
-            turn = look.between(-0.06, 0.06)
-            pieces.append(
-                (
-                    at_box(x, y, h).turn(2, turn).move(0.004 * k, -0.003 * k, h * k),
-                    textures.plain(ground),
-                )
-            )
-        return [*pieces, (at_box(x, y, h, (0, 0, h * (sheets - 1))), image)]
-
-    return draw
+from .papers import GRAY, INK, paper
 
 
 def _invoice(look: Look, image: prints.Canvas, accent: RGB) -> None:
@@ -181,48 +146,35 @@ def _rolled_plan(look: Look) -> Pieces:
 A4 = (0.21, 0.297)
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("white",)) -> Category:  # fmt: skip
-    return Category(
-        key,
-        of(draw, spread=0.06),
-        size,
-        mass,
-        words,
-        ("office",),
-        ("flat",),
-        colors,
-        state="lying flat",
-    )
+_row = Rows("office", ("white",), "lying flat", spread=0.06, roles=("flat",)).drawn
 
 
 CATEGORIES = (
-    _row("invoice", _paper(*A4, _invoice, "white"), (*A4, 0.0011), 0.005, ("bill", "tax return",
+    _row("invoice", paper(*A4, _invoice, "white"), (*A4, 0.0011), 0.005, ("bill", "tax return",
              "bank statement", "payslip", "pay slip", "utility bill", "tax form", "order form")),
-    _row("contract", _paper(*A4, _contract, "white", "ivory", sheets=3), (0.225, 0.305, 0.0033),
+    _row("contract", paper(*A4, _contract, "white", "ivory", sheets=3), (0.225, 0.305, 0.0033),
              0.015,
          ("agreement", "lease agreement", "affidavit", "subpoena", "insurance policy", "treaty",
              "signed contract", "legal document", "rental agreement", "last will", "testament")),
-    vary(_row("official_letter", _paper(*A4, _letterhead, "white", "ivory"), (*A4, 0.0011), 0.005,
+    vary(_row("official_letter", paper(*A4, _letterhead, "white", "ivory"), (*A4, 0.0011), 0.005,
              ("business letter", "prescription", "memo", "memorandum", "cover letter", "iou",
              "prescription note", "printed letter")), 0.08),
-    _row("resume", _paper(*A4, _resume, "white"), (*A4, 0.0011), 0.005, ("cv", "curriculum vitae",
+    _row("resume", paper(*A4, _resume, "white"), (*A4, 0.0011), 0.005, ("cv", "curriculum vitae",
              "job application")),
-    _row("cheque", _paper(0.17, 0.078, _cheque, "sky", "mint", "cream", "lavender"), (0.17, 0.078,
+    _row("cheque", paper(0.17, 0.078, _cheque, "sky", "mint", "cream", "lavender"), (0.17, 0.078,
              0.0011), 0.002, ("bank cheque", "paper cheque", "bank check", "paycheck",
              "money order"), ("mint",)),
     _row("chequebook", _booklet(("CHEQUES", "BANK"), "navy", "maroon", "green"), (0.16, 0.0755,
              0.0084), 0.05, ("cheque book", "checkbook", "passbook", "savings book",
              "cheque book cover", "bank book", "ration book", "ticket book", "receipt book"),
              ("navy",)),
-    _row("coupon", _paper(0.15, 0.07, _coupon, "white", accents=("red", "orange", "green",
+    _row("coupon", paper(0.15, 0.07, _coupon, "white", accents=("red", "orange", "green",
              "purple", "blue")), (0.15, 0.07, 0.0011), 0.002, (
              "gift coupon", "discount voucher")),
     vary(_row("blueprint", _rolled_plan, (0.38, 0.27, 0.032), 0.05, ("building plan",
     "architect plan",
              "technical drawing", "construction plan"), ("blue",)), 0.08),
-    _row("floor_plan", _paper(0.297, 0.21, _floor, "white", "cream"), (0.297, 0.21, 0.0011),
+    _row("floor_plan", paper(0.297, 0.21, _floor, "white", "cream"), (0.297, 0.21, 0.0011),
              0.006, ("floorplan", "ground plan", "house plan", "site plan")),
 )  # fmt: skip
 """The module's categories."""

@@ -12,7 +12,7 @@ from ...build.solids import Solid, cylinder, ellipsoid, join, lathe
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look
-from ..nature.flowers import Head
+from ..nature.flowers import Head, corolla
 
 Rows = Sequence[tuple[int, float, float, float, float]]
 """Rings of petals: how many, their length and width, how steep, how high up."""
@@ -21,19 +21,13 @@ GOLD: RGB = (238, 188, 50)
 GREEN: RGB = (84, 126, 64)
 
 
-def petals(count: int, long: float, wide: float, lift: float, start: float = 0.0) -> list[Solid]:
-    """Return flat petals around z, raised by the angle ``lift``."""
-    petal = ellipsoid(long, wide, 0.0035, 8, 4).move(x=0.5 * long).turn(1, -lift)
-    return [petal.turn(2, start + 2 * np.pi * k / count) for k in range(count)]
-
-
 def layered_head(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1) -> Head:
     """Return rings of petals one over the other, the inner ones deeper in colour."""
 
     def head(look: Look, color: RGB) -> Pieces:
         made: Pieces = []
         for n, (count, long, wide, lift, z) in enumerate(rows):
-            ring = [p.move(z=z) for p in petals(count, long, wide, lift, 0.5 * n)]
+            ring = [p.move(z=z) for p in corolla(count, long, wide, lift, 0.5 * n)]
             made.append((join(ring), textures.speckles(look.rng, tint_color(color, 1 - fade * n),
                                                        7)))  # fmt: skip
         if heart:
@@ -51,10 +45,10 @@ def open_head(count: int, long: float, wide: float, lift: float, heart: float, e
     """Return a few broad petals round an eye, with a ring of another colour or a long pistil."""
 
     def head(look: Look, color: RGB) -> Pieces:
-        made: Pieces = [(join(petals(count, long, wide, lift)),
+        made: Pieces = [(join(corolla(count, long, wide, lift)),
                          textures.speckles(look.rng, color, 8))]  # fmt: skip
         if ring is not None:
-            inner = [p.move(z=0.0012) for p in petals(count, 0.55 * long, 0.6 * wide, lift)]
+            inner = [p.move(z=0.0012) for p in corolla(count, 0.55 * long, 0.6 * wide, lift)]
             made.append((join(inner), textures.plain(ring)))
         centre = [ball(2 * heart, 2 * heart, 1.4 * heart, (0, 0, 0.4 * heart + 0.002), 10)]
         if pistil:
@@ -125,7 +119,7 @@ def daffodil(look: Look, color: RGB) -> Pieces:
     horn = lathe([(0, 0), (0.008, 0.002), (0.009, 0.014), (0.0145, 0.024), (0.012, 0.0235),
                   (0.007, 0.013), (0, 0.006)], 14)  # fmt: skip
     deep = look.pick([(238, 130, 30), (246, 170, 30)])
-    return [(join([*petals(3, 0.03, 0.019, 0.12), *petals(3, 0.03, 0.019, 0.22, np.pi / 3)]),
+    return [(join([*corolla(3, 0.03, 0.019, 0.12), *corolla(3, 0.03, 0.019, 0.22, np.pi / 3)]),
              textures.speckles(look.rng, color, 6)), (horn, textures.plain(deep))]  # fmt: skip
 
 
@@ -149,8 +143,8 @@ def cup(count: int, long: float, wide: float, lift: float) -> Head:
     """Return upright petals that close to a cup, with gold stamens."""
 
     def head(look: Look, color: RGB) -> Pieces:
-        ring = [p.move(z=0.001) for p in petals(count, long, wide, lift)]
-        outer = petals(count, long, wide, lift - 0.12, np.pi / count)
+        ring = [p.move(z=0.001) for p in corolla(count, long, wide, lift)]
+        outer = corolla(count, long, wide, lift - 0.12, np.pi / count)
         heart = rod([(0, 0, 0), (0, 0, 0.7 * long)], [0.0035, 0.002], 6, 1)
         return [(join([*ring, *outer]), textures.gradient(tint_color(color, 0.8), color, look.rng)),
                 (heart, textures.plain((240, 160, 30)))]  # fmt: skip
@@ -187,7 +181,7 @@ def thistle(look: Look, color: RGB) -> Pieces:
 
 def snowdrop(look: Look, color: RGB) -> Pieces:
     """Three white petals round a small cup, hanging from a green knob."""
-    outer = petals(3, 0.024, 0.012, 1.15)
+    outer = corolla(3, 0.024, 0.012, 1.15)
     inner = lathe([(0, 0.002), (0.005, 0.006), (0.0055, 0.014), (0, 0.013)], 8)
     return [(join(outer), textures.speckles(look.rng, color, 4)),
             (inner, textures.plain((214, 232, 196))),

@@ -15,7 +15,8 @@ from ...build.variants import keep_still
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
-from .heads import GREEN, layered_head, petals
+from ..nature.flowers import corolla
+from .heads import GREEN, layered_head
 
 
 def lotus(look: Look) -> Shape:
@@ -107,7 +108,7 @@ def blossom_branch(look: Look) -> Shape:
         (0.1, 0.014),
     ]
     for n, (x, y) in enumerate(spots):
-        ring = petals(5, 0.013, 0.012, 0.3, n)
+        ring = corolla(5, 0.013, 0.012, 0.3, n)
         blooms += [p.turn(0, 0.3 * (-1) ** n).move(x, y, 0.011) for p in ring]
         hearts.append(ball(0.005, 0.005, 0.004, (x, y, 0.0135), 6))
     return put_down([(join(sticks), textures.speckles(look.rng, (96, 70, 54), 10)),

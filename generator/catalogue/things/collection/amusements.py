@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     at_block,
     at_box,
@@ -16,6 +15,7 @@ from ...build.making import (
     words,
 )
 from ...build.recipes import Pieces, ball, rod
+from ...build.rows import Rows
 from ...build.solids import join, torus, tube
 from ...build.variants import vary
 from ...surfaces import prints, textures
@@ -180,11 +180,7 @@ def _slinky(look: Look) -> Pieces:
     return [(join(g), tone) for g in groups]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("toys", ("red", "blue")).shaped
 
 
 CATEGORIES = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     at_block,
     at_box,
@@ -18,6 +17,7 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, tube
 from ...surfaces import textures
 from ...surfaces.look import Look
@@ -208,11 +208,7 @@ def _phone(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("toys", ("red", "blue")).shaped
 
 
 CATEGORIES = (

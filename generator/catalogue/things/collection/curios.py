@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     at_block,
     at_box,
@@ -19,6 +18,7 @@ from ...build.making import (
 )
 from ...build.outlines import rectangle, smooth
 from ...build.recipes import Pieces, standing_plate, straight
+from ...build.rows import Rows
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
@@ -237,11 +237,7 @@ def _message(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("living",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("living", ("red", "blue")).shaped
 
 
 CATEGORIES = (

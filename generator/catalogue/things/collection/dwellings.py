@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     Drawing,
     at_block,
@@ -18,6 +17,7 @@ from ...build.making import (
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, standing_plate, straight
+from ...build.rows import Rows
 from ...build.solids import join, tube
 from ...build.variants import vary
 from ...surfaces import prints, textures
@@ -218,11 +218,7 @@ def _fountain(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("living",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("living", ("red", "blue")).shaped
 
 
 CATEGORIES = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     PAINTS,
     Drawing,
@@ -20,6 +19,7 @@ from ...build.making import (
     standing,
 )
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, prism, torus
 from ...surfaces import textures
 from ...surfaces.look import Look
@@ -201,11 +201,7 @@ def _spinner(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("toys", ("red", "blue")).shaped
 
 
 CATEGORIES = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     at_box,
     disc,
@@ -18,6 +17,7 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.solids import Solid, join, lathe, torus, tube
 from ...build.variants import at_rest
 from ...surfaces import textures
@@ -209,11 +209,7 @@ def _furby(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("toys", ("red", "blue")).shaped
 
 
 CATEGORIES = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.hollow import open_vessel
 from ...build.making import (
     PAINTS,
@@ -24,6 +23,7 @@ from ...build.making import (
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, join, lathe, prism
 from ...surfaces import glazes, prints, textures
@@ -209,11 +209,7 @@ def _cradle_dish(look: Look) -> Shape:
     return shape([(body, tile)], parts).scale(look.between(0.9, 1.1))
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("living",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("living", ("red", "blue")).shaped
 
 
 CATEGORIES = (

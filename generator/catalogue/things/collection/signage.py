@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     at_block,
     at_box,
@@ -18,6 +17,7 @@ from ...build.making import (
     standing,
 )
 from ...build.recipes import Pieces, ball, rod
+from ...build.rows import Rows
 from ...build.solids import join, torus
 from ...surfaces import glazes, prints, textures
 from ...surfaces.look import Look
@@ -202,11 +202,7 @@ def _vitrine(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, made: object, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("red", "blue"), roles: tuple[str,
-             ...] = ()) -> Category:  # fmt: skip
-    return Category(key, made, size, mass, names, ("living",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("living", ("red", "blue")).shaped
 
 
 CATEGORIES = (

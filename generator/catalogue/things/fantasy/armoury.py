@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plate,
     shine,
     spindle,
@@ -22,6 +19,7 @@ from ...build.making import (
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod
+from ...build.rows import Rows, wide
 from ...build.solids import join, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
@@ -246,12 +244,7 @@ def _blade(bend: float, long: float, wide: float, guard: str) -> Drawing:
     return draw
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("brown",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    roles = ("big",) if max(size[:2]) > 0.18 else ()
-    return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("toys", ("brown",), role=wide).drawn
 
 
 CATEGORIES = (

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plate,
     shine,
     spindle,
@@ -21,6 +18,7 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows, wide
 from ...build.solids import join, lathe, torus
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
@@ -195,12 +193,7 @@ def _hilt(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("brown",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    roles = ("big",) if max(size[:2]) > 0.18 else ()
-    return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("toys",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("toys", ("brown",), role=wide).drawn
 
 
 CATEGORIES = (

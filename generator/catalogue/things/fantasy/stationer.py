@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     PAINTS,
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plastic,
     plate,
     shine,
@@ -23,6 +19,7 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, rod
+from ...build.rows import Rows
 from ...build.solids import join
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
@@ -193,13 +190,7 @@ def _grip(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("office", ("black",)).drawn
 
 
 CATEGORIES = (

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from ...build.category import Category
 from ...build.making import (
     PAINTS,
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
     hull_solid,
     metal,
-    of,
     plastic,
     shine,
     spindle,
@@ -21,6 +17,7 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join
 from ...build.variants import at_rest
 from ...surfaces import prints, textures
@@ -191,13 +188,7 @@ def _remover(look: Look) -> Pieces:
     return [(pads[0], shell), (pads[1], shell), (join(fangs), shine(look)), (hinge, shine(look))]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("office", ("black",)).drawn
 
 
 CATEGORIES = (

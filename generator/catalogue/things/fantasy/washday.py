@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
     hull_solid,
-    of,
     plastic,
     plate,
     shine,
@@ -21,6 +18,7 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, pad, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, torus
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
@@ -189,13 +187,7 @@ def _chair(look: Look) -> Pieces:
     return [(seat, tile), *((leg, tile) for leg in legs), (join([*posts, *slats]), tile)]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("office", ("black",)).drawn
 
 
 CATEGORIES = (

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plastic,
     shine,
     spindle,
     standing,
 )
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, lathe, torus
 from ...build.variants import at_rest
 from ...surfaces import prints, textures
@@ -234,13 +231,7 @@ def _pump(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("workbench",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("black",)).drawn
 
 
 CATEGORIES = (

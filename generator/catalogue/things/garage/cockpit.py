@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     cloth,
     disc,
     dye,
     metal,
-    of,
     plastic,
     plate,
     shine,
     words,
 )
 from ...build.recipes import Pieces, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
@@ -244,13 +241,7 @@ def _badge(look: Look) -> Pieces:
     return [(disc(0.038, 0.0016, sides=36), image)]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("black",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("workbench",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("black",)).drawn
 
 
 CATEGORIES = (

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plastic,
     plate,
     shine,
@@ -22,6 +18,7 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod, straight
+from ...build.rows import Rows
 from ...build.solids import Solid, join, lathe, prism, torus
 from ...surfaces import textures
 from ...surfaces.look import Look
@@ -211,13 +208,7 @@ def _head(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, words, ("workbench",), (), colors
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("silver",)).drawn
 
 
 CATEGORIES = (

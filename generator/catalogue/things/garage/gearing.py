@@ -4,21 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plastic,
     shine,
     spindle,
 )
 from ...build.recipes import Pieces, straight
+from ...build.rows import Rows
 from ...build.solids import join, lathe, prism, torus, tube
 from ...surfaces import textures
 from ...surfaces.look import Look
@@ -219,13 +216,7 @@ def _pump(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, words: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, words, ("workbench",), (), colors
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("silver",)).drawn
 
 
 CATEGORIES = (

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     metal,
-    of,
     shine,
     spindle,
     standing,
@@ -20,6 +16,7 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import textures
 from ...surfaces.look import Look
@@ -168,21 +165,7 @@ def _leg(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    return Category(
-        key,
-        of(draw, foot, bodies=bodies),
-        size,
-        mass,
-        names,
-        ("workbench",),
-        (),
-        colors,
-        state="lying",
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("silver",), "lying").drawn
 
 
 CATEGORIES = (

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     metal,
-    of,
     plastic,
     shine,
     spindle,
     standing,
 )
 from ...build.recipes import Pieces
+from ...build.rows import Rows
 from ...build.solids import join, lathe, torus, tube
 from ...build.variants import vary
 from ...surfaces import textures
@@ -162,21 +159,7 @@ def _latch(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    return Category(
-        key,
-        of(draw, foot, bodies=bodies),
-        size,
-        mass,
-        names,
-        ("workbench",),
-        (),
-        colors,
-        state="lying",
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("silver",), "lying").drawn
 
 
 CATEGORIES = (

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    of,
     plastic,
     plate,
     shine,
@@ -21,6 +18,7 @@ from ...build.making import (
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, rod
+from ...build.rows import Rows, wide
 from ...build.solids import join, lathe, prism, torus
 from ...build.variants import at_rest
 from ...surfaces import textures
@@ -207,22 +205,7 @@ def _jointer(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("teal", "red"), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    roles = ("big",) if max(size[:2]) > 0.18 else ()
-    return Category(
-        key,
-        of(draw, foot, bodies=bodies),
-        size,
-        mass,
-        names,
-        ("workbench",),
-        roles,
-        colors,
-        state="lying",
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("teal", "red"), "lying", role=wide).drawn
 
 
 CATEGORIES = (

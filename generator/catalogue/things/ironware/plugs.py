@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plastic,
     shine,
     spindle,
@@ -21,6 +18,7 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod
+from ...build.rows import Rows
 from ...build.solids import join, lathe, tube
 from ...surfaces import textures
 from ...surfaces.look import Look
@@ -190,21 +188,7 @@ def _pulley(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("silver",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    return Category(
-        key,
-        of(draw, foot, bodies=bodies),
-        size,
-        mass,
-        names,
-        ("workbench",),
-        (),
-        colors,
-        state="lying",
-    )  # type: ignore[arg-type]
+_row = Rows("workbench", ("silver",), "lying").drawn
 
 
 CATEGORIES = (

@@ -20,7 +20,7 @@ Head = Callable[[Look, RGB], Pieces]
 """Makes a blossom at the origin that opens along +z."""
 
 
-def _petals(count: int, long: float, wide: float, lift: float, start: float = 0.0) -> list[Solid]:
+def corolla(count: int, long: float, wide: float, lift: float, start: float = 0.0) -> list[Solid]:
     """Return flat petals around z, raised by the angle ``lift``."""
     petal = ellipsoid(long, wide, 0.0035, 8, 4).move(x=0.5 * long).turn(1, -lift)
     return [petal.turn(2, start + 2 * np.pi * k / count) for k in range(count)]
@@ -35,7 +35,7 @@ def _rose(look: Look, color: RGB) -> Pieces:
              for n in range(2) for k in range(3)]  # fmt: skip
     heart = [ball(0.013 - 0.004 * k, 0.011 - 0.003 * k, 0.008, (0.002 * k, 0, 0.026 + 0.001 * k), 8)
              for k in range(2)]  # fmt: skip
-    sepals = [*_petals(5, 0.022, 0.008, -0.4)]
+    sepals = [*corolla(5, 0.022, 0.008, -0.4)]
     return [(join([cup, *rings]), tile), (join(heart), deep),
             (join(sepals), textures.plain((74, 118, 60)))]  # fmt: skip
 
@@ -49,7 +49,7 @@ def _tulip(look: Look, color: RGB) -> Pieces:
 
 
 def _daisy(look: Look, color: RGB) -> Pieces:
-    petals = _petals(14, 0.024, 0.0095, 0.15)
+    petals = corolla(14, 0.024, 0.0095, 0.15)
     return [
         (join(petals), textures.speckles(look.rng, color, 5)),
         (ball(0.017, 0.017, 0.01, (0, 0, 0.003), 12), textures.plain((240, 190, 50))),
@@ -57,7 +57,7 @@ def _daisy(look: Look, color: RGB) -> Pieces:
 
 
 def _sunflower(look: Look, color: RGB) -> Pieces:
-    petals = [*_petals(16, 0.046, 0.014, 0.1), *_petals(16, 0.042, 0.013, 0.35, 0.2)]
+    petals = [*corolla(16, 0.046, 0.014, 0.1), *corolla(16, 0.042, 0.013, 0.35, 0.2)]
     seeds = textures.spots(look.rng, (74, 46, 26), (130, 90, 40), 0.2)
     back = cylinder(0.02, 0.005, 14).move(z=-0.006)
     return [(join(petals), textures.speckles(look.rng, color, 8)),
@@ -80,7 +80,7 @@ def _lily(look: Look, color: RGB) -> Pieces:
 def _carnation(look: Look, color: RGB) -> Pieces:
     petals: list[Solid] = []
     for n, (lift, count) in enumerate(((0.15, 9), (0.55, 8), (1.0, 6))):
-        petals += [p.move(z=0.004 * n) for p in _petals(count, 0.024 - 0.003 * n, 0.016, lift, n)]
+        petals += [p.move(z=0.004 * n) for p in corolla(count, 0.024 - 0.003 * n, 0.016, lift, n)]
     cup = cylinder(0.004, 0.022, 10, top=0.007).move(z=-0.021)
     return [(join(petals), textures.scratches(look.rng, color, tint_color(color, 0.75), 50)),
             (cup, textures.plain((110, 146, 100)))]  # fmt: skip
@@ -97,7 +97,7 @@ def _orchid(look: Look, color: RGB) -> Pieces:
     lips: list[Solid] = []
     for k in range(4):
         at = (0.006 * (k % 2) - 0.003, 0, -0.032 * k)
-        bloom = [*_petals(3, 0.022, 0.015, 0.2, 0.5), *_petals(2, 0.027, 0.024, 0.2, np.pi / 2)]
+        bloom = [*corolla(3, 0.022, 0.015, 0.2, 0.5), *corolla(2, 0.027, 0.024, 0.2, np.pi / 2)]
         turned = [p.turn(1, 1.1).turn(2, np.pi * k + 0.5).move(*at) for p in bloom]
         made += turned
         lips.append(ball(0.011, 0.011, 0.009, (at[0] + (0.006 if k % 2 == 0 else -0.006), 0, at[2]),

@@ -1,18 +1,14 @@
-"""Models of the body, nests, presses, glass for distilling."""
+"""Models of the body, and machines and small things of a biology laboratory."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    of,
     plastic,
     shine,
     spindle,
@@ -20,67 +16,43 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, lathe, torus
 from ...build.variants import vary
-from ...surfaces import prints, textures
+from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from .displays import display
 
 BLACK = textures.plain((34, 34, 37))
 
 
-def _cabinet(kind: str) -> Drawing:
-    """A laboratory machine: an incubator with a glass door, a bath, a cycler, a photometer."""
+def _cycler(look: Look) -> Pieces:
+    """A thermocycler: a lid with a knob over its block."""
+    shell = plastic(look, "white", "gray", "sky")
+    return [
+        (at_block(0.2, 0.26, 0.12, 0.02), shell),
+        (
+            at_block(0.14, 0.12, 0.035, 0.012, (0, 0.05, 0.118)),
+            dye(look, "gray", "navy", "charcoal"),
+        ),
+        (disc(0.02, 0.018, (0, -0.03, 0.118)), BLACK),
+        (at_box(0.08, 0.035, 0.001, (-0.03, -0.09, 0.1195)), display("PCR 95")),
+    ]
 
-    def draw(look: Look) -> Pieces:
-        shell = plastic(look, "white", "gray", "sky")
-        screen = prints.canvas(64, 28, (20, 40, 70))
-        text = {"incubator": "37.0 C", "bath": "60.0 C", "cycler": "PCR 95", "photo": "0.482 A"}[
-            kind
-        ]
-        prints.write(screen, text, 0.5, 0.5, 0.55, (140, 230, 250), True)
-        if kind == "incubator":
-            body = at_block(0.24, 0.2, 0.26, 0.01)
-            door = at_block(0.22, 0.19, 0.012, 0.01).turn(0, np.pi / 2).move(0, -0.099, 0.115)
-            pane = at_block(0.17, 0.14, 0.002, 0.008).turn(0, np.pi / 2).move(0, -0.1105, 0.115)
-            grip = at_block(0.012, 0.016, 0.07, 0.004, (0.098, -0.118, 0.08))
-            return [
-                (body, shell),
-                (door, dye(look, "gray", "white")),
-                (pane, textures.plain((110, 130, 150))),
-                (grip, BLACK),
-                (at_box(0.07, 0.002, 0.026, (0, -0.1005, 0.224)), screen),
-            ]
-        if kind == "bath":
-            walls = [at_box(0.24, 0.01, 0.12, (0, s * 0.085, 0.03)) for s in (-1, 1)] + [
-                at_box(0.01, 0.16, 0.12, (s * 0.115, 0, 0.03)) for s in (-1, 1)
-            ]
-            base = at_block(0.25, 0.19, 0.032, 0.01)
-            water = at_box(0.222, 0.162, 0.1, (0, 0, 0.03))
-            return [
-                (base, shell),
-                *((w, shine(look)) for w in walls),
-                (water, textures.plain((150, 200, 222))),
-                (at_box(0.06, 0.002, 0.022, (0, -0.0945, 0.005)), screen),
-            ]
-        body = (
-            at_block(0.24, 0.28, 0.1, 0.02) if kind == "photo" else at_block(0.2, 0.26, 0.12, 0.02)
-        )
-        top = at_block(0.14, 0.12, 0.035, 0.012, (0, 0.05, 0.099 if kind == "photo" else 0.118))
-        knob = (
-            disc(0.02, 0.018, (0, -0.03, 0.118))
-            if kind == "cycler"
-            else at_block(0.05, 0.04, 0.016, 0.006, (0.07, -0.04, 0.099))
-        )
-        z = 0.0995 if kind == "photo" else 0.1195
-        return [
-            (body, shell),
-            (top, dye(look, "gray", "navy", "charcoal")),
-            (knob, BLACK),
-            (at_box(0.08, 0.035, 0.001, (-0.03, -0.09, z)), screen),
-        ]
 
-    return draw
+def _photometer(look: Look) -> Pieces:
+    """A spectrophotometer with the lid of its sample chamber."""
+    shell = plastic(look, "white", "gray", "sky")
+    return [
+        (at_block(0.24, 0.28, 0.1, 0.02), shell),
+        (
+            at_block(0.14, 0.12, 0.035, 0.012, (0, 0.05, 0.099)),
+            dye(look, "gray", "navy", "charcoal"),
+        ),
+        (at_block(0.05, 0.04, 0.016, 0.006, (0.07, -0.04, 0.099)), BLACK),
+        (at_box(0.08, 0.035, 0.001, (-0.03, -0.09, 0.0995)), display("0.482 A")),
+    ]
 
 
 def _box(look: Look) -> Pieces:
@@ -218,17 +190,13 @@ def _bones(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("lab", ("white",)).drawn
 
 
 CATEGORIES = (
-    _row("thermocycler", _cabinet("cycler"), (0.2, 0.26, 0.153), 5.0, ("pcr machine",
+    _row("thermocycler", _cycler, (0.2, 0.26, 0.153), 5.0, ("pcr machine",
              "thermal cycler"), bodies=3, roles=("big",)),
-    _row("spectrophotometer", _cabinet("photo"), (0.24, 0.28, 0.134), 5.0, ("photometer",
+    _row("spectrophotometer", _photometer, (0.24, 0.28, 0.134), 5.0, ("photometer",
              "colorimeter", "spectrometer", "plate reader"), bodies=3, roles=("big",)),
     _row("cryobox", _box, (0.13, 0.13, 0.052), 0.3, ("cryo box", "vial box", "box of vials",
              "freezer box", "sample box"), bodies=1),

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
-from ...build.making import Bodies, Drawing, at_block, disc, hull_solid, metal, of, plate, standing
+from ...build.making import at_block, disc, hull_solid, metal, plate, standing
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, straight
+from ...build.rows import Rows, tall
 from ...build.solids import join, lathe
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
@@ -148,14 +148,7 @@ def _sphere(look: Look) -> Pieces:
     return [(base, card), (rim, ringed), (window, image)]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("office", ("brass",), role=tall).drawn
 
 
 CATEGORIES = (

@@ -1,23 +1,20 @@
-"""Models of the body, nests, presses, glass for distilling."""
+"""Glass for distilling and drying, and things to study nature with."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     dye,
-    of,
     plastic,
     spindle,
     standing,
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
@@ -210,11 +207,7 @@ def _trough(look: Look) -> Pieces:
     return [(floor, tile), *((s, tile) for s in sides)]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("lab", ("white",)).drawn
 
 
 CATEGORIES = (

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     PAINTS,
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plastic,
     plate,
     shine,
@@ -24,6 +20,7 @@ from ...build.making import (
 )
 from ...build.outlines import arc, smooth
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows, tall
 from ...build.solids import join, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
@@ -205,45 +202,19 @@ def _fractions(look: Look) -> Pieces:
     return pieces
 
 
-def _cubes(n: int, soma: bool) -> Drawing:
-    """Linking cubes in a rod, or a cube puzzle of bent pieces."""
-
-    def draw(look: Look) -> Pieces:
-        s = 0.02
-        pieces: Pieces = []
-        if soma:
-            tones = [look.own_color(*PAINTS) for _ in range(7)]
-            for i in range(3):
-                for j in range(3):
-                    for k in range(3):
-                        tone = tones[(i + 2 * j * (k + 1) + (i * j)) % 7]
-                        pieces.append(
-                            (
-                                at_box(
-                                    0.96 * s, 0.96 * s, 0.98 * s, ((i - 1) * s, (j - 1) * s, k * s)
-                                ),
-                                textures.plain(tone),
-                            )
-                        )
-            return pieces
-        for k in range(n):
-            x = (k - n / 2 + 0.5) * s
-            tile = textures.plain(look.color(*PAINTS))
-            pieces.append((at_block(0.97 * s, s, s, 0.0015, (x, 0, 0)), tile))
-            pieces.append((disc(0.005, 0.003, (x, 0, s - 0.0005)), tile))
-        return pieces
-
-    return draw
+def _linked(look: Look) -> Pieces:
+    """Six linking cubes in a rod."""
+    s = 0.02
+    pieces: Pieces = []
+    for k in range(6):
+        x = (k - 2.5) * s
+        tile = textures.plain(look.color(*PAINTS))
+        pieces.append((at_block(0.97 * s, s, s, 0.0015, (x, 0, 0)), tile))
+        pieces.append((disc(0.005, 0.003, (x, 0, s - 0.0005)), tile))
+    return pieces
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("office", ("brass",), role=tall).drawn
 
 
 CATEGORIES = (
@@ -260,7 +231,7 @@ CATEGORIES = (
              ("silver",), bodies=6),
     _row("fraction_circle", _fractions, (0.116, 0.116, 0.005), 0.04, ("fraction tile",
              "fraction disc", "fraction set", "algebra tile", "pie chart model"), ("red",)),
-    _row("linking_cubes", _cubes(6, False), (0.12, 0.02, 0.0225), 0.03, ("multilink cube",
+    _row("linking_cubes", _linked, (0.12, 0.02, 0.0225), 0.03, ("multilink cube",
              "unifix cube", "unifix cubes", "snap cube", "linking cube",
              "multilink cubes"), ("red", "blue")),
 )  # fmt: skip

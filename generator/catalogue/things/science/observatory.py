@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
     metal,
-    of,
     plastic,
     shine,
     standing,
@@ -21,6 +18,7 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, straight
+from ...build.rows import Rows, tall
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
@@ -144,14 +142,7 @@ def _rain(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("office", ("brass",), role=tall).drawn
 
 
 CATEGORIES = (

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
     PAINTS,
-    Bodies,
-    Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    of,
     plastic,
     shine,
     spindle,
@@ -22,6 +20,7 @@ from ...build.making import (
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows, tall
 from ...build.solids import join, torus, tube
 from ...build.variants import vary
 from ...surfaces import prints, textures
@@ -30,35 +29,15 @@ from ...surfaces.look import Look
 BLACK = textures.plain((34, 34, 37))
 
 
-def _cubes(n: int, soma: bool) -> Drawing:
-    """Linking cubes in a rod, or a cube puzzle of bent pieces."""
-
-    def draw(look: Look) -> Pieces:
-        s = 0.02
-        pieces: Pieces = []
-        if soma:
-            tones = [look.own_color(*PAINTS) for _ in range(7)]
-            for i in range(3):
-                for j in range(3):
-                    for k in range(3):
-                        tone = tones[(i + 2 * j * (k + 1) + (i * j)) % 7]
-                        pieces.append(
-                            (
-                                at_box(
-                                    0.96 * s, 0.96 * s, 0.98 * s, ((i - 1) * s, (j - 1) * s, k * s)
-                                ),
-                                textures.plain(tone),
-                            )
-                        )
-            return pieces
-        for k in range(n):
-            x = (k - n / 2 + 0.5) * s
-            tile = textures.plain(look.color(*PAINTS))
-            pieces.append((at_block(0.97 * s, s, s, 0.0015, (x, 0, 0)), tile))
-            pieces.append((disc(0.005, 0.003, (x, 0, s - 0.0005)), tile))
-        return pieces
-
-    return draw
+def _soma(look: Look) -> Pieces:
+    """A cube puzzle of bent pieces."""
+    s = 0.02
+    tones = [look.own_color(*PAINTS) for _ in range(7)]
+    pieces: Pieces = []
+    for i, j, k in product(range(3), repeat=3):
+        cube = at_box(0.96 * s, 0.96 * s, 0.98 * s, ((i - 1) * s, (j - 1) * s, k * s))
+        pieces.append((cube, textures.plain(tones[(i + 2 * j * (k + 1) + (i * j)) % 7])))
+    return pieces
 
 
 def _galton(look: Look) -> Pieces:
@@ -224,18 +203,11 @@ def _trundle(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("brass",), foot: float = 0.0,
-             bodies: Bodies = None) -> Category:  # fmt: skip
-    roles = ("tall",) if size[2] > 0.17 and size[2] > 1.2 * max(size[:2]) else ()
-    return Category(
-        key, of(draw, foot, bodies=bodies), size, mass, names, ("office",), roles, colors
-    )  # type: ignore[arg-type]
+_row = Rows("office", ("brass",), role=tall).drawn
 
 
 CATEGORIES = (
-    _row("soma_cube", _cubes(0, True), (0.06, 0.06, 0.06), 0.12, ("cube puzzle",
+    _row("soma_cube", _soma, (0.06, 0.06, 0.06), 0.12, ("cube puzzle",
              "wooden cube puzzle", "burr puzzle", "3d puzzle"), ("red",)),
     _row("galton_board", _galton, (0.18, 0.09, 0.252), 0.6, ("bean machine", "quincunx",
              "plinko board", "pinball board"), ("wooden",)),

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    of,
     plastic,
     plate,
     shine,
@@ -20,6 +17,7 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, torus, tube
 from ...build.variants import vary
 from ...surfaces import prints, textures
@@ -247,11 +245,7 @@ def _moulded_piece(look: Look) -> Pieces:
     return [(base, tile), (ridge, tile), (join(teeth), textures.plain(tint_color(color, 1.2)))]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("lab", ("white",)).drawn
 
 
 CATEGORIES = (

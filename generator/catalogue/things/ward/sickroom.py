@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.category import Category
 from ...build.making import (
-    Bodies,
     Drawing,
     at_block,
     at_box,
     disc,
     dye,
-    of,
     plastic,
     plate,
     shine,
     spindle,
 )
 from ...build.recipes import Pieces, pad, rod, straight
+from ...build.rows import Rows
 from ...build.solids import join, lathe, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
@@ -216,11 +214,7 @@ def _winder(look: Look) -> Pieces:
     ]
 
 
-def _row(key: str, draw: Drawing, size: tuple[float, float, float], mass: float, names: tuple[str,
-             ...],
-         colors: tuple[str, ...] = ("white",), foot: float = 0.0, bodies: Bodies = None,
-             roles: tuple[str, ...] = ()) -> Category:  # fmt: skip
-    return Category(key, of(draw, foot, bodies=bodies), size, mass, names, ("lab",), roles, colors)  # type: ignore[arg-type]
+_row = Rows("lab", ("white",)).drawn
 
 
 CATEGORIES = (

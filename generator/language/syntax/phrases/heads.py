@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from ....catalogue import CATEGORIES
 from ...parsing import lexicon
 from ...parsing.vocabulary import (
-    COLLECTIVES,
     COLORS,
     LOOSE_NOUNS,
     MATERIALS,
@@ -255,8 +254,3 @@ def _two_colored(run: PhraseStart, last: Mapping[str, str]) -> dict[str, str]:
             else:
                 merged.setdefault(key, value)
     return merged
-
-
-def is_collective(words: Sequence[str]) -> bool:
-    """Tell whether words name a mixed group."""
-    return " ".join(words) in COLLECTIVES
