@@ -14,8 +14,7 @@ from ..surfaces.look import Look
 from ..surfaces.textures import Tile
 from .collision import hull_part
 from .forms import above
-from .hollow import Profile, open_vessel
-from .recipes import Pieces, Point, put_down
+from .recipes import Pieces, Point, Profile, open_vessel, put_down
 from .shape import Shape, shape
 from .solids import Solid, block, box, cylinder, lathe, prism
 

@@ -43,7 +43,7 @@ class Rows:
     roles: tuple[str, ...] = ()
     role: Callable[[Size], tuple[str, ...]] | None = None
 
-    def shaped(
+    def of_shape(
         self,
         key: str,
         shape: Callable[[Look], Shape],
@@ -60,7 +60,7 @@ class Rows:
             colors or self.colors, state=self.state,
         )  # fmt: skip
 
-    def drawn(
+    def of_drawing(
         self,
         key: str,
         draw: Drawing,
@@ -77,4 +77,4 @@ class Rows:
         ``foot`` and ``bodies`` are as in ``of``, the rest is as in ``Category``.
         """
         made = of(draw, foot, bodies=bodies, spread=self.spread)
-        return self.shaped(key, made, size, mass, aliases, colors, roles)
+        return self.of_shape(key, made, size, mass, aliases, colors, roles)

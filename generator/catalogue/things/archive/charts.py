@@ -185,7 +185,7 @@ def _memo(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("office", ("white",), "lying flat", spread=0.06, roles=("flat",)).drawn
+_row = Rows("office", ("white",), "lying flat", spread=0.06, roles=("flat",)).of_drawing
 
 
 CATEGORIES = (

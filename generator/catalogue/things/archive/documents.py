@@ -146,7 +146,7 @@ def _rolled_plan(look: Look) -> Pieces:
 A4 = (0.21, 0.297)
 
 
-_row = Rows("office", ("white",), "lying flat", spread=0.06, roles=("flat",)).drawn
+_row = Rows("office", ("white",), "lying flat", spread=0.06, roles=("flat",)).of_drawing
 
 
 CATEGORIES = (

@@ -229,7 +229,7 @@ def orange_spiral(look: Look) -> Shape:
 
 def case(look: Look) -> Shape:
     """An empty pleated paper case for a cupcake."""
-    from ...build.hollow import open_vessel
+    from ...build.recipes import open_vessel
 
     r, h = look.between(0.034, 0.038), look.between(0.03, 0.034)
     body, parts = open_vessel([(0.68 * r, 0), (r, h)], 0.0014, 0.0014, 48)

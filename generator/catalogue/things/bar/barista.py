@@ -7,8 +7,8 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.forms import facing, side_view
-from ...build.hollow import open_vessel
 from ...build.outlines import rectangle, smooth
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, sweep, torus, tube
 from ...surfaces import prints, textures

@@ -7,8 +7,8 @@ import numpy as np
 from ....scene import ConvexPart
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, ring_parts
-from ...build.hollow import open_vessel
 from ...build.outlines import smooth
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import prints, textures

@@ -6,8 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of
-from ...build.hollow import open_vessel
-from ...build.recipes import ball, straight
+from ...build.recipes import ball, open_vessel, straight
 from ...build.settled import hull_above, limb, rod, settle
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, torus

@@ -6,9 +6,8 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, ring_parts
-from ...build.hollow import open_vessel
 from ...build.outlines import smooth
-from ...build.recipes import ball, straight
+from ...build.recipes import ball, open_vessel, straight
 from ...build.settled import limb, scatter
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, join, lathe, torus, tube

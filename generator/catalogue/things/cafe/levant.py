@@ -6,9 +6,8 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of, hull_part
-from ...build.hollow import open_vessel
 from ...build.outlines import smooth
-from ...build.recipes import ball, straight
+from ...build.recipes import ball, open_vessel, straight
 from ...build.settled import hull_above, limb
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, join, lathe, torus

@@ -8,7 +8,6 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import hull_of
-from ...build.hollow import open_vessel
 from ...build.making import (
     Drawing,
     at_block,
@@ -22,7 +21,7 @@ from ...build.making import (
     wood,
 )
 from ...build.outlines import smooth
-from ...build.recipes import Pieces, ball, rod, standing_plate
+from ...build.recipes import Pieces, ball, open_vessel, rod, standing_plate
 from ...build.shape import Shape, shape
 from ...build.solids import ellipsoid, join, lathe, tube
 from ...surfaces import prints, textures

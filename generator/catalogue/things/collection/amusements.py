@@ -180,7 +180,7 @@ def _slinky(look: Look) -> Pieces:
     return [(join(g), tone) for g in groups]
 
 
-_row = Rows("toys", ("red", "blue")).shaped
+_row = Rows("toys", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

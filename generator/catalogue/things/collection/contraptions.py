@@ -208,7 +208,7 @@ def _phone(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("toys", ("red", "blue")).shaped
+_row = Rows("toys", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

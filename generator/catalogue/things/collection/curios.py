@@ -237,7 +237,7 @@ def _message(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("living", ("red", "blue")).shaped
+_row = Rows("living", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

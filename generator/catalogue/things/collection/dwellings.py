@@ -218,7 +218,7 @@ def _fountain(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("living", ("red", "blue")).shaped
+_row = Rows("living", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

@@ -201,7 +201,7 @@ def _spinner(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("toys", ("red", "blue")).shaped
+_row = Rows("toys", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

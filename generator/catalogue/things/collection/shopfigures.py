@@ -209,7 +209,7 @@ def _furby(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("toys", ("red", "blue")).shaped
+_row = Rows("toys", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...build.hollow import open_vessel
 from ...build.making import (
     PAINTS,
     Drawing,
@@ -22,7 +21,7 @@ from ...build.making import (
     wood,
 )
 from ...build.outlines import rectangle
-from ...build.recipes import Pieces, ball, rod, straight
+from ...build.recipes import Pieces, ball, open_vessel, rod, straight
 from ...build.rows import Rows
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, join, lathe, prism
@@ -209,7 +208,7 @@ def _cradle_dish(look: Look) -> Shape:
     return shape([(body, tile)], parts).scale(look.between(0.9, 1.1))
 
 
-_row = Rows("living", ("red", "blue")).shaped
+_row = Rows("living", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

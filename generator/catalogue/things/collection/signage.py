@@ -202,7 +202,7 @@ def _vitrine(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("living", ("red", "blue")).shaped
+_row = Rows("living", ("red", "blue")).of_shape
 
 
 CATEGORIES = (

@@ -6,8 +6,8 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, frame_parts, hull_of
-from ...build.hollow import open_vessel
 from ...build.outlines import rectangle, smooth
+from ...build.recipes import open_vessel
 from ...build.settled import hull_above
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, lathe, loft, sweep, torus, tube

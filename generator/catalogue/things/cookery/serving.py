@@ -6,8 +6,8 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, ring_parts
-from ...build.hollow import open_vessel
 from ...build.outlines import smooth
+from ...build.recipes import open_vessel
 from ...build.settled import lift_parts, settle, stretch_parts
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube

@@ -244,7 +244,7 @@ def _blade(bend: float, long: float, wide: float, guard: str) -> Drawing:
     return draw
 
 
-_row = Rows("toys", ("brown",), role=wide).drawn
+_row = Rows("toys", ("brown",), role=wide).of_drawing
 
 
 CATEGORIES = (

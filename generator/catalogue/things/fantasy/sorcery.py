@@ -193,7 +193,7 @@ def _hilt(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("toys", ("brown",), role=wide).drawn
+_row = Rows("toys", ("brown",), role=wide).of_drawing
 
 
 CATEGORIES = (

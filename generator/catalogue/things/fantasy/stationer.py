@@ -190,7 +190,7 @@ def _grip(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("office", ("black",)).drawn
+_row = Rows("office", ("black",)).of_drawing
 
 
 CATEGORIES = (

@@ -188,7 +188,7 @@ def _remover(look: Look) -> Pieces:
     return [(pads[0], shell), (pads[1], shell), (join(fangs), shine(look)), (hinge, shine(look))]
 
 
-_row = Rows("office", ("black",)).drawn
+_row = Rows("office", ("black",)).of_drawing
 
 
 CATEGORIES = (

@@ -187,7 +187,7 @@ def _chair(look: Look) -> Pieces:
     return [(seat, tile), *((leg, tile) for leg in legs), (join([*posts, *slats]), tile)]
 
 
-_row = Rows("office", ("black",)).drawn
+_row = Rows("office", ("black",)).of_drawing
 
 
 CATEGORIES = (

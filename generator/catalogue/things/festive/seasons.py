@@ -7,8 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import cylinder_part, flat_foot, ring_parts
 from ...build.forms import above, lobe
-from ...build.hollow import open_vessel
-from ...build.recipes import Pieces, ball, put_down, rod, standing_plate
+from ...build.recipes import Pieces, ball, open_vessel, put_down, rod, standing_plate
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, refine, torus
 from ...surfaces import prints, textures

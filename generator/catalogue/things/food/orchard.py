@@ -7,8 +7,8 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import cylinder_part, flat_foot, hull_of, hull_part, resting_ball
 from ...build.forms import above, blade, lobe
-from ...build.hollow import open_vessel
 from ...build.outlines import smooth
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, cylinder, ellipsoid, join, lathe, loft, torus, tube
 from ...surfaces import textures

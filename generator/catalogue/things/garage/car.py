@@ -231,7 +231,7 @@ def _pump(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("black",)).drawn
+_row = Rows("workbench", ("black",)).of_drawing
 
 
 CATEGORIES = (

@@ -241,7 +241,7 @@ def _badge(look: Look) -> Pieces:
     return [(disc(0.038, 0.0016, sides=36), image)]
 
 
-_row = Rows("workbench", ("black",)).drawn
+_row = Rows("workbench", ("black",)).of_drawing
 
 
 CATEGORIES = (

@@ -208,7 +208,7 @@ def _head(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("silver",)).drawn
+_row = Rows("workbench", ("silver",)).of_drawing
 
 
 CATEGORIES = (

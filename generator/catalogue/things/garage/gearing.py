@@ -216,7 +216,7 @@ def _pump(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("silver",)).drawn
+_row = Rows("workbench", ("silver",)).of_drawing
 
 
 CATEGORIES = (

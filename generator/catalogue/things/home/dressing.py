@@ -7,8 +7,8 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of, hull_part
 from ...build.forms import facing
-from ...build.hollow import open_vessel
 from ...build.outlines import ellipse, rectangle, smooth
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...surfaces import prints, textures

@@ -8,8 +8,8 @@ from ....scene import ConvexPart
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, flat_foot, hull_of, hull_part
 from ...build.forms import blade
-from ...build.hollow import open_vessel
 from ...build.outlines import ellipse, rectangle, smooth
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, ellipsoid, join, lathe, loft, prism, sweep, torus, tube
 from ...surfaces import prints, textures

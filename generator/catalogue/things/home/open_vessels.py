@@ -8,8 +8,8 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, frame_parts, hull_of
-from ...build.hollow import open_vessel
 from ...build.outlines import smooth
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, join, lathe, torus, tube
 from ...surfaces import textures

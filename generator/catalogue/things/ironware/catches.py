@@ -165,7 +165,7 @@ def _leg(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("silver",), "lying").drawn
+_row = Rows("workbench", ("silver",), "lying").of_drawing
 
 
 CATEGORIES = (

@@ -159,7 +159,7 @@ def _latch(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("silver",), "lying").drawn
+_row = Rows("workbench", ("silver",), "lying").of_drawing
 
 
 CATEGORIES = (

@@ -205,7 +205,7 @@ def _jointer(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("teal", "red"), "lying", role=wide).drawn
+_row = Rows("workbench", ("teal", "red"), "lying", role=wide).of_drawing
 
 
 CATEGORIES = (

@@ -188,7 +188,7 @@ def _pulley(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("silver",), "lying").drawn
+_row = Rows("workbench", ("silver",), "lying").of_drawing
 
 
 CATEGORIES = (

@@ -159,7 +159,7 @@ def _pen(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("teal", "red"), "lying", role=wide).drawn
+_row = Rows("workbench", ("teal", "red"), "lying", role=wide).of_drawing
 
 
 CATEGORIES = (

@@ -218,7 +218,7 @@ def _compressor(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("workbench", ("teal", "red"), "lying", role=wide).drawn
+_row = Rows("workbench", ("teal", "red"), "lying", role=wide).of_drawing
 
 
 CATEGORIES = (

@@ -8,7 +8,7 @@ from ....scene import ConvexPart
 from ...build.category import Category
 from ...build.collision import cylinder_part, flat_foot, hull_of, ring_parts
 from ...build.forms import lay_down
-from ...build.hollow import open_vessel
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import (
     box,

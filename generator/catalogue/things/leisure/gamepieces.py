@@ -8,8 +8,8 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of, resting_ball
-from ...build.hollow import open_vessel
 from ...build.outlines import smooth
+from ...build.recipes import open_vessel
 from ...build.shape import Shape, shape
 from ...build.solids import block, box, ellipsoid, lathe, prism
 from ...build.variants import keep_still

@@ -7,8 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of, hull_part, ring_parts
 from ...build.forms import blade, side_view
-from ...build.hollow import open_vessel
-from ...build.recipes import Pieces, ball, put_down, rod, straight
+from ...build.recipes import Pieces, ball, open_vessel, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...surfaces import textures

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ...build.category import Category
-from ...build.hollow import open_vessel
-from ...build.recipes import put_down, rod, straight
+from ...build.recipes import open_vessel, put_down, rod, straight
 from ...build.shape import Shape
 from ...build.solids import cylinder, join
 from ...surfaces import textures

@@ -190,7 +190,7 @@ def _bones(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("lab", ("white",)).drawn
+_row = Rows("lab", ("white",)).of_drawing
 
 
 CATEGORIES = (

@@ -148,7 +148,7 @@ def _sphere(look: Look) -> Pieces:
     return [(base, card), (rim, ringed), (window, image)]
 
 
-_row = Rows("office", ("brass",), role=tall).drawn
+_row = Rows("office", ("brass",), role=tall).of_drawing
 
 
 CATEGORIES = (

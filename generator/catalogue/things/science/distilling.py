@@ -207,7 +207,7 @@ def _trough(look: Look) -> Pieces:
     return [(floor, tile), *((s, tile) for s in sides)]
 
 
-_row = Rows("lab", ("white",)).drawn
+_row = Rows("lab", ("white",)).of_drawing
 
 
 CATEGORIES = (

@@ -202,7 +202,7 @@ def _fractions(look: Look) -> Pieces:
     return pieces
 
 
-def _linked(look: Look) -> Pieces:
+def _cubes(look: Look) -> Pieces:
     """Six linking cubes in a rod."""
     s = 0.02
     pieces: Pieces = []
@@ -214,7 +214,7 @@ def _linked(look: Look) -> Pieces:
     return pieces
 
 
-_row = Rows("office", ("brass",), role=tall).drawn
+_row = Rows("office", ("brass",), role=tall).of_drawing
 
 
 CATEGORIES = (
@@ -231,7 +231,7 @@ CATEGORIES = (
              ("silver",), bodies=6),
     _row("fraction_circle", _fractions, (0.116, 0.116, 0.005), 0.04, ("fraction tile",
              "fraction disc", "fraction set", "algebra tile", "pie chart model"), ("red",)),
-    _row("linking_cubes", _linked, (0.12, 0.02, 0.0225), 0.03, ("multilink cube",
+    _row("linking_cubes", _cubes, (0.12, 0.02, 0.0225), 0.03, ("multilink cube",
              "unifix cube", "unifix cubes", "snap cube", "linking cube",
              "multilink cubes"), ("red", "blue")),
 )  # fmt: skip

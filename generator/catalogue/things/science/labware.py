@@ -189,7 +189,7 @@ def _bath(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("lab", ("white",)).drawn
+_row = Rows("lab", ("white",)).of_drawing
 
 
 CATEGORIES = (

@@ -142,7 +142,7 @@ def _rain(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("office", ("brass",), role=tall).drawn
+_row = Rows("office", ("brass",), role=tall).of_drawing
 
 
 CATEGORIES = (

@@ -203,7 +203,7 @@ def _trundle(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("office", ("brass",), role=tall).drawn
+_row = Rows("office", ("brass",), role=tall).of_drawing
 
 
 CATEGORIES = (

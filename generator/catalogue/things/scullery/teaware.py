@@ -7,7 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import hull_of, ring_parts
 from ...build.forms import facing
-from ...build.hollow import open_vessel
+from ...build.recipes import open_vessel
 from ...build.settled import limb
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, ellipsoid, join, lathe, torus

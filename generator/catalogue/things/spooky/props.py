@@ -6,8 +6,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import hull_of
-from ...build.hollow import open_vessel
-from ...build.recipes import ball, put_down, straight
+from ...build.recipes import ball, open_vessel, put_down, straight
 from ...build.settled import lift_parts, limb, settle
 from ...build.shape import Shape, shape
 from ...build.solids import cylinder, join, prism, torus, tube

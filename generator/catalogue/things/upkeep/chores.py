@@ -6,9 +6,8 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import box_part, hull_part
-from ...build.hollow import open_vessel
 from ...build.outlines import rectangle, smooth
-from ...build.recipes import ball, put_down, rod, straight
+from ...build.recipes import ball, open_vessel, put_down, rod, straight
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, join, loft, prism, torus
 from ...surfaces import textures

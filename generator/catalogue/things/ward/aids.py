@@ -245,7 +245,7 @@ def _moulded_piece(look: Look) -> Pieces:
     return [(base, tile), (ridge, tile), (join(teeth), textures.plain(tint_color(color, 1.2)))]
 
 
-_row = Rows("lab", ("white",)).drawn
+_row = Rows("lab", ("white",)).of_drawing
 
 
 CATEGORIES = (

@@ -264,7 +264,7 @@ def _flow(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("lab", ("white",)).drawn
+_row = Rows("lab", ("white",)).of_drawing
 
 
 CATEGORIES = (

@@ -214,7 +214,7 @@ def _winder(look: Look) -> Pieces:
     ]
 
 
-_row = Rows("lab", ("white",)).drawn
+_row = Rows("lab", ("white",)).of_drawing
 
 
 CATEGORIES = (
