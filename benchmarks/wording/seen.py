@@ -191,27 +191,37 @@ def _points(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> np.ndarray
     return np.concatenate(found) if found else data.xpos[body][None]
 
 
+_PLACES = np.array([
+    [i + 1 / 3, j + 1 / 3, 4 - i - j + 1 / 3] for i in range(5) for j in range(5 - i)
+]) / 5  # fmt: skip
+"""Places in a triangle whose colours are looked at: weights of its corners."""
+
+
 def _colours(model: mujoco.MjModel, body: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the colour of each triangle's middle, and its area."""
+    """Return colours at some places of each triangle, and the area that each stands for."""
     colours, areas = [np.zeros((0, 3))], [np.zeros(0)]
     for geom in _meshes(model, body):
         mesh = model.mesh(int(model.geom_dataid[geom]))
         first, count = int(mesh.faceadr[0]), int(mesh.facenum[0])
         corners = model.mesh_vert[int(mesh.vertadr[0]) :][model.mesh_face[first : first + count]]
         a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-        areas.append(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+        area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+        areas += [area / len(_PLACES)] * len(_PLACES)
         material = int(model.geom_matid[geom])
         tint = model.mat_rgba[material] if material >= 0 else model.geom_rgba[geom]
         plain = np.tile(tint[:3], (count, 1))
         texture = _texture(model, material)
         if texture is not None and mesh.texcoordadr[0] >= 0:
             uv = model.mesh_texcoord[int(mesh.texcoordadr[0]) :]
-            middle = uv[model.mesh_facetexcoord[first : first + count]].mean(1) % 1.0
+            ends = uv[model.mesh_facetexcoord[first : first + count]]
             height, width = texture.shape[:2]
-            rows = np.minimum((middle[:, 1] * height).astype(int), height - 1)
-            columns = np.minimum((middle[:, 0] * width).astype(int), width - 1)
-            plain = plain * texture[rows, columns, :3] / 255.0
-        colours.append(plain)
+            for weights in _PLACES:
+                at = np.einsum("fkc,k->fc", ends, weights) % 1.0
+                rows = np.minimum((at[:, 1] * height).astype(int), height - 1)
+                columns = np.minimum((at[:, 0] * width).astype(int), width - 1)
+                colours.append(plain * texture[rows, columns, :3] / 255.0)
+        else:
+            colours += [plain] * len(_PLACES)
     return np.concatenate(colours), np.concatenate(areas)
 
 

@@ -259,7 +259,7 @@ _MADE_OF: Mapping[str, str] = {
     "eye_chart colour_chart poster report memo_pad bank_note heart_box planisphere stencil "
     "safety_pin_card",
     "wax": "long_candle candle soap_bar chalk pastel charcoal_stick taper_candle bath_bomb "
-    "wax_melt",
+    "wax_melt birthday_candle",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom "
     "avocado onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes "
@@ -278,7 +278,7 @@ _MADE_OF: Mapping[str, str] = {
     "cashew pistachio chestnut acorn olive pickle sugar_cube rose tulip daisy sunflower "
     "lily carnation lavender orchid dried_flower posy bare_cactus seedling flower_bulb "
     "gingerbread_house "
-    "jack_o_lantern birthday_cake easter_egg cigar "
+    "jack_o_lantern potato_crisp birthday_cake easter_egg cigar "
     "daffodil iris poppy peony chrysanthemum dahlia gerbera marigold zinnia camellia gardenia "
     "magnolia dandelion cornflower edelweiss anemone hibiscus petunia primrose pansy "
     "hydrangea geranium forget_me_not hyacinth gladiolus foxglove hollyhock freesia bluebell "

@@ -65,6 +65,8 @@ _POTTED = frozenset(
     ["cactus", "succulent", "herb_pot", "potted_plant", "fern", "ivy", "aloe", "lavender",
      "plant", "basil", "mint", "orchid", "snake_plant", "spider_plant"]
 )  # fmt: skip
+LOOSE: Mapping[str, str] = MappingProxyType({"chips_bag": "potato_crisp"})
+"""Packages of food, and what of it is put into a bowl."""
 _CANDLES = frozenset({"candle", "taper_candle", "long_candle"})
 _SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
 _FLOWERS = ("rose", "tulip", "daisy", "carnation")

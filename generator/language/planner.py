@@ -96,7 +96,8 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
             fewest = most = min(most, len(objects) + 3)
         objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
-    objects, doubts = relations.check_relations(grow_carriers(objects))
+    objects = relations.place_supports(grow_carriers(objects))
+    objects, doubts = relations.check_relations(objects)
     style = drawn or next((word for word in words if word in STYLES), "plain")
     told = [*reading.warnings, *_warn_of_lengths(reading), *warn_of_stand_ins(objects), *doubts]
     warnings = tuple(dict.fromkeys(told))

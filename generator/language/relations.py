@@ -59,6 +59,37 @@ def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObjec
     return out, list(dict.fromkeys(warnings))
 
 
+_PLACED = (*OPPOSITE, "next_to")
+
+
+def place_supports(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, what carries a thing beside others standing there too.
+
+    Of "a flask on a tile in front of the stand" the tile is in front of the stand. A support that
+    has a place of its own keeps it.
+    """
+    under = {o.name: r.target for o in objects for r in o.relations
+             if r.kind in _SUPPORTED and r.target != TABLE}  # fmt: skip
+    found = {o.name: o for o in objects}
+
+    def bottom(name: str) -> str:
+        for _ in objects:
+            name = under.get(name, name)
+        return name
+
+    for planned in objects:
+        base = found.get(bottom(planned.name))
+        if base is None or base.name == planned.name or base.relations:
+            continue
+        moved = [
+            replace(r, target=bottom(r.target))
+            for r in planned.relations
+            if r.kind in _PLACED and r.target != TABLE and bottom(r.target) != base.name
+        ]
+        found[base.name] = replace(base, relations=tuple(dict.fromkeys(moved)))
+    return [found[o.name] for o in objects]
+
+
 def _check_circles(objects: Sequence[PlannedObject]) -> None:
     supports: dict[str, set[str]] = {}
     lefts: dict[str, set[str]] = {}

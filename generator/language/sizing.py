@@ -80,7 +80,7 @@ def holds_things(category: str) -> bool:
 
 def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     """Return the objects, vessels and racks that something is in open and empty."""
-    objects = _seat_candles(objects)
+    objects = _clear_cakes(_seat_candles(objects))
     names = {o.name: o for o in objects}
     inside: dict[str, list[PlannedObject]] = {}
     for planned in objects:
@@ -111,6 +111,13 @@ def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
         ))
         for o in objects
     ]  # fmt: skip
+
+
+def _clear_cakes(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, cakes that have candles on them without those that are drawn there."""
+    lit = {r.target for o in objects if o.category == "birthday_candle" for r in o.relations}
+    bare = {o.name for o in objects if o.category == "birthday_cake"} & lit
+    return [replace(o, category="cake") if o.name in bare else o for o in objects]
 
 
 def _grow(

@@ -23,10 +23,14 @@ _TRIES = 12
 
 @dataclass(frozen=True)
 class Layout:
-    """Where everything goes, and what could not be done as asked."""
+    """Where everything goes, and what could not be done as asked.
+
+    ``strain`` is how badly the relation that is met worst is broken, see ``scoring.violation``.
+    """
 
     placements: tuple[Placement, ...]
     warnings: tuple[str, ...] = ()
+    strain: float = 0.0
 
 
 def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: int) -> Layout:
@@ -59,7 +63,8 @@ def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: in
             "Ask for fewer or smaller things, or a larger table."
         )
     _center(best, plan, outline)
-    return Layout(tuple(best.places[o.name] for o in plan.objects), tuple(best.warnings))
+    places = tuple(best.places[o.name] for o in plan.objects)
+    return Layout(places, tuple(best.warnings), best.strain)
 
 
 def arrange_more(

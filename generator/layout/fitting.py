@@ -10,20 +10,32 @@ from .arranging import Layout, arrange
 from .furnishing import build_top
 
 GROWTH = (1.0, 1.15, 1.3)
-"""How much larger the table gets, try by try, when the objects do not fit."""
+"""How much larger the table gets, try by try."""
+
+
+_STRAINED = 1.0
+"""From this strain on a larger table is tried: what is in front of a thing is aside of it."""
 
 
 def lay_out(plan: ScenePlan, models: Mapping[str, Model], seed: int) -> tuple[Layout, Model]:
-    """Arrange the models on the plan's table, on a larger one if they do not fit.
+    """Arrange the models on the plan's table, on a larger one if they do not fit as asked.
 
     Raises:
         SceneError: they fit on no plausible table.
     """
     error: SceneError | None = None
+    best: tuple[Layout, Model] | None = None
     for growth in GROWTH:
         table = build_top(plan, models, seed, growth)
         try:
-            return arrange(plan, models, table, seed), table
+            layout = arrange(plan, models, table, seed)
         except SceneError as failed:
             error = failed
-    raise error or SceneError("No table was tried.")
+            continue
+        if best is None or layout.strain < best[0].strain:
+            best = layout, table
+        if layout.strain < _STRAINED:
+            break
+    if best is None:
+        raise error or SceneError("No table was tried.")
+    return best

@@ -19,6 +19,7 @@ from ..geometry import convex_outline
 from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, ScenePlan
 from .footprint import footprint
 from .postures import pose, stand_up
+from .scoring import SIDES
 from .vessels.cavities import find_cavity
 from .vessels.filing import is_flat
 from .vessels.holding import (
@@ -158,7 +159,8 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
     widest = max((float(models[o.name].size[0]) for o in standing), default=0.0)
     taken = _FILLING[plan.density] * x * y * share
     factor = max(1.0, float(np.sqrt(area / taken)), (widest + 0.1) / x)
-    factor *= growth
+    stretch = max(_chain(standing, models, axis) / (x, y)[axis] for axis in (0, 1))
+    factor = max(factor, min(stretch, _LARGEST)) * growth
     if factor > max(_LARGEST, 2.4 / x):
         large = sorted(standing, key=lambda o: -models[o.name].size[:2].prod())[:3]
         raise SceneError(
@@ -167,6 +169,31 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
             "fewer or smaller things."
         )
     return replace(plan.table, size=(round(x * factor, 3), round(y * factor, 3), z))
+
+
+def _chain(standing: Sequence[PlannedObject], models: Mapping[str, Model], axis: int) -> float:
+    """Return how long a table must be along an axis for what stands beside what, metres.
+
+    What is in the table's middle has as much room on one side as on the other.
+    """
+    half = {o.name: float(footprint(models[o.name], 0.0).half[axis]) for o in standing}
+    beside = [
+        (o.name, r.target, SIDES[r.kind][2][axis])
+        for o in standing
+        for r in o.relations
+        if r.target in half and r.kind in SIDES and SIDES[r.kind][2][axis]
+    ]
+    reach = {(name, sign): room for name, room in half.items() for sign in (-1.0, 1.0)}
+    for _ in standing[1:]:  # as many steps as the longest chain can have
+        for name, target, sign in beside:
+            further = half[target] + _ROOM + half[name] + reach[name, sign]
+            reach[target, sign] = max(reach[target, sign], further)
+    middle = {o.name for o in standing if any(r.kind == "center" for r in o.relations)}
+    lengths = [
+        2 * max(reach[n, -1.0], reach[n, 1.0]) if n in middle else reach[n, -1.0] + reach[n, 1.0]
+        for n in half
+    ]
+    return max(lengths) + 2 * _ROOM if beside else 0.0
 
 
 def _supported(planned: PlannedObject) -> bool:

@@ -16,7 +16,7 @@ from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
 from .groups.seats import seat_center
 from .groups.units import Unit
-from .scoring import Neighbour, Request, proposals, score
+from .scoring import Neighbour, Request, proposals, score, violation
 
 MARGIN = 0.02
 """Least distance from a footprint to the table's edge, metres."""
@@ -26,7 +26,10 @@ GAP = 0.014
 
 @dataclass(eq=False)
 class State:
-    """One try: what has been put where."""
+    """One try: what has been put where.
+
+    ``strain`` is how badly the relation to a place or a side that is met worst is broken.
+    """
 
     places: dict[str, Placement] = field(default_factory=dict)
     neighbours: dict[str, Neighbour] = field(default_factory=dict)
@@ -34,6 +37,7 @@ class State:
     density: Density = "normal"
     warnings: list[str] = field(default_factory=list)
     cost: float = 0.0
+    strain: float = 0.0
 
 
 def support_of(planned: PlannedObject) -> str | None:
@@ -79,7 +83,10 @@ def put_on(
         if inside and len(sharing) in _FEW and _rolls(planned):
             cost += _crowding(shape, ground, base, cost.shape)
         for cell in _best_cells(cost):
-            start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
+            at = ground.place(cell)
+            if alone and float(np.linalg.norm(at - base.translation[:2])) < ground.step:
+                at = base.translation[:2]  # cells are not in the middle of what they lie on
+            start = np.array([*at, height[cell] + 0.5 * model.size[2]])
             placement = stacking.lower(
                 model, Placement(planned.name, yaw, start, model.size, support, inside), below
             )
@@ -280,7 +287,7 @@ def _best_place(
     rng: np.random.Generator,
     state: State,
 ) -> Float[np.ndarray, "2"] | None:
-    """Return the best free place on the tabletop, None where there is none; its cost is added."""
+    """Return the best free place on the tabletop, None where there is none; its cost counts."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
     request = Request(planned.relations, own, near, outline, state.density)
@@ -296,4 +303,6 @@ def _best_place(
     pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
     center = centers[free][pick]
     state.cost += float(costs[pick])
+    broken = [float(violation(request, r, center[None])[0]) for r in planned.relations]
+    state.strain = max(state.strain, *broken, 0.0)
     return center

@@ -103,6 +103,57 @@ FAMILIES: Mapping[str, str] = {
 }
 """A sense's word to the family of the things that are kinds of it; the nearest one counts."""
 
+PEOPLE = frozenset(
+    [
+        "attendee",
+        "baker",
+        "barista",
+        "boss",
+        "brewer",
+        "chef",
+        "client",
+        "colleague",
+        "coworker",
+        "dad",
+        "daddy",
+        "examiner",
+        "flatmate",
+        "florist",
+        "gamer",
+        "grader",
+        "gran",
+        "grandma",
+        "grandpa",
+        "granny",
+        "groom",
+        "guitarist",
+        "guy",
+        "hiker",
+        "host",
+        "influencer",
+        "jeweller",
+        "landlord",
+        "mate",
+        "mom",
+        "mommy",
+        "mum",
+        "mummy",
+        "neighbour",
+        "operator",
+        "painter",
+        "patient",
+        "pilot",
+        "presenter",
+        "roommate",
+        "seamstress",
+        "secretary",
+        "tailor",
+        "toddler",
+        "youtuber",
+    ]
+)
+"""Nouns for people whose WordNet sense is another one, or that it does not have."""
+
 _TOO_WIDE = frozenset({
     ")", ",", "[", "]", "ball", "board", "book", "bottle", "bowl", "box", "building_brick", "can",
     "die", "figurine", "jar", "keys", "lamp", "map", "napkins", "pan", "paper_stack",
@@ -164,6 +215,8 @@ def rows(net: WordNet) -> list[tuple[str, str, str]]:
         noun = lemma.replace("_", " ")
         if not noun.replace(" ", "").isalpha() or len(noun.split()) > 3 or _is_name(net, lemma):
             continue
+        if noun in PEOPLE:
+            continue
         sense = best_sense(net, lemma)
         counted = sum(count for _, count in net.senses[lemma])
         if sense is None or (net.synsets[sense].file not in ("06", "13") and not counted):
@@ -172,7 +225,8 @@ def rows(net: WordNet) -> list[tuple[str, str, str]]:
         category = _category(net, sense, shown) if family else ""
         if family or (len(noun.split()) == 1 and counted):
             out.append((noun, family, category))
-    return out
+    out += [(noun, "person", "") for noun in PEOPLE]
+    return sorted(out)
 
 
 def _category(net: WordNet, sense: str, shown: Mapping[str, str]) -> str:

@@ -14,6 +14,7 @@ from ...scene import Mesh, Model, Physics
 from ..holder import Holder
 from ..matter import HOLLOW, friction, growth
 from ..surfaces.look import SIZE_FACTORS, Look
+from .painting import show_color
 from .shape import Shape, mesh_of
 from .solids import signed_volume
 from .styles import apply_style
@@ -97,6 +98,8 @@ def model_of(
     a shell: at another scale it weighs by its area, with walls as thick as before.
     """
     made = apply_style(category.shape(look), look.attributes.get("style", ""))
+    if "edible" not in category.roles:
+        made = show_color(made, look.attributes.get("color", ""))
     mesh = mesh_of(made)
     unit, center, extent = to_unit_box(mesh)
     words = look.attributes.get("size", "").lower().split()

@@ -176,8 +176,12 @@ PLACES = _words(
 )
 """Words for where, when and what it is about; no objects."""
 
-OCCASIONS = frozenset({"afternoon tea", "high tea", "coffee break", "game night", "movie night"})
-"""Occasions of two words."""
+OCCASIONS = frozenset(
+    {"afternoon tea", "high tea", "coffee break", "game night", "movie night", "home bar",
+     "counter display", "shop display", "window display", "market display", "product display",
+     "spa set"}
+)  # fmt: skip
+"""Occasions and places of two words."""
 
 VAGUE_THINGS = _words(
     "things thing stuff items item objects object everything supplies etc "
@@ -382,6 +386,16 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
             ("muddler", "cocktail_shaker"),
         ),
         "card": (("poker_chips", "playing_cards"),),
+        "candle": (("birthday_cake", "birthday_candle"), ("cupcake", "birthday_candle")),
+        "brush": (
+            ("eyeshadow_palette", "makeup_brush"),
+            ("lipstick", "makeup_brush"),
+            ("powder_puff", "makeup_brush"),
+            ("nail_polish", "makeup_brush"),
+            ("paint_palette", "paint_brush"),
+            ("paint_tube", "paint_brush"),
+            ("easel", "paint_brush"),
+        ),
         "chip": (("playing_cards", "poker_chips"),),
     }
 )

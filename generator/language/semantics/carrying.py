@@ -56,6 +56,8 @@ class CarryReader(ThingReader, ABC):
             if moved and isinstance(owner, list):
                 items = (*items[:-1], replace(items[-1], post=[
                     p for p in items[-1].post if p not in moved]))  # fmt: skip
+            joint = [] if moved else _joint_places(items, post.how, noun)
+            items = tuple(contents.loosen(item, owner) for item in items)
             each = post.each or post.how == "hold" or (noun is not None and noun.each)
             each = each and not (isinstance(owner, list) and _is_pile(owner))
             lit = isinstance(owner, list) and any(
@@ -74,7 +76,7 @@ class CarryReader(ThingReader, ABC):
                     if isinstance(group, list):
                         self._assume(group, owner, post)
                 context.owner = outer
-                for place in moved:
+                for place in (*moved, *joint):
                     self._post(place, owner, noun)
         finally:
             context.owner, context.subject = outer, subject
@@ -84,7 +86,7 @@ class CarryReader(ThingReader, ABC):
             for inner, draft in zip(post.items, owner, strict=True):
                 contents.label(noun, inner, [draft])
             return
-        for inner in post.items:
+        for inner in (contents.loosen(item, owner) for item in post.items):
             if contents.labels(noun, inner):
                 contents.label(noun, inner, owner)
                 continue
@@ -153,6 +155,18 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
         and place.kind in _DIRECTIONS
         and (loose or not (isinstance(place.target, Noun) and place.target.kind == "pronoun"))
     ]
+
+
+def _joint_places(items: Sequence[Noun], how: str, noun: Noun | None) -> list[Post]:
+    """Return the places of what is beside a thing that are that thing's too.
+
+    "A pitcher with two glasses in the back left corner": both are there.
+    """
+    own = noun is None or any(isinstance(post, Location) for post in noun.post)
+    if own or how != "with" or len(items) != 1:
+        return []
+    posts = items[-1].post
+    return [p for p in posts if _is_side(p) and isinstance(p, Location) and p.kind == "at"][:1]
 
 
 def _is_side(post: Post) -> bool:

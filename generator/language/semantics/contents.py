@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from ...catalogue import CATEGORIES
+from ...catalogue.opening import LOOSE
 from ..drafts import Draft, Group
-from ..parsing.lexicon import category_of
+from ..parsing.lexicon import category_of, singular
 from ..parsing.vocabulary import PACKAGES, SUBSTANCES
 from ..relations import fits
 from ..sizing import holds_things
 from ..syntax.phrases.tree import Noun
+from .references import Target
 
 DEPICTIONS = frozenset({
     "photo", "photograph", "picture", "painting", "drawing", "poster", "portrait", "sketch",
@@ -22,7 +25,7 @@ DEPICTIONS = frozenset({
 DECORATIONS = frozenset({
     "picture", "photo", "print", "drawing", "image", "design", "motif", "logo", "sticker",
     "inscription", "engraving", "writing", "text", "slogan",
-    "lid", "cap", "label", "wheel", "lids", "caps", "labels", "wheels",
+    "lid", "cap", "label", "wheel", "wax", "seal", "lids", "caps", "labels", "wheels",
 })  # fmt: skip
 """What "with" adds to a thing's looks."""
 
@@ -33,6 +36,8 @@ def labels(owner: Noun, inner: Noun) -> bool:
     if head in DEPICTIONS or (owner.category or "") in ("picture_frame", "photo_print"):
         return True
     said = " ".join(inner.words)
+    if inner.category in LOOSE.values():
+        return False
     if inner.head and category_of((*owner.head.split(), "of", *inner.head.split()[-1:])):
         return True  # "a ball of blue yarn"
     if inner.head in SUBSTANCES or said in SUBSTANCES or set(inner.words) & SUBSTANCES:
@@ -69,6 +74,20 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     vessel = item.category is None or owner.category in _VESSELS
     plain = not item.determined and not item.plural and vessel
     return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)
+
+
+_PILE = (5, 6)
+"""How many pieces a vessel of loose food shows."""
+
+
+def loosen(item: Noun, owner: Target) -> Noun:
+    """Return what is poured out of its package where a vessel holds it: crisps in a bowl."""
+    piece = LOOSE.get(item.category or "")
+    vessel = isinstance(owner, list) and owner[0].category
+    packed = bool(PACKAGES & {*item.words}) or item.determined
+    if piece is None or not vessel or packed or not holds_things(vessel):
+        return item
+    return replace(item, category=piece, amount=_PILE, plural=True, head=singular(item.head))
 
 
 def repeats(owner: Noun, items: Sequence[Noun]) -> bool:

@@ -273,6 +273,10 @@ class Interpreter(ListInterpreter):
         if all(noun.kind in loose for noun in clause.subjects):
             self.reading.people = self.reading.people or people
             return
+        heads = [noun.head for noun in clause.subjects if noun.kind == "thing"]
+        if len(heads) > len(set(heads)) and clause.people != EVERYONE:
+            self._list(clause.subjects, None)  # "a plate on the left and a plate on the right"
+            return
         if clause.people == EVERYONE:
             self.reading.people = 0
         for noun in clause.subjects:  # "cups and saucers": one for each
@@ -297,6 +301,8 @@ class Interpreter(ListInterpreter):
                 if not draft.relations:
                     draft.relations.append(("right_of", members[0]))
             standing = tuple(d for d in members if not is_supported(d))
+            if people == 1 and any(to == TABLE for d in members for _, to in d.relations):
+                return  # the text says where on the table it is laid
             self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
 
 

@@ -197,6 +197,9 @@ class Relater:
             for draft in group[len(group) // 2 :]:
                 draft.relate("right_of", TABLE)
             return
+        if zone.spread and (zone.x, zone.y) not in ((None, None), (0, None)):
+            self._put_in_two_corners(zone, group)
+            return
         if zone.spread and zone.edge and len(group) == 1:  # "a candle in every corner"
             one = group[0]
             while len(group) < len(_CORNERS):
@@ -214,6 +217,16 @@ class Relater:
                     draft.relate(_ZONES[value][axis], TABLE)
             if zone.edge and zone.x is None and zone.y is None:
                 draft.relate("edge", TABLE)
+
+    def _put_in_two_corners(self, zone: Zone, group: Group) -> None:
+        """Put things "in both front corners", "in each left corner": one is doubled."""
+        one = group[0]
+        if len(group) == 1:
+            group = [one, self.reading.add(one.noun, one.category, one.attributes)]
+        side, along = (zone.x, 0) if zone.x else (zone.y, 1)
+        for k, draft in enumerate(group):
+            draft.relate(_ZONES[side or 1][along], TABLE)
+            draft.relate(_ZONES[1 if k % 2 else -1][1 - along], TABLE)
 
     def _arrange(self, post: Arranged, group: Group) -> None:
         if len(group) < 2:

@@ -151,7 +151,16 @@ class ThingReader(Relater, ABC):
 
     def _member(self, noun: Noun) -> Group | None:
         """Read "one on the plate", "the other behind it": single ones of the last group."""
+        if noun.definite and noun.other and noun.attributes and (noun.count or noun.plural):
+            rest = [g for g in self._context.mentioned if len(g) > 1][-1:]
+            free = [d for group in rest for d in group if not d.told][: int(noun.count or 99)]
+            for draft in free:  # "the left one is red, the other four blue"
+                draft.told = True
+                draft.attributes.update(noun.attributes)
+            return free or None
         if noun.definite and (best := self._ordinal(noun) or self._superlative(noun)):
+            for draft in best:
+                draft.told = True
             self._posts(noun, best)
             return best
         listed = any(isinstance(post, Carry) for post in noun.post)
@@ -164,6 +173,11 @@ class ThingReader(Relater, ABC):
                 self._context.mentioned.append(made)
                 self._posts(noun, made)
                 return made
+        if noun.other and not noun.definite and not noun.words and (like := self._like_of(noun)):
+            made = [self.reading.add(like.noun, like.category, like.attributes, family=like.family)]
+            self._context.mentioned.append(made)
+            self._posts(noun, made)
+            return made
         if noun.definite and noun.attributes:  # "the red one"
             wanted = noun.attributes.items()
             known = [d for d in self.reading.objects if wanted <= d.attributes.items()][-1:]
@@ -243,6 +257,15 @@ class ThingReader(Relater, ABC):
             self._posts(noun, chosen)
         return chosen or None
 
+    def _like_of(self, noun: Noun) -> Draft | None:
+        """Return what "another in front of the rabbit" is another of: the last thing so placed."""
+        kinds = {post.kind for post in noun.post if isinstance(post, Location)}
+        placed = (
+            d for d in reversed(self.reading.objects) if kinds & {kind for kind, _ in d.relations}
+        )
+        several = any(len(group) > 1 for group in self._context.mentioned)
+        return None if several else next(placed, None)
+
     def _arranged_as(self, kind: str) -> Group:
         """Return the things of the last arrangement of a kind: "the pyramid", "this circle"."""
         for grouping in reversed(self.reading.groupings):
@@ -270,6 +293,9 @@ class ThingReader(Relater, ABC):
         if noun.position in _TOPS and group[0].stacked_under is not None:
             tops = [d for d in group if d.stacked_under is None]
             return tops[-1:] if noun.position != "bottom" else group[:1]
+        in_row = any(g.kind == "row" and [*g.members] == group for g in self.reading.groupings)
+        if noun.position in ("left", "right") and in_row:
+            return group[:1] if noun.position == "left" else group[-1:]
         if noun.position in ("left", "right") and len(group) < 4:
             link("left_of", group[:1], group[-1:], self.reading.warnings)
             return group[:1] if noun.position == "left" else group[-1:]

@@ -122,7 +122,8 @@ def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> 
                 shared = -_count_shared(candidate, themes)
                 first = form[0] != word[0]
                 unknown = candidate not in _SHORT and not _means(candidate)
-                ranked.append((distance, named, unknown, mixed, first, apart, shared, form))
+                cut = not form.startswith(word)
+                ranked.append((distance, named, unknown, mixed, first, cut, apart, shared, form))
     best = min(ranked)[-1] if ranked else None
     return None if best == word else _whole(best)
 

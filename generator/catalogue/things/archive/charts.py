@@ -6,12 +6,12 @@ import numpy as np
 
 from ...build.making import at_block, at_box, dye
 from ...build.recipes import Pieces
-from ...build.rows import Rows
 from ...build.solids import join
 from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
+from ..rows import Rows
 from .papers import GRAY, INK, paper
 
 

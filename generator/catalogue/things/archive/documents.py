@@ -6,11 +6,11 @@ import numpy as np
 
 from ...build.making import Drawing, at_box, dye, spindle
 from ...build.recipes import Pieces
-from ...build.rows import Rows
 from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look
+from ..rows import Rows
 from .papers import GRAY, INK, paper
 
 

@@ -15,12 +15,12 @@ from ...build.making import (
     words,
 )
 from ...build.recipes import Pieces, ball, rod
-from ...build.rows import Rows
 from ...build.solids import join, torus, tube
 from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

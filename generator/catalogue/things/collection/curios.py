@@ -18,10 +18,10 @@ from ...build.making import (
 )
 from ...build.outlines import rectangle, smooth
 from ...build.recipes import Pieces, standing_plate, straight
-from ...build.rows import Rows
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 WHITE = textures.plain((244, 242, 238))
 

@@ -17,12 +17,12 @@ from ...build.making import (
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, standing_plate, straight
-from ...build.rows import Rows
 from ...build.solids import join, tube
 from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -19,10 +19,10 @@ from ...build.making import (
     standing,
 )
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join, prism, torus
 from ...surfaces import textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

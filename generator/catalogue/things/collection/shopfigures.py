@@ -17,12 +17,12 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows
 from ...build.solids import Solid, join, lathe, torus, tube
 from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

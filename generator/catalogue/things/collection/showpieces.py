@@ -22,12 +22,12 @@ from ...build.making import (
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, ball, open_vessel, rod, straight
-from ...build.rows import Rows
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, join, lathe, prism
 from ...surfaces import glazes, prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 
 def _tank(look: Look) -> Pieces:

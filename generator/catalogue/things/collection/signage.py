@@ -17,10 +17,10 @@ from ...build.making import (
     standing,
 )
 from ...build.recipes import Pieces, ball, rod
-from ...build.rows import Rows
 from ...build.solids import join, torus
 from ...surfaces import glazes, prints, textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

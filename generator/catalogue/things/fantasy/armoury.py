@@ -19,11 +19,11 @@ from ...build.making import (
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod
-from ...build.rows import Rows, wide
 from ...build.solids import join, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows, wide
 
 
 def _wand(look: Look) -> Pieces:

@@ -18,11 +18,11 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows, wide
 from ...build.solids import join, lathe, torus
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows, wide
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -19,11 +19,11 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, rod
-from ...build.rows import Rows
 from ...build.solids import join
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -17,12 +17,12 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join
 from ...build.variants import at_rest
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

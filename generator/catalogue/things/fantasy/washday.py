@@ -18,10 +18,10 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, pad, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join, torus
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -1,4 +1,4 @@
-"""Filled rolls and pockets for lunch."""
+"""Filled rolls and pockets for lunch, and crisps."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from ...build.category import Category
 from ...build.collision import hull_of
-from ...build.outlines import rectangle
+from ...build.outlines import ellipse, rectangle
 from ...build.recipes import pad
 from ...build.settled import scatter, settle
 from ...build.shape import Shape, shape
@@ -125,12 +125,28 @@ def _long_roll(long: tuple[float, float], ridged: bool) -> Callable[[Look], Shap
     return make
 
 
+def potato_crisp(look: Look) -> Shape:
+    """A thin crisp of golden potato with blisters and brown spots."""
+    outline = ellipse(look.between(0.042, 0.056), look.between(0.034, 0.042), 24)
+    outline = outline * (1 + 0.05 * look.rng.normal(size=(24, 1)))
+    color = look.color("amber", "gold")
+    body = prism(outline, 0, 0.0026, 0.0008)
+    blisters = [
+        ellipsoid(0.008, 0.007, 0.0016, 8, 5).move(*(0.3 * outline[k]), 0.0026) for k in (2, 11, 19)
+    ]
+    skin = textures.spots(look.rng, tint_color(color, 1.15), tint_color(color, 0.7), 0.06)
+    return shape([(body, skin), (join(blisters), textures.plain(tint_color(color, 1.25)))],
+                 [hull_of(body)])  # fmt: skip
+
+
 _F = ("food",)
 
 
 _E, _R = ("edible",), ("edible", "round")
 
 CATEGORIES = (
+    Category("potato_crisp", potato_crisp, (0.049, 0.038, 0.0034), 0.002, ("single crisp",
+        "single chip"), _F, _E, ("amber",), state="lying flat"),
     Category("sausage_roll", sausage_roll, (0.1, 0.046, 0.0332), 0.07, ("mini sausage roll",
         "pig in blanket"), _F, _E, ("wooden",), state="lying"),
     Category("pita_pocket", pita, (0.159, 0.102, 0.0313), 0.2, ("filled pita", "pita sandwich",

@@ -185,7 +185,21 @@ def birthday_cake(look: Look) -> Shape:
     return shape(pieces, [cylinder_part(1.25 * r, 0.007), hull_of(body), hull_of(*sticks)])
 
 
+def birthday_candle(look: Look) -> Shape:
+    """A thin striped candle in a holder shaped like a flower, burning."""
+    h = look.between(0.05, 0.065)
+    wax = textures.stripes([look.color(*GAY), (250, 250, 246)], 4)
+    petals = lobe(cylinder(0.011, 0.008, 24, bevel=0.001), 6, 0.15)
+    stick = cylinder(0.0036, h, 12).move(z=0.006)
+    flame = ball(0.007, 0.007, 0.014, (0, 0, h + 0.011), 8)
+    pieces: Pieces = [(petals, textures.plain((250, 250, 246))), (stick, wax),
+                      (flame, textures.plain((252, 196, 60)))]  # fmt: skip
+    return put_down(pieces, petals, stick)
+
+
 CATEGORIES = (
+    Category("birthday_candle", birthday_candle, (0.024, 0.024, 0.072), 0.004,
+             ("cake candle", "party candle"), ("living",), ("round",), ("pink", "blue")),
     Category("party_hat", party_hat, (0.125, 0.125, 0.155), 0.02, ("birthday hat", "paper hat",
              "cone hat", "cardboard hat"), ("living",), ("tall",), ("red", "blue")),
     Category("balloon", balloon, (0.15, 0.15, 0.31), 0.15, ("party balloon", "birthday balloon"),

@@ -16,11 +16,11 @@ from ...build.making import (
     standing,
 )
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join, lathe, torus
 from ...build.variants import at_rest
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -17,11 +17,11 @@ from ...build.making import (
     words,
 )
 from ...build.recipes import Pieces, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

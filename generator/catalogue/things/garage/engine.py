@@ -18,10 +18,10 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod, straight
-from ...build.rows import Rows
 from ...build.solids import Solid, join, lathe, prism, torus
 from ...surfaces import textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 DARK = textures.plain((28, 28, 30))
 

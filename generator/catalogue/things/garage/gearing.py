@@ -15,10 +15,10 @@ from ...build.making import (
     spindle,
 )
 from ...build.recipes import Pieces, straight
-from ...build.rows import Rows
 from ...build.solids import join, lathe, prism, torus, tube
 from ...surfaces import textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 DARK = textures.plain((28, 28, 30))
 

@@ -15,11 +15,11 @@ from ...build.making import (
     standing,
 )
 from ...build.recipes import Pieces
-from ...build.rows import Rows
 from ...build.solids import join, lathe, torus, tube
 from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

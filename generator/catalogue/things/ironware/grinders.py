@@ -18,12 +18,12 @@ from ...build.making import (
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, rod
-from ...build.rows import Rows, wide
 from ...build.solids import join, lathe, prism, torus
 from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows, wide
 
 BLACK = textures.plain((36, 36, 39))
 

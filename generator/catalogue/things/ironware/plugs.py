@@ -18,10 +18,10 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, rod
-from ...build.rows import Rows
 from ...build.solids import join, lathe, tube
 from ...surfaces import textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -19,10 +19,10 @@ from ...build.making import (
 )
 from ...build.outlines import rectangle
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows, wide
 from ...build.solids import join, lathe, prism
 from ...surfaces import textures
 from ...surfaces.look import Look
+from ..rows import Rows, wide
 
 BLACK = textures.plain((36, 36, 39))
 

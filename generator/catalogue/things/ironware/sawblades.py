@@ -17,11 +17,11 @@ from ...build.making import (
     standing,
 )
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows, wide
 from ...build.solids import join
 from ...build.variants import at_rest
 from ...surfaces import textures
 from ...surfaces.look import Look
+from ..rows import Rows, wide
 
 BLACK = textures.plain((36, 36, 39))
 

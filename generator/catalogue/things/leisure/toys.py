@@ -68,14 +68,15 @@ def toy_car(look: Look) -> Shape:
 
 
 def toy_block(look: Look) -> Shape:
-    """A wooden letter block."""
+    """A wooden letter block, painted where a colour is asked for."""
     side = look.between(0.038, 0.046)
-    color = look.color(*BRIGHT)
-    face = prints.canvas(96, 96, (232, 208, 166))
+    color, bare = look.color(*BRIGHT), (232.0, 208.0, 166.0)
+    ground, ink = (color, bare) if "color" in look.attributes else (bare, color)
+    face = prints.canvas(96, 96, ground)
     for at in (0.0, 0.91):
         prints.fill(face, at, 0, 0.09, 1, color)
         prints.fill(face, 0, at, 1, 0.09, color)
-    prints.write(face, look.pick(list("ABCDEGKMR")), 0.5, 0.5, 0.5, color, bold=True)
+    prints.write(face, look.pick(list("ABCDEGKMR")), 0.5, 0.5, 0.5, ink, bold=True)
     return shape([(box(side, side, side), face)], [box_part(side, side, side)])
 
 

@@ -16,12 +16,12 @@ from ...build.making import (
     wood,
 )
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join, lathe, torus
 from ...build.variants import vary
 from ...surfaces import textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 from .displays import display
 
 BLACK = textures.plain((34, 34, 37))

@@ -7,11 +7,11 @@ import numpy as np
 from ...build.making import at_block, disc, hull_solid, metal, plate, standing
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, straight
-from ...build.rows import Rows, tall
 from ...build.solids import join, lathe
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows, tall
 
 BLACK = textures.plain((34, 34, 37))
 

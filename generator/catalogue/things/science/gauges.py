@@ -20,11 +20,11 @@ from ...build.making import (
 )
 from ...build.outlines import arc, smooth
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows, tall
 from ...build.solids import join, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows, tall
 
 BLACK = textures.plain((34, 34, 37))
 

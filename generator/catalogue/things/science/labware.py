@@ -15,12 +15,12 @@ from ...build.making import (
     spindle,
 )
 from ...build.recipes import Pieces
-from ...build.rows import Rows
 from ...build.solids import join, torus
 from ...build.variants import at_rest, vary
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 from .displays import display
 
 BLACK = textures.plain((34, 34, 37))

@@ -18,10 +18,10 @@ from ...build.making import (
 )
 from ...build.outlines import arc
 from ...build.recipes import Pieces, straight
-from ...build.rows import Rows, tall
 from ...build.solids import join, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
+from ..rows import Rows, tall
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -20,11 +20,11 @@ from ...build.making import (
 )
 from ...build.outlines import smooth
 from ...build.recipes import Pieces, ball, rod, straight
-from ...build.rows import Rows, tall
 from ...build.solids import join, torus, tube
 from ...build.variants import vary
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
+from ..rows import Rows, tall
 
 BLACK = textures.plain((34, 34, 37))
 

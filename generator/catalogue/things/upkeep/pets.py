@@ -148,7 +148,7 @@ def fish_bowl(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("dog_bone", dog_bone, (0.14, 0.064, 0.03), 0.06, ("bone", "chew bone", "dog treat",
-                 "dog biscuit", "chew toy", "rawhide chew", "dog chew", "rawhide", "dental chew"),
+                 "dog biscuit", "chew toy", "rawhide chew", "dog chew", "rawhide", "treat"),
              ("living",), (), ("ivory",), state="lying"),
     Category("dog_collar", collar, (0.113, 0.145, 0.024), 0.05, ("collar", "cat collar",
                  "pet collar", "dog harness", "harness", "cat harness"),

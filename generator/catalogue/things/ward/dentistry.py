@@ -14,10 +14,10 @@ from ...build.making import (
     spindle,
 )
 from ...build.recipes import Pieces, ball, pad, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join, lathe, torus
 from ...surfaces import prints, textures
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -16,11 +16,11 @@ from ...build.making import (
     spindle,
 )
 from ...build.recipes import Pieces, pad, rod, straight
-from ...build.rows import Rows
 from ...build.solids import join, lathe, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tint_color
 from ...surfaces.look import Look
+from ..rows import Rows
 
 BLACK = textures.plain((34, 34, 37))
 

@@ -29,7 +29,7 @@ class BracketReader(PlaceReader):
             return False
         before = self.i
         self.i += 1
-        many = noun.plural or noun.arrangement is not None
+        many = noun.plural or noun.arrangement is not None or (noun.count or 1) > 1
         if (
             opening == "open"
             and many
@@ -57,6 +57,10 @@ class BracketReader(PlaceReader):
             else:
                 self.i = before
                 return False
+        elif opening == "open" and self._tag() == "close" and _explains(found, noun):
+            noun.category = found.category  # "sufganiyot (jelly doughnuts)"
+        elif opening == "open" and self._tag() == "close" and _describes(found):
+            out.append(Description((found.attributes,)))  # "a toolbox (open)"
         elif not many or not self._parcels(found, noun, out):
             self.i = before
             return False
@@ -138,6 +142,13 @@ class BracketReader(PlaceReader):
 
     def _order_by_ends(self) -> str | None:
         """Read "from the largest on the left to the smallest on the right"."""
+        apart = self._tag() == "comma" and self._text(1) in fw.SUPERLATIVES
+        one = read_zone(self.tokens, self.i + 1 + apart)
+        ends = one is None or self._tag(one.end - self.i) in (*ENDS, "", "close")
+        if (apart or self._text() in fw.SUPERLATIVES) and one is not None and ends and one.zone.x:
+            small = fw.SUPERLATIVES[self._text(int(apart))] == "small"
+            self.i = one.end  # "in a row, shortest on the left"
+            return "size" if small == (one.zone.x == -1) else "size down"
         if self._text() in fw.SUPERLATIVES and (zone := read_zone(self.tokens, self.i + 1)):
             k = zone.end - self.i  # "shortest at the left, longest at the right"
             k += self._tag(k) == "comma"
@@ -220,3 +231,12 @@ class BracketReader(PlaceReader):
             return False
         out.append(Description(tuple(each)))
         return True
+
+
+def _describes(noun: Noun) -> bool:
+    return noun.kind == "adjective" and not noun.determined and bool(noun.attributes)
+
+
+def _explains(found: Noun, noun: Noun) -> bool:
+    """Tell whether a known word in brackets explains an unknown one before them."""
+    return noun.category is None and found.category is not None and not found.determined

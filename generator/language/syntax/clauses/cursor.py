@@ -36,6 +36,7 @@ class Cursor(ABC):
         self._heading: Location | None = None
         self._pending: list[Clause] = []  # clauses that were read with the one before them
         self._task = ""  # the verb of the task that this sentence tells a robot
+        self._stated = False  # whether a sentence has been read
         self._guests = 0  # how many people are there, where the text says only that
         self._ordered = False  # whether a list goes from left to right
         self._each_count = 0.0  # how many of each item of a list there are
@@ -72,7 +73,11 @@ class Cursor(ABC):
         return self.tokens[k].text if k < len(self.tokens) else ""
 
     def _value(self) -> object:
-        return self.tokens[self.i].value if self.i < len(self.tokens) else None
+        return self._value_at(0)
+
+    def _value_at(self, ahead: int) -> object:
+        k = self.i + ahead
+        return self.tokens[k].value if k < len(self.tokens) else None
 
     def _skip(self, words: frozenset[str] | set[str]) -> bool:
         """Skip words of a set that are no noun's; return whether there were any."""

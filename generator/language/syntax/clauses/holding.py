@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ..phrases.nouns import read_noun
 from ..phrases.tree import VARIED, Carry, Description, How, Lack, Noun, Post
 from ..text import function_words as fw
@@ -44,9 +46,12 @@ class HoldingReader(BracketReader):
         self.i += 1
         if self._tag() == "no" or self._text() == "not":
             return self._lacks(out)
+        self.i += self._tag() == "colon" and self._starts_noun(1)  # "contains: pliers, a wrench"
         back = self._returns()
         full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
         items = self._items(noun, how)
+        if full:
+            items = self._until_named_apart(items)
         if not items:
             return False
         for item in items if full else ():
@@ -54,6 +59,19 @@ class HoldingReader(BracketReader):
                 item.amount = (4, 5)
         out.append(Carry(how, tuple(items), each, back))
         return True
+
+    def _until_named_apart(self, items: list[Noun]) -> list[Noun]:
+        """Return the contents of "full of berries, an empty jar": what has an article is not in."""
+        apart = next(
+            (k for k, item in enumerate(items) if k and item.determined and item.joint != "and"), 0
+        )
+        if not apart:
+            return items
+        start = items[apart].span[0]
+        self.i = next(k for k, token in enumerate(self.tokens) if token.span[0] == start)
+        while self._tag(-1) in ("comma", "and"):
+            self.i -= 1
+        return items[:apart]
 
     def _contents(self, noun: Noun, out: list[Post]) -> bool:
         self.i += 1
@@ -122,7 +140,18 @@ class HoldingReader(BracketReader):
         self.i = end
         return True
 
-    def _aspect(self, out: list[Post]) -> bool:
+    def _more_colors(self, end: int, colors: list[Mapping[str, str]]) -> int:
+        """Add the colours after "in pink": "and purple"; return where they end."""
+        while end < len(self.tokens) and self.tokens[end].tag in ("and", "comma"):
+            more, beyond = read_noun(self.tokens, end + 1)
+            alone = more is not None and more.kind == "adjective" and not more.determined
+            if more is None or not alone or set(more.attributes) != {"color"}:
+                break
+            colors += more.variants or (more.attributes,)
+            end = beyond
+        return end
+
+    def _aspect(self, owner: Noun | None, out: list[Post]) -> bool:
         """Read "in different colours", "of various sizes", "in red"."""
         if self._text() not in ("in", "of"):
             return False
@@ -132,9 +161,16 @@ class HoldingReader(BracketReader):
         last = noun.head.split()[-1:]
         aspect = "color" if last == ["colour"] else "".join(last)
         if noun.kind == "adjective" and set(noun.attributes) == {"color"}:
-            out.append(Description(noun.variants or (noun.attributes,)))
+            colors = [*(noun.variants or (noun.attributes,))]
+            end = self._more_colors(end, colors)
+            if owner is not None and len(colors) > 1 and not (owner.determined or owner.plural):
+                owner.count = float(len(colors))  # "nail polish in pink and purple"
+            out.append(Description(tuple(colors)))
         elif noun.kind in ("part", "abstract", "thing") and aspect in VARIED and noun.plural:
-            out.append(Description(VARIED[aspect]))
+            each = VARIED[aspect][: int(noun.count)] if noun.count else VARIED[aspect]
+            if owner is not None and noun.count and owner.plural and not owner.determined:
+                owner.count = noun.count  # "thread spools in three colours"
+            out.append(Description(each))
         else:
             return False
         self.i = end

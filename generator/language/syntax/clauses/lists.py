@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....catalogue import CATEGORIES
+from ....catalogue import CATEGORIES, open_category
 from ...relations import fits
 from ...words.speech import is_finite
 from ..phrases.nouns import read_noun
@@ -216,7 +216,7 @@ def _may_hold(owner: Noun, item: Noun) -> bool:
     """Tell whether an item may be in or on its owner by the sizes of their kinds."""
     if owner.category is None:
         return True
-    outer = CATEGORIES[owner.category]
+    outer = CATEGORIES[open_category(owner.category)]
     if item.category is None:
         return outer.container or "support" in outer.roles
     inner = CATEGORIES[item.category].size

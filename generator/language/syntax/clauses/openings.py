@@ -75,10 +75,17 @@ class OpeningReader(ListReader):
         return found.zone
 
     def _listing(self) -> Arranged | None:
-        """Read "from left to right:" before a list."""
-        if self._tag() != "arranged" or "left to right" not in self._text():
+        """Read "from left to right:" before a list, and "stacked on the left are ..."."""
+        if self._tag() != "arranged":
             return None
-        k = 1 + (self._tag(1) in ("colon", "comma", "dash"))
+        if "left to right" not in self._text():
+            found = read_zone(self.tokens, self.i + 1)
+            if found is None or self._text(found.end - self.i) not in fw.BE:
+                return None
+            return Arranged(self._take().value)  # type: ignore[arg-type]
+        k = 1
+        while self._tag(k) in ("colon", "comma", "dash", "order"):
+            k += 1  # "from left to right by size, smallest first: ..."
         k += self._text(k) in fw.BE
         if not self._starts_noun(k):
             return None
@@ -170,6 +177,11 @@ class OpeningReader(ListReader):
         if k and self._text(k) in ("gone", "absent", "missing"):
             self.i += k + 1
             return True
+        if self._text(k) == "not" and self._text(k + 1) == "on":
+            place, end = read_noun(self.tokens, self.i + k + 2)
+            if place is not None and place.kind == "table":  # "is not on the desk today"
+                self.i = end
+                return True
         away = self._text() in ("stays", "stay", "remains", "remain", "stayed")
         elsewhere = self._text(1) in ("in", "at") and self._text(2) in fw.DEFINITE
         if away and elsewhere and self._text(3) in fw.ELSEWHERE:

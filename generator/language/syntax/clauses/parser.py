@@ -36,9 +36,12 @@ class Parser(OpeningReader):
 
     def _sentence(self) -> Sentence:
         clauses: list[Clause] = []
+        opened = self.i
         self._task = "goal" if self._text() in ("goal", "task") and self._tag(1) in (
             "colon", "dash") else ""  # fmt: skip
         self.i += 2 * bool(self._task)
+        if not self._stated:
+            self._task = ""  # a goal alone is what is to be shown
         while not self._ended():
             before = self.i
             clause = self._clause()
@@ -51,6 +54,7 @@ class Parser(OpeningReader):
             if self.i == before:
                 self.skipped.append(self.tokens[self.i])
                 self.i += 1
+        self._stated = self._stated or self.i > opened
         return Sentence(clauses)
 
     def _clause(self) -> Clause | None:
@@ -77,6 +81,13 @@ class Parser(OpeningReader):
             subjects[at].post.append(arrangement)
         if subjects and self._tag() == "comma" and self._text(1) in fw.BE:
             self.i += 1  # "two cars, a red and a green one, are parked ..."
+        if (
+            subjects
+            and subjects[-1].each
+            and self._text() in ("gets", "receives", "needs", "wants")
+        ):
+            self.i += 1  # "every plate gets its own glass"
+            subjects[-1].post.append(Carry("with", tuple(self._items(subjects[-1], "with"))))
         predicate: list[Post] = []
         at_end = 0 if people else self._people()
         people = people or at_end
@@ -92,6 +103,8 @@ class Parser(OpeningReader):
         if people and loose and self._tag() in ("colon", "dash"):
             self.i += 1
             subjects = self._items(None, "with")
+        if subjects and self._tag() == "dash" and self._tag(1) == "no":
+            self.i += 1  # "saw - not available"
         if subjects and self._is_left_out():
             listed = len(subjects) > 1 and "comma" in subjects[-1].joint
             if listed:  # "a cup, a plate, and the bowl has to be gone"

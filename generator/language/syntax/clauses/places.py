@@ -106,7 +106,7 @@ class PlaceReader(Cursor):
             return Noun("pronoun", ("them",), token.span, "them", plural=True, definite=True)
         self._skip(fw.PARTICIPLES & {"both", "all"})
         if self._text() in ("that", "this", "which") and (
-            self._text(1) in fw.BE or self._tag(1) in (*ENDS, "", "comma")
+            self._text(1) in fw.BE | fw.INDEFINITE or self._tag(1) in (*ENDS, "", "comma")
         ):
             token = self._take()
             return Noun("pronoun", ("that",), token.span, "that", definite=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...words.speech import is_verb
+from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
     Arranged,
@@ -13,6 +14,7 @@ from ..phrases.tree import (
     Location,
     Noun,
     Post,
+    Zone,
 )
 from ..phrases.zones import read_zone
 from ..text import function_words as fw
@@ -37,7 +39,12 @@ class PostReader(HoldingReader):
     def _post(self, noun: Noun | None, out: list[Post]) -> bool:
         if (noun is not None and self._bracket(noun, out)) or self._aside():
             return True
-        if noun is not None and self._of_each(noun, out):
+        if self._text() == "instead":
+            self.i += 1
+            return True
+        if self._side_apart(out) or (noun is not None and self._one_at_each(noun, out)):
+            return True
+        if noun is not None and (self._of_each(noun, out) or self._compared(out)):
             return True
         comma = self._tag() in ("comma", "open")
         joined = self._tag() == "and"
@@ -45,6 +52,8 @@ class PostReader(HoldingReader):
             if (not out and joined) or not self._goes_on():
                 return self._listed_attributes(noun, out) if comma else False
             self.i += 1
+        if self._tag() == "dash" and noun is not None and self._places_on(1):
+            self.i += 1  # "Drill - to the right of the toolbox"
         if self._tag() in ("colon", "dash"):
             return self._listed_attributes(noun, out)
         if self._in_which(noun, out) or self._one_each(noun):
@@ -63,7 +72,7 @@ class PostReader(HoldingReader):
             return True
         if self._text() == "for" and noun is not None:
             return self._purpose()
-        if self._aspect(out):
+        if self._aspect(noun, out):
             return True
         if self._tag() == "of" and noun is not None:
             return self._contents(noun, out)
@@ -77,6 +86,63 @@ class PostReader(HoldingReader):
         if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False
+
+    def _places_on(self, ahead: int) -> bool:
+        """Tell whether a place or what a thing holds comes next."""
+        told = self._tag(ahead) in ("relation", "here", "arranged")
+        holds = self._tag(ahead) == "carry" and self._value_at(ahead) == "hold"
+        return told or holds or read_zone(self.tokens, self.i + ahead) is not None
+
+    def _compared(self, out: list[Post]) -> bool:
+        """Read "half as tall as the mug", "bigger than the plate": small or large."""
+        k = int(self._tag() == "comma")
+        k += self._text(k) in ("slightly", "much", "a", "bit", "somewhat", "far")
+        less = self._text(k) == "half"
+        k += self._text(k) in ("half", "twice")
+        word = self._text(k + 1) if self._text(k) == "as" else self._text(k)
+        joined = self._text(k + 2) == "as" if self._text(k) == "as" else self._text(k + 1) == "than"
+        if not joined or (not is_describing(word.removesuffix("er")) and word not in fw.COMPARED):
+            return False
+        start = self.i + k + (3 if self._text(k) == "as" else 2)
+        noun, end = read_noun(self.tokens, start)
+        pronoun = self._text(start - self.i) in fw.PRONOUNS
+        if noun is None and not pronoun:
+            return False
+        self.i = start + 1 if pronoun else end
+        same = self._text(k - 1) not in ("half", "twice") and word not in fw.COMPARED
+        size = "small" if less or fw.COMPARED.get(word) == "small" else "large"
+        out.append(Description(({} if same else {"size": size},)))
+        return True
+
+    def _side_apart(self, out: list[Post]) -> bool:
+        """Read ", centre" after "at the back"."""
+        side = fw.SIDES.get(self._text(1)) if self._tag() == "comma" else None
+        placed = any(isinstance(p, Location) and isinstance(p.target, Zone) for p in out)
+        if side is None or not placed or self._tag(2) not in (*ENDS, "", "comma"):
+            return False
+        self.i += 2
+        if side != (0, 0):  # "at the back, centre" is the middle of the back, as things are
+            out.append(Location("at", Zone(*side)))
+        return True
+
+    def _one_at_each(self, noun: Noun, out: list[Post]) -> bool:
+        """Read "price tags - one in front of each of them"."""
+        bare = noun.plural and noun.count is None and noun.amount is None
+        if not bare or self._tag() not in ("dash", "comma", "open", "colon"):
+            return False
+        if self._text(1) not in ("one", "1") or self._tag(2) != "relation":
+            return False
+        before = self.i
+        self.i += 2
+        place = self._place()
+        each = place is not None and isinstance(place.target, Noun) and place.target.each
+        if place is None or not (each or place.each):
+            self.i = before
+            return False
+        noun.count, noun.plural = 1.0, False
+        out.append(replace(place, each=True))
+        self.i += self._tag() in ("dash", "close")
+        return True
 
     def _in_which(self, noun: Noun | None, out: list[Post]) -> bool:
         """Read "on which are two eggs"."""

@@ -22,7 +22,8 @@ _CLOSING = frozenset({"comma", "stop", "line", "and", "colon", "dash", "open", "
 def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     """Tell whether a word is none of this noun phrase's any more."""
     word = tokens[i].text
-    if word in ("one", "ones") and run.words and all(map(is_describing, run.words)):
+    telling = all(is_describing(w) or w in fw.SIDES for w in run.words)
+    if word in ("one", "ones") and run.words and telling:
         return False
     if word in fw.DEFINITE or word in fw.INDEFINITE or word in fw.PRONOUNS:
         return True

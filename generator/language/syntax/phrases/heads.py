@@ -81,7 +81,7 @@ def noun_of(run: PhraseStart) -> Noun:
     if kind == "thing" and category and not run.name:
         noun = " ".join((*_compound(modifiers), noun))
     plural = glasses or (bool(head) and lexicon.is_plural(tuple(run.words[-len(head) :])))
-    plural = plural or cut_plural
+    plural = plural or cut_plural or run.several
     if run.posture:
         attributes["posture"] = run.posture
     variants = _variants(run, attributes, plural, count)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from ...parsing.lexicon import category_of
 from ...parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
 from ...words.speech import is_adjective
 from ..text import function_words as fw
@@ -46,6 +47,7 @@ class PhraseStart:
     groups: float = 0.0
     arrangement: Arrangement | None = None
     posture: str = ""
+    several: bool = False  # "the others"
     portion: bool = False  # "a slice of": one, whatever the noun's form
     words: list[str] = field(default_factory=list)
     variants: list[list[str]] = field(default_factory=list)
@@ -84,6 +86,9 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             i += 1
         elif token.text == "same" and run.definite:
             i += 1
+        elif token.text == "own" and run.definite:  # "its own glass" is a new one
+            run.definite, run.article = False, True
+            i += 1
         elif token.text == "all" and may_continue(tokens, i + 1) and i == run.first:
             run.definite = True
             i += 1
@@ -93,7 +98,7 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         elif token.text in fw.INDEFINITE:
             run.article = True
             i += 1
-        elif token.text in fw.ORDINALS and run.definite:
+        elif token.text in fw.ORDINALS and run.definite and not _names(tokens, i):
             run.ordinal = fw.ORDINALS[token.text]
             i += 1 + (i + 1 < len(tokens) and tokens[i + 1].text == "one")
             following = tokens[i] if i < len(tokens) else None
@@ -115,6 +120,9 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         elif token.text == "other" and run.definite:
             run.other = True
             i += 1
+        elif token.text == "others" and run.definite:
+            run.other = run.closed = run.several = True
+            i += 1
         elif token.text in fw.AMOUNTS and may_continue(tokens, i + 1):
             run.amount = fw.AMOUNTS[token.text]
             i += 1 + _is_of(tokens, i + 1)
@@ -123,6 +131,12 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         else:
             break
     return i
+
+
+def _names(tokens: Sequence[Token], i: int) -> bool:
+    """Tell whether an ordinal is the first word of a name: "the first aid box"."""
+    words = tuple(t.text for t in tokens[i : i + 3] if t.tag == "word")
+    return any(category_of(words[:k]) is not None for k in (2, 3) if len(words) >= k)
 
 
 def _is_of(tokens: Sequence[Token], i: int) -> int:

@@ -70,7 +70,8 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
     elif not heading and not _is_corner(tokens, i):
         return None
     article = _text(tokens, i) in _ARTICLES or _tag(tokens, i) == "each"
-    every = _tag(tokens, i) == "each" and _text(tokens, i + 1) == "corner"
+    one = i + 1 + (_text(tokens, i + 1) in ("front", "back", "left", "right", "far", "near"))
+    every = _tag(tokens, i) == "each" and _text(tokens, one) == "corner"
     i += article
     if _text(tokens, i) in _ALL_FOUR and _text(tokens, i + 1) in ("corners", "sides", "ends"):
         i += 1
@@ -164,7 +165,7 @@ def _zone(sides: Sequence[str], noun: str) -> Zone:
     y = next((y for _, y in found if y is not None), None)
     if middle:
         x, y = (0 if x is None else x), (0 if y is None else y)
-    spread = noun in ("corners", "ends") and x is None and y is None
+    spread = noun in ("corners", "ends") and (x is None or y is None)
     return Zone(x, y, noun in fw.EDGES, spread)
 
 

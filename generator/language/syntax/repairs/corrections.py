@@ -22,7 +22,7 @@ _MARKERS = tuple(
         "oops",
         "no actually", "actually no", "actually", "not that", "my mistake", "strike that", "nah",
         "no hang on", "oh wait", "er", "better", "no make", "make", "change that", "change it",
-        "no just",
+        "no just", "forget that", "but forget that", "forget it",
     )
 )  # fmt: skip
 """Words that take back what was said just before, or that change it."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from ...words.dictionary import entry_of
 from ...words.speech import is_verb
@@ -47,6 +48,17 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
         if (skipped := _end_of_skip(tokens, i)) > i:
             i = skipped
             continue
+        if (end := _left_out_end(tokens, i)) > i:
+            out += [Token("no", tokens[i].words, "no"), *tokens[i + 1 : end]]
+            i = end + 1
+            continue
+        if also := _also(tokens, i):
+            i = _join_subject(out, tokens, i + also)
+            continue
+        if tokens[i].text in _LINKING and out and out[-1].tag == "comma":
+            out.pop()  # "the bottle, however, is behind it"
+            i += 1 + (i + 1 < len(tokens) and tokens[i + 1].tag == "comma")
+            continue
         if tokens[i].text == "please" and out and out[-1].tag == "comma":
             out.pop()  # "one cup, please: ..."
             i += 1
@@ -60,6 +72,45 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
             out.append(tokens[i])
             i += 1
     return _read_answers(_open_brackets(out)), lost
+
+
+def _left_out_end(tokens: Sequence[Token], i: int) -> int:
+    """Return where the things of "leave the shoes out" end; ``i`` if it is none of that."""
+    if tokens[i].text not in ("leave", "keep", "take"):
+        return i
+    noun, end = read_noun(tokens, i + 1)
+    out = end < len(tokens) and tokens[end].text in ("out", "off", "away")
+    return end if noun is not None and out else i
+
+
+def _also(tokens: Sequence[Token], i: int) -> int:
+    """Return how many words "so does" and "as do" take, which go on like "and"."""
+    if tokens[i].text not in ("so", "as") or i + 2 >= len(tokens):
+        return 0
+    verb = tokens[i + 1].text in ("do", "does", "is", "are", "doe")
+    return 2 if verb and read_noun(tokens, i + 2)[0] is not None else 0
+
+
+_LINKING = frozenset(["however", "though", "meanwhile", "instead", "therefore"])
+
+
+def _join_subject(out: list[Token], tokens: Sequence[Token], i: int) -> int:
+    """Add the things after "so does" to the subject of their sentence; return where they end."""
+    start = max((k + 1 for k, token in enumerate(out) if token.tag in ENDS), default=0)
+    verb = next((k for k in range(start, len(out)) if out[k].text in fw.BE), len(out))
+    end = i
+    while end < len(tokens) and tokens[end].tag not in _PAUSES:
+        end += 1
+    while verb == len(out) and out and out[-1].tag in ("and", "comma"):
+        out.pop()
+        verb = len(out)
+    joined = [Token("and", tokens[i].words, "and"), *tokens[i:end]]
+    if verb < len(out):
+        while out[-1].tag in ("and", "comma"):
+            out.pop()
+        out[verb] = Token("word", (replace(out[verb].words[0], text="are"),), "are")
+    out[verb:verb] = joined
+    return end
 
 
 def _open_brackets(tokens: list[Token]) -> list[Token]:
@@ -94,6 +145,9 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
     texts = [token.text for token in tokens[i : i + 10]]
     if skipped := _robot(texts):
         return i + skipped
+    if texts[:2] == ["nothing", "else"]:  # "nothing else goes in it: the hat is ..."
+        marks = [k for k in range(i, len(tokens)) if tokens[k].tag in ("colon", "comma", *ENDS)]
+        return marks[0] if marks and tokens[marks[0]].tag == "colon" else i
     if texts[:1] == ["nothing"] and (found := {"except", "but"} & {*texts[1:]}):
         return i + min(texts.index(word) for word in found) + 1  # "nothing else except a card"
     if texts[:3] in (["in", "the", "order"], ["in", "this", "order"], ["in", "that", "order"]):
@@ -103,6 +157,10 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
         return k
     if texts[:2] == ["in", "turn"]:
         return i + 2
+    if texts[:1] == ["as"] and texts[1:2] in (["a"], ["an"]):  # "a mug as a distractor"
+        noun, end = read_noun(tokens, i + 1)
+        aim = noun is not None and noun.category is None and noun.kind in ("thing", "abstract")
+        return end if aim and texts[2:3] not in (["centerpiece"], ["centrepiece"]) else i
     if texts[:2] in (["rotate", "it"], ["turn", "it"]):
         k = i + 2
         while k < len(tokens) and tokens[k].tag not in (*_PAUSES, "and"):

@@ -43,7 +43,8 @@ NEVER_INSIDE = _words("although though however unless whether because until duri
 LEFT_OUT = frozenset(
     {("sold", "out"), ("not", "present"), ("not", "included"), ("not", "there"), ("not", "allowed"),
      ("left", "out"), ("left", "off"), ("not", "wanted"), ("not", "needed"), ("left", "away"),
-     ("taken", "away"), ("taken", "off"), ("kept", "away")}
+     ("taken", "away"), ("taken", "off"), ("kept", "away"), ("not", "available"),
+     ("not", "required")}
 )  # fmt: skip
 """Two words that say of things that they are not to be there."""
 ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed garage wardrobe car "
@@ -104,7 +105,7 @@ RELATIONS = _table(
     on: on, on top of, atop, upon, onto, above, over, over the top of, resting on top of
     on: balanced on, perched on, laid on, spread on, served on, stacked on top of, up on, on to
     on: mounted on, hung on, displayed on, resting on, across, lying across, laid across
-    in: in, inside, inside of, within, into, in to
+    in: in, inside, inside of, within, into, in to, sticking out of, poking out of, peeking out of
     under: under, beneath, underneath, below
     aim: towards, toward, without touching, without hitting, without moving, without knocking over
     flank: flanking, flank, flanks
@@ -156,9 +157,12 @@ NEGATIONS = _words("no without not never except excluding minus lacking neither 
 NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any", "with no",
            "with out", "other than", "instead of", "devoid of", "empty of", "not a",
            "apart from", "has no", "have no", "do not", "does not", "leave out", "leave off",
-           "skip the", "hold the", "scrap the", "ditch the", "remove the", "lose the",
+           "skip the", "hold the", "scrap the", "scratch the", "ditch the", "remove the",
+           "lose the",
            "no need for", "get rid of", "take away", "omit", "forget the", "rather than",
-           "free from")  # fmt: skip
+           "free from", "no longer do", "no longer have", "nobody gets", "nobody wants",
+           "nobody needs", "no one gets",
+           "no one wants", "no one needs")  # fmt: skip
 
 ARRANGED = _table(
     """
@@ -235,6 +239,15 @@ SUPERLATIVES: Mapping[str, str] = MappingProxyType(
     }
 )  # fmt: skip
 """Words for one of several of different sizes."""
+
+COMPARED: Mapping[str, str] = MappingProxyType(
+    {
+        "smaller": "small", "shorter": "small", "narrower": "small", "thinner": "small",
+        "lower": "small", "bigger": "large", "larger": "large", "taller": "large",
+        "wider": "large", "longer": "large", "higher": "large", "thicker": "large",
+    }
+)  # fmt: skip
+"""What one thing is said to be beside another."""
 
 ORDERS = _table(
     """
@@ -322,8 +335,8 @@ STARTERS = _words(
     "picture consider suppose visualize visualise assume what how about provide do try load plan "
     "setup up out help ll d with scene showing includes including ideally maybe perhaps finally "
     "lastly next now additionally furthermore moreover besides first second third drop throw toss "
-    "stick park leave keep hide tuck see find pick grab push pull take move slide lift pour turn "
-    "start begin place putting balance wash clean clear tidy sort build pack"
+    "use stick park leave keep hide tuck see find pick grab push pull take move slide lift pour "
+    "turn spread start begin place putting balance wash clean clear tidy sort build pack"
 )
 """Words that only open a sentence; skipped up to its first thing."""
 
@@ -331,8 +344,8 @@ FILLERS = _words(
     "of from for at to as or than about onto through per via during after until while when where "
     "there here again too also just only very really quite then so if because since ready using "
     "used made seen look looks looking please well etc eg ie such like respectively namely "
-    "hiya ta cheers greetings dear thx ty yo ciao oops hm hmm er uh um oh ah kidding hang "
-    "approximately roughly exactly own same whole next ll d"
+    "hiya heya heyo howdy ta cheers greetings dear thx ty yo ciao oops hm hmm er uh um oh ah "
+    "kidding hang init approximately roughly exactly own same whole next ll d"
 )
 
 NO_NOUNS = _words(

@@ -44,6 +44,23 @@ _PARTS = re.compile(
 """What "two-tier" and the like say of one thing."""
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
 """How many there are, said last: "forks x4"."""
+_SPELT_LENGTH = re.compile(
+    r"(?i)\b(two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|fifteen|twenty|thirty|forty|"
+    r"fifty)[ -](?=(?:mm|cm|millimet(?:er|re)|centimet(?:er|re)|inch|f(?:oo|ee)t\b)(?:e?s)?\b)"
+)
+_DIGITS = {
+    "two": "2", "three": "3", "four": "4", "five": "5", "six": "6", "seven": "7", "eight": "8",
+    "nine": "9", "ten": "10", "eleven": "11", "twelve": "12", "fifteen": "15", "twenty": "20",
+    "thirty": "30", "forty": "40", "fifty": "50",
+}  # fmt: skip
+_WITH = re.compile(r"(?<=[a-z,.)]) w (?=[a-z\d])")
+_LEFTMOST = re.compile(r"(?i)\b(left|right)most\b(?=( (?:is|being|has|holds|stands|and)\b|,)?)")
+_FOOT_LONG = re.compile(r"(?i)\bfoot[ -]long\b")
+_PREDICATE = re.compile(
+    r"(?i)\((on|in|inside|left_of|right_of|behind|in_front_of|next_to|near|under)\s+"
+    r"([a-z_]\w*)\s+([a-z_]\w*)\s*\)"
+)
+"""A fact of a planning language: "(on red_block blue_block)"."""
 _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
 _JOINED_UP = re.compile(r"(?i)(?<=[a-z])(?<!upside)-(?:up|down|out|off)\b")
 _BAKERS = re.compile(r"(?i)\bbaker[’']s dozen\b")
@@ -76,6 +93,12 @@ def words_of(text: str) -> tuple[Word, ...]:
     text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
     text = _VAGUE_COUNT.sub(lambda found: " " * len(found.group()), text)
     text = _LIKE.sub(lambda found: " " * len(found.group()), text)
+    facts = _facts_of(text)
+    text = _PREDICATE.sub(lambda found: " " * len(found.group()), text)
+    text = _SPELT_LENGTH.sub(lambda m: f"{_DIGITS[m[1].lower()]} ".ljust(len(m.group())), text)
+    text = _WITH.sub(" w/", text)
+    text = _LEFTMOST.sub(lambda m: f"{m[1]} one" if m[2] else m[1], text)
+    text = _FOOT_LONG.sub("1 ft long", text)
     text = _AMOUNT.sub(lambda found: " " * len(found.group()), text)
     text = _AGE.sub(lambda found: " " * len(found.group()), text)
     text = _JOINED_UP.sub(lambda found: " " * len(found.group()), text)
@@ -87,7 +110,18 @@ def words_of(text: str) -> tuple[Word, ...]:
     for piece in _PIECE.finditer(plain):
         start, end = places[piece.start()], places[piece.end() - 1] + 1
         found += [Word(t, start, end, kind) for t, kind in _readings(piece)]
-    return tuple(found)
+    return tuple(sorted([*found, *facts], key=lambda word: word.start) if facts else found)
+
+
+def _facts_of(text: str) -> list[Word]:
+    """Return "the red block on the blue block" for each "(on red_block blue_block)"."""
+    found = []
+    for fact in _PREDICATE.finditer(text):
+        relation, one, other = (part.lower().replace("_", " ") for part in fact.groups())
+        said = (",", "the", *one.split(), *relation.split(), "the", *other.split(), ",")
+        kinds: dict[str, WordKind] = {",": "mark"}
+        found += [Word(word, *fact.span(), kinds.get(word, "word")) for word in said]
+    return found
 
 
 def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:

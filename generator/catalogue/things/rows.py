@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ..build.category import Category
+from ..build.making import Bodies, Drawing, of
+from ..build.shape import Shape
 from ..surfaces.look import Look
-from .category import Category
-from .making import Bodies, Drawing, of
-from .shape import Shape
 
 Size = tuple[float, float, float]
 

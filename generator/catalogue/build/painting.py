@@ -1,0 +1,67 @@
+"""The colour that a text asks for, on things that are drawn in colours of their own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..surfaces.colors import RGB, rgb
+from ..surfaces.textures import Tile
+from .shape import Piece, Shape
+
+_LEAST = 0.25
+"""Share of the surface that shows the colour asked for."""
+
+_CLOSE = 60.0
+"""Distance of two colours, RGB from 0 to 255, that are called alike."""
+
+_CONTRAST = 0.6
+"""How much of a tile's light and dark is kept where it is painted over."""
+
+
+def show_color(made: Shape, word: str) -> Shape:
+    """Return a shape that shows a colour: where too little of it does, the largest tile is painted.
+
+    A word that is no colour changes nothing.
+    """
+    asked = rgb(word)
+    if asked is None:
+        return made
+    areas = np.array([_area(piece) for piece in made.pieces])
+    shown = np.array([_share(piece.tile, asked) for piece in made.pieces])
+    if float(areas @ shown) >= _LEAST * float(areas.sum()):
+        return made
+    totals: dict[bytes, float] = {}
+    for piece, area in zip(made.pieces, areas, strict=True):
+        key = piece.tile.tobytes()
+        totals[key] = totals.get(key, 0.0) + float(area)
+    largest = max(totals, key=lambda key: totals[key])
+    painted = {key: key == largest for key in totals}
+    return replace(
+        made,
+        pieces=tuple(
+            Piece(p.solid, _paint(p.tile, asked)) if painted[p.tile.tobytes()] else p
+            for p in made.pieces
+        ),
+    )
+
+
+def _area(piece: Piece) -> float:
+    a, b, c = piece.solid.vertices[piece.solid.faces].transpose(1, 0, 2)
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
+
+
+def _share(tile: Tile, color: RGB) -> float:
+    """Return the share of a tile that is about of a colour, lighter and darker ones included."""
+    pixels = tile.reshape(-1, 3).astype(float)
+    light = pixels.mean(1, keepdims=True)
+    tone = float(np.mean(color))
+    level = pixels * np.clip(tone / np.maximum(light, 1.0), 0.75, 1.4)
+    return float((np.linalg.norm(level - color, axis=1) < _CLOSE).mean())
+
+
+def _paint(tile: Tile, color: RGB) -> Tile:
+    light = tile.astype(float).mean(-1, keepdims=True)
+    shade = 1 + _CONTRAST * (light / max(float(light.mean()), 1.0) - 1)
+    return np.clip(np.array(color) * shade, 0, 255).round().astype(np.uint8)
