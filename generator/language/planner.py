@@ -12,9 +12,9 @@ import numpy as np
 from ..catalogue import CATEGORIES
 from ..catalogue.stand_ins import GENERIC, stand_in_size
 from ..errors import InputError
-from ..scene import Density, PlannedGroup, PlannedObject, Relation, ScenePlan
+from ..scene import TABLE, Density, PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
-from .drafts import Draft, Reading
+from .drafts import Draft, Grouping, Reading
 from .filling import fill, relate_by_habit
 from .furniture import plan_table
 from .laying import place_settings, setting_of
@@ -196,12 +196,20 @@ def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGr
     ]  # fmt: skip
     groups = [
         PlannedGroup(
-            g.kind, tuple(names[id(d)] for d in g.members if id(d) in names),
+            "column" if g.kind == "row" and _is_along_side(g) else g.kind,
+            tuple(names[id(d)] for d in g.members if id(d) in names),
             names.get(id(g.around)) if g.around else None, g.seat,
         )
         for g in reading.groupings
     ]  # fmt: skip
     return objects, [group for group in groups if len(group.members) + bool(group.around) > 1]
+
+
+def _is_along_side(group: Grouping) -> bool:
+    """Tell whether things in a line are at the left or the right, so that it goes to the back."""
+    places = [{kind for kind, to in d.relations if to == TABLE} for d in group.members]
+    one_side = places[0] in ({"left_of"}, {"right_of"})
+    return len(places) > 2 and one_side and all(place == places[0] for place in places)
 
 
 _LENGTHS = 0.01, 0.6  # metres: the shortest and the longest thing on a table

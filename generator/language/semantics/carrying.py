@@ -17,7 +17,7 @@ from ..syntax.phrases.tree import (
     Zone,
 )
 from . import contents
-from .linking import topmost
+from .linking import link, topmost
 from .references import Target
 from .relating import CUTLERY
 from .things import ThingReader
@@ -75,6 +75,8 @@ class CarryReader(ThingReader, ABC):
                 for group in groups:
                     if isinstance(group, list):
                         self._assume(group, owner, post)
+                        if joint and len(owner) == 1:
+                            link("next_to", group, owner, self.reading.warnings)
                 context.owner = outer
                 for place in (*moved, *joint):
                     self._post(place, owner, noun)
@@ -153,8 +155,17 @@ def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: boo
         for place in item.post
         if isinstance(place, Location)
         and place.kind in _DIRECTIONS
-        and (loose or not (isinstance(place.target, Noun) and place.target.kind == "pronoun"))
+        and (loose or not _is_pronoun(place.target) or (not first and _is_that(place.target)))
     ]
+
+
+def _is_pronoun(target: Noun | Zone) -> bool:
+    return isinstance(target, Noun) and target.kind == "pronoun"
+
+
+def _is_that(target: Noun | Zone) -> bool:
+    """Tell whether a place is told of by "that": what was spoken of before."""
+    return isinstance(target, Noun) and target.kind == "pronoun" and target.head == "that"
 
 
 def _joint_places(items: Sequence[Noun], how: str, noun: Noun | None) -> list[Post]:

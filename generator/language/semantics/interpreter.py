@@ -274,15 +274,20 @@ class Interpreter(ListInterpreter):
             self.reading.people = self.reading.people or people
             return
         heads = [noun.head for noun in clause.subjects if noun.kind == "thing"]
-        if len(heads) > len(set(heads)) and clause.people != EVERYONE:
-            self._list(clause.subjects, None)  # "a plate on the left and a plate on the right"
+        laid = any(noun.category in _TABLEWARE for noun in clause.subjects)
+        once = len(heads) > len(set(heads)) or not laid  # "a plate on either end", "poker for two"
+        if once and clause.people != EVERYONE:
+            self._list(clause.subjects, None)
             return
+        shared = [noun for noun in clause.subjects if _is_central(noun)]
+        own = [noun for noun in clause.subjects if noun not in shared]
         if clause.people == EVERYONE:
             self.reading.people = 0
-        for noun in clause.subjects:  # "cups and saucers": one for each
+        for noun in own:  # "cups and saucers": one for each
             if noun.plural and noun.count is None and noun.amount is None:
                 noun.count, noun.plural = 1.0, False
-        self._lay(people, lambda: self._list(clause.subjects, None))
+        self._lay(people, lambda: self._list(own, None))
+        self._list(shared, None)
 
     def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
         """Lay for each person what ``read`` reads; "on the left" is left of the first thing."""
@@ -307,6 +312,25 @@ class Interpreter(ListInterpreter):
 
 
 _IT = Noun("pronoun", ("it",), (0, 0), "it", definite=True)
+
+
+_TABLEWARE = frozenset(
+    ["plate", "bowl", "fork", "knife", "spoon", "glass", "wine_glass", "mug", "teacup", "saucer",
+     "napkin", "placemat", "chopsticks", "table_knife", "dessert_spoon", "champagne_flute",
+     "soup_bowl", "water_glass", "place_card", "paper_plate", "paper_cup", "plastic_cup",
+     "serving_platter", "folded_napkin", "teaspoon", "butter_knife", "menu_card"]
+)  # fmt: skip
+"""What each person gets."""
+
+
+def _is_central(noun: Noun) -> bool:
+    """Tell whether a thing stands in the middle of the table, for all."""
+    return any(
+        isinstance(post, Location)
+        and isinstance(post.target, Zone)
+        and (post.target.x, post.target.y) == (0, 0)
+        for post in noun.post
+    )
 
 
 def _is_one(noun: Noun) -> bool:

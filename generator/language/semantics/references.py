@@ -45,6 +45,9 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
         latest = [g for g in reversed(context.mentioned) if not _overlaps(g, context.subject)]
         return next((g for g in latest if may_carry(g[0], kind)), latest[0] if latest else None)
     if context.owner == TABLE and kind in ("on", "in", "at", "center", "edge") and not several:
+        before = [g for g in context.mentioned if not _overlaps(g, context.subject)][-1:]
+        if kind == "on" and before and before[0][0].placed and may_carry(before[0][0], kind):
+            return before[0]  # "a book in the middle and a pen on it"
         return TABLE
     candidates: list[Target | None] = [
         context.owner, context.parallel, context.topic, context.earlier,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -110,6 +110,12 @@ class Relater:
             laid[:] = [g for g in laid if g.kind != "circle" or not {*g.members} <= {*ring}]
             laid.append(Grouping("circle", tuple(ring), around=inner[0]))
             link("next_to", ring, inner[:1], self.reading.warnings)
+        elif kind == "between" and (faced := self._column_of(target)) is not None:
+            members = (faced.members[0], *group, *faced.members[1:])
+            self.reading.groupings.remove(faced)
+            self.reading.groupings.append(replace(faced, members=members))
+            for end in target:
+                link("next_to", group, [end], self.reading.warnings)
         elif kind == "between" and len(group) > 1 and (ends := _ends_of(target)):
             row = (ends[0], *group, ends[1])
             laid = self.reading.groupings
@@ -120,6 +126,17 @@ class Relater:
         else:
             link(kind, group, target, self.reading.warnings)
         context.parallel = target
+
+    def _column_of(self, targets: Group) -> Grouping | None:
+        """Return the arrangement of two things that face each other, with room between them."""
+        return next(
+            (
+                g
+                for g in self.reading.groupings
+                if g.kind == "column" and len(targets) == 2 and [*g.members] == targets
+            ),
+            None,
+        )
 
     def _drop_assumed(self, group: Group, target: Group) -> None:
         """Drop what was assumed of things that the text relates to something else."""

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass, field, replace
 
 from ...catalogue import CATEGORIES
+from ...scene import TABLE
 from ..drafts import Draft, Group
 from ..parsing.lexicon import singular
 from ..parsing.vocabulary import MEANT_WITH
@@ -39,6 +40,8 @@ _SEATS = frozenset(
 _FOOD = frozenset({"food", "fruit", "vegetable", "snack"})
 
 _TOPS = ("top", "upper", "topmost", "uppermost", "bottom")
+
+_SIDE_OF = {"left": "left_of", "right": "right_of"}
 
 _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
@@ -116,6 +119,9 @@ class ThingReader(Relater, ABC):
         meant = MEANT_WITH.get(singular(noun.head), ())
         category = next((key for other, key in meant if other in there), noun.category)
         head = noun.head if category == noun.category else str(category).replace("_", " ")
+        if category == "playing_cards" and singular(noun.head) == "card" and (noun.count or 1) > 1:
+            category = "playing_card"  # "five cards" are no deck
+            noun = replace(noun, category=category)
         single = noun.category in _ONE_PIECE and (
             noun.arrangement is not None or noun.category in _HEAPED
         )
@@ -137,6 +143,9 @@ class ThingReader(Relater, ABC):
             )
             for k in range(count)
         ]  # fmt: skip
+        side = _SIDE_OF.get(noun.position or "") if noun.definite else None
+        for draft in group if side else ():  # "the left plate", of which nothing was said
+            draft.relate(str(side), TABLE)
         group = [*claimed, *group]
         self._fresh = group
         for draft in group:

@@ -162,7 +162,7 @@ def _row(
     """Side by side along x, front edges in line."""
     offsets, x = [], 0.0
     for k, shape in enumerate(shapes):
-        x += float(shape.reach[LEFT]) + (SPACING if k else 0.0)
+        x += float(shape.reach[LEFT]) + (min(SPACING, 0.3 * float(shape.half[0])) if k else 0.0)
         offsets.append(np.array([x, float(shape.reach[FRONT])]))
         x += float(shape.reach[RIGHT])
     return offsets, [0.0] * len(shapes)

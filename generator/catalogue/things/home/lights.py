@@ -144,7 +144,8 @@ def candle(look: Look) -> Shape:
     wax = look.color(
         *("cream", "white", "red", "sage", "lavender", "coral", "navy", "mustard", "pink", "black")
     )
-    tile = textures.gradient(wax, tint_color(wax, 1.35), look.rng, 3)
+    pale = 1.35 if sum(wax) > 240 else 1.06  # black wax stays black
+    tile = textures.gradient(wax, tint_color(wax, pale), look.rng, 3)
     if look.chance(0.35):
         tile = glaze_tile(look, wax)
     wick = cylinder(0.0014, 0.016, 6).move(z=h - 0.004)

@@ -243,6 +243,7 @@ CATEGORIES = (
              "numeric keypad", "number pad"), ("office",), ("flat",), ("charcoal", "white"),
              state="lying flat"),
     Category("desk_tray", desk_tray, (0.26, 0.185, 0.045), 0.5, ("letter tray", "paper tray",
+             "document tray",
              "organizer", "desk organizer", "writing slope", "drawer", "in tray", "in-tray",
              "out tray"), ("office",), ("container",), ("wooden", "white", "black")),
 )  # fmt: skip

@@ -79,6 +79,8 @@ class HoldingReader(BracketReader):
         if inner is None:
             return False
         self.i = end
+        if self._tag() == "open" and inner.category is None:
+            self._bracket(inner, inner.post)  # "six sufganiyot (jelly doughnuts)"
         if inner.lengths and not inner.words:
             out.append(Description(({},), inner.lengths))
             return True

@@ -41,9 +41,9 @@ class ListReader(PostReader):
             spoken, self.i = True, self.i + 1  # "to the right comes the grinder"
         comma = self._tag() == "comma"
         self.i += comma or heading
-        if comma and self._tag() == "arranged" and "left to right" in self._text():
+        while comma and self._tag() == "arranged":  # ", in a row from left to right: ..."
+            self._ordered = self._ordered or "left to right" in self._text()
             self.i += 1 + (self._tag(1) in ("comma", "colon", "dash"))
-            self._ordered = True
         skipped = self._skip(fw.BE | fw.STARTERS | fw.PARTICIPLES)
         if self._tag() == "carry":
             self.i += 1

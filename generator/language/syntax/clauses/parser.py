@@ -78,7 +78,7 @@ class Parser(OpeningReader):
             arrangement, self._ordered = arrangement or Arranged("row", "listed"), False
         if arrangement is not None and subjects:
             at = -1 if arrangement.order == "listed" else 0
-            subjects[at].post.append(arrangement)
+            subjects[at].post.insert(0 if at == 0 else len(subjects[at].post), arrangement)
         if subjects and self._tag() == "comma" and self._text(1) in fw.BE:
             self.i += 1  # "two cars, a red and a green one, are parked ..."
         if (

@@ -142,9 +142,20 @@ class PlaceReader(Cursor):
             return noun
         if nested:
             self._posts(noun, noun.post, nested=True)
-        elif self._tag() == "carry" and self._text() not in ("plus", "as well as", "along with"):
+        elif (
+            self._tag() == "carry"
+            and self._text() not in ("plus", "as well as", "along with")
+            and not (noun.definite and self._brings_back())
+        ):
             self._carried(noun, noun.post, False)
         return noun
+
+    def _brings_back(self) -> bool:
+        """Tell whether "with tongs in it" comes next: it belongs to what is spoken of."""
+        self.i += 1
+        back = self._returns()
+        self.i -= 1
+        return back is not None
 
     def _each_of_them(self) -> Noun | None:
         """Read "each", "each one", "every one of them" and "each of these"."""

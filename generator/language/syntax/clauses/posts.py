@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ....catalogue import CATEGORIES
 from ...words.speech import is_verb
 from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun
@@ -54,6 +55,11 @@ class PostReader(HoldingReader):
             self.i += 1
         if self._tag() == "dash" and noun is not None and self._places_on(1):
             self.i += 1  # "Drill - to the right of the toolbox"
+        if self._tag() == "dash" and noun is not None and self._holds_aside(noun):
+            self.i += 1  # "a big plate - two eggs and two sausages - with ..."
+            out.append(Carry("hold", tuple(self._items(noun, "hold"))))
+            self.i += self._tag() == "dash"
+            return True
         if self._tag() in ("colon", "dash"):
             return self._listed_attributes(noun, out)
         if self._in_which(noun, out) or self._one_each(noun):
@@ -86,6 +92,15 @@ class PostReader(HoldingReader):
         if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False
+
+    def _holds_aside(self, noun: Noun) -> bool:
+        """Tell whether dashes set apart what a plate or a bowl holds."""
+        roles = CATEGORIES[noun.category].roles if noun.category else ()
+        ahead = self.tokens[self.i + 1 :]
+        end = next((k for k, token in enumerate(ahead) if token.tag in (*ENDS, "dash")), 0)
+        closed = bool(ahead) and ahead[end].tag == "dash"
+        carries = {"container", "support"} & {*roles} and not noun.plural
+        return bool(carries) and closed and self._starts_noun(1, determined=True)
 
     def _places_on(self, ahead: int) -> bool:
         """Tell whether a place or what a thing holds comes next."""

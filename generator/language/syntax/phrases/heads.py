@@ -138,6 +138,8 @@ def _head(
     if words[-1] in fw.GROUPS and definite and not lexicon.category_of(words[-1:]):
         return "thing", words[-1:], None, ""  # "behind the stack"
     last = words[-1]
+    if " ".join(words[-2:]) in OCCASIONS:
+        return "setting", words[-2:], None, ""
     if last in ("one", "ones") and len(words) > 1:
         return "member", (last,), None, ""
     for start in range(len(words)):
@@ -154,7 +156,7 @@ def _head(
     kinds: tuple[tuple[NounKind, bool], ...] = (
         ("table", last in TABLE_NOUNS), ("vague", last in VAGUE_THINGS),
         ("part", last in PARTS or lexicon.singular(last) in PARTS),
-        ("setting", lexicon.is_setting(last) or " ".join(words[-2:]) in OCCASIONS),
+        ("setting", lexicon.is_setting(last)),
     )  # fmt: skip
     for kind, holds in kinds:
         if holds:

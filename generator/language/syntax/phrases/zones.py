@@ -80,6 +80,8 @@ def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> 
     found = _sides(tokens, i, heading=heading, owned=owned)
     if every and found is not None and not found.of:
         return replace(found, zone=replace(found.zone, spread=True))
+    if found is not None and _text(tokens, start) == "along":
+        return replace(found, loose=False)
     aside = found is not None and found.loose and _text(tokens, start) == "to"
     return replace(found, aside=True) if found is not None and aside else found
 

@@ -171,9 +171,26 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
     span = _last_noun(before)
     if span is None:
         return None
+    if span[0] and before[span[0] - 1].tag == "no":  # "scrap the board, make it a deck of cards"
+        return _swap(before, span, after[:end], rest)
     counted = [t for t in before[span[0] : span[1]] if t.tag == "number" or t.text in fw.NUMBERS]
     kept = counted if noun.plural and not noun.determined else []  # "four pears, I mean plums"
     return before[: span[0]] + kept + after[:end] + rest
+
+
+def _swap(
+    before: list[Token], span: tuple[int, int], new: list[Token], rest: list[Token]
+) -> list[Token] | None:
+    """Put something new where what is not wanted was named first; None if it was not."""
+    unwanted, _ = read_noun(before, span[0])
+    named = [p for p in _nouns(before[: span[0] - 1]) if unwanted and p[2].head == unwanted.head]
+    if not named:
+        return None
+    start, end, _ = named[-1]
+    kept = before[end : span[0] - 1]
+    while kept and kept[-1].tag in ("comma", "dash", "and"):
+        kept.pop()
+    return [*before[:start], *new, *kept, Token("stop", before[span[0] - 1].words), *rest]
 
 
 def _drop_pause(tokens: list[Token], *, first: bool = False) -> list[Token]:

@@ -55,6 +55,10 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
         if also := _also(tokens, i):
             i = _join_subject(out, tokens, i + also)
             continue
+        if tokens[i].text in _ADVERBS:
+            i += 1 + (bool(out) and out[-1].tag == "comma" == tokens[i + 1 : i + 2][0].tag
+                      if i + 1 < len(tokens) else 0)  # fmt: skip
+            continue
         if tokens[i].text in _LINKING and out and out[-1].tag == "comma":
             out.pop()  # "the bottle, however, is behind it"
             i += 1 + (i + 1 < len(tokens) and tokens[i + 1].tag == "comma")
@@ -90,6 +94,14 @@ def _also(tokens: Sequence[Token], i: int) -> int:
     verb = tokens[i + 1].text in ("do", "does", "is", "are", "doe")
     return 2 if verb and read_noun(tokens, i + 2)[0] is not None else 0
 
+
+_ADVERBS = frozenset(
+    ["obviously", "naturally", "clearly", "preferably", "ideally", "basically", "literally",
+     "maybe", "perhaps", "possibly", "certainly", "surely", "hopefully"]
+)  # fmt: skip
+"""What says nothing of the table, wherever it stands."""
+
+_PICTURES = frozenset(["picture", "photo", "image", "shot", "render", "scene"])
 
 _LINKING = frozenset(["however", "though", "meanwhile", "instead", "therefore"])
 
@@ -157,6 +169,9 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
         return k
     if texts[:2] == ["in", "turn"]:
         return i + 2
+    if texts[:1] in (["a"], ["an"]) and {*texts[1:2]} & _PICTURES and texts[2:3] == ["for"]:
+        pauses = (k for k in range(i, len(tokens)) if tokens[k].tag in _PAUSES)
+        return next(pauses, i)  # "a picture for her invite: ..."
     if texts[:1] == ["as"] and texts[1:2] in (["a"], ["an"]):  # "a mug as a distractor"
         noun, end = read_noun(tokens, i + 1)
         aim = noun is not None and noun.category is None and noun.kind in ("thing", "abstract")
@@ -206,12 +221,13 @@ def _talk_end(tokens: Sequence[Token], i: int) -> int:
         return ends[0] + 1 if ends and ends[0] < min(stops, default=len(tokens)) else i
     owned = tokens[k].text in ("my", "our", "his", "her")
     k += 1
+    helped = 0
     if owned:
         if k >= len(tokens) or not _is_person(tokens[k].text):
             return i
-        k += 1 + (k + 1 < len(tokens) and tokens[k + 1].tag == "possessive")
+        helped = int(k + 1 < len(tokens) and tokens[k + 1].tag == "possessive")  # "my mate's ill"
+        k += 1 + helped
     planned = any(t.text in ("about", "going", "gonna", "trying") for t in tokens[k : k + 3])
-    helped = 0
     while k < len(tokens) and tokens[k].text in _MODIFYING:
         k, helped = k + 1, helped + 1
     if k >= len(tokens) or tokens[k].tag != "word":

@@ -298,7 +298,9 @@ BE = _words("is are was were be been being sits sit stands stand lies lie lays r
             "leans lean faces face should must can could shall will would may might")  # fmt: skip
 """Verbs between subjects and what is said of them."""
 
-SINGULAR = _words("is sits stands lies rests hangs leans goes stays belongs was remains faces")
+SINGULAR = _words(
+    "is sits stands lies rests hangs leans goes stays belongs was remains faces being"
+)
 """Verbs of one thing: in a list they are said of its last thing alone."""
 
 MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put "
