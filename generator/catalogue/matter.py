@@ -156,7 +156,8 @@ _MADE_OF: Mapping[str, str] = {
     "barometer hygrometer planet_model volcano_model t_square soma_cube galton_board "
     "seismograph pantograph slide_rule plant_press tongue_depressor magic_wand wizard_staff "
     "toy_shield toy_sword toy_cannon toy_trebuchet toy_catapult silkscreen blotter lectern "
-    "washboard toy_chair",
+    "washboard toy_chair"
+    " small_shelf ball_stand cradle_stand",
     "stone": "sculpture pebble rock seashell starfish coral crystal "
     "tombstone cuttlebone aquarium_castle slab plinth arrowhead scarab obelisk moai "
     "house_brick fossil whetstone gemstone diamond ruby emerald sapphire topaz garnet "

@@ -75,7 +75,7 @@ from .things.fantasy import armoury, sorcery, stationer, studio, washday
 from .things.fare import bowls, confections, dishes, meats, pastries, seafood, snacks, sushi
 from .things.feast import candies, desserts, fiesta, gums, japanese, mexican, savouries, tubs
 from .things.festive import candlelight, characters, christmas, party, seasons
-from .things.fixtures import lamps, switches
+from .things.fixtures import lamps, supports, switches
 from .things.food import bakery, food, fruit, groceries, meals, orchard, pantry, produce, sweets
 from .things.gaming import boards, casino, chessmen, luck, polyhedra, tabletop
 from .things.garage import car, cockpit, engine, gearing
@@ -224,8 +224,9 @@ _ON_REQUEST = (
     contraptions, moulders, urns, teaware, candies, gums, desserts, savouries, mexican, japanese,
     tubs, fiesta, ceremony, stationery, eastertide, refreshment, barware, picks, relics, stones,
     insects, bicycle, cycling, fishing, papercraft, trimmings, skates, exercise, pitch, space,
-    skill, rubbish, hats, satchels, shoecare, underwear, vests, controls, coils, panels, connectors,
-    gauges, edges, cleaning, fixtures, plumbing, robots, broadcast, oddments, shapes_polyhedra,
+    skill, rubbish, hats, satchels, shoecare, underwear, vests, controls, coils, panels, supports,
+    connectors, gauges, edges, cleaning, fixtures, plumbing, robots, broadcast, oddments,
+    shapes_polyhedra,
     fossils, gems, specimens, altar, statues, tomes, beats, strings, winds, car, engine, documents,
     money, curios, novelties, fixings, labware, observatory, aids, armoury, studio, powertools,
     cockpit, gearing, charts, amusements, dwellings, shopfigures, showpieces, signage, catches,

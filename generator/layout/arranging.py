@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -12,11 +12,11 @@ from jaxtyping import Float
 from ..errors import SceneError
 from ..scene import TABLE, Model, Placement, PlannedGroup, PlannedObject, Relation, ScenePlan
 from .facing import natural_yaw
-from .footprint import footprint, margins
+from .footprint import Footprint, footprint, margins
 from .furnishing import outline_of
 from .groups.units import Unit, units_of
 from .resting import MARGIN, State, cover_with, put_on, stand_on_table, stand_unit, support_of
-from .scoring import Neighbour, Request, violation
+from .scoring import SIDES, Awaited, Neighbour, Request, violation
 
 _TRIES = 12
 
@@ -172,6 +172,7 @@ def _place_all(
     inside = {name for unit in units.values() for name in unit.offsets}
     alone = [o for o in standing if o.name not in inside]
     wholes = [unit.planned for unit in units.values()]
+    state.awaited = _await(alone, wholes, units, shapes)
     for planned in _order([*alone, *wholes], models, rng, units):
         unit = units.get(planned.name)
         if unit is not None:
@@ -182,6 +183,8 @@ def _place_all(
     while above:
         ready = [o for o in above if supports[o.name] in state.places]
         ready.sort(key=lambda o: _rank(o, models[o.name]))
+        later = {o.name for o in ready}
+        ready.sort(key=lambda o: any(r.target in later for r in o.relations))
         for planned in ready:
             support = str(supports[planned.name])
             if not put_on(planned, support, plan, models, rng, state, shapes):
@@ -194,6 +197,30 @@ def _place_all(
                     return planned.name
         above = [o for o in above if o not in ready]
     return None
+
+
+def _await(
+    alone: Sequence[PlannedObject],
+    wholes: Sequence[PlannedObject],
+    units: Mapping[str, Unit],
+    shapes: Mapping[str, Footprint],
+) -> dict[str, list[Awaited]]:
+    """Return what is to stand on a side of each thing, or of each group of things."""
+    whose = {name: (unit.planned.name, at) for unit in units.values()
+             for name, at in unit.offsets.items()}  # fmt: skip
+    sizes = {**{o.name: shapes[o.name] for o in alone}, **{n: u.shape for n, u in units.items()}}
+    found: dict[str, list[Awaited]] = {}
+    for planned in (*alone, *wholes):
+        for relation in planned.relations:
+            target = relation.target
+            if relation.kind not in SIDES or target not in shapes:
+                continue
+            owner, offset = whose.get(target, (target, np.zeros(2)))
+            if owner != planned.name:
+                found.setdefault(owner, []).append(
+                    Awaited(relation.kind, sizes[planned.name], shapes[target], offset)
+                )
+    return found
 
 
 def _rank(planned: PlannedObject, model: Model) -> float:

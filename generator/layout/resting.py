@@ -16,7 +16,7 @@ from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
 from .groups.seats import seat_center
 from .groups.units import Unit
-from .scoring import Neighbour, Request, proposals, score, violation
+from .scoring import Awaited, Neighbour, Request, proposals, score, violation
 
 MARGIN = 0.02
 """Least distance from a footprint to the table's edge, metres."""
@@ -28,6 +28,7 @@ GAP = 0.014
 class State:
     """One try: what has been put where.
 
+    ``awaited`` is what will stand beside things once they have their place, by their names;
     ``strain`` is how badly the relation to a place or a side that is met worst is broken.
     """
 
@@ -36,6 +37,7 @@ class State:
     fields: dict[str, HeightField] = field(default_factory=dict)
     density: Density = "normal"
     warnings: list[str] = field(default_factory=list)
+    awaited: Mapping[str, Sequence[Awaited]] = field(default_factory=dict)
     cost: float = 0.0
     strain: float = 0.0
 
@@ -132,6 +134,9 @@ _FULL = 0.85
 _SLENDER = 2.5
 """From this height to width on, upright things in a vessel may be close to each other."""
 
+_BESIDE = 0.02
+"""What a broken relation to what is on the same thing costs, metres of height."""
+
 _OVERHANG = 0.35
 """Share of a thing's underside that may be beyond what it stands on."""
 
@@ -171,6 +176,11 @@ def _resting_cost(
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
             room = room + slack
             cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
+    there = {p.name: Neighbour(shapes[p.name], p.translation[:2]) for p in siblings}
+    request = Request(planned.relations, shape, there, shapes[support].outline)
+    for relation in planned.relations:
+        if relation.target in there:
+            cost += _BESIDE * np.clip(violation(request, relation, centers), 0, 5)
     return cost.reshape(nx, ny)
 
 
@@ -290,7 +300,8 @@ def _best_place(
     """Return the best free place on the tabletop, None where there is none; its cost counts."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
-    request = Request(planned.relations, own, near, outline, state.density)
+    awaited = tuple(state.awaited.get(planned.name, ()))
+    request = Request(planned.relations, own, near, outline, state.density, awaited)
     centers = proposals(request, rng)
     free = margins(own, centers, outline) >= MARGIN
     room = np.full(len(centers), 0.2)

@@ -23,6 +23,7 @@ _RELATED, _FREE = 120, 120  # candidates proposed by relations, and anywhere
 _SPACING: Mapping[Density, float] = {"sparse": 2.0, "normal": 1.0, "dense": 0.5}
 """Distances that things keep, in usual ones."""
 
+_BETWEEN = 0.025  # metres between a thing and what stands on a side of it
 _SIGHT = 0.7  # cotangent of the 55 degrees from which the table is seen
 
 
@@ -35,6 +36,19 @@ class Neighbour:
 
 
 @dataclass(frozen=True, eq=False)
+class Awaited:
+    """Something that will stand on a side of what looks for a place: how, and how large it is.
+
+    ``beside`` is what it will be beside, ``offset`` where that is from the centre looked for.
+    """
+
+    kind: str
+    shape: Footprint
+    beside: Footprint
+    offset: Float[np.ndarray, "2"]
+
+
+@dataclass(frozen=True, eq=False)
 class Request:
     """One object looking for a place; ``near`` are the targets of its relations by name."""
 
@@ -43,6 +57,7 @@ class Request:
     near: Mapping[str, Neighbour]
     outline: Float[np.ndarray, "k 2"]
     density: Density = "normal"
+    awaited: tuple[Awaited, ...] = ()
 
 
 def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "m 2"]:
@@ -108,6 +123,8 @@ def score(
     cost = np.zeros(len(centers))
     for relation in request.relations:
         cost += 3.0 * violation(request, relation, centers)
+    for awaited in request.awaited:
+        cost += 1.5 * _crowded_out(awaited, centers, request.outline)
     cost += 0.9 * _hiding(request.shape, centers, others)
     far = _SPACING[request.density]
     cost += 0.5 * np.clip(0.05 * far - room, 0, None) / 0.05
@@ -118,6 +135,16 @@ def score(
     cost += 0.5 * np.abs(centers[:, 1] - wished) / size[1]
     cost += 0.35 * np.clip(np.abs(centers[:, 0]) / size[0] - 0.25, 0, None)
     return cost + 0.3 * np.clip(room - 0.16 * far, 0, None) / 0.1
+
+
+def _crowded_out(
+    awaited: Awaited, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
+) -> Float[np.ndarray, "m"]:
+    """Return how far beyond the table's edge something would be that is to stand beside a thing."""
+    theirs, own, way = SIDES[awaited.kind]
+    distance = awaited.beside.reach[theirs] + awaited.shape.reach[own] + _BETWEEN
+    places = centers + awaited.offset + distance * np.array(way)
+    return np.clip(_BETWEEN - margins(awaited.shape, places, outline), 0, None) / 0.05
 
 
 def violation(

@@ -386,6 +386,35 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
             ("muddler", "cocktail_shaker"),
         ),
         "card": (("poker_chips", "playing_cards"),),
+        "stand": tuple(
+            (ball, "ball_stand")
+            for ball in (
+                "baseball",
+                "tennis_ball",
+                "cricket_ball",
+                "golf_ball",
+                "ball",
+                "softball",
+                "crystal_ball",
+                "easter_egg",
+                "football",
+                "basketball",
+            )
+        )
+        + tuple(
+            (long, "cradle_stand")
+            for long in (
+                "soldering_iron",
+                "katana",
+                "sword",
+                "dagger",
+                "baton",
+                "flute",
+                "chef_knife",
+                "paint_brush",
+                "fountain_pen",
+            )
+        ),
         "candle": (("birthday_cake", "birthday_candle"), ("cupcake", "birthday_candle")),
         "brush": (
             ("eyeshadow_palette", "makeup_brush"),

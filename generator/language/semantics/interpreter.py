@@ -275,7 +275,8 @@ class Interpreter(ListInterpreter):
             return
         heads = [noun.head for noun in clause.subjects if noun.kind == "thing"]
         laid = any(noun.category in _TABLEWARE for noun in clause.subjects)
-        once = len(heads) > len(set(heads)) or not laid  # "a plate on either end", "poker for two"
+        common = not laid and any(map(_is_central, clause.subjects))  # "poker for two: a deck ..."
+        once = common or len(heads) > len(set(heads))  # "a plate on either end"
         if once and clause.people != EVERYONE:
             self._list(clause.subjects, None)
             return

@@ -55,7 +55,7 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     ]  # fmt: skip
     fit = [c for c in candidates if isinstance(c, list) and c and not _overlaps(c, context.subject)]
     if kind in ("on", "in") and not several:  # "on it" is on what can carry something
-        fit.sort(key=lambda group: not may_carry(group[0], kind))
+        fit.sort(key=lambda group: group is not context.owner and not may_carry(group[0], kind))
     for group in fit:
         if (len(group) > 1) == several:
             return group

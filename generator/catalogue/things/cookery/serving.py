@@ -238,7 +238,7 @@ CATEGORIES = (
     Category("tureen", tureen, (0.293, 0.218, 0.191), 1.6, ("soup tureen", "soup terrine",
              "covered dish"), ("dining",), ("big", "round"), ("white",)),
     Category("serving_platter", serving_platter, (0.355, 0.243, 0.0267), 0.9, ("platter",
-             "oval platter", "oval plate", "serving plate", "serving dish", "charger plate",
+             "oval platter", "oval plate", "serving plate", "serving dish",
              "oval dish", "epergne"), ("dining",), ("support", "flat", "big"), ("white",)),
     Category("serving_bowl", serving_bowl, (0.256, 0.256, 0.0961), 0.8, ("fruit bowl", "bird bath"),
              ("dining",), ("container", "round", "big"), ("wooden",

@@ -13,6 +13,7 @@ from .cursor import ENDS
 from .places import PlaceReader
 
 _THERE_ARE = frozenset({"there", "are", "is", "with", "about", "say", "all"})
+_LEADING = frozenset(["so", "that", "with", "the", "and", ","])
 _THEM = frozenset(
     {"of", "them", "these", "those", "in", "total", "or", "so", "each", "altogether", "please",
      "pieces", "pcs", "all"}
@@ -142,6 +143,8 @@ class BracketReader(PlaceReader):
 
     def _order_by_ends(self) -> str | None:
         """Read "from the largest on the left to the smallest on the right"."""
+        if order := self._order_from_bottom():
+            return order
         apart = self._tag() == "comma" and self._text(1) in fw.SUPERLATIVES
         one = read_zone(self.tokens, self.i + 1 + apart)
         ends = one is None or self._tag(one.end - self.i) in (*ENDS, "", "close")
@@ -172,6 +175,29 @@ class BracketReader(PlaceReader):
         zone = read_zone(self.tokens, self.i)
         self.i = zone.end if zone is not None and not zone.of else self.i
         return "size" if first == "small" else "size down"
+
+    def _order_from_bottom(self) -> str | None:
+        """Read "so that the largest is at the bottom and the smallest on top"."""
+        k, small = 0, None
+        while True:
+            start = k
+            while self._text(k) in _LEADING:
+                k += 1
+            size = fw.SUPERLATIVES.get(self._text(k))
+            k += 1 + (self._text(k + 1) in ("one", "ones"))
+            k += self._text(k) in fw.BE
+            ended = [t.text for t in self.tokens[self.i + k : self.i + k + 3]]
+            low = ended[:3] in (["at", "the", "bottom"], ["on", "the", "bottom"])
+            top = ended[:1] in (["on top"], ["at the top of"]) or ended[:3] == ["on", "the", "top"]
+            if size is None or not (low or top):
+                break
+            small = (size == "small") == low if small is None else small
+            k += 3 if low or ended[:1] != ["on top"] else 1
+            start = k
+        if small is None:
+            return None
+        self.i += start
+        return "size" if small else "size down"
 
     def _aside(self) -> bool:
         """Skip a bracket in which nothing is understood."""

@@ -77,6 +77,12 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             i += 1 + _is_of(tokens, i + 1)
         elif token.tag != "word":
             break
+        elif (
+            token.text == "both"
+            and tokens[i + 1 : i + 2]
+            and (tokens[i + 1].text in fw.DEFINITE | fw.INDEFINITE)
+        ):
+            i += 1  # "both the soup and the sauce", "both the cups"
         elif token.text == "both" and may_continue(tokens, i + 1):
             run.definite, run.numbers = True, [2.0]
             i += 1

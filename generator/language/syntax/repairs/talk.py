@@ -8,6 +8,7 @@ from dataclasses import replace
 from ...words.dictionary import entry_of
 from ...words.speech import is_verb
 from ..clauses.cursor import ENDS
+from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun
 from ..text import function_words as fw
 from ..text.tokens import Token
@@ -52,6 +53,14 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
             out += [Token("no", tokens[i].words, "no"), *tokens[i + 1 : end]]
             i = end + 1
             continue
+        if contrast := _contrast(tokens, i):
+            apart = bool(out) and out[-1].tag == "comma"
+            if apart:
+                out.pop()
+            out += [Token("open", contrast.words), contrast, Token("close", contrast.words)]
+            i += 4
+            i += apart and i < len(tokens) and tokens[i].tag == "comma"
+            continue
         if also := _also(tokens, i):
             i = _join_subject(out, tokens, i + also)
             continue
@@ -76,6 +85,14 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
             out.append(tokens[i])
             i += 1
     return _read_answers(_open_brackets(out)), lost
+
+
+def _contrast(tokens: Sequence[Token], i: int) -> Token | None:
+    """Return what is said after all by "not black but white"; None where it is none of that."""
+    if tokens[i].tag != "no" or i + 3 >= len(tokens) or tokens[i + 2].text != "but":
+        return None
+    told = all(is_describing(tokens[k].text) for k in (i + 1, i + 3))
+    return tokens[i + 3] if told and tokens[i + 3].tag == "word" else None
 
 
 def _left_out_end(tokens: Sequence[Token], i: int) -> int:
