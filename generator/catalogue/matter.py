@@ -48,7 +48,8 @@ _MADE_OF: Mapping[str, str] = {
     "venus_flytrap lucky_bamboo yucca dracaena ficus rubber_plant calathea aspidistra "
     "snake_plant spider_plant croton hoya poinsettia cyclamen kalanchoe lemon_tree palm "
     "spoon_rest gaiwan tea_warmer spoon_dish nachos enchilada easter_tree pottery_shard "
-    "clay_tablet inkwell amphora garden_gnome buddha_statue buddha_head virgin_mary_statue "
+    "clay_tablet inkwell amphora bowl_of_crisps "
+    "garden_gnome buddha_statue buddha_head virgin_mary_statue "
     "nativity_figure ganesha_statue shiva_statue mosque_model pagoda model_lighthouse "
     "model_windmill ocarina tabletop_fountain urn lucky_cat ceramic_tile hexagonal_tile "
     "triangular_tile pampas_grass tooth_model dental_mould bedpan",

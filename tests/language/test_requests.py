@@ -24,7 +24,7 @@ def related(text: str) -> set[tuple[str, str, str]]:
     [
         ("pens (5 blue, 2 red)", {"pen": 7}),
         ("candles (4) around a vase", {"candle": 4, "vase": 1}),
-        ("small plates - four to six - and a bowl", {"saucer": 4, "bowl": 1}),
+        ("small plates - four to six - and a bowl", {"plate": 4, "bowl": 1}),
         ("two plates with a fried egg on each", {"plate": 2, "fried_egg": 2}),
         ("four mugs with a spoon in each of them", {"mug": 4, "spoon": 4}),
         ("a pair of tweezers and a pair of shoes", {"tweezers": 1, "shoe": 2}),

@@ -88,7 +88,7 @@ class CarryReader(ThingReader, ABC):
             for inner, draft in zip(post.items, owner, strict=True):
                 contents.label(noun, inner, [draft])
             return
-        for inner in (contents.loosen(item, owner) for item in post.items):
+        for inner in post.items:
             if contents.labels(noun, inner):
                 contents.label(noun, inner, owner)
                 continue

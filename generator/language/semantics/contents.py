@@ -36,8 +36,6 @@ def labels(owner: Noun, inner: Noun) -> bool:
     if head in DEPICTIONS or (owner.category or "") in ("picture_frame", "photo_print"):
         return True
     said = " ".join(inner.words)
-    if inner.category in LOOSE.values():
-        return False
     if inner.head and category_of((*owner.head.split(), "of", *inner.head.split()[-1:])):
         return True  # "a ball of blue yarn"
     if inner.head in SUBSTANCES or said in SUBSTANCES or set(inner.words) & SUBSTANCES:

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass, field, replace
 
 from ...catalogue import CATEGORIES
+from ...catalogue.opening import LOOSE
 from ...scene import TABLE
 from ..drafts import Draft, Group
 from ..parsing.lexicon import singular
@@ -116,7 +117,8 @@ class ThingReader(Relater, ABC):
             claimed[0].attributes.update(noun.attributes)
             return claimed[:1]
         there = {draft.category for draft in self.reading.objects}
-        meant = MEANT_WITH.get(singular(noun.head), ())
+        loose = noun.category in LOOSE.values()  # crisps in a bowl, whatever else is there
+        meant = () if loose else MEANT_WITH.get(singular(noun.head), ())
         category = next((key for other, key in meant if other in there), noun.category)
         head = noun.head if category == noun.category else str(category).replace("_", " ")
         if category == "playing_cards" and singular(noun.head) == "card" and (noun.count or 1) > 1:

@@ -60,6 +60,25 @@ def bowl_of_rice(look: Look) -> Shape:
     return made.scale(k)
 
 
+def bowl_of_crisps(look: Look) -> Shape:
+    """A bowl heaped with golden crisps."""
+    r, h, dish, tile = filled_bowl(look)
+    one = ellipsoid(0.046, 0.036, 0.004, 14, 5).bend(
+        lambda p: p + np.outer(p[:, 0] ** 2, [0.0, 0.0, 9.0])
+    )
+    chips = []
+    for n in range(34):
+        out, a = 0.8 * r * np.sqrt((n + 0.5) / 34), 2.4 * n
+        high = 0.72 * h + 0.7 * h * (1 - (out / r) ** 2) * look.between(0.75, 1.05)
+        lying = one.turn(0, look.between(-0.6, 0.6)).turn(1, look.between(-0.6, 0.6)).turn(2, a)
+        chips.append(lying.move(out * np.cos(a), out * np.sin(a), high))
+    mound = lathe([(0, 0.4 * h), (0.86 * r, 0.7 * h), (0.5 * r, 1.1 * h), (0, 1.25 * h)], 24)
+    gold = look.pick([(238, 190, 96), (232, 178, 84)])
+    skin = textures.spots(look.rng, gold, tint_color(gold, 0.75), 0.06)
+    return serve(look, dish, tile, [(mound, textures.plain(tint_color(gold, 0.8))),
+                                    (join(chips), skin)])  # fmt: skip
+
+
 def bowl_of_cereal(look: Look) -> Shape:
     """A bowl of cereal in milk with a spoon in it."""
     r, h, dish, tile = filled_bowl(look, "white", "sky", "pink", "yellow", "navy")
@@ -129,6 +148,9 @@ CATEGORIES = (
              ("dining",), ("edible", "round"), ("white",)),
     Category("bowl_of_rice", bowl_of_rice, (0.123, 0.123, 0.0669), 0.4, ("steamed rice",
              "cooked rice", "fried rice", "rice dish", "risotto", "plate of rice"),
+             ("dining",), ("edible", "round"), ("white",)),
+    Category("bowl_of_crisps", bowl_of_crisps, (0.17, 0.17, 0.09), 0.35, ("bowl of chips",
+             "bowl of potato chips", "bowl of tortilla chips", "bowl of crisps"),
              ("dining",), ("edible", "round"), ("white",)),
     Category("bowl_of_cereal", bowl_of_cereal, (0.196, 0.158, 0.0904), 0.6, ("cereal with milk",
              "bowl of cornflakes", "cereal and milk", "bowl of muesli", "bowl of granola", "muesli",

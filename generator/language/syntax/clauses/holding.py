@@ -65,7 +65,7 @@ class HoldingReader(BracketReader):
         apart = next(
             (k for k, item in enumerate(items) if k and item.determined and item.joint != "and"), 0
         )
-        if not apart:
+        if not apart or items[0].determined:
             return items
         start = items[apart].span[0]
         self.i = next(k for k, token in enumerate(self.tokens) if token.span[0] == start)
