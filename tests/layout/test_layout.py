@@ -250,3 +250,36 @@ def test_cups_on_saucers_stand_around_a_teapot() -> None:
     assert max(distances) - min(distances) < 0.02
     angles = np.sort([np.arctan2(way[1], way[0]) for way in ways])
     assert np.diff(angles).min() > 1.5
+
+
+@pytest.mark.parametrize(
+    ("text", "front", "behind"),
+    [
+        ("a microscope in the centre and a textbook in front of it", "textbook_1", "microscope_1"),
+        ("a stack of four bowls and a whisk lying in front of the stack", "whisk_1", "bowl_1"),
+    ],
+)
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_in_front_of_a_thing_is_not_aside(
+    text: str, front: str, behind: str, seed: int
+) -> None:
+    plan = plan_scene(text, seed)
+    models = build_models(plan, seed)
+    layout, _ = lay_out(plan, models, seed)
+    places = {p.name: p.translation for p in layout.placements}
+    x, y, _ = places[behind] - places[front]
+    assert y > 1.2 * abs(x)
+    assert layout.strain < 1.0
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_sides_hold_on_what_carries_both(seed: int) -> None:
+    text = "everything placed on a grey cloth: a skull, an hourglass to the right of the skull"
+    plan = plan_scene(text, seed)
+    models = build_models(plan, seed)
+    layout, _ = lay_out(plan, models, seed)
+    places = {p.name: p for p in layout.placements}
+    told = next(o for o in plan.objects if o.name == "hourglass_1").relations
+    (other,) = [r.target for r in told if r.kind == "right_of"]
+    assert places["hourglass_1"].on == "cloth_1" == places[other].on
+    assert places["hourglass_1"].translation[0] > places[other].translation[0]

@@ -13,8 +13,17 @@ from .shape import Piece, Shape
 _LEAST = 0.25
 """Share of the surface that shows the colour asked for."""
 
+_GREY = 20.0
+"""How far a colour of no hue is from grey, RGB from 0 to 255."""
+
 _CLOSE = 60.0
-"""Distance of two colours, RGB from 0 to 255, that are called alike."""
+"""How much lighter or darker a grey is that is called alike."""
+
+_ALIKE = 0.85
+"""Cosine of the angle between the hues of colours that are called alike."""
+
+_STRONG = 0.35
+"""Least strength of a colour, in those of the one that it is called like."""
 
 _CONTRAST = 0.6
 """How much of a tile's light and dark is kept where it is painted over."""
@@ -54,11 +63,14 @@ def _area(piece: Piece) -> float:
 
 def _share(tile: Tile, color: RGB) -> float:
     """Return the share of a tile that is about of a colour, lighter and darker ones included."""
-    pixels = tile.reshape(-1, 3).astype(float)
-    light = pixels.mean(1, keepdims=True)
-    tone = float(np.mean(color))
-    level = pixels * np.clip(tone / np.maximum(light, 1.0), 0.75, 1.4)
-    return float((np.linalg.norm(level - color, axis=1) < _CLOSE).mean())
+    pixels, asked = tile.reshape(-1, 3).astype(float), np.array(color)
+    tones, tone = pixels - pixels.mean(1, keepdims=True), asked - asked.mean()
+    strength, wanted = np.linalg.norm(tones, axis=1), float(np.linalg.norm(tone))
+    if wanted < _GREY:
+        near = np.abs(pixels.mean(1) - asked.mean()) < _CLOSE
+        return float((near & (strength < 2 * _GREY)).mean())
+    alike = tones @ tone > _ALIKE * strength * wanted
+    return float((alike & (strength > _STRONG * wanted)).mean())
 
 
 def _paint(tile: Tile, color: RGB) -> Tile:

@@ -168,7 +168,7 @@ def _is_that(target: Noun | Zone) -> bool:
     return isinstance(target, Noun) and target.kind == "pronoun" and target.head == "that"
 
 
-def _joint_places(items: Sequence[Noun], how: str, noun: Noun | None) -> list[Post]:
+def _joint_places(items: Sequence[Noun], how: str, noun: Noun | None) -> Sequence[Location]:
     """Return the places of what is beside a thing that are that thing's too.
 
     "A pitcher with two glasses in the back left corner": both are there.

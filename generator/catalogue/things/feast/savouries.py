@@ -132,7 +132,8 @@ def potato_crisp(look: Look) -> Shape:
     color = look.color("amber", "gold")
     body = prism(outline, 0, 0.0026, 0.0008)
     blisters = [
-        ellipsoid(0.008, 0.007, 0.0016, 8, 5).move(*(0.3 * outline[k]), 0.0026) for k in (2, 11, 19)
+        ellipsoid(0.008, 0.007, 0.0016, 8, 5).move(0.3 * x, 0.3 * y, 0.0026)
+        for x, y in outline[[2, 11, 19]]
     ]
     skin = textures.spots(look.rng, tint_color(color, 1.15), tint_color(color, 0.7), 0.06)
     return shape([(body, skin), (join(blisters), textures.plain(tint_color(color, 1.25)))],

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
+from ...parsing.vocabulary import TABLE_NOUNS
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
     Clause,
@@ -56,6 +57,10 @@ class Cursor(ABC):
         """Tell whether the name of something in the catalogue comes next."""
         noun, _ = read_noun(self.tokens, self.i)
         return noun is not None and noun.category is not None
+
+    def _is_table(self, ahead: int) -> bool:
+        noun, _ = read_noun(self.tokens, self.i + ahead)
+        return noun is not None and bool(TABLE_NOUNS & {*noun.words})  # "the desk today"
 
     def _ended(self) -> bool:
         return self.i >= len(self.tokens) or self._tag() in ENDS

@@ -75,7 +75,9 @@ class ListReader(PostReader):
                 noun.count, noun.amount = self._each_count, None
         self._each_count = 0.0
         for noun in out:  # "a red and a blue mug": the first borrows the noun
-            if noun.kind == "adjective" and (noun.determined or noun.attributes):
+            if noun.kind == "adjective" and noun.definite and noun.other:
+                noun.kind = "member"  # "the other four blue"
+            elif noun.kind == "adjective" and (noun.determined or noun.attributes):
                 bare.append(noun)
             elif bare and noun.kind == "member":  # "a small, a medium and a large one"
                 for other in bare:

@@ -177,11 +177,9 @@ class OpeningReader(ListReader):
         if k and self._text(k) in ("gone", "absent", "missing"):
             self.i += k + 1
             return True
-        if self._text(k) == "not" and self._text(k + 1) == "on":
-            place, end = read_noun(self.tokens, self.i + k + 2)
-            if place is not None and place.kind == "table":  # "is not on the desk today"
-                self.i = end
-                return True
+        if k and self._text(k - 1) == "not" and self._text(k) == "on" and self._is_table(k + 1):
+            self.i = read_noun(self.tokens, self.i + k + 1)[1]  # "is not on the desk today"
+            return True
         away = self._text() in ("stays", "stay", "remains", "remain", "stayed")
         elsewhere = self._text(1) in ("in", "at") and self._text(2) in fw.DEFINITE
         if away and elsewhere and self._text(3) in fw.ELSEWHERE:

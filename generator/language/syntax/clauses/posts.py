@@ -73,7 +73,8 @@ class PostReader(HoldingReader):
             return self._carried(noun, out, each)
         if self._tag() == "no":
             said = (self._text(), self._text(1))
-            return said not in fw.LEFT_OUT and self._lacks(out)
+            away = self._text(1) == "on" and self._is_table(2)  # "is not on the desk today"
+            return said not in fw.LEFT_OUT and not away and self._lacks(out)
         if any(read(noun, out) for read in (self._told, self._ordered_so, self._seated_so)):
             return True
         if self._text() == "for" and noun is not None:

@@ -171,6 +171,7 @@ def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
             return 3 + _is_of(tokens, i + 3)
         return 0
     run.pair = run.pair or tokens[i].text in ("pair", "pairs")
+    run.other = run.other or tokens[i].text == "another"
     if tokens[i].text == "one" and not may_continue(tokens, i + 1) and run.definite:
         return 0
     step = 1
