@@ -6,6 +6,7 @@ what carries something is as large as it has to be, within what such things can 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
@@ -80,7 +81,7 @@ def holds_things(category: str) -> bool:
 
 def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     """Return the objects, vessels and racks that something is in open and empty."""
-    objects = _clear_cakes(_seat_candles(objects))
+    objects = _spread_cloths(_clear_cakes(_seat_candles(objects)))
     names = {o.name: o for o in objects}
     inside: dict[str, list[PlannedObject]] = {}
     for planned in objects:
@@ -111,6 +112,21 @@ def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
         ))
         for o in objects
     ]  # fmt: skip
+
+
+_FOLDED = frozenset({"blanket", "folded_towel", "tablecloth"})
+"""Cloth that the catalogue shows folded."""
+
+
+def _spread_cloths(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, cloths with several things on them spread out unless they are folded."""
+    held = Counter(r.target for o in objects for r in o.relations if r.kind == "on")
+
+    def is_spread(planned: PlannedObject) -> bool:
+        folded = "folded" in (planned.attributes.get("state"), *planned.noun.split())
+        return planned.category in _FOLDED and held[planned.name] > 1 and not folded
+
+    return [replace(o, category="cloth") if is_spread(o) else o for o in objects]
 
 
 def _clear_cakes(objects: Sequence[PlannedObject]) -> list[PlannedObject]:

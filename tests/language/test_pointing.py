@@ -123,3 +123,8 @@ def test_the_largest_is_at_the_bottom() -> None:
     rank = {o.name: by_word.get(o.attributes.get("size", ""), 1) for o in planned.objects}
     assert all((rank[a], sizes[a]) <= (rank[b], sizes[b]) for a, b in pairs)
     assert len(set(rank.values()) | set(sizes.values())) > 1
+
+
+def test_a_blanket_with_several_things_on_it_is_spread() -> None:
+    assert counts("a thermos and two sandwiches on a blanket")["cloth"] == 1
+    assert counts("a thermos and two sandwiches on a folded blanket")["blanket"] == 1
