@@ -84,7 +84,12 @@ def place_supports(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
         moved = [
             replace(r, target=bottom(r.target))
             for r in planned.relations
-            if r.kind in _PLACED and r.target != TABLE and bottom(r.target) != base.name
+            if r.kind in _PLACED
+            and r.target != TABLE
+            and bottom(r.target) != base.name
+            and all(
+                back.target != base.name for back in found[bottom(r.target)].relations
+            )  # no circle
         ]
         found[base.name] = replace(base, relations=tuple(dict.fromkeys(moved)))
     return [found[o.name] for o in objects]

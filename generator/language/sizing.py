@@ -114,6 +114,7 @@ def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     ]  # fmt: skip
 
 
+_CAKES = frozenset({"birthday_cake", "cake", "cupcake", "chocolate_cake"})
 _FOLDED = frozenset({"blanket", "folded_towel", "tablecloth"})
 """Cloth that the catalogue shows folded."""
 
@@ -130,10 +131,19 @@ def _spread_cloths(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def _clear_cakes(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, cakes that have candles on them without those that are drawn there."""
-    lit = {r.target for o in objects if o.category == "birthday_candle" for r in o.relations}
-    bare = {o.name for o in objects if o.category == "birthday_cake"} & lit
-    return [replace(o, category="cake") if o.name in bare else o for o in objects]
+    """Return the objects, cakes with small candles on them, without those that are drawn there."""
+    cakes = {o.name for o in objects if o.category in _CAKES}
+    small = {o.name for o in objects if o.category in ("candle", "birthday_candle")
+             and any(r.kind == "on" and r.target in cakes for r in o.relations)}  # fmt: skip
+    lit = {r.target for o in objects if o.name in small for r in o.relations}
+
+    def lit_by(planned: PlannedObject) -> PlannedObject:
+        if planned.name in small:
+            return replace(planned, category="birthday_candle")
+        drawn = planned.category == "birthday_cake" and planned.name in lit
+        return replace(planned, category="cake") if drawn else planned
+
+    return [lit_by(o) for o in objects]
 
 
 def _grow(

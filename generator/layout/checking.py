@@ -222,7 +222,7 @@ def _is_carried(name: str, support: str, rest: Rest, inside: bool) -> bool:
         either = np.stack([own.center[:2], own.foot])
         within = float(inside_margin(either, target.outline).max()) > 0
         deep = own.center[2] < target.high + _RIM or own.low < target.high - 1e-3
-        if not (within and deep):
+        if not (within and deep and own.low < target.high + _CLEAR):
             return False
     seen, open_ends = {name}, [name]
     while open_ends:

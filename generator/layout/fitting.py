@@ -26,8 +26,8 @@ def lay_out(plan: ScenePlan, models: Mapping[str, Model], seed: int) -> tuple[La
     error: SceneError | None = None
     best: tuple[Layout, Model] | None = None
     for growth in GROWTH:
-        table = build_top(plan, models, seed, growth)
         try:
+            table = build_top(plan, models, seed, growth)
             layout = arrange(plan, models, table, seed)
         except SceneError as failed:
             error = failed

@@ -18,8 +18,7 @@ def pose(model: Model, posture: str) -> Model:
     """Return the model in a posture: "upright", "lying" or "upside down".
 
     Upright, a flat thing stands on its edge and a long one on its end. A thin upright thing lies on
-    its back, and on its face where it is upside down; another one lies on its side, the narrower
-    way up, so that a mug's handle is beside it. What is in the
+    its back, and on its face where it is upside down; another one lies on its side. What is in the
     posture already stays as it is, and so does everything for any other word.
     """
     x, y, z = (float(v) for v in model.size)
@@ -28,7 +27,7 @@ def pose(model: Model, posture: str) -> Model:
         on_edge = z < 0.5 * min(x, y) and y >= x
         return turn(model, (("x", 90), ("z", 90)) if on_edge else (("y", -90),))
     if posture == "lying" and z > 0.8 * min(x, y):
-        return _put_strip_under(turn(model, (("x", -90),) if thin or x > y else (("y", 90),)))
+        return _put_strip_under(turn(model, (("x", -90),) if thin else (("y", 90),)))
     if posture == "upside down":
         return turn(model, (("x", 90),) if thin else (("x", 180),))
     return model

@@ -85,10 +85,7 @@ def put_on(
         if inside and len(sharing) in _FEW and _rolls(planned):
             cost += _crowding(shape, ground, base, cost.shape)
         for cell in _best_cells(cost):
-            at = ground.place(cell)
-            if alone and float(np.linalg.norm(at - base.translation[:2])) < ground.step:
-                at = base.translation[:2]  # cells are not in the middle of what they lie on
-            start = np.array([*at, height[cell] + 0.5 * model.size[2]])
+            start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
             placement = stacking.lower(
                 model, Placement(planned.name, yaw, start, model.size, support, inside), below
             )

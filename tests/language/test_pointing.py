@@ -128,3 +128,32 @@ def test_the_largest_is_at_the_bottom() -> None:
 def test_a_blanket_with_several_things_on_it_is_spread() -> None:
     assert counts("a thermos and two sandwiches on a blanket")["cloth"] == 1
     assert counts("a thermos and two sandwiches on a folded blanket")["blanket"] == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("a notebook and a mug; leave the notebook out on the desk", {"notebook": 1, "mug": 1}),
+        ("my mum's teapot is on the table, and a cup", {"teapot": 1, "mug": 1}),
+        ("a laptop, a picture for the wall, and a mug",
+         {"laptop": 1, "picture_frame": 1, "mug": 1}),
+        ("a cake, and two candles in candlesticks", {"cake": 1, "long_candle": 2,
+                                                     "empty_candlestick": 2}),
+        ("pencils in 120 colours, a mug", {"pencil": 2, "mug": 1}),
+    ],
+)  # fmt: skip
+def test_what_looks_alike_is_told_apart(text: str, expected: dict[str, int]) -> None:
+    assert {key: min(n, 2) for key, n in counts(text).items()} == expected
+
+
+def test_brackets_and_dashes_name_places() -> None:
+    assert related("a mug (on the left) and a plate", "mug_1") == {("left_of", "table")}
+    assert related("mug - on the right a lamp", "mug_1") == set()
+
+
+def test_what_carries_things_makes_no_circle() -> None:
+    text = (
+        "A tray holds a cup and a glass. A board holds a pot and a bottle. The cup is left of the "
+        "pot. The bottle is left of the glass."
+    )
+    assert plan(text).objects

@@ -415,7 +415,6 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
                 "fountain_pen",
             )
         ),
-        "candle": (("birthday_cake", "birthday_candle"), ("cupcake", "birthday_candle")),
         "brush": (
             ("eyeshadow_palette", "makeup_brush"),
             ("lipstick", "makeup_brush"),

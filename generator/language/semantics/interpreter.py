@@ -273,9 +273,11 @@ class Interpreter(ListInterpreter):
         if all(noun.kind in loose for noun in clause.subjects):
             self.reading.people = self.reading.people or people
             return
-        heads = [noun.head for noun in clause.subjects if noun.kind == "thing"]
+        heads = [noun.head for noun in clause.subjects if noun.kind == "thing" and noun.post]
         laid = any(noun.category in _TABLEWARE for noun in clause.subjects)
-        common = not laid and any(map(_is_central, clause.subjects))  # "poker for two: a deck ..."
+        central = any(map(_is_central, clause.subjects))
+        counted = all(noun.count is not None for noun in clause.subjects)
+        common = not laid and central and counted  # "poker for two: a deck in the middle, ..."
         once = common or len(heads) > len(set(heads))  # "a plate on either end"
         if once and clause.people != EVERYONE:
             self._list(clause.subjects, None)

@@ -239,7 +239,7 @@ class Relater:
         """Put things "in both front corners", "in each left corner": one is doubled."""
         one = group[0]
         if len(group) == 1:
-            group = [one, self.reading.add(one.noun, one.category, one.attributes)]
+            group.append(self.reading.add(one.noun, one.category, one.attributes))
         side, along = (zone.x, 0) if zone.x else (zone.y, 1)
         for k, draft in enumerate(group):
             draft.relate(_ZONES[side or 1][along], TABLE)

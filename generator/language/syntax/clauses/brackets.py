@@ -265,4 +265,5 @@ def _describes(noun: Noun) -> bool:
 
 def _explains(found: Noun, noun: Noun) -> bool:
     """Tell whether a known word in brackets explains an unknown one before them."""
-    return noun.category is None and found.category is not None and not found.determined
+    strange = noun.kind == "thing" and noun.category is None
+    return strange and found.category is not None and not found.determined

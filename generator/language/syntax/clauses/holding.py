@@ -46,9 +46,9 @@ class HoldingReader(BracketReader):
         self.i += 1
         if self._tag() == "no" or self._text() == "not":
             return self._lacks(out)
+        full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
         self.i += self._tag() == "colon" and self._starts_noun(1)  # "contains: pliers, a wrench"
         back = self._returns()
-        full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
         items = self._items(noun, how)
         if full:
             items = self._until_named_apart(items)
@@ -170,7 +170,8 @@ class HoldingReader(BracketReader):
             out.append(Description(tuple(colors)))
         elif noun.kind in ("part", "abstract", "thing") and aspect in VARIED and noun.plural:
             each = VARIED[aspect][: int(noun.count)] if noun.count else VARIED[aspect]
-            if owner is not None and noun.count and owner.plural and not owner.determined:
+            some = noun.count is not None and int(noun.count) == noun.count <= len(VARIED[aspect])
+            if owner is not None and some and owner.plural and not owner.determined:
                 owner.count = noun.count  # "thread spools in three colours"
             out.append(Description(each))
         else:

@@ -104,15 +104,23 @@ class PostReader(HoldingReader):
         return bool(carries) and closed and self._starts_noun(1, determined=True)
 
     def _places_on(self, ahead: int) -> bool:
-        """Tell whether a place or what a thing holds comes next."""
-        told = self._tag(ahead) in ("relation", "here", "arranged")
-        holds = self._tag(ahead) == "carry" and self._value_at(ahead) == "hold"
-        return told or holds or read_zone(self.tokens, self.i + ahead) is not None
+        """Tell whether a place that ends there, or what a thing holds, comes next."""
+        if self._tag(ahead) == "carry" and self._value_at(ahead) == "hold":
+            return True
+        before = self.i
+        self.i += ahead
+        arranged = self._tag() == "arranged"
+        self.i += arranged
+        place = None if arranged else self._place()
+        ends = self._tag() in (*ENDS, "", "comma", "and", "dash", "close")
+        self.i = before
+        return (arranged or place is not None) and ends
 
     def _compared(self, out: list[Post]) -> bool:
         """Read "half as tall as the mug", "bigger than the plate": small or large."""
         k = int(self._tag() == "comma")
-        k += self._text(k) in ("slightly", "much", "a", "bit", "somewhat", "far")
+        k += self._text(k) in ("slightly", "much", "somewhat", "far")
+        k += 2 * ((self._text(k), self._text(k + 1)) == ("a", "bit"))
         less = self._text(k) == "half"
         k += self._text(k) in ("half", "twice")
         word = self._text(k + 1) if self._text(k) == "as" else self._text(k)
@@ -126,7 +134,8 @@ class PostReader(HoldingReader):
             return False
         self.i = start + 1 if pronoun else end
         same = self._text(k - 1) not in ("half", "twice") and word not in fw.COMPARED
-        size = "small" if less or fw.COMPARED.get(word) == "small" else "large"
+        low = word in ("small", "short", "thin", "narrow", "low")
+        size = "small" if less or low or fw.COMPARED.get(word) == "small" else "large"
         out.append(Description(({} if same else {"size": size},)))
         return True
 

@@ -114,7 +114,7 @@ def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
             break
         end += 1
     if [t.text for t in tokens[end : end + 3]][:2] in (["too", "risky"], ["is", "too"]) or (
-        tokens[end - 1].tag not in _PAUSES and tokens[end].text == "too"
+        end < len(tokens) and tokens[end - 1].tag not in _PAUSES and tokens[end].text == "too"
     ):  # "no, that is too risky: ..."
         pause = next((k for k in range(end, len(tokens)) if tokens[k].tag in _PAUSES), end)
         end = pause + 1

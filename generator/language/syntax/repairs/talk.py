@@ -10,6 +10,7 @@ from ...words.speech import is_verb
 from ..clauses.cursor import ENDS
 from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun
+from ..phrases.zones import read_zone
 from ..text import function_words as fw
 from ..text.tokens import Token
 
@@ -101,7 +102,8 @@ def _left_out_end(tokens: Sequence[Token], i: int) -> int:
         return i
     noun, end = read_noun(tokens, i + 1)
     out = end < len(tokens) and tokens[end].text in ("out", "off", "away")
-    return end if noun is not None and out else i
+    ended = end + 1 >= len(tokens) or tokens[end + 1].tag in (*_PAUSES, "and")
+    return end if noun is not None and out and ended else i  # no "leave it out on the desk"
 
 
 def _also(tokens: Sequence[Token], i: int) -> int:
@@ -109,7 +111,9 @@ def _also(tokens: Sequence[Token], i: int) -> int:
     if tokens[i].text not in ("so", "as") or i + 2 >= len(tokens):
         return 0
     verb = tokens[i + 1].text in ("do", "does", "is", "are", "doe")
-    return 2 if verb and read_noun(tokens, i + 2)[0] is not None else 0
+    noun, end = read_noun(tokens, i + 2) if verb else (None, 0)
+    placed = end < len(tokens) and tokens[end].tag in ("relation", "here")
+    return 2 if noun is not None and not placed and read_zone(tokens, end) is None else 0
 
 
 _ADVERBS = frozenset(
@@ -176,7 +180,8 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
         return i + skipped
     if texts[:2] == ["nothing", "else"]:  # "nothing else goes in it: the hat is ..."
         marks = [k for k in range(i, len(tokens)) if tokens[k].tag in ("colon", "comma", *ENDS)]
-        return marks[0] if marks and tokens[marks[0]].tag == "colon" else i
+        if marks and tokens[marks[0]].tag == "colon":
+            return marks[0]
     if texts[:1] == ["nothing"] and (found := {"except", "but"} & {*texts[1:]}):
         return i + min(texts.index(word) for word in found) + 1  # "nothing else except a card"
     if texts[:3] in (["in", "the", "order"], ["in", "this", "order"], ["in", "that", "order"]):
@@ -187,8 +192,9 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
     if texts[:2] == ["in", "turn"]:
         return i + 2
     if texts[:1] in (["a"], ["an"]) and {*texts[1:2]} & _PICTURES and texts[2:3] == ["for"]:
-        pauses = (k for k in range(i, len(tokens)) if tokens[k].tag in _PAUSES)
-        return next(pauses, i)  # "a picture for her invite: ..."
+        pause = next((k for k in range(i, len(tokens)) if tokens[k].tag in _PAUSES), i)
+        told = tokens[pause].tag in ("colon", "dash")  # "a picture for her invite: ..."
+        return pause if told else i
     if texts[:1] == ["as"] and texts[1:2] in (["a"], ["an"]):  # "a mug as a distractor"
         noun, end = read_noun(tokens, i + 1)
         aim = noun is not None and noun.category is None and noun.kind in ("thing", "abstract")
@@ -242,8 +248,10 @@ def _talk_end(tokens: Sequence[Token], i: int) -> int:
     if owned:
         if k >= len(tokens) or not _is_person(tokens[k].text):
             return i
-        helped = int(k + 1 < len(tokens) and tokens[k + 1].tag == "possessive")  # "my mate's ill"
-        k += 1 + helped
+        whose = k + 1 < len(tokens) and tokens[k + 1].tag == "possessive"
+        named = read_noun(tokens, k + 2)[0] if whose else None
+        helped = int(whose and (named is None or named.category is None))  # "my mate's ill"
+        k += 1 + whose
     planned = any(t.text in ("about", "going", "gonna", "trying") for t in tokens[k : k + 3])
     while k < len(tokens) and tokens[k].text in _MODIFYING:
         k, helped = k + 1, helped + 1

@@ -45,7 +45,7 @@ _PARTS = re.compile(
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
 """How many there are, said last: "forks x4"."""
 _SPELT_LENGTH = re.compile(
-    r"(?i)\b(two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|fifteen|twenty|thirty|forty|"
+    r"(?i)(?<![\w-])(two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|fifteen|twenty|thirty|forty|"
     r"fifty)[ -](?=(?:mm|cm|millimet(?:er|re)|centimet(?:er|re)|inch|f(?:oo|ee)t\b)(?:e?s)?\b)"
 )
 _DIGITS = {
@@ -57,8 +57,8 @@ _WITH = re.compile(r"(?<=[a-z,.)]) w (?=[a-z\d])")
 _LEFTMOST = re.compile(r"(?i)\b(left|right)most\b(?=( (?:is|being|has|holds|stands|and)\b|,)?)")
 _FOOT_LONG = re.compile(r"(?i)\bfoot[ -]long\b")
 _PREDICATE = re.compile(
-    r"(?i)\((on|in|inside|left_of|right_of|behind|in_front_of|next_to|near|under)\s+"
-    r"([a-z_]\w*)\s+([a-z_]\w*)\s*\)"
+    r"(?i)\((?=[^()]{0,80}[_\d])(on|in|inside|left_of|right_of|behind|in_front_of|next_to|near|under)"
+    r"\s+([a-z_]\w*)\s+([a-z_]\w*)\s*\)"
 )
 """A fact of a planning language: "(on red_block blue_block)"."""
 _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
@@ -97,7 +97,7 @@ def words_of(text: str) -> tuple[Word, ...]:
     text = _PREDICATE.sub(lambda found: " " * len(found.group()), text)
     text = _SPELT_LENGTH.sub(lambda m: f"{_DIGITS[m[1].lower()]} ".ljust(len(m.group())), text)
     text = _WITH.sub(" w/", text)
-    text = _LEFTMOST.sub(lambda m: f"{m[1]} one" if m[2] else m[1], text)
+    text = _LEFTMOST.sub(lambda m: (f"{m[1]} one" if m[2] else m[1]).ljust(len(m.group())), text)
     text = _FOOT_LONG.sub("1 ft long", text)
     text = _AMOUNT.sub(lambda found: " " * len(found.group()), text)
     text = _AGE.sub(lambda found: " " * len(found.group()), text)
