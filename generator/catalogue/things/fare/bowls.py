@@ -63,12 +63,12 @@ def bowl_of_rice(look: Look) -> Shape:
 def bowl_of_crisps(look: Look) -> Shape:
     """A bowl heaped with golden crisps."""
     r, h, dish, tile = filled_bowl(look)
-    one = ellipsoid(0.046, 0.036, 0.004, 14, 5).bend(
+    one = ellipsoid(0.046, 0.036, 0.004, 12, 5).bend(
         lambda p: p + np.outer(p[:, 0] ** 2, [0.0, 0.0, 9.0])
     )
     chips = []
-    for n in range(34):
-        out, a = 0.8 * r * np.sqrt((n + 0.5) / 34), 2.4 * n
+    for n in range(28):
+        out, a = 0.8 * r * np.sqrt((n + 0.5) / 28), 2.4 * n
         high = 0.72 * h + 0.7 * h * (1 - (out / r) ** 2) * look.between(0.75, 1.05)
         lying = one.turn(0, look.between(-0.6, 0.6)).turn(1, look.between(-0.6, 0.6)).turn(2, a)
         chips.append(lying.move(out * np.cos(a), out * np.sin(a), high))
