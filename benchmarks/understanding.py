@@ -8,7 +8,7 @@ must show - counts, relations, and nothing else - is read from a plain MuJoCo si
 bundle (``wording/seen.py``); labels, stand-ins and warnings are the command's ``--json``. Rows go
 to ``understanding_<route>_<half>.csv`` as they come (a second run resumes), the summary to the
 ``.md`` beside it. The test half is held back: its rows and its summary have figures only.
-``--half more`` takes ``wording/more.json``, 320 texts to learn from, written after the two halves.
+``--half more`` takes ``wording/more.json``, 440 texts to learn from, written after the two halves.
 ``--bundles`` keeps the scenes, and judges those that are there already; ``--sheet N`` draws N
 scenes of the test half with their texts, for marks from 1 to 5.
 """
