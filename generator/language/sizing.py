@@ -114,7 +114,9 @@ def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     ]  # fmt: skip
 
 
-_CAKES = frozenset({"birthday_cake", "cake", "cupcake", "chocolate_cake"})
+_CAKES = frozenset({"birthday_cake", "cake", "cupcake"})
+"""What small candles are put on."""
+
 _FOLDED = frozenset({"blanket", "folded_towel", "tablecloth"})
 """Cloth that the catalogue shows folded."""
 

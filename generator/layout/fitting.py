@@ -12,7 +12,6 @@ from .furnishing import build_top
 GROWTH = (1.0, 1.15, 1.3)
 """How much larger the table gets, try by try."""
 
-
 _STRAINED = 1.0
 """From this strain on a larger table is tried: what is in front of a thing is aside of it."""
 

@@ -103,55 +103,14 @@ FAMILIES: Mapping[str, str] = {
 }
 """A sense's word to the family of the things that are kinds of it; the nearest one counts."""
 
-PEOPLE = frozenset(
-    [
-        "attendee",
-        "baker",
-        "barista",
-        "boss",
-        "brewer",
-        "chef",
-        "client",
-        "colleague",
-        "coworker",
-        "dad",
-        "daddy",
-        "examiner",
-        "flatmate",
-        "florist",
-        "gamer",
-        "grader",
-        "gran",
-        "grandma",
-        "grandpa",
-        "granny",
-        "groom",
-        "guitarist",
-        "guy",
-        "hiker",
-        "host",
-        "influencer",
-        "jeweller",
-        "landlord",
-        "mate",
-        "mom",
-        "mommy",
-        "mum",
-        "mummy",
-        "neighbour",
-        "operator",
-        "painter",
-        "patient",
-        "pilot",
-        "presenter",
-        "roommate",
-        "seamstress",
-        "secretary",
-        "tailor",
-        "toddler",
-        "youtuber",
-    ]
-)
+PEOPLE = frozenset({
+    "attendee", "baker", "barista", "boss", "brewer", "chef", "client", "colleague", "coworker",
+    "dad", "daddy", "examiner", "flatmate", "florist", "gamer", "grader", "gran", "grandma",
+    "grandpa", "granny", "groom", "guitarist", "guy", "hiker", "host", "influencer", "jeweller",
+    "landlord", "mate", "mom", "mommy", "mum", "mummy", "neighbour", "operator", "painter",
+    "patient", "pilot", "presenter", "roommate", "seamstress", "secretary", "tailor", "toddler",
+    "youtuber",
+})  # fmt: skip
 """Nouns for people whose WordNet sense is another one, or that it does not have."""
 
 _TOO_WIDE = frozenset({

@@ -2,28 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
-
 import pytest
-
-from generator.language.planner import plan_scene
-from generator.scene import PlannedObject, ScenePlan
-
-
-def plan(text: str) -> ScenePlan:
-    return plan_scene(text, 0)
-
-
-def counts(text: str) -> dict[str, int]:
-    return dict(Counter(o.category for o in plan(text).objects))
-
-
-def found(planned: ScenePlan, name: str) -> PlannedObject:
-    return next(o for o in planned.objects if o.name == name)
-
-
-def related(text: str, name: str) -> set[tuple[str, str]]:
-    return {(r.kind, r.target) for r in found(plan(text), name).relations}
+from plans import counts, plan, related
 
 
 @pytest.mark.parametrize(
@@ -82,7 +62,7 @@ def test_counts(text: str, expected: dict[str, int]) -> None:
     ],
 )  # fmt: skip
 def test_relations(text: str, name: str, expected: set[tuple[str, str]]) -> None:
-    assert related(text, name) == expected
+    assert related(plan(text), name) == expected
 
 
 @pytest.mark.parametrize(
@@ -105,7 +85,7 @@ def test_lengths_in_words() -> None:
 
 def test_a_stack_named_first_carries_on_its_top() -> None:
     text = "Stacked on the left are three textbooks, with an apple on top of the stack"
-    assert related(text, "apple_1") == {("on", "textbook_3")}
+    assert related(plan(text), "apple_1") == {("on", "textbook_3")}
 
 
 def test_a_line_along_a_side_goes_to_the_back() -> None:
@@ -147,8 +127,8 @@ def test_what_looks_alike_is_told_apart(text: str, expected: dict[str, int]) -> 
 
 
 def test_brackets_and_dashes_name_places() -> None:
-    assert related("a mug (on the left) and a plate", "mug_1") == {("left_of", "table")}
-    assert related("mug - on the right a lamp", "mug_1") == set()
+    assert related(plan("a mug (on the left) and a plate"), "mug_1") == {("left_of", "table")}
+    assert related(plan("mug - on the right a lamp"), "mug_1") == set()
 
 
 def test_what_carries_things_makes_no_circle() -> None:

@@ -3,20 +3,12 @@
 from __future__ import annotations
 
 import contextlib
-from collections import Counter
 
 import pytest
+from plans import all_related, counts
 
 from generator.errors import TabletopError
 from generator.language.planner import plan_scene
-
-
-def counts(text: str) -> dict[str, int]:
-    return dict(Counter(o.category for o in plan_scene(text, 0).objects))
-
-
-def related(text: str) -> set[tuple[str, str, str]]:
-    return {(o.name, r.kind, r.target) for o in plan_scene(text, 0).objects for r in o.relations}
 
 
 @pytest.mark.parametrize(
@@ -62,7 +54,7 @@ def test_counts(text: str, expected: dict[str, int]) -> None:
     ],
 )  # fmt: skip
 def test_relations(text: str, expected: tuple[str, str, str]) -> None:
-    assert expected in related(text)
+    assert expected in all_related(text)
 
 
 def test_things_ordered_by_size_have_different_sizes() -> None:

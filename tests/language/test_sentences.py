@@ -2,29 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
-
 import pytest
-
-from generator.language.planner import plan_scene
-from generator.scene import PlannedObject, ScenePlan
-
-
-def plan(text: str) -> ScenePlan:
-    return plan_scene(text, 0)
-
-
-def counts(text: str) -> dict[str, int]:
-    things = plan(text).objects
-    return dict(Counter(o.category if o.category != "generic" else o.noun for o in things))
-
-
-def related(planned: ScenePlan, name: str) -> set[tuple[str, str]]:
-    return {(r.kind, r.target) for r in found(planned, name).relations}
-
-
-def found(planned: ScenePlan, name: str) -> PlannedObject:
-    return next(o for o in planned.objects if o.name == name)
+from plans import counts, found, plan, related
 
 
 @pytest.mark.parametrize(

@@ -5,17 +5,10 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
+from plans import all_related, counts
 
 from generator.language.planner import plan_scene
 from generator.language.words.speech import is_adjective, is_finite, is_verb
-
-
-def counts(text: str) -> dict[str, int]:
-    return dict(Counter(o.category for o in plan_scene(text, 0).objects))
-
-
-def related(text: str) -> set[tuple[str, str, str]]:
-    return {(o.name, r.kind, r.target) for o in plan_scene(text, 0).objects for r in o.relations}
 
 
 @pytest.mark.parametrize(
@@ -87,7 +80,7 @@ def test_counts(text: str, expected: dict[str, int]) -> None:
     ],
 )  # fmt: skip
 def test_relations(text: str, expected: tuple[str, str, str]) -> None:
-    assert expected in related(text)
+    assert expected in all_related(text)
 
 
 @pytest.mark.parametrize(
@@ -99,7 +92,7 @@ def test_relations(text: str, expected: tuple[str, str, str]) -> None:
     ],
 )
 def test_a_robot_is_told_where_things_go_and_they_are_not_there_yet(text: str, absent: str) -> None:
-    assert absent not in {kind for _, kind, _ in related(text)}
+    assert absent not in {kind for _, kind, _ in all_related(text)}
 
 
 def test_bottles_of_several_kinds_are_one_of_each() -> None:

@@ -11,6 +11,7 @@ from jaxtyping import Float
 
 from ...geometry import parts_to_unit_box, to_unit_box
 from ...scene import Mesh, Model, Physics
+from ...scene.triangles import areas
 from ..holder import Holder
 from ..matter import HOLLOW, friction, growth
 from ..surfaces.look import SIZE_FACTORS, Look
@@ -124,8 +125,7 @@ def _physics(category: Category, mesh: Mesh, extent: Float[np.ndarray, "3"]) -> 
     slide = friction(category.key) if category.friction is None else category.friction
     vertices = mesh.vertices.astype(float)
     if category.key in HOLLOW:
-        a, b, c = vertices[mesh.faces].transpose(1, 0, 2)
-        area = float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
+        area = float(areas(vertices, mesh.faces).sum()) / 2
         return Physics(_WALL_DENSITY, slide, mass / area / _WALL_DENSITY)
     volume = signed_volume(vertices, mesh.faces)
     return Physics(float(np.clip(mass / volume, 5, 29000)), slide)

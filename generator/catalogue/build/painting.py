@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...scene.triangles import areas
 from ..surfaces.colors import RGB, rgb
 from ..surfaces.textures import Tile
 from .shape import Piece, Shape
@@ -37,28 +38,22 @@ def show_color(made: Shape, word: str) -> Shape:
     asked = rgb(word)
     if asked is None:
         return made
-    areas = np.array([_area(piece) for piece in made.pieces])
-    shown = np.array([_share(piece.tile, asked) for piece in made.pieces])
-    if float(areas @ shown) >= _LEAST * float(areas.sum()):
+    tiles = {piece.tile.tobytes(): piece.tile for piece in made.pieces}
+    shown = dict.fromkeys(tiles, 0.0)
+    for piece in made.pieces:
+        solid = piece.solid
+        shown[piece.tile.tobytes()] += float(areas(solid.vertices, solid.faces).sum())
+    seen = sum(area * _share(tiles[key], asked) for key, area in shown.items())
+    if seen >= _LEAST * sum(shown.values()):
         return made
-    totals: dict[bytes, float] = {}
-    for piece, area in zip(made.pieces, areas, strict=True):
-        key = piece.tile.tobytes()
-        totals[key] = totals.get(key, 0.0) + float(area)
-    largest = max(totals, key=lambda key: totals[key])
-    painted = {key: key == largest for key in totals}
+    largest = max(shown, key=lambda key: shown[key])
+    paint = _paint(tiles[largest], asked)
     return replace(
         made,
         pieces=tuple(
-            Piece(p.solid, _paint(p.tile, asked)) if painted[p.tile.tobytes()] else p
-            for p in made.pieces
+            Piece(p.solid, paint) if p.tile.tobytes() == largest else p for p in made.pieces
         ),
     )
-
-
-def _area(piece: Piece) -> float:
-    a, b, c = piece.solid.vertices[piece.solid.faces].transpose(1, 0, 2)
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
 
 
 def _share(tile: Tile, color: RGB) -> float:

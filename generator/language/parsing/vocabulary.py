@@ -363,6 +363,11 @@ SYNONYMS = _pairs(
 )  # fmt: skip
 """Words to a catalogue word (key, noun or alias), beside the catalogue's own aliases."""
 
+_BALLS = ("baseball", "tennis_ball", "cricket_ball", "golf_ball", "ball", "easter_egg",
+          "basketball")  # fmt: skip
+_LONG = ("soldering_iron", "dagger", "baton", "flute", "chef_knife", "paint_brush")
+"""What is put up on a cradle."""
+
 MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
     {
         "piece": (("chess_board", "chess_piece"),),
@@ -386,34 +391,9 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
             ("muddler", "cocktail_shaker"),
         ),
         "card": (("poker_chips", "playing_cards"),),
-        "stand": tuple(
-            (ball, "ball_stand")
-            for ball in (
-                "baseball",
-                "tennis_ball",
-                "cricket_ball",
-                "golf_ball",
-                "ball",
-                "softball",
-                "crystal_ball",
-                "easter_egg",
-                "football",
-                "basketball",
-            )
-        )
-        + tuple(
-            (long, "cradle_stand")
-            for long in (
-                "soldering_iron",
-                "katana",
-                "sword",
-                "dagger",
-                "baton",
-                "flute",
-                "chef_knife",
-                "paint_brush",
-                "fountain_pen",
-            )
+        "stand": (
+            *((ball, "ball_stand") for ball in _BALLS),
+            *((long, "cradle_stand") for long in _LONG),
         ),
         "brush": (
             ("eyeshadow_palette", "makeup_brush"),

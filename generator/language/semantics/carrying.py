@@ -165,7 +165,7 @@ def _is_pronoun(target: Noun | Zone) -> bool:
 
 def _is_that(target: Noun | Zone) -> bool:
     """Tell whether a place is told of by "that": what was spoken of before."""
-    return isinstance(target, Noun) and target.kind == "pronoun" and target.head == "that"
+    return isinstance(target, Noun) and _is_pronoun(target) and target.head == "that"
 
 
 def _joint_places(items: Sequence[Noun], how: str, noun: Noun | None) -> Sequence[Location]:

@@ -319,9 +319,8 @@ _IT = Noun("pronoun", ("it",), (0, 0), "it", definite=True)
 
 _TABLEWARE = frozenset(
     ["plate", "bowl", "fork", "knife", "spoon", "glass", "wine_glass", "mug", "teacup", "saucer",
-     "napkin", "placemat", "chopsticks", "table_knife", "dessert_spoon", "champagne_flute",
-     "soup_bowl", "water_glass", "place_card", "paper_plate", "paper_cup", "plastic_cup",
-     "serving_platter", "folded_napkin", "teaspoon", "butter_knife", "menu_card"]
+     "placemat", "chopsticks", "champagne_flute", "place_card", "paper_plate", "paper_cup",
+     "plastic_cup", "serving_platter", "teaspoon", "butter_knife", "menu_card"]
 )  # fmt: skip
 """What each person gets."""
 

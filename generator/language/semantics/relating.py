@@ -129,14 +129,8 @@ class Relater:
 
     def _column_of(self, targets: Group) -> Grouping | None:
         """Return the arrangement of two things that face each other, with room between them."""
-        return next(
-            (
-                g
-                for g in self.reading.groupings
-                if g.kind == "column" and len(targets) == 2 and [*g.members] == targets
-            ),
-            None,
-        )
+        columns = (g for g in self.reading.groupings if g.kind == "column")
+        return next((g for g in columns if len(targets) == 2 and [*g.members] == targets), None)
 
     def _drop_assumed(self, group: Group, target: Group) -> None:
         """Drop what was assumed of things that the text relates to something else."""

@@ -37,7 +37,6 @@ class Cursor(ABC):
         self._heading: Location | None = None
         self._pending: list[Clause] = []  # clauses that were read with the one before them
         self._task = ""  # the verb of the task that this sentence tells a robot
-        self._stated = False  # whether a sentence has been read
         self._guests = 0  # how many people are there, where the text says only that
         self._ordered = False  # whether a list goes from left to right
         self._each_count = 0.0  # how many of each item of a list there are

@@ -36,11 +36,11 @@ class Parser(OpeningReader):
 
     def _sentence(self) -> Sentence:
         clauses: list[Clause] = []
-        opened = self.i
+        stated = any(token.tag not in ENDS for token in self.tokens[: self.i])
         self._task = "goal" if self._text() in ("goal", "task") and self._tag(1) in (
             "colon", "dash") else ""  # fmt: skip
         self.i += 2 * bool(self._task)
-        if not self._stated:
+        if not stated:
             self._task = ""  # a goal alone is what is to be shown
         while not self._ended():
             before = self.i
@@ -54,7 +54,6 @@ class Parser(OpeningReader):
             if self.i == before:
                 self.skipped.append(self.tokens[self.i])
                 self.i += 1
-        self._stated = self._stated or self.i > opened
         return Sentence(clauses)
 
     def _clause(self) -> Clause | None:
@@ -77,8 +76,10 @@ class Parser(OpeningReader):
         if self._ordered:
             arrangement, self._ordered = arrangement or Arranged("row", "listed"), False
         if arrangement is not None and subjects:
-            at = -1 if arrangement.order == "listed" else 0
-            subjects[at].post.insert(0 if at == 0 else len(subjects[at].post), arrangement)
+            if arrangement.order == "listed":
+                subjects[-1].post.append(arrangement)
+            else:
+                subjects[0].post.insert(0, arrangement)
         if subjects and self._tag() == "comma" and self._text(1) in fw.BE:
             self.i += 1  # "two cars, a red and a green one, are parked ..."
         if (

@@ -62,12 +62,13 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
             i += 4
             i += apart and i < len(tokens) and tokens[i].tag == "comma"
             continue
-        if also := _also(tokens, i):
-            i = _join_subject(out, tokens, i + also)
+        if _is_also(tokens, i):
+            i = _join_subject(out, tokens, i + 2)
             continue
         if tokens[i].text in _ADVERBS:
-            i += 1 + (bool(out) and out[-1].tag == "comma" == tokens[i + 1 : i + 2][0].tag
-                      if i + 1 < len(tokens) else 0)  # fmt: skip
+            apart = bool(out) and out[-1].tag == "comma"
+            i += 1
+            i += apart and i < len(tokens) and tokens[i].tag == "comma"
             continue
         if tokens[i].text in _LINKING and out and out[-1].tag == "comma":
             out.pop()  # "the bottle, however, is behind it"
@@ -106,14 +107,14 @@ def _left_out_end(tokens: Sequence[Token], i: int) -> int:
     return end if noun is not None and out and ended else i  # no "leave it out on the desk"
 
 
-def _also(tokens: Sequence[Token], i: int) -> int:
-    """Return how many words "so does" and "as do" take, which go on like "and"."""
+def _is_also(tokens: Sequence[Token], i: int) -> bool:
+    """Tell whether "so does" or "as do" comes next, which goes on like "and"."""
     if tokens[i].text not in ("so", "as") or i + 2 >= len(tokens):
-        return 0
-    verb = tokens[i + 1].text in ("do", "does", "is", "are", "doe")
+        return False
+    verb = tokens[i + 1].text in ("do", "does", "is", "are")
     noun, end = read_noun(tokens, i + 2) if verb else (None, 0)
     placed = end < len(tokens) and tokens[end].tag in ("relation", "here")
-    return 2 if noun is not None and not placed and read_zone(tokens, end) is None else 0
+    return noun is not None and not placed and read_zone(tokens, end) is None
 
 
 _ADVERBS = frozenset(

@@ -7,6 +7,8 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Literal
 
+from .function_words import NUMBERS
+
 WordKind = Literal["word", "number", "mark"]
 
 _ABBREVIATIONS = {
@@ -44,21 +46,19 @@ _PARTS = re.compile(
 """What "two-tier" and the like say of one thing."""
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
 """How many there are, said last: "forks x4"."""
+_SPELT = ("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
+          "twelve", "fifteen", "twenty", "thirty", "forty", "fifty")  # fmt: skip
 _SPELT_LENGTH = re.compile(
-    r"(?i)(?<![\w-])(two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|fifteen|twenty|thirty|forty|"
-    r"fifty)[ -](?=(?:mm|cm|millimet(?:er|re)|centimet(?:er|re)|inch|f(?:oo|ee)t\b)(?:e?s)?\b)"
+    rf"(?i)(?<![\w-])({'|'.join(_SPELT)})[ -]"
+    r"(?=(?:mm|cm|millimet(?:er|re)|centimet(?:er|re)|inch|f(?:oo|ee)t\b)(?:e?s)?\b)"
 )
-_DIGITS = {
-    "two": "2", "three": "3", "four": "4", "five": "5", "six": "6", "seven": "7", "eight": "8",
-    "nine": "9", "ten": "10", "eleven": "11", "twelve": "12", "fifteen": "15", "twenty": "20",
-    "thirty": "30", "forty": "40", "fifty": "50",
-}  # fmt: skip
+"""Lengths in words: "ten centimetres"."""
 _WITH = re.compile(r"(?<=[a-z,.)]) w (?=[a-z\d])")
 _LEFTMOST = re.compile(r"(?i)\b(left|right)most\b(?=( (?:is|being|has|holds|stands|and)\b|,)?)")
 _FOOT_LONG = re.compile(r"(?i)\bfoot[ -]long\b")
 _PREDICATE = re.compile(
-    r"(?i)\((?=[^()]{0,80}[_\d])(on|in|inside|left_of|right_of|behind|in_front_of|next_to|near|under)"
-    r"\s+([a-z_]\w*)\s+([a-z_]\w*)\s*\)"
+    r"(?i)\((?=[^()]{0,80}[_\d])"
+    r"(on|in|inside|left_of|right_of|behind|in_front_of|next_to|near|under)\s+([a-z_]\w*)\s+([a-z_]\w*)\s*\)"
 )
 """A fact of a planning language: "(on red_block blue_block)"."""
 _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
@@ -95,7 +95,7 @@ def words_of(text: str) -> tuple[Word, ...]:
     text = _LIKE.sub(lambda found: " " * len(found.group()), text)
     facts = _facts_of(text)
     text = _PREDICATE.sub(lambda found: " " * len(found.group()), text)
-    text = _SPELT_LENGTH.sub(lambda m: f"{_DIGITS[m[1].lower()]} ".ljust(len(m.group())), text)
+    text = _SPELT_LENGTH.sub(lambda m: f"{NUMBERS[m[1].lower()]:g} ".ljust(len(m.group())), text)
     text = _WITH.sub(" w/", text)
     text = _LEFTMOST.sub(lambda m: (f"{m[1]} one" if m[2] else m[1]).ljust(len(m.group())), text)
     text = _FOOT_LONG.sub("1 ft long", text)
@@ -119,8 +119,7 @@ def _facts_of(text: str) -> list[Word]:
     for fact in _PREDICATE.finditer(text):
         relation, one, other = (part.lower().replace("_", " ") for part in fact.groups())
         said = (",", "the", *one.split(), *relation.split(), "the", *other.split(), ",")
-        kinds: dict[str, WordKind] = {",": "mark"}
-        found += [Word(word, *fact.span(), kinds.get(word, "word")) for word in said]
+        found += [Word(w, *fact.span(), "mark" if w == "," else "word") for w in said]
     return found
 
 
