@@ -26,7 +26,7 @@ from .syntax.phrases.tree import (
 
 Role = Literal[
     "thing", "count", "attribute", "relation", "arrangement", "place", "table", "style",
-    "setting", "absent", "not understood",
+    "setting", "absent", "note", "not understood",
 ]  # fmt: skip
 
 
@@ -40,7 +40,7 @@ class Explained:
 
 
 def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
-    """Return how a text is read, in its order, with what was not understood last.
+    """Return how a text is read, in its order; then the plan's notes, and what it did not take.
 
     Raises:
         InputError: the text cannot be planned.
@@ -61,6 +61,7 @@ def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
                 rows.append(Explained("count", f"for {clause.people}", "people at the table"))
     if plan.style != "plain":
         rows.append(Explained("style", plan.style))
+    rows += [Explained("note", "", warning) for warning in plan.warnings]
     rows += [Explained("not understood", phrase) for phrase in dict.fromkeys(read.reading.lost)]
     return tuple(dict.fromkeys(rows))
 

@@ -32,14 +32,16 @@ from ..scene import (
     Scene,
     ScenePlan,
 )
+from .footprint import rim_distance
 from .furnishing import outline_of
 from .groups.seats import seats
-from .scoring import SIDES
+from .scoring import SIDES, table_sides
 
 NEAR = 0.15
 """Largest gap between things that are next to each other, metres."""
 
 _TOUCH = 1e-3  # metres within which things touch
+_EDGE = 0.12  # metres from the rim that are still at the edge
 _CLEAR = 0.01  # metres by which a side must be told apart
 _FOOT = 0.1  # share of a thing's height that its foot is
 _RIM = 0.04  # metres that the centre of what is in a vessel may be above its rim
@@ -190,7 +192,7 @@ def _margin(
     """Return by how many metres a relation holds; 0 or less where it does not."""
     own = rest.things[planned.name]
     if relation.target == TABLE:
-        return _table_margin(own, relation, rest)
+        return _table_margin(own, relation, rest, table_sides(planned.relations))
     target = rest.things[relation.target]
     if relation.kind in ("on", "in"):
         return _support_margin(planned.name, relation, rest)
@@ -242,15 +244,23 @@ def _gap(one: _Thing, other: _Thing) -> float:
     return float(np.hypot(*np.clip(apart, 0, None)))
 
 
-def _table_margin(own: _Thing, relation: Relation, rest: Rest) -> float:
+def _table_margin(own: _Thing, relation: Relation, rest: Rest, sides: Sequence[str]) -> float:
     width, depth = (float(v) for v in rest.size)
     x, y = own.middle
     if relation.kind in SIDES:
         return float(own.middle @ np.array(SIDES[relation.kind][2])) - _CLEAR
     if relation.kind == "center":
         return min(0.15 * width - abs(x), 0.2 * depth - abs(y))
+    if relation.kind == "edge" and sides:
+        ways = [np.array(SIDES[side][2]) for side in sides]
+        half = own.half
+        gaps = [
+            float(rim_distance(own.middle[None], way, rest.outline)[0]) - float(half @ np.abs(way))
+            for way in ways
+        ]
+        return _EDGE - max(gaps)
     if relation.kind == "edge":
-        return 0.12 - float(inside_margin(own.outline, rest.outline).min())
+        return _EDGE - float(inside_margin(own.outline, rest.outline).min())
     return 1e-3
 
 

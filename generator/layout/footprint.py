@@ -77,8 +77,28 @@ def margins(
     own: Footprint, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
     """Return how far inside a convex counter-clockwise outline it lies at each centre."""
+    normals, limits = _sides(outline)
+    return (limits - own.along(normals) - centers @ normals.T).min(1)
+
+
+def rim_distance(
+    points: Float[np.ndarray, "m 2"], way: Float[np.ndarray, "2"], outline: Float[np.ndarray, "k 2"]
+) -> Float[np.ndarray, "m"]:
+    """Return how far it is from points along a unit vector to the rim of an outline.
+
+    The outline is convex and counter-clockwise, and the points are inside it.
+    """
+    normals, limits = _sides(outline)
+    toward = normals @ way
+    ahead = toward > 1e-9
+    return ((limits - points @ normals.T)[:, ahead] / toward[ahead]).min(1)
+
+
+def _sides(
+    outline: Float[np.ndarray, "k 2"],
+) -> tuple[Float[np.ndarray, "k 2"], Float[np.ndarray, "k"]]:
+    """Return the outward normals of an outline's sides and their distances from the origin."""
     edges = np.roll(outline, -1, axis=0) - outline
     normals = np.column_stack([edges[:, 1], -edges[:, 0]])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    limits = (outline * normals).sum(1) - own.along(normals)
-    return (limits - centers @ normals.T).min(1)
+    return normals, (outline * normals).sum(1)

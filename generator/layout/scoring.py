@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..scene import TABLE, Density, Relation
-from .footprint import BACK, FRONT, LEFT, RIGHT, Footprint, gaps, margins
+from .footprint import BACK, FRONT, LEFT, RIGHT, Footprint, gaps, margins, rim_distance
 
 SIDES: Mapping[str, tuple[int, int, tuple[float, float]]] = {
     "left_of": (LEFT, RIGHT, (-1.0, 0.0)),
@@ -59,6 +59,16 @@ class Request:
     density: Density = "normal"
     awaited: tuple[Awaited, ...] = ()
 
+    @property
+    def sides(self) -> tuple[str, ...]:
+        """The sides of the table that it is to be at; two make a corner."""
+        return table_sides(self.relations)
+
+
+def table_sides(relations: Sequence[Relation]) -> tuple[str, ...]:
+    """Return the kinds of the relations that name a side of the table."""
+    return tuple(r.kind for r in relations if r.target == TABLE and r.kind in SIDES)
+
 
 def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "m 2"]:
     """Return candidate centres: some where the relations point, some all over the table."""
@@ -101,8 +111,16 @@ def _around(request: Request, relation: Relation, rng: np.random.Generator) -> n
 
 
 def _rim(request: Request, rng: np.random.Generator) -> np.ndarray:
-    """Return centres a few centimetres inside the table's edge."""
+    """Return centres a few centimetres inside the table's edge, at the sides that are named."""
     low, high = request.outline.min(0), request.outline.max(0)
+    if request.sides:
+        ways = np.array([SIDES[side][2] for side in request.sides])
+        spread = rng.normal(0, 0.12, (_RELATED, 2)) * (1 - np.abs(ways).sum(0).clip(max=1))
+        centers = (0.3 * ways.sum(0) + spread) * (high - low)
+        for side, way in zip(request.sides, ways, strict=True):
+            free = rim_distance(centers, way, request.outline) - request.shape.reach[SIDES[side][0]]
+            centers = centers + np.outer(free - rng.uniform(0.015, 0.05, _RELATED), way)
+        return centers
     centers = rng.uniform(low, high, (_RELATED * 8, 2))
     inside = margins(request.shape, centers, request.outline)
     return centers[(inside > 0.02) & (inside < 0.05)][:_RELATED]
@@ -157,12 +175,13 @@ def violation(
             way = np.array(SIDES[relation.kind][2])
             wanted = 0.2 * float(np.abs(way) @ size)
             aside = np.abs(centers @ way[::-1]) / float(np.abs(way[::-1]) @ size)
-            return np.clip(wanted - centers @ way, 0, None) / wanted + 0.3 * aside
+            weight = 0.3 if len(request.sides) == 1 else 0.0
+            return np.clip(wanted - centers @ way, 0, None) / wanted + weight * aside
         if relation.kind == "center":
             return np.hypot(*centers.T) / 0.1
         if relation.kind == "edge":
-            inside = margins(request.shape, centers, request.outline)
-            return np.clip(inside - 0.05, 0, None) / 0.05
+            inside = edge_gaps(request.shape, centers, request.outline, request.sides)
+            return np.clip(inside - 0.05, 0, None).max(0) / 0.05
         return np.zeros(len(centers))
     target = request.near.get(relation.target)
     if target is None:
@@ -183,6 +202,22 @@ def violation(
         + np.clip(aside - 0.9 * along, 0, None) / 0.03
         + 0.5 * far
     )
+
+
+def edge_gaps(
+    shape: Footprint,
+    centers: Float[np.ndarray, "m 2"],
+    outline: Float[np.ndarray, "k 2"],
+    sides: Sequence[str],
+) -> Float[np.ndarray, "s m"]:
+    """Return how far a shape at each centre is from the table's rim on each of ``sides``.
+
+    Without sides it is the distance from the nearest part of the rim.
+    """
+    if not sides:
+        return margins(shape, centers, outline)[None]
+    reach = [(SIDES[side][0], np.array(SIDES[side][2])) for side in sides]
+    return np.stack([rim_distance(centers, way, outline) - shape.reach[k] for k, way in reach])
 
 
 def _hiding(

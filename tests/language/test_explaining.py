@@ -36,3 +36,8 @@ def test_ignored_words_are_told() -> None:
     rows = explain("a telescopic red mug and two books")
     assert Explained("not understood", "telescopic", "of mug") in rows
     assert not any(row.role == "not understood" and row.phrase == "red" for row in rows)
+
+
+def test_what_the_plan_warns_of_is_told_too() -> None:
+    rows = explain("a phone leaning on a cactus")
+    assert any(row.role == "note" and "does not lean" in row.meaning for row in rows)

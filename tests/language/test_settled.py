@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from generator.composition import compose
@@ -33,3 +34,19 @@ def test_each_egg_is_in_its_place() -> None:
     scene = compose("a dozen eggs in an egg carton", 0)
     eggs = [o for o in scene.objects if o.model.category == "egg"]
     assert len(eggs) == 12 and {o.placement.on for o in eggs} == {"egg_carton_1"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("table", ["a desk", "a round table"])
+def test_a_corner_is_a_corner_and_an_edge_an_edge(table: str) -> None:
+    scene = compose(
+        f"{table} with a candle in the far right corner and a soap dish at the left edge", 0
+    )
+    corner = np.array(scene.table.scale[:2]) / 2
+    candle, dish = (
+        np.asarray(scene.object(n).pose.position[:2]) for n in ("candle_1", "soap_dish_1")
+    )
+    reach = float(np.hypot(*corner)) if table == "a desk" else float(corner.min())
+    assert float(np.hypot(*candle)) > 0.75 * reach and (candle > 0.15).all()
+    assert dish[0] < -0.7 * corner[0]
+    assert scene.report is not None and all(o.holds for o in scene.report.relations)

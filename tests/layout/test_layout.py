@@ -19,7 +19,7 @@ from generator.layout import (
     table_size,
     unmet_relations,
 )
-from generator.layout.footprint import footprint, gaps, margins
+from generator.layout.footprint import footprint, gaps, margins, rim_distance
 from generator.layout.furnishing import outline_of
 from generator.layout.resting import GAP, MARGIN
 from generator.scene import (
@@ -283,3 +283,11 @@ def test_sides_hold_on_what_carries_both(seed: int) -> None:
     (other,) = [r.target for r in told if r.kind == "right_of"]
     assert places["hourglass_1"].on == "cloth_1" == places[other].on
     assert places["hourglass_1"].translation[0] > places[other].translation[0]
+
+
+def test_distance_to_the_rim_along_a_direction() -> None:
+    square = np.array([[-1.0, -1], [1, -1], [1, 1], [-1, 1]])
+    points = np.array([[0.0, 0.5], [0.5, 0.0]])
+    assert rim_distance(points, np.array([1.0, 0]), square).tolist() == [1.0, 0.5]
+    diagonal = np.array([1.0, 1]) / np.sqrt(2)
+    assert np.allclose(rim_distance(points, diagonal, square), np.sqrt(0.5))

@@ -52,7 +52,7 @@ def test_masks_fit_together(samples: list[Sample]) -> None:
         assert np.array_equal(s.region == OBJECT, s.visible > 0)
         assert s.top[s.region == TOP].mean() > 0.99
         assert not s.top[s.region == TABLE_REST].any()
-        assert ((s.category >= -1) & (s.category < len(KEYS))).all()
+        assert ((s.category >= -2) & (s.category < len(KEYS))).all()
         assert (s.support <= len(s.full)).all()
 
 

@@ -97,8 +97,7 @@ class Relater:
             self._side = kind, target
         if kind == "against":
             self.reading.warnings.append(
-                f"The {group[0].noun} does not lean against the {target[0].noun}; it stands next "
-                "to it."
+                f"The {group[0].noun} does not lean against the {target[0].noun}; it is next to it."
             )
         if kind == "laid" and group[0].category in _SIDES:  # cutlery at a plate
             kind = _SIDES[group[0].category]
@@ -203,10 +202,8 @@ class Relater:
                 link("left_of" if zone.x < 0 else "right_of", group, target, self.reading.warnings)
                 return
         if zone.spread and zone.x == 0:  # "at the left and right ends"
-            for draft in group[: len(group) // 2]:
-                draft.relate("left_of", TABLE)
-            for draft in group[len(group) // 2 :]:
-                draft.relate("right_of", TABLE)
+            for k, draft in enumerate(group):
+                draft.relate("left_of" if k < len(group) // 2 else "right_of", TABLE)
             return
         if zone.spread and (zone.x, zone.y) not in ((None, None), (0, None)):
             self._put_in_two_corners(zone, group)
@@ -217,7 +214,7 @@ class Relater:
                 group.append(self.reading.add(one.noun, one.category, one.attributes))
         if zone.spread and 1 < len(group) <= len(_CORNERS):
             for draft, kinds in zip(group, _CORNERS, strict=False):
-                for kind in kinds:
+                for kind in (*kinds, "edge"):
                     draft.relate(kind, TABLE)
             return
         for draft in group:
@@ -226,7 +223,7 @@ class Relater:
             for value, axis in ((zone.x, 0), (zone.y, 1)):
                 if value:
                     draft.relate(_ZONES[value][axis], TABLE)
-            if zone.edge and zone.x is None and zone.y is None:
+            if zone.edge:  # "left edge"; with two sides it is a corner
                 draft.relate("edge", TABLE)
 
     def _put_in_two_corners(self, zone: Zone, group: Group) -> None:
@@ -238,6 +235,7 @@ class Relater:
         for k, draft in enumerate(group):
             draft.relate(_ZONES[side or 1][along], TABLE)
             draft.relate(_ZONES[1 if k % 2 else -1][1 - along], TABLE)
+            draft.relate("edge", TABLE)
 
     def _arrange(self, post: Arranged, group: Group) -> None:
         if len(group) < 2:

@@ -67,7 +67,7 @@ def orange(look: Look) -> Shape:
 def lemon(look: Look) -> Shape:
     """A lemon lying, pointed at both ends."""
     x, d = look.between(0.078, 0.09), look.between(0.054, 0.06)
-    color = look.color("yellow", "yellow", "lime")
+    color = look.color("yellow")
     a = np.linspace(-np.pi / 2, np.pi / 2, 15)
     point = 0.16 * np.exp(-(((np.abs(a) - np.pi / 2) / 0.3) ** 2)) * np.sign(a)
     profile = np.column_stack([d / 2 * np.cos(a), (x / 2.3) * (np.sin(a) + point)])
@@ -98,7 +98,7 @@ def pear(look: Look) -> Shape:
 def banana(look: Look) -> Shape:
     """A banana lying on its side, curved."""
     bow, r = look.between(0.085, 0.1), look.between(0.016, 0.018)
-    color = look.color("yellow", "yellow", "lime")
+    color = look.color("yellow")
     angles = np.linspace(np.deg2rad(205), np.deg2rad(335), 13)
     path = np.column_stack(
         [bow * np.cos(angles), bow * np.sin(angles) + 0.8 * bow, np.full(13, 0.93 * r)]
@@ -127,7 +127,7 @@ def _slice(body: Solid, ring: int) -> np.ndarray:
 def tomato(look: Look) -> Shape:
     """A tomato with its green star."""
     d, tall = look.between(0.058, 0.076), look.between(0.74, 0.98)
-    color = look.color("red", "red", "coral", "orange", "crimson", "yellow", "maroon")
+    color = look.color("red", "red", "coral", "crimson")
     body = press_flat(ellipsoid(d, d, tall * d, 24, 14), 0.45 * tall * d)
     top = float(body.vertices[:, 2].max())
     green = textures.plain((70, 120, 50))
