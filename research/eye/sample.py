@@ -16,6 +16,9 @@ BACKGROUND, TOP, TABLE_REST, OBJECT = 0, 1, 2, 3
 UNKNOWN = -1
 """Category of a thing that the catalogue does not have."""
 
+UNNAMED = -2
+"""Category of a thing of the catalogue whose name is not learned: it may look like any."""
+
 _PIXELS, _SHARE = 100, 0.15  # least that shows of a thing worth finding, and of its whole mask
 
 
@@ -34,7 +37,7 @@ class Sample:
         image: sRGB.
         visible: which instance each pixel shows; 0 none.
         full: whole mask of each instance, hidden parts included, cut by the frame.
-        category: index into the shard's category keys, or ``UNKNOWN``.
+        category: index into the shard's category keys, ``UNKNOWN`` or ``UNNAMED``.
         region: ``BACKGROUND``, ``TOP`` (its visible surface), ``TABLE_REST`` or ``OBJECT``.
         top: the tabletop's whole upper surface, parts hidden by things included.
         outline: pixels (x, y) of the top's outline in order, perhaps outside the frame. What lies

@@ -13,7 +13,7 @@ from generator.backends.embedded.eye.network import CLOSEUP, HINTS, STRIDE
 from generator.geometry import Camera, view_rotation
 
 from .pictures.nothing import nothing
-from .sample import Sample
+from .sample import UNNAMED, Sample
 
 _SMALLEST = 14  # visible pixels in the crop that make a thing worth finding
 _CORE = 0.5  # of the deepest distance from the outline: where a cell may answer for its thing
@@ -139,7 +139,8 @@ def closeups(
     """Look closely at some things of a sample: the last four fields of a :class:`Crop`."""
     area = np.bincount(sample.visible.ravel(), minlength=len(sample.full) + 1)[1:]
     share = area / np.maximum(sample.full.sum((1, 2)), 1)
-    readable = np.flatnonzero((area >= _READABLE) & (share >= 0.15))
+    told = sample.category != UNNAMED
+    readable = np.flatnonzero((area >= _READABLE) & (share >= 0.15) & told)
     looks: list[Closeup] = []
     chosen = rng.permutation(readable)[:maximum]
     for k in chosen:

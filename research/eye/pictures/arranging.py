@@ -14,11 +14,11 @@ from generator.geometry import inside_margin, rotation_z
 from generator.layout.stacking import surface
 from generator.scene import Model
 
-from ..sample import UNKNOWN
 from .supply import KEYS, Supply
 
 _CELL = 0.004  # metres a cell of the occupancy map
 _TRIES = 40
+_TALL = 0.12  # metres: what is taller often stands at the back
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,21 +76,28 @@ def arrange(
     outline: Float[np.ndarray, "k 2"],
     height: float,
     count: int,
+    tidy: bool = False,
 ) -> list[Placed]:
-    """Place up to ``count`` things on a top with a convex outline (metres) at ``height``."""
+    """Place up to ``count`` things on a top with a convex outline (metres) at ``height``.
+
+    ``tidy`` ones are about as large as they are in life, apart, and mostly face the viewer. What
+    stands tall often stands at the back, before what is behind the table.
+    """
     ground = _Ground(outline, height)
     choice = _candidates(rng, supply)
-    front = rng.random() < 0.5
-    tight = rng.random() < 0.35
+    front = tidy or rng.random() < 0.5
+    tight = rng.random() < (0.1 if tidy else 0.35)
     center = outline.mean(0) + rng.uniform(-0.25, 0.25, 2) * np.ptp(outline, axis=0)
     spread = float(rng.uniform(0.08, 0.2)) if tight else 0.0
-    grown = float(rng.uniform(0.9, 1.6))
+    grown = float(rng.uniform(0.9, 1.1 if tidy else 1.6))
     stacking = float(rng.choice([0.0, 0.25, 0.5, 0.8]))
+    carriers = _carriers(rng, supply) if stacking >= 0.5 else []
     placed: list[Placed] = []
     for _ in range(count * 2):
         if len(placed) >= count:
             break
-        thing = _pose(rng, supply, int(rng.choice(choice)), front, grown)
+        index = carriers.pop() if carriers else int(rng.choice(choice))
+        thing = _pose(rng, supply, index, front, grown)
         if placed and rng.random() < stacking:
             tried = (_stack(rng, supply, thing, placed, k) for k in _bases(rng, supply, placed))
             found = next((f for f in tried if f is not None), None)
@@ -111,6 +118,16 @@ def _bases(rng: np.random.Generator, supply: Supply, placed: list[Placed]) -> li
     return rng.choice(len(placed), min(len(placed), 5), replace=False, p=share).tolist()
 
 
+def _carriers(rng: np.random.Generator, supply: Supply) -> list[int]:
+    """Return one or two boards, trays, books or vessels, to be laid first and loaded then."""
+    wide = [
+        k
+        for k, model in enumerate(supply.models)
+        if min(model.size[:2]) > 0.12 and (model.container or model.size[2] < 0.05)
+    ]
+    return rng.choice(wide, min(len(wide), int(rng.integers(1, 3))), replace=False).tolist()
+
+
 def _candidates(rng: np.random.Generator, supply: Supply) -> list[int]:
     """Return the models a scene draws from: of one theme with a few others, or any."""
     every = range(len(supply.models))
@@ -119,9 +136,7 @@ def _candidates(rng: np.random.Generator, supply: Supply) -> list[int]:
     themes = sorted({theme for key in KEYS for theme in CATEGORIES[key].themes})
     theme = themes[int(rng.integers(len(themes)))]
     chosen = [
-        k
-        for k in every
-        if (c := supply.categories[k]) != UNKNOWN and theme in CATEGORIES[KEYS[c]].themes
+        k for k in every if (c := supply.categories[k]) >= 0 and theme in CATEGORIES[KEYS[c]].themes
     ]
     strays = [int(k) for k in rng.integers(len(supply.models), size=3)]
     return chosen + strays if len(chosen) > 3 else list(every)
@@ -163,9 +178,13 @@ def _lay(
     across = cv2.convexHull(vertices[:, :2].astype(np.float32))[:, 0].astype(float)
     low, high = ground.outline.min(0), ground.outline.max(0)
     gap = float(rng.choice([0.0, 0.0, 0.01, 0.03]))
+    behind = np.ptp(vertices[:, 2]) > _TALL and rng.random() < 0.5
     for attempt in range(_TRIES):
         wide = spread * (1 + attempt / 10)
         at = rng.uniform(low, high) if spread == 0 else rng.normal(center, wide)
+        if behind:
+            reach = np.ptp(vertices[:, 1]) / 2 + 0.01 + 0.02 * attempt
+            at[1] = high[1] - rng.uniform(0.5, 1.0) * reach
         if ground.take(across + at, gap):
             position = np.array([*at, ground.height - vertices[:, 2].min()])
             return dataclasses.replace(thing, position=position)

@@ -22,7 +22,7 @@ from ..shards import ShardReader, ShardWriter
 from ..sheet import contact_sheet
 from .supply import KEYS, SEEDS, Split, supply
 
-SIDE = 512
+SIDE = 768
 """Pixels a side of every picture."""
 
 PER_SHARD = 100

@@ -28,8 +28,11 @@ SETTINGS: tuple[tuple[Setting, float], ...] = (
 """Backgrounds and how often each is drawn."""
 
 Tone = Literal["any", "white", "dark"]
-TONES: tuple[tuple[Tone, float], ...] = (("any", 0.88), ("white", 0.07), ("dark", 0.05))
+TONES: tuple[tuple[Tone, float], ...] = (("any", 0.78), ("white", 0.14), ("dark", 0.08))
 """White things on white tables, dark ones on dark tables, and how often."""
+
+_PRODUCT = 0.4
+"""Share of scenes as shops and image models draw them: a whole table, things of their own size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,10 +65,14 @@ def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
     table = supply.tables[index]
     height = float(table.size[2])
     outline = supply.outlines[index] * table.size[:2]
-    placed = arrange(rng, supply, outline, height, _count(rng))
+    product = bool(rng.random() < _PRODUCT)
+    placed = arrange(rng, supply, outline, height, _count(rng), tidy=product)
     corners = np.column_stack([outline, np.full(len(outline), height)])
-    view, camera = _camera(rng, supply, placed, corners, table.mesh.vertices * table.size, side)
+    solid = table.mesh.vertices * table.size
+    view, camera = _camera(rng, supply, placed, corners, solid, side, whole=product)
     setting = SETTINGS[int(rng.choice(len(SETTINGS), p=[share for _, share in SETTINGS]))][0]
+    if product and rng.random() < 0.5:
+        setting = "white" if rng.random() < 0.6 else "gradient"
     cartoon = bool(rng.random() < 0.12)
     lamps = _lamps(rng, view, cartoon)
     tone = TONES[int(rng.choice(len(TONES), p=[share for _, share in TONES]))][0]
@@ -105,10 +112,11 @@ def _camera(
     corners: Float[np.ndarray, "k 3"],
     table: Float[np.ndarray, "n 3"],
     side: int,
+    whole: bool,
 ) -> tuple[View, Camera]:
-    """Return a camera: of the whole table, of its top, or close to some things."""
+    """Return a camera: of the ``whole`` table, of its top, or close to some things."""
     tops = [corners] + [p.vertices(supply.models[p.model])[::7] for p in placed]
-    framing = rng.random()
+    framing = rng.random() * (0.5 if whole else 1.0)
     if framing < 0.5:
         points = np.concatenate([*tops, table + np.array([0.0, 0.0, corners[0, 2] / 2])])
         margin, highest = float(rng.uniform(0.01, 0.14)), 65.0
@@ -119,7 +127,9 @@ def _camera(
         points = _close(rng, tops[1:], corners)
         margin, highest = float(rng.uniform(-0.08, 0.22)), 85.0
     elevation = np.clip(rng.normal(36, 12), 15, highest)
-    if rng.random() < 0.3:
+    if whole:
+        elevation = np.clip(rng.normal(30, 9), 13, 60)
+    elif rng.random() < 0.3:
         elevation = rng.uniform(15, highest)
     turned = rng.uniform(-180, 180) if rng.random() < 0.15 else rng.normal(0, 14)
     if rng.random() < 0.35:
@@ -160,6 +170,8 @@ def _lamps(rng: np.random.Generator, view: View, cartoon: bool) -> list[Lamp]:
     count = int(rng.choice([1, 1, 2, 3]))
     strength = float(rng.uniform(0.75, 1.08))
     fill = float(rng.uniform(0.4, 0.72)) + (0.15 if cartoon else 0.0)
+    if rng.random() < 0.12:  # the sun through a window: shadows are nearly black
+        fill = float(rng.uniform(0.2, 0.35))
     lamps = [Lamp(_down(rng, view, 0.2), (0.08, 0.08, 0.08), fill - 0.08, 0.0, shadow=False)]
     for k in range(count):
         share = max(strength - fill, 0.15) / count

@@ -18,7 +18,8 @@ from generator.catalogue.tables import LEGS, OUTLINES, build_table
 from generator.geometry import convex_outline
 from generator.scene import Mesh, Model, PlannedTable
 
-from ..sample import UNKNOWN
+from ..sample import UNKNOWN, UNNAMED
+from ..vocabulary import VOCABULARY
 from . import patterns
 from .pool import Stock, stock
 from .strangers import stranger
@@ -31,12 +32,15 @@ SEEDS: dict[str, tuple[int, int]] = {
 }
 """Catalogue seeds of each split: what is evaluated on was never trained on.
 
-In "eval" all things are the catalogue's and look as it makes them; in the others a sixth belong to
-no category, many wear borrowed colours and textures, and some scenes are white or dark all over.
+In "eval" all things are of categories that the eye names and look as the catalogue makes them; in
+the others a quarter are of other categories, a sixth of none, many wear borrowed colours and
+textures, and some scenes are white or dark all over.
 """
 
-KEYS = tuple(sorted(CATEGORIES))
+KEYS = VOCABULARY
 """Category keys that a sample's ``category`` indexes."""
+
+_OTHERS = tuple(sorted(set(CATEGORIES) - set(KEYS)))
 
 _TABLE_MESHES = 3
 
@@ -74,15 +78,17 @@ class Supply:
 
 
 def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supply:
-    """Build a supply: ``models`` of all categories and (not in "eval") of none, and ``tables``."""
+    """Build a supply: ``models`` of named, other and (not in "eval") no categories, and tables."""
     rng = np.random.default_rng([seed, 11, SEEDS[split][0]])
     low, high = SEEDS[split]
-    strangers = 0 if split == "eval" else models // 6
+    strangers, others = (0, 0) if split == "eval" else (models // 6, models // 4)
     order = np.concatenate([rng.permutation(len(KEYS)) for _ in range(1 + models // len(KEYS))])
-    chosen = [int(k) for k in order[: models - strangers]]
+    chosen = [int(k) for k in order[: models - strangers - others]]
+    unnamed = rng.choice(len(_OTHERS), others, replace=False).tolist()
     made = [_build(rng, KEYS[k], low, high) for k in chosen]
+    made += [_build(rng, _OTHERS[k], low, high) for k in unnamed]
     made += [stranger(int(rng.integers(low, high)) + 7919 * seed) for _ in range(strangers)]
-    categories = chosen + [UNKNOWN] * strangers
+    categories = chosen + [UNNAMED] * others + [UNKNOWN] * strangers
     stands = [_table(rng, low, high) for _ in range(tables)]
     loose = [patterns.surface(rng) for _ in range(14)]
     loose += [patterns.cloth(rng) for _ in range(8)]
