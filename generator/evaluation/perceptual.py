@@ -128,7 +128,7 @@ class HubSimilarity:
     """Cosine of a published vision model's image features; 1 is the same picture.
 
     ``name`` is the model's in the table of the ``huggingface`` backend, which pins its commit; it
-    is read from ``folder`` (see ``huggingface.weights.folder.models_folder``), and nowhere else.
+    is read from ``folder`` (see ``backends.installing.models_folder``), and nowhere else.
     ``method`` says how features are taken: "pooled" (of ``Dinov2Model``) or "image" (of
     ``CLIPModel``). ``norm`` is the mean and deviation of RGB in [0, 1].
     """
@@ -141,9 +141,9 @@ class HubSimilarity:
 
     @cached_property
     def _network(self) -> Any:
-        from ..backends.huggingface.weights.folder import models_folder
         from ..backends.huggingface.weights.loading import load_model
         from ..backends.huggingface.weights.pins import pin
+        from ..backends.installing import models_folder
 
         try:
             return load_model(pin(self.name), models_folder(self.folder), f"{self.name}:")

@@ -13,8 +13,10 @@ from generator.backends.embedded.eye.network import Eye, Maps
 
 WEIGHTS: Mapping[str, float] = {
     "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "quality": 1.0, "name": 0.6,
-    "region": 1.0, "top": 1.0, "latitude": 4.0,
+    "region": 1.0, "top": 1.0, "latitude": 4.0, "outline": 2.0,
 }  # fmt: skip
+_OUTLINED = 20  # things of a batch whose outlines are learned
+_LARGE = 0.18  # of the picture's side, the longer side of their boxes at the least
 _ASKED, _JUDGED = 0.1, 64  # certainty of cells whose masks are judged, and how many of a batch
 
 
@@ -76,7 +78,7 @@ def terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
     found["name"] = _name_loss(eye, batch) if len(batch.looks) else maps.box.sum() * 0
     if not len(batch.cells):
         zero = maps.box.sum() * 0
-        return found | {"box": zero, "mask": zero, "whole": zero}
+        return found | {"box": zero, "mask": zero, "whole": zero, "outline": zero}
     column, row = batch.cells[:, 0], batch.cells[:, 1]
     box = maps.box[batch.owner, :, row, column].float()
     found["box"] = functional.smooth_l1_loss(box, batch.boxes.log(), beta=0.2)
@@ -86,7 +88,67 @@ def terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
     fine = functional.interpolate(drawn.float(), size=wished.shape[2:], mode="bilinear")
     found["mask"] = overlap_loss(fine[:, 0], wished[:, 0])
     found["whole"] = overlap_loss(fine[:, 1], wished[:, 1])
+    found["outline"] = _outline_loss(eye, maps, batch, drawn[:, 0].detach().float(), size)
     return found
+
+
+def outline_terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
+    """Return the outliner's term alone; nothing else is learned from it."""
+    with torch.no_grad():
+        maps = eye(batch.image)
+        size = (batch.boxes[:, :2] + batch.boxes[:, 2:4]).amax(1)
+        drawn = eye.masks(maps, batch.owner, batch.cells, size)[:, 0].float()
+    return {"outline": _outline_loss(eye, maps, batch, drawn, size)}
+
+
+def _outline_loss(eye: Eye, maps: Maps, batch: CropBatch, drawn: Tensor, size: Tensor) -> Tensor:
+    """Loss of the outlines of large things, from masks that are the eye's own or made rough."""
+    large = (size > _LARGE * drawn.shape[1]).nonzero()[:, 0]
+    chosen = large[torch.randperm(len(large))[:_OUTLINED].to(large.device)]
+    if not len(chosen):
+        return maps.surface.sum() * 0
+    wished = batch.masks[chosen, 0].float()
+    rough = roughen(wished, drawn[chosen].sigmoid())
+    logits = eye.outline(maps, batch.image, batch.owner[chosen], rough).float()
+    return overlap_loss(logits, wished)
+
+
+def roughen(wished: Tensor, drawn: Tensor) -> Tensor:
+    """Return masks (n, h, w) as something rough might give them: the eye's own, parts, or blurred.
+
+    ``wished`` (n, 2h, 2w) are the true masks, ``drawn`` (n, h, w) what the eye drew of them. Of the
+    true ones half is cut off along a line, thin parts go, or the rim is moved.
+    """
+    n = len(drawn)
+    true = functional.avg_pool2d(wished[:, None], 2)
+    kind = torch.rand(n, device=drawn.device)
+    kernel = 1 + 2 * int(torch.randint(1, 5, ()))
+    grown = functional.max_pool2d(true, kernel, 1, kernel // 2)
+    shrunk = 1 - functional.max_pool2d(1 - true, kernel, 1, kernel // 2)
+    opened = functional.max_pool2d(shrunk, kernel, 1, kernel // 2)
+    part = true[:, 0] * _half_planes(true[:, 0])
+    choices = [drawn, part, opened[:, 0], grown[:, 0], shrunk[:, 0]]
+    rough = torch.zeros_like(drawn)
+    for low, high, mask in zip((0, 0.45, 0.7, 0.82, 0.92), (0.45, 0.7, 0.82, 0.92, 1), choices,
+                               strict=True):  # fmt: skip
+        rough = torch.where(((kind >= low) & (kind < high))[:, None, None], mask, rough)
+    empty = (rough > 0.5).sum((1, 2)) < 4
+    return torch.where(empty[:, None, None], true[:, 0], rough)
+
+
+def _half_planes(masks: Tensor) -> Tensor:
+    """Return half planes (n, h, w) that cut masks into parts: a line near the middle of each."""
+    n, height, width = masks.shape
+    y = torch.arange(height, device=masks.device, dtype=masks.dtype)[None, :, None]
+    x = torch.arange(width, device=masks.device, dtype=masks.dtype)[None, None, :]
+    area = masks.sum((1, 2)).clamp(min=1)[:, None, None]
+    middle = [(masks * axis).sum((1, 2), keepdim=True) / area for axis in (x, y)]
+    spread = ((masks * ((x - middle[0]) ** 2 + (y - middle[1]) ** 2)).sum((1, 2), keepdim=True)
+              / area).sqrt()  # fmt: skip
+    turn = 2 * torch.pi * torch.rand(n, 1, 1, device=masks.device)
+    shift = (torch.rand(n, 1, 1, device=masks.device) * 1.6 - 0.6) * spread
+    along = (x - middle[0]) * turn.cos() + (y - middle[1]) * turn.sin()
+    return (along < shift).to(masks.dtype)
 
 
 def _quality_loss(eye: Eye, maps: Maps, batch: CropBatch) -> Tensor:

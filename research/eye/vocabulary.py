@@ -36,7 +36,7 @@ grater colander peeler can_opener corkscrew pizza_cutter knife_block measuring_c
 chopsticks ramen salad steak fish shrimp noodles butter honey_jar soda_can beer_bottle beer_mug
 juice_box milk_bottle yogurt peach plum mango kiwi lime coconut pumpkin eggplant lettuce cabbage
 chili ginger candlestick candelabra snow_globe music_box radio telephone typewriter calendar
-magazine newspaper letter stamp postcard ticket credit_card coin purse handbag backpack hat
+magazine newspaper letter stamp postcard ticket credit_card coin handbag backpack hat
 scarf shoe sock shirt umbrella lighter ashtray matchbox guitar violin ukulele flute trumpet
 harmonica drum metronome basketball baseball tennis_ball golf_ball skateboard helmet medal
 domino poker_chips crayon chalk eraser hole_punch paper_clip binder_clip highlighter compass

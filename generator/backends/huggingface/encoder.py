@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Any
 from jaxtyping import Float
 
 from ...errors import BackendError, require
-from ..installing import working
+from ..installing import Once, models_folder, working
 from .detection.pixels import IMAGENET, normalise
-from .weights.folder import models_folder
-from .weights.loading import Once, device_for, load_model
+from .weights.loading import device_for, load_model
 from .weights.pins import pin
 
 if TYPE_CHECKING:
@@ -34,7 +33,7 @@ class HuggingFaceEncoder:
         batch: most images in the network at once.
         exact: work in float32 on CUDA too, where bfloat16 is usual.
         device: "cuda", "cpu" …; empty: "cuda" where there is one.
-        folder: where the model lies, see ``folder.models_folder``.
+        folder: where the model lies, see ``installing.models_folder``.
         revision: the model and its commit.
 
     Raises:

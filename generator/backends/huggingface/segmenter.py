@@ -14,7 +14,7 @@ from ...errors import SceneError, require
 from ...geometry import mask_box
 from ...meshes.pixels import mask_iou
 from ...scene import TABLE, Detection, Intrinsics
-from ..installing import working
+from ..installing import Once, models_folder, working
 from .detection.detections import BoxDetection, Finder, Masker
 from .detection.ground import on_table
 from .detection.grounding_dino import GroundingDino
@@ -22,8 +22,7 @@ from .detection.merging import ALIKE, clean, distinct, name_generic, separate
 from .detection.sam2 import Sam2
 from .detection.sam3 import Sam3
 from .detection.tiles import Tile, tiles_of
-from .weights.folder import models_folder
-from .weights.loading import Once, device_for, load_model, load_tokenizer
+from .weights.loading import device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"
@@ -59,7 +58,7 @@ class HuggingFaceSegmenter:
         side: shorter side at which Grounding DINO looks at each part, pixels.
         words: most words that Grounding DINO is asked about at once.
         device: "cuda", "cpu" …; empty: "cuda" where there is one.
-        folder: where the models lie, see ``folder.models_folder``.
+        folder: where the models lie, see ``installing.models_folder``.
         revisions: the models and their commits.
 
     Raises:

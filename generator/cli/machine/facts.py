@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from ...backends.embedded import eye
-from ...backends.huggingface.weights.folder import missing, models_folder
+from ...backends.huggingface.weights.folder import missing
 from ...backends.huggingface.weights.pins import pins
+from ...backends.installing import models_folder
 from ...physics.decomposition import hulls_folder
 from ...threads import cores
 from ..paying import calls_folder

@@ -23,16 +23,15 @@ from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.backends.huggingface.weights.folder import (
     find_model,
     missing,
-    models_folder,
     snapshot,
 )
 from generator.backends.huggingface.weights.loading import (
-    Once,
     device_for,
     load_model,
     load_tokenizer,
 )
 from generator.backends.huggingface.weights.pins import WEIGHTS, pin, pins
+from generator.backends.installing import Once, models_folder
 from generator.errors import BackendError, InputError
 
 DINOV2 = pins()["dinov2"]

@@ -1,7 +1,7 @@
 """What the eye sees in one picture: the table, the things with their masks and names, the view.
 
-Three looks: the whole picture finds things; each thing is looked at again, closer, for a finer
-mask; and once more, alone, for its name.
+Four looks: the whole picture finds things; each thing is looked at again, closer, for a finer
+mask; what is a thing, for its outline; and once more, alone, for its name.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from .detections import FAINT, Detections, answers, ask, tensor
 from .frames import Frame
 from .judge import EyeDetection, clues_of
 from .network import REGIONS, STRIDE, Eye, Maps
+from .outlining import outline_things
 from .weights import Weights, load_judge, load_weights
 
 SIDES = (544, 704)
@@ -66,19 +67,24 @@ class EyeReading:
 
 def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
     """Read a picture without things less certain than ``minimum`` (BackendError: no weights)."""
-    glance = glance_at(load_weights(), image)
+    weights = load_weights()
+    glance = glance_at(weights, image)
     with single_thread(), torch.inference_mode():
         chosen = load_judge().choose(clues_of(glance.things, glance.region), minimum)
-    shown = _apart([glance.things[k].visible for k, _ in chosen])
+        found = [replace(glance.things[k], score=sure) for k, sure in chosen]
+        found = outline_things(weights.eye, image, found)
+        tabletop = float((glance.top > 0.5).sum())
+        names = name_all(weights, image, [thing.visible for thing in found], tabletop)
+    shown = split_shared([thing.visible for thing in found])
     things = tuple(
-        replace(glance.things[k], score=sure, visible=visible)
-        for (k, sure), visible in zip(chosen, shown, strict=True)
+        replace(thing, visible=visible, names=likely)
+        for thing, visible, likely in zip(found, shown, names, strict=True)
         if visible.any()
     )
     return replace(glance, things=things)
 
 
-def _apart(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h w"]]:
+def split_shared(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h w"]]:
     """Return masks that share no pixel: what two claim has the smaller, which lies on the other."""
     shown = list(masks)
     taken = np.zeros_like(masks[0]) if masks else np.zeros(0, bool)

@@ -2,25 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
-import platformdirs
-
 from ....errors import BackendError
+from ...installing import MODELS
 from .pins import WEIGHTS, Pin
-
-MODELS = "TABLETOPGEN_MODELS"
-"""The environment's name for the folder; a cache of Hugging Face (``hub``) can be one."""
 
 PICKLES = (".bin", ".pt", ".pth", ".ckpt", ".pkl", ".pickle")
 """How files end that may run code when they are read; none is ever opened."""
-
-
-def models_folder(given: str | Path | None = None) -> Path:
-    """Return ``given``, else the environment's folder, else the one in this user's cache."""
-    usual = Path(platformdirs.user_cache_dir("tabletopgen")) / "models"
-    return Path(given or os.environ.get(MODELS) or usual).expanduser()
 
 
 def snapshot(pin: Pin, folder: Path) -> Path:

