@@ -2,6 +2,7 @@
 
 from functools import cache
 
+import cv2
 import numpy as np
 import pytest
 import shapely
@@ -12,7 +13,7 @@ from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.shapes import choosing, solids
 from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
 from generator.catalogue import build
-from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
+from generator.geometry import Camera, mask_box, ray_view, rotation_z, view_rotation, yaw_quaternion
 from generator.meshes.baking import sample
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection, camera_view
@@ -201,3 +202,14 @@ def test_convex_pieces_tile_the_outline():
     assert 2 <= len(pieces) <= 8
     assert shapely.union_all(pieces).symmetric_difference(L_SHAPE).area < 1e-9
     assert all(p.convex_hull.area - p.area < 0.05 * L_SHAPE.area for p in pieces)
+
+
+@pytest.mark.parametrize("elevation", [3.0, 20.0, 60.0, 80.0, 88.0])
+def test_no_outline_is_drawn_out_beyond_all_bounds(elevation: float) -> None:
+    """A standing profile seen from above, or a slab seen from its edge, is no candidate."""
+    camera = camera_view(View(0.0, np.deg2rad(elevation), 0.7), np.array([60.0, 60.0]), 120, 120)
+    rotation, focal = view_rotation(camera), 150.0
+    small = Projection(rotation, -focal * rotation[2], focal, np.array([60.0, 60.0]), 120, 120)
+    mask = cv2.line(np.zeros((120, 120), np.uint8), (20, 100), (95, 15), 1, 9) > 0
+    found = choosing.candidates(mask, small, np.array([0.1, 0.1, 0.1]))
+    assert found and all(np.ptp(p.solid.vertices, axis=0).max() < 1200 for p in found)

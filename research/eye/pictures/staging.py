@@ -31,6 +31,9 @@ Tone = Literal["any", "white", "dark"]
 TONES: tuple[tuple[Tone, float], ...] = (("any", 0.78), ("white", 0.14), ("dark", 0.08))
 """White things on white tables, dark ones on dark tables, and how often."""
 
+_EYE_LEVEL = 0.08
+"""Share of pictures taken from hardly above the tabletop."""
+
 _PRODUCT = 0.4
 """Share of scenes as shops and image models draw them: a whole table, things of their own size."""
 
@@ -131,6 +134,8 @@ def _camera(
         elevation = np.clip(rng.normal(30, 9), 13, 60)
     elif rng.random() < 0.3:
         elevation = rng.uniform(15, highest)
+    if rng.random() < _EYE_LEVEL:
+        elevation = rng.uniform(2, 15)
     turned = rng.uniform(-180, 180) if rng.random() < 0.15 else rng.normal(0, 14)
     if rng.random() < 0.35:
         turned = 0.0

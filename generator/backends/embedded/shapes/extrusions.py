@@ -12,6 +12,8 @@ from ....meshes.pixels import Mask
 from ....meshes.projection import Projection
 from .solids import PosedSolid, largest_polygon, prism, upright
 
+_DRAWN_OUT = 5.0  # times as long as it looks: what an outline may be at most
+
 
 def plane_outline(
     mask: Mask,
@@ -24,12 +26,17 @@ def plane_outline(
     """Return the largest outline in a plane whose swept picture stays inside the mask.
 
     ``axes`` are the plane's two unit vectors (rows); ``sweep`` the shifts that an extruded point
-    goes through. Coordinates are lengths along the axes from ``origin``.
+    goes through. Coordinates are lengths along the axes from ``origin``. None where the plane is
+    seen nearly from its edge.
     """
     ys, xs = np.nonzero(mask)
     normal = np.cross(axes[0], axes[1])
     spread = projection.on_plane(np.column_stack([xs, ys]) + 0.5, origin, normal) - origin
     flat = spread @ axes.T
+    ahead = projection.to_camera(spread + origin)[:, 2] > 0
+    shown = projection.pixel * max(np.ptp(xs), np.ptp(ys)) + projection.pixel
+    if not ahead.all() or np.ptp(flat, axis=0).max() > _DRAWN_OUT * shown:
+        return None
     low, high = flat.min(0), flat.max(0)
     step = float((high - low).max()) / cells
     counts = np.maximum(np.ceil((high - low) / step).astype(int), 2) + 4
