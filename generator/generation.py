@@ -84,7 +84,8 @@ class Config:
 class Generation:
     """A scene and everything that led to it, in the order it came about (Sec. 6.1).
 
-    ``seconds`` is how long each of ``STAGES`` took (Sec. 6.2); no bundle holds it.
+    ``seconds`` is how long each of ``STAGES`` took (Sec. 6.2); no bundle holds it. ``doubts`` say
+    why the scene's view does not show what its picture shows; they are among its warnings too.
     """
 
     reference: Reference
@@ -97,6 +98,7 @@ class Generation:
     refinement: Refinement
     scene: Scene
     seconds: Mapping[str, Seconds] = field(default_factory=dict)
+    doubts: tuple[str, ...] = ()
 
     def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
         """Publish the scene as a bundle under ``folder``; return the bundle's path."""

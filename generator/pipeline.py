@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from .backends import Backends
+from .comparison.doubts import find_doubts, warn_of_eye_level
 from .errors import require_seed
 from .generation import STAGES, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
@@ -17,7 +18,7 @@ from .method.reference import DepthSource, Source, fetch, fetch_depth, refer, so
 from .method.refinement import refine_scene
 from .method.rotation import estimate_rotations
 from .method.stopwatch import Stopwatch
-from .scene import Instance, Intrinsics, Provenance, Reference
+from .scene import Instance, Intrinsics, Provenance, Reference, Scene
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
@@ -125,10 +126,17 @@ def generate(
         getattr(b.imager, "draws_catalogue", False), config.leave_out,
     )  # fmt: skip
     scene = publish(found, refined, alignment.placements)
+    doubts = () if reference.plan else find_doubts(scene, instances, reference)
+    scene = scene if reference.plan else _with_warnings(scene, warn_of_eye_level(scene) + doubts)
     return Generation(
         reference, instances, view, sizes, models, rotations, alignment, refined, scene,
-        clock.stop(),
+        clock.stop(), doubts,
     )  # fmt: skip
+
+
+def _with_warnings(scene: Scene, warnings: tuple[str, ...]) -> Scene:
+    known = scene.provenance
+    return scene.replace(provenance=replace(known, warnings=known.warnings + warnings))
 
 
 def _warn_hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Literal
 
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
-from ..errors import DryRunError, InputError, require_seed
+from ..errors import DryRunError, InputError, SceneError, escape, exit_code, require_seed
 from ..io.files import check_folder
 from ..scene import Density, Intrinsics
 from . import paying
@@ -48,6 +49,9 @@ class OutputOptions:
     allow_failed: bool = False
 
 
+UNLIKE = exit_code(SceneError(""))
+"""Exit code of a bundle whose view does not show what its picture shows."""
+
 _CAMERA, _OUTPUT = CameraOptions(), OutputOptions()
 
 
@@ -65,6 +69,8 @@ def generate(
     json: bool = False,
 ) -> int:
     """Turn a text, or a picture of a tabletop, into a simulated table.
+
+    The exit code is 6 if the bundle's simulated view does not show what the picture shows.
 
     Args:
         source: A description ("a desk with a laptop and two mugs") or the path of a picture.
@@ -114,7 +120,12 @@ def generate(
         return paying.print_dry_run(error, json, mix, chosen)
     paying.save_ledger(session, path)
     seconds = generation.seconds if timings else None
-    return print_scene(path, generation.scene, json, seconds, session)
+    done = print_scene(path, generation.scene, json, seconds, session)
+    if generation.doubts:
+        print(escape(f"error: {path.name} is not the picture: {' '.join(generation.doubts)}"),
+              file=sys.stderr)  # fmt: skip
+        return UNLIKE
+    return done
 
 
 def compose(

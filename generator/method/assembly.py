@@ -97,6 +97,7 @@ def assemble(
     config: AssemblyConfig | None = None,
     view: View | None = None,
     plan: ScenePlan | None = None,
+    footed: Collection[str] = (),
 ) -> Scene:
     """Return a scene of canonical models at their placements, settled, with its report.
 
@@ -110,7 +111,7 @@ def assemble(
     config = config or AssemblyConfig()
     rested = bring_to_rest(
         models, placements, table_model, table_scale, provenance=provenance, name=name,
-        config=config, view=view, plan=plan,
+        config=config, view=view, plan=plan, footed=footed,
     )  # fmt: skip
     return finish(rested, config)
 
@@ -126,6 +127,7 @@ def bring_to_rest(
     config: AssemblyConfig | None = None,
     view: View | None = None,
     plan: ScenePlan | None = None,
+    footed: Collection[str] = (),
 ) -> Rested:
     """Return canonical models at their placements as a scene at rest.
 
@@ -139,6 +141,7 @@ def bring_to_rest(
         config: settings.
         view: the reference image's camera; None keeps the scene's default.
         plan: what the text asked for, kept with the scene.
+        footed: names of what stands on a weighted foot from the start.
 
     Raises:
         InputError: a placement without a model, or on something that is not there.
@@ -153,6 +156,8 @@ def bring_to_rest(
         scene = scene.replace(view=view)
 
     arranged, stuck = arrange(scene, config)
+    feet = (on_foot(o) if o.name in footed else o for o in arranged.objects)
+    arranged = arranged.replace(objects=tuple(feet))
     rested, unstable = rest(arranged, config)
     dropped = {*stuck, *unstable} if config.drop_failing else set[str]()
     if dropped:

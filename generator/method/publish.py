@@ -1,8 +1,8 @@
 """From placements to the scene that is published: one loop of attempts, each judged by the gate.
 
-A scene that fails its gate gives up the thing that the failures name most. One thing found wrong
-(two things taken for one, a shadow made solid) would otherwise cost the whole table. Provenance and
-report name what is left out.
+In a scene that fails its gate, the thing that the failures name most is put on a weighted foot if
+it does not rest; if that does not help, it is left out. One thing found wrong (two things taken for one, a shadow
+made solid) would otherwise cost the whole table. Provenance and report name what is left out.
 
 A text's scene has what its plan asks for instead, as the plan has it (``planned``): things that
 fail, or between which a relation does not hold at rest, give way to the plan's, at last all.
@@ -43,6 +43,7 @@ WORSE = 0.005
 ATTEMPTS = 6
 """Scenes of a text that are tried until one comes to rest soundly."""
 
+_FEET = 4  # things of a picture that are put on feet to pass the gate
 _FULFILLED = 4  # and until one does with all relations that were asked for
 _FAITHFUL = 2  # of them keep what the drawing shows
 
@@ -85,6 +86,7 @@ class Reconstruction:
         return assemble(
             models, attempt.placements, self.models[TABLE], self.table_scale, name=self.name,
             provenance=provenance, config=self.assembly, view=self.view, plan=self.reference.plan,
+            footed=attempt.footed,
         )  # fmt: skip
 
     def draft(self, placements: Placements) -> SceneDraft | None:
@@ -124,13 +126,19 @@ class Attempt:
     """One scene to try: what was found, and where it stands.
 
     ``warnings`` say why it is so, for the provenance. ``left_out`` names what was found and is left
-    out; ``removals`` counts how often a thing was because the gate failed.
+    out; ``removals`` counts how often a thing was because the gate failed. ``footed`` names what
+    stands on a weighted foot from the start, because it would not rest without one.
     """
 
     placements: Placements
     warnings: tuple[str, ...] = ()
     left_out: tuple[str, ...] = ()
     removals: int = 0
+    footed: tuple[str, ...] = ()
+
+    def on_foot(self, name: str) -> Attempt:
+        """Return the attempt with a thing on a weighted foot."""
+        return replace(self, footed=(*self.footed, name))
 
     def without(self, name: str, failures: Sequence[str]) -> Attempt:
         """Return the attempt without a thing and its contents, and with a warning for each."""
@@ -141,6 +149,7 @@ class Attempt:
         return replace(
             self, placements=without(self.placements, name), warnings=(*self.warnings, *told),
             left_out=(*self.left_out, name, *contents), removals=self.removals + 1,
+            footed=tuple(n for n in self.footed if n not in (name, *contents)),
         )  # fmt: skip
 
 
@@ -216,9 +225,15 @@ def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
         failures = scene.report.failures
         everything = everything or scene
         culprit = most_named(failures, attempt.placements, found.sizes)
-        if culprit is None or attempt.removals == most:
+        if culprit is None:
             return everything
-        attempt = attempt.without(culprit, failures)
+        restless = culprit in _list_restless(failures)
+        if restless and culprit not in attempt.footed and len(attempt.footed) < _FEET:
+            attempt = attempt.on_foot(culprit)
+        elif attempt.removals == most:
+            return everything
+        else:
+            attempt = attempt.without(culprit, failures)
 
 
 def allowance(share: float, count: int) -> int:
@@ -240,6 +255,12 @@ def most_named(
     named = [(words.count(p.name), _oddness(p, sizes), p.name) for p in placements]
     count, _, name = max(named, default=(0, 0.0, ""))
     return name if count else None
+
+
+def _list_restless(failures: Sequence[str]) -> set[str]:
+    """Return the names of what moved or turned, which a foot may cure."""
+    moved = (f for f in failures if " moved " in f or " turned " in f)
+    return {name for failure in moved for name in names_in(failure)}
 
 
 def without(placements: Sequence[Placement], name: str) -> Placements:

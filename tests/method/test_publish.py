@@ -114,8 +114,15 @@ def test_what_fits_its_kind_least_goes_of_two_that_overlap() -> None:
     assert "berry_1 was left out: melon_1 overlaps berry_1 by 3.0 mm." in scene.provenance.warnings
 
 
+def test_what_does_not_rest_is_put_on_a_foot_before_it_is_left_out() -> None:
+    found = judged({"mug_1": "mug_1 turned 4.5° in 5 s on a leaning table"})
+    scene = placed(FOUND, found)
+    assert [attempt.footed for attempt in found.assembled] == [(), ("mug_1",), ()]
+    assert scene.report and scene.report.dropped == ("mug_1",)
+
+
 def test_with_too_much_to_leave_out_the_whole_scene_fails() -> None:
-    spoiled = {"berry_1": "berry_1 floats", "mug_1": "mug_1 moved 9.0 mm in 5 s"}
+    spoiled = {"berry_1": "berry_1 floats", "mug_1": "mug_1 overlaps melon_1 by 9.0 mm"}
     found = judged(spoiled, share=0.34)
     scene = placed(FOUND, found)
     assert len(found.assembled) == 2
