@@ -42,13 +42,16 @@ class CarryReader(ThingReader, ABC):
                 return
             items = post.items
             if isinstance(owner, list):
-                items = tuple(item for item in items if not contents.decorates(item, owner))
+                looks = [item for item in items if contents.decorates(item, owner)]
+                self._read.update(item.span for item in looks)
+                items = tuple(item for item in items if item not in looks)
             if (
                 isinstance(owner, list)
                 and noun is not None
                 and (contents.fills(noun, items) or contents.repeats(noun, items))
             ):
                 contents.label(noun, items[0], owner)
+                self._read.add(items[0].span)
                 context.owner = outer
                 self._posts(items[0], owner)
                 return
@@ -84,6 +87,7 @@ class CarryReader(ThingReader, ABC):
             context.owner, context.subject = outer, subject
 
     def _contents(self, post: Carry, owner: Group, noun: Noun) -> None:
+        self._read.update(item.span for item in post.items)
         if post.each and len(post.items) == len(owner):  # "bottles of gin, rum and vermouth"
             for inner, draft in zip(post.items, owner, strict=True):
                 contents.label(noun, inner, [draft])

@@ -24,6 +24,7 @@ from ..syntax.phrases.tree import (
 )
 from .listing import TURNED, ListInterpreter, is_supported
 from .references import Context, Target, antecedent, find_referred
+from .unread import list_unread
 
 _SOME_PEOPLE = 4
 """For how many "everyone" is where the text does not say it."""
@@ -31,7 +32,14 @@ _SOME_PEOPLE = 4
 
 @dataclass(eq=False)
 class Interpreter(ListInterpreter):
-    """Turns clauses into drafts."""
+    """Turns clauses into drafts.
+
+    ``_named`` is how many groups the sentences before this one have named; ``_alone`` tells whether
+    this one has a single clause.
+    """
+
+    _named: int = 0
+    _alone: bool = False
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
         """Read all sentences.
@@ -44,9 +52,11 @@ class Interpreter(ListInterpreter):
             context.earlier = context.topic or context.earlier
             self._earlier_side, self._started = self._side, len(self.reading.objects)
             context.topic, context.parallel, self._side = None, None, None
+            self._named, self._alone = len(context.mentioned), len(sentence.clauses) == 1
             for k, clause in enumerate(sentence.clauses):
                 self._local = k > 0
                 self._clause(clause)
+        self.reading.lost += list_unread(sentences, self._read)
         told = [draft for draft in self._uncounted if draft.told]
         if told and len(told) < len(self._uncounted):  # the text has said how many after all
             gone = [draft for draft in self._uncounted if not draft.told and not draft.relations]
@@ -58,19 +68,25 @@ class Interpreter(ListInterpreter):
             self._people(clause)
             return
         lead = self._resolve(clause.lead, []) if clause.lead else None
-        if clause.lead is not None and lead is None:
-            return
-        groups = self._list(clause.subjects, None)
+        if clause.lead is not None and lead is None:  # somewhere, but not where
+            known = [noun for noun in clause.subjects if noun.category or noun.family]
+            clause = replace(clause, subjects=known, lead=None)
+        spoken_of = self._spoken_of(clause)
+        groups = self._list(clause.subjects, None) if spoken_of is None else [*spoken_of]
         things = [group for group in groups if isinstance(group, list)]
         if lead is not None and clause.lead is not None:
             self._attach_lead(clause.lead, lead, groups)
-        if not clause.subjects and clause.predicate:
-            things = [self._context.topic] if isinstance(self._context.topic, list) else things
+        bare = not clause.subjects or (not things and _is_pronoun(clause.subjects[0]))
+        if bare and any(not isinstance(post, Lack) for post in clause.predicate):
+            topic = self._topic()
+            things = [topic] if isinstance(topic, list) else things
         for post in clause.predicate:
-            if isinstance(post, Lack) and not clause.subjects:
+            if isinstance(post, Lack) and bare:
                 self._lack(post, [])
             else:
-                self._predicate(post, things, groups)
+                self._predicate(post, things, [TABLE] if bare and not things else groups, bare)
+        if things and not bare:
+            self._context.recent = things
         firsts = [d for group in things for d in group if not is_supported(d)]
         self._context.listed = firsts if len(things) > 2 else []
         if isinstance(lead, list) and self._context.topic in (None, *things):
@@ -78,9 +94,34 @@ class Interpreter(ListInterpreter):
         if things and self._context.topic is None:
             self._context.topic = things[0]
 
-    def _predicate(self, post: Post, things: Sequence[Group], groups: Sequence[Target]) -> None:
+    def _topic(self) -> Target | None:
+        """Return what a clause without a subject is about; None where it is the table."""
+        context = self._context
+        if context.topic is not None:
+            return context.topic
+        named = context.mentioned[self._named :]
+        if self._local:
+            return named[-1] if named else None
+        return context.earlier if self._alone else None
+
+    def _spoken_of(self, clause: Clause) -> list[Group] | None:
+        """Return what "it" or "they" means as the subject of a clause; None of any other."""
+        subject = clause.subjects[0] if len(clause.subjects) == 1 else None
+        if subject is None or subject.kind != "pronoun" or subject.post:
+            return None
+        recent = self._context.recent
+        if subject.plural and len(recent) > 1:
+            return recent
+        return [group for group in recent if (len(group) > 1) == subject.plural][:1] or None
+
+    def _predicate(
+        self, post: Post, things: Sequence[Group], groups: Sequence[Target], bare: bool
+    ) -> None:
         if isinstance(post, Arranged):
             self._arrange(post, [draft for group in things for draft in group])
+            return
+        if isinstance(post, Location) and bare and not things:
+            self._resolve(post, [])  # "dinner for two by candlelight"
             return
         if isinstance(post, Location) and TABLE in groups and not things:
             if isinstance(post.target, Noun) and post.kind in ("on", "in"):
@@ -96,7 +137,7 @@ class Interpreter(ListInterpreter):
         for group in things:
             self._post(post, group, None)
         if isinstance(post, Location) and not groups and not things:
-            self._resolve(post, [])  # "dinner for two by candlelight"
+            self._resolve(post, [])
         if isinstance(post, Carry) and TABLE in groups:
             self._carry(post, TABLE, None)
         if isinstance(post, Description) and TABLE in groups:
@@ -104,6 +145,7 @@ class Interpreter(ListInterpreter):
 
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
+        self._read.add(noun.span)
         if noun.kind == "table":
             return self._table(noun)
         if noun.kind == "pronoun":
@@ -196,6 +238,8 @@ class Interpreter(ListInterpreter):
         elif isinstance(post, Counted):
             self._recount(int(post.count))
         else:
+            if len(post.each) > len(group) > 1 and group is self._uncounted:
+                self._recount(len(post.each))  # "cups are red, green and blue"
             if len(post.each) > len(group) == 1:
                 return  # "a mug in different colours"
             for k, draft in enumerate(group):
@@ -230,6 +274,7 @@ class Interpreter(ListInterpreter):
                 self._table(place.table)
             return TABLE
         noun = place.target
+        self._read.add(noun.span)
         if place.kind == "otherside":
             return self._side[1] if self._side else None
         outer, context.subject = context.subject, subject
@@ -262,6 +307,13 @@ class Interpreter(ListInterpreter):
             others = [self._noun(item, None) for item in second[0].items]
             target = target + [d for group in others if isinstance(group, list) for d in group]
         return target
+
+    def _name_denied(self, noun: Noun, group: Group) -> None:
+        """Name what a group is said not to be at: it is there all the same."""
+        context = self._context
+        outer, context.subject = context.subject, group
+        self._noun(noun, None)
+        context.subject = outer
 
     def _people(self, clause: Clause) -> None:
         """Read "set the table for four: a plate, a fork on the left"."""
@@ -333,6 +385,10 @@ def _is_central(noun: Noun) -> bool:
         and (post.target.x, post.target.y) == (0, 0)
         for post in noun.post
     )
+
+
+def _is_pronoun(noun: Noun) -> bool:
+    return noun.kind == "pronoun"
 
 
 def _is_one(noun: Noun) -> bool:

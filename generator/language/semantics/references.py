@@ -25,6 +25,7 @@ class Context:
         parallel: what the item before in the same list was related to.
         topic: the first subject of this sentence.
         earlier: the first subject of the sentence before.
+        recent: the subjects of the last clause that had any.
         listed: all things of the last sentence that listed several kinds.
         mentioned: every group in the order it was named.
     """
@@ -34,6 +35,7 @@ class Context:
     parallel: Target | None = None
     topic: Target | None = None
     earlier: Target | None = None
+    recent: list[Group] = field(default_factory=list)
     listed: Group = field(default_factory=list)
     mentioned: list[Group] = field(default_factory=list)
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from ..phrases.nouns import read_noun
-from ..phrases.tree import VARIED, Carry, Description, How, Lack, Noun, Post
+from ..phrases.tree import VARIED, Carry, Description, How, Lack, Location, Noun, Post
 from ..text import function_words as fw
 from .brackets import BracketReader
 from .cursor import SUPPORTING
@@ -16,8 +17,12 @@ class HoldingReader(BracketReader):
 
     def _lacks(self, out: list[Post]) -> bool:
         self.i += 1
-        if self._place() is not None:
-            return True  # "that is not on the book"
+        if self._tag() == "of" and (self._tag(1) == "relative" or self._text(1) in fw.PRONOUNS):
+            self.i += 2  # "neither of which lies on the book"
+            self._skip(fw.BE | fw.PARTICIPLES)
+        if (place := self._place()) is not None:
+            self._denial(place, out)
+            return True
         self._skip(fw.STARTERS)  # "do not want any plates"
         items: list[Noun] = []
         while True:
@@ -40,6 +45,27 @@ class HoldingReader(BracketReader):
             return True
         out.append(Lack(tuple(items)))
         return bool(items)
+
+    def _denial(self, place: Location, out: list[Post]) -> None:
+        """Take in "not on the book", and where the thing is instead: "but next to it"."""
+        out.append(Lack((), place))
+        target = place.target
+        if self._tag() == "comma" and self._text(1) == "which" and isinstance(target, Noun):
+            self.i += 1
+            self._posts(target, target.post)  # "not in the cup, which lies on its side"
+        k = int(self._tag() == "comma")
+        if self._text(k) not in ("but", "rather"):
+            return
+        before, self.i = self.i, self.i + k + 1
+        self._skip(fw.PARTICIPLES)
+        instead = self._place()
+        if instead is None:
+            self.i = before
+            return
+        there = instead.target
+        if isinstance(there, Noun) and there.kind == "pronoun" and isinstance(target, Noun):
+            instead = replace(instead, target=replace(target, definite=True, count=None))
+        out.append(instead)
 
     def _carried(self, noun: Noun | None, out: list[Post], each: bool) -> bool:
         how: How = "hold" if self._value() in ("hold", "top") else "with"

@@ -61,6 +61,9 @@ class Parser(OpeningReader):
             self._heading = Location("at", zone)
         if self._tag(1) == "relation" and self._text() in fw.PARTICIPLES:
             self.i += 1  # "sitting on it: ..."
+        if (told := self._pronoun_clause()) is not None:
+            aim = self._task
+            return replace(told, predicate=[_as_aim(p) if aim else p for p in told.predicate])
         arrangement = self._opening() or self._listing()
         people = self._everyone() or self._people()
         lead = self._lead()

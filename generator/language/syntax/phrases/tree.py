@@ -74,9 +74,10 @@ class Carry:
 
 @dataclass(frozen=True)
 class Lack:
-    """What a thing is said to be without."""
+    """What a thing is said to be without; ``place``: where it is said not to be."""
 
     items: tuple[Noun, ...]
+    place: Location | None = None
 
 
 @dataclass(frozen=True)

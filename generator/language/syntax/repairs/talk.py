@@ -218,7 +218,9 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
         end = texts.index("but")
         marks = [token.tag for token in tokens[i + 1 : i + end]]
         after = tokens[i + end + 1].tag if i + end + 1 < len(tokens) else ""
-        if not any(tag in (*_PAUSES, "and") for tag in marks) and after == "relation":
+        denied = marks[:1] == ["relation"]  # the grammar reads "not on it but beside it"
+        plain = not denied and not any(tag in (*_PAUSES, "and") for tag in marks)
+        if plain and after == "relation":
             return i + end + 1
     return i
 

@@ -36,7 +36,7 @@ NUMBERS: Mapping[str, float] = MappingProxyType(
 
 PARTICLES = _words("off over up down out away")
 
-NEVER_INSIDE = _words("although though however unless whether because until during via "
+NEVER_INSIDE = _words("but although though however unless whether because until during via "
                       "than whilst instead")  # fmt: skip
 """Words that end a noun phrase."""
 
@@ -75,6 +75,7 @@ AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
 DEFINITE = _words("the this that these those its his her my your their our")
 INDEFINITE = _words("a an any")
 PRONOUNS = _words("it them itself themselves they these those one")
+SUBJECT_PRONOUNS = _words("it they these those")
 PLURAL_PRONOUNS = _words("them themselves they these those")
 EACH = _words("each every")
 
