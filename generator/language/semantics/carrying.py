@@ -45,12 +45,13 @@ class CarryReader(ThingReader, ABC):
                 looks = [item for item in items if contents.decorates(item, owner)]
                 self._read.update(item.span for item in looks)
                 items = tuple(item for item in items if item not in looks)
+            vessel = _vessel(owner, noun)
             if (
                 isinstance(owner, list)
-                and noun is not None
-                and (contents.fills(noun, items) or contents.repeats(noun, items))
+                and vessel is not None
+                and (contents.fills(vessel, items) or contents.repeats(vessel, items))
             ):
-                contents.label(noun, items[0], owner)
+                contents.label(vessel, items[0], owner)
                 self._read.add(items[0].span)
                 context.owner = outer
                 self._posts(items[0], owner)
@@ -122,6 +123,13 @@ class CarryReader(ThingReader, ABC):
     @abstractmethod
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
+
+
+def _vessel(owner: Target, noun: Noun | None) -> Noun | None:
+    """Return the noun phrase of an owner, the last one of it where a verb says what it holds."""
+    if noun is not None or not isinstance(owner, list):
+        return noun
+    return Noun("thing", (owner[0].noun,), (0, 0), owner[0].noun, owner[0].category)
 
 
 def _is_pile(group: Group) -> bool:

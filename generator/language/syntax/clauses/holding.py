@@ -72,7 +72,8 @@ class HoldingReader(BracketReader):
         self.i += 1
         if self._tag() == "no" or self._text() == "not":
             return self._lacks(out)
-        full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
+        said = self.tokens[self.i - 1].text.split()
+        full = bool(fw.FULL & {*said})
         self.i += self._tag() == "colon" and self._starts_noun(1)  # "contains: pliers, a wrench"
         back = self._returns()
         items = self._items(noun, how)
@@ -80,7 +81,7 @@ class HoldingReader(BracketReader):
             items = self._until_named_apart(items)
         if not items:
             return False
-        for item in items if full else ():
+        for item in items if full and "half" not in said else ():
             if item.plural and not item.determined:
                 item.amount = (4, 5)
         out.append(Carry(how, tuple(items), each, back))
@@ -89,8 +90,9 @@ class HoldingReader(BracketReader):
     def _until_named_apart(self, items: list[Noun]) -> list[Noun]:
         """Return the contents of "full of berries, an empty jar": what has an article is not in."""
         apart = next(
-            (k for k, item in enumerate(items) if k and item.determined and item.joint != "and"), 0
-        )
+            (k for k, item in enumerate(items) if k and item.determined
+             and (item.joint != "and" or item.count == 1)), 0
+        )  # fmt: skip
         if not apart or items[0].determined:
             return items
         start = items[apart].span[0]
@@ -187,6 +189,9 @@ class HoldingReader(BracketReader):
         if noun is None or noun.definite:
             return False
         last = noun.head.split()[-1:]
+        if self._text() == "in" and noun.words in fw.ASPECTS and self._tag(-1) == "word":
+            self.i = end  # "blue in colour"
+            return True
         aspect = "color" if last == ["colour"] else "".join(last)
         if noun.kind == "adjective" and set(noun.attributes) == {"color"}:
             colors = [*(noun.variants or (noun.attributes,))]

@@ -80,6 +80,8 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
     if not more or (tokens[k].tag == "word" and ends_here(tokens, k, run)):
         return 0
     start = i + 1 + (tokens[i].tag == "comma" and tokens[i + 1].tag == "and")
+    if ends_here(tokens, start, PhraseStart()):
+        return 0  # "empty and clean," of which the last may be a verb
     run.variants.append(list(run.words))
     run.words = []
     return start - i

@@ -53,6 +53,9 @@ ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed gar
 
 KINDS = _words("color colour kind type sort flavor flavour size shape one")
 
+ASPECTS = frozenset({("color",), ("colour",), ("size",), ("shape",), ("style",), ("height",)})
+"""What a thing is said to be so "in": "blue in colour"."""
+
 NOBODY = _words("nothing nobody somebody someone something anything everybody anybody everyone")
 
 GETS = _words("gets get has have having receives needs is are should must will there sits")
@@ -144,6 +147,7 @@ CARRIES = _table(
     with: decked with, laden with, adorned with, strewn with, littered with, scattered with
     with: covered with, covered in, showing, lined with, cluttered with, dressed with, loaded with
     hold: containing, contains, contain, holding, holds, hold, that holds, filled with, full of
+    hold: half full of, half full with, half filled with, full to the brim with, full with
     hold: stuffed with, packed with, carrying, carries, carry, supporting, supports, piled with
     hold: piled high with, stacked with, heaped with, housing, brimming with, consisting of
     top: topped with, topped by, garnished with, sprinkled with, crowned with, crowned by
