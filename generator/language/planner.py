@@ -217,10 +217,10 @@ _LENGTHS = 0.01, 0.6  # metres: the shortest and the longest thing on a table
 
 def _warn_of_lengths(reading: Reading) -> list[str]:
     return [
-        f"A {d.noun} of {d.lengths[0]:g} m does not belong on a table; it is "
-        f"{np.clip(d.lengths[0], *_LENGTHS):g} m long."
+        f"A {d.noun} of {max(d.lengths):g} m does not belong on a table; it is "
+        f"{np.clip(max(d.lengths), *_LENGTHS):g} m long."
         for d in reading.objects
-        if d.lengths and not _LENGTHS[0] <= d.lengths[0] <= _LENGTHS[1]
+        if d.lengths and not _LENGTHS[0] <= max(d.lengths) <= _LENGTHS[1]
     ]
 
 
@@ -229,5 +229,5 @@ def _size(draft: Draft) -> tuple[float, float, float] | None:
     if not draft.lengths:
         return None if draft.category else stand_in_size(draft.family, draft.attributes)
     known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)
-    factor = float(np.clip(draft.lengths[0], *_LENGTHS)) / max(known)
+    factor = float(np.clip(max(draft.lengths), *_LENGTHS)) / max(known)
     return float(known[0] * factor), float(known[1] * factor), float(known[2] * factor)

@@ -83,7 +83,7 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
     sentences = parser.sentences()
     reading = Interpreter(rng).read(sentences)
     reading.lost += talk
-    reading.lost += list_skipped(parser.skipped)
+    reading.lost += [*parser.lost, *list_skipped(parser.skipped)]
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
     reading.warnings += [f"Not understood: {phrase!r}." for phrase in dict.fromkeys(reading.lost)]
     return ReadText(tuple(sentences), reading, fixes)

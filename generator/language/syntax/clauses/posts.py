@@ -90,6 +90,8 @@ class PostReader(HoldingReader):
             whole = word == "all" and comma and noun is not None
             out.append(replace(place, each=place.each or (each and not whole), whole=whole))
             return True
+        if self._apart():
+            return True
         if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False

@@ -53,6 +53,9 @@ ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed gar
 
 KINDS = _words("color colour kind type sort flavor flavour size shape one")
 
+AWAY = frozenset({"away", "apart", "off", "further", "farther"})
+"""What a distance may go on with: "5 cm away"."""
+
 ASPECTS = frozenset({("color",), ("colour",), ("size",), ("shape",), ("style",), ("height",)})
 """What a thing is said to be so "in": "blue in colour"."""
 
