@@ -399,4 +399,5 @@ def _is_one(noun: Noun) -> bool:
 
 def _describing(post: Description) -> Noun:
     words = tuple(word for each in post.each for value in each.values() for word in value.split())
-    return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]))
+    return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]), lengths=post.lengths,
+                upright=post.upright)  # fmt: skip

@@ -51,7 +51,7 @@ class BracketReader(PlaceReader):
             return False
         self.i = end
         if not found.words and found.lengths:
-            out.append(Description(({},), found.lengths))
+            out.append(Description(({},), found.lengths, found.upright))
         elif found.kind == "member" and not found.words and (found.count or found.amount):
             single = noun.kind == "thing" and not (noun.determined or noun.post)
             if many or (single and opening == "open"):

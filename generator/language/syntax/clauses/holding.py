@@ -110,7 +110,7 @@ class HoldingReader(BracketReader):
         if self._tag() == "open" and inner.category is None:
             self._bracket(inner, inner.post)  # "six sufganiyot (jelly doughnuts)"
         if inner.lengths and not inner.words:
-            out.append(Description(({},), inner.lengths))
+            out.append(Description(({},), inner.lengths, inner.upright))
             return True
         if noun.kind == "table" and inner.family == "person":
             return True  # "the desk of a pupil"

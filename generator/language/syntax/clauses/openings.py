@@ -230,6 +230,9 @@ class OpeningReader(ListReader):
                     break
             noun, end = read_noun(self.tokens, k)
             color = self.tokens[k].text if k < len(self.tokens) else ""
+            if noun is not None and noun.lengths and not (noun.words or each):
+                self.i = end  # "the table is 1.8 m long"
+                return [Description(({},), noun.lengths, noun.upright)]
             if color in COLORS and end == k + 1:
                 each.append({"color": color})  # "the top cube is orange"
             elif noun is None or noun.kind != "adjective" or (each and noun.determined):

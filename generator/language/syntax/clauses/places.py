@@ -5,8 +5,10 @@ from __future__ import annotations
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
     Carry,
+    Description,
     Location,
     Noun,
+    Post,
     Zone,
 )
 from ..phrases.zones import read_zone
@@ -116,6 +118,25 @@ class PlaceReader(Cursor):
         led = sided or self._text(k) in ("from", "left", "right")
         return (self.i + k, meters) if directed or led or away else None
 
+    def _sized(self, out: list[Post]) -> None:
+        """Read "3 m long and 1 m wide", and "that is 3 m long", after a table."""
+        k = self.i
+        if self._text() in ("that", "which") and self._text(1) in fw.BE:
+            k += 2
+        lengths: list[float] = []
+        while k < len(self.tokens):
+            noun, end = read_noun(self.tokens, k)
+            if noun is None or noun.words or not noun.lengths:
+                break
+            if noun.upright:
+                out.append(Description(({},), noun.lengths, upright=True))
+            else:
+                lengths += noun.lengths
+            self.i = end
+            k = end + (self._tag() in ("and", "comma"))
+        if lengths:
+            out.append(Description(({},), tuple(lengths)))
+
     def _place_apart(self, distance: tuple[int, float], *, leading: bool) -> Location | None:
         """Read a place after a distance, which no plan has; things far apart are not beside."""
         before, (self.i, meters) = self.i, distance
@@ -199,6 +220,7 @@ class PlaceReader(Cursor):
         if self._tag() == "of" and noun.kind != "part":
             self._contents(noun, noun.post)
         if noun.kind == "table":
+            self._sized(noun.post)
             return noun
         if nested:
             self._posts(noun, noun.post, nested=True)

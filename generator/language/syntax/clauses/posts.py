@@ -322,5 +322,5 @@ class PostReader(HoldingReader):
         if not measured and (noun.kind != "adjective" or noun.determined):
             return False
         self.i = end
-        out.append(Description((noun.attributes,), noun.lengths))
+        out.append(Description((noun.attributes,), noun.lengths, noun.upright))
         return True

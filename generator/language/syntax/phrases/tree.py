@@ -96,11 +96,12 @@ class Arranged:
 class Description:
     """Attributes said after the noun: all the same, or one after the other for each.
 
-    ``lengths``: "20 cm tall", metres.
+    ``lengths``: "20 cm long", metres; ``upright`` where they are its height.
     """
 
     each: tuple[Mapping[str, str], ...]
     lengths: tuple[float, ...] = ()
+    upright: bool = False
 
 
 @dataclass(frozen=True)
@@ -141,7 +142,8 @@ class Noun:
         attributes: "color", "material", "size", "state", ... to words.
         variants: attributes of single ones ("red, green and blue cubes").
         members: categories of a collective.
-        lengths: lengths in metres ("20 cm tall").
+        lengths: lengths in metres ("20 cm long").
+        upright: whether its one length is its height ("20 cm tall").
         arrangement: "a stack of", "stacked".
         position: "left", "right", ... ("the left plate").
         post: what follows the noun and belongs to it.
@@ -172,6 +174,7 @@ class Noun:
     seated: bool = False
     joint: str = ""
     family: str = ""
+    upright: bool = False
 
     @property
     def determined(self) -> bool:

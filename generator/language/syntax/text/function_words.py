@@ -407,7 +407,9 @@ MEASURES: Mapping[str, float] = MappingProxyType(
         "centimetre": 0.01, "dm": 0.1, "m": 1.0, "meter": 1.0, "metre": 1.0, "inch": 0.0254,
         "inches": 0.0254, "ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "millimeters": 0.001,
         "millimetres": 0.001, "centimeters": 0.01, "centimetres": 0.01, "meters": 1.0,
-        "metres": 1.0,
+        "metres": 1.0, "km": 1000.0, "kilometer": 1000.0, "kilometre": 1000.0,
+        "kilometers": 1000.0, "kilometres": 1000.0, "yard": 0.9144, "yards": 0.9144, "yd": 0.9144,
+        "mile": 1609.344, "miles": 1609.344,
     }
 )  # fmt: skip
 
