@@ -24,7 +24,7 @@ from ..syntax.phrases.tree import (
 )
 from .listing import TURNED, ListInterpreter, is_supported
 from .references import Context, Target, antecedent, find_referred
-from .unread import list_unread
+from .walking import list_unread
 
 _SOME_PEOPLE = 4
 """For how many "everyone" is where the text does not say it."""
@@ -321,9 +321,15 @@ class Interpreter(ListInterpreter):
         people = clause.people
         if people == EVERYONE:
             people = self.reading.people or self._guests or _SOME_PEOPLE
-        self._guests = people
+        self._guests = self.reading.guests = people
         if all(noun.kind in loose for noun in clause.subjects):
             self.reading.people = self.reading.people or people
+            tables = [noun for noun in clause.subjects if noun.kind == "table"]
+            self.reading.laid = self.reading.laid or bool(tables) or not clause.subjects
+            for noun in tables:
+                self._table(noun)
+            for post in clause.predicate:
+                self._predicate(post, [], [TABLE], True)
             return
         heads = [noun.head for noun in clause.subjects if noun.kind == "thing" and noun.post]
         laid = any(noun.category in _TABLEWARE for noun in clause.subjects)

@@ -139,6 +139,8 @@ class OpeningReader(ListReader):
             number = float(self.tokens[k + 1].value)
         if self._text(k + 1 - self.i) == "a" and self._text(k + 2 - self.i) in ("couple", "family"):
             number, k = (2.0 if self._text(k + 2 - self.i) == "couple" else 4.0), k + 1
+        if number is not None and number > 24 and self._text(k + 2 - self.i) in fw.PEOPLE_WORDS:
+            self.lost.append(" ".join(token.text for token in self.tokens[k : k + 3]))
         if number is None or not 1 <= number <= 24:
             return 0
         self._seats = True

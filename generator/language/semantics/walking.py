@@ -1,10 +1,11 @@
-"""The things of a tree of sentences, to find those that no draft was made of."""
+"""All noun phrases of a tree of sentences: those that were not read, denied or only shown."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
 from ..syntax.phrases.tree import Carry, Lack, Location, Noun, Post, Sentence, Span
+from .contents import DEPICTIONS
 
 
 def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[str]:
@@ -14,6 +15,40 @@ def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[s
         for noun in _nouns(sentences)
         if noun.kind == "thing" and noun.span not in read and noun.span != (0, 0)
     ]
+
+
+def find_things(sentences: Sequence[Sentence]) -> list[Span]:
+    """Return where the names of things stand: of a lab coat, no lab."""
+    return [noun.span for noun in _nouns(sentences) if noun.kind == "thing"]
+
+
+def find_denied(sentences: Sequence[Sentence]) -> list[Span]:
+    """Return where stands what is not there, and what pictures only show."""
+    shown = [
+        item.span
+        for noun in _nouns(sentences)
+        if {noun.category, *noun.head.split()[-1:]} & _SHOWING
+        for post in noun.post
+        if isinstance(post, Carry) and post.how == "of"
+        for carried in post.items
+        for item in _nouns_of(carried)
+    ]
+    return [*shown, *(item.span for post in _posts(sentences) for item in _lacking(post))]
+
+
+_SHOWING = DEPICTIONS | {"picture_frame", "photo_print"}
+
+
+def _lacking(post: Post) -> Sequence[Noun]:
+    return post.items if isinstance(post, Lack) else ()
+
+
+def _posts(sentences: Sequence[Sentence]) -> Iterator[Post]:
+    for noun in _nouns(sentences):
+        yield from noun.post
+    for sentence in sentences:
+        for clause in sentence.clauses:
+            yield from clause.predicate
 
 
 def _nouns(sentences: Sequence[Sentence]) -> Iterator[Noun]:
