@@ -72,7 +72,8 @@ def read_tone(prompt: str, sentences: Sequence[Sentence]) -> Tone:
     unnamed = _REQUEST.sub(" ", " ".join(lexicon.tokens(_blank(said, find_things(sentences)))))
     true = _drop_denied(words)
     style = drawn or next((word for word in true if word in STYLES), "plain")
-    density: Density = next((_DENSITIES[word] for word in true if word in _DENSITIES), "normal")
+    full: list[Density] = [_DENSITIES[word] for word in true if word in _DENSITIES]
+    density = full[0] if full else "normal"
     return Tone(_theme(words), _theme(unnamed.split()), style, density, people)
 
 

@@ -200,10 +200,14 @@ class OpeningReader(ListReader):
 
     def _pronoun_clause(self) -> Clause | None:
         """Read "It is red.", "They stand on a book." and "It contains three apples."."""
-        verbal = self._text(1) in fw.BE or self._tag(1) == "carry"
-        if self._text() not in fw.SUBJECT_PRONOUNS or not verbal:
+        whole = self._text() in ("all", "both") and self._tag(1) == "of"
+        k = 2 * whole  # "all of them are red"
+        verbal = self._text(k + 1) in fw.BE or self._tag(k + 1) == "carry"
+        known = fw.PLURAL_PRONOUNS if whole else fw.SUBJECT_PRONOUNS
+        if self._text(k) not in known or not verbal:
             return None
-        before, said = self.i, self._text()
+        before, said = self.i, self._text(k)
+        self.i += k
         noun = Noun("pronoun", (said,), self.tokens[self.i].span, said, definite=True,
                     plural=said in fw.PLURAL_PRONOUNS)  # fmt: skip
         self.i += 1

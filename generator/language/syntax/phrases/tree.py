@@ -143,6 +143,7 @@ class Noun:
         variants: attributes of single ones ("red, green and blue cubes").
         members: categories of a collective.
         lengths: lengths in metres ("20 cm long").
+        half: whether half of them are meant ("half of the apples").
         upright: whether its one length is its height ("20 cm tall").
         arrangement: "a stack of", "stacked".
         position: "left", "right", ... ("the left plate").
@@ -175,11 +176,19 @@ class Noun:
     joint: str = ""
     family: str = ""
     upright: bool = False
+    half: bool = False
 
     @property
     def determined(self) -> bool:
         """Whether an article, a number or a vague amount introduces it."""
         return self.definite or self.count is not None or self.amount is not None or self.each
+
+
+def is_everything(noun: Noun) -> bool:
+    """Tell whether a phrase means all there is: "everything", "all things"."""
+    return noun.words == ("everything",) or (
+        noun.kind == "vague" and noun.definite and noun.plural and len(noun.words) == 1
+    )
 
 
 EVERYONE = -1

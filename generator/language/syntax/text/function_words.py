@@ -53,6 +53,16 @@ ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed gar
 
 KINDS = _words("color colour kind type sort flavor flavour size shape one")
 
+BOUNDS = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "at least", "at most", "no more than", "not more than", "no less than", "not less than",
+        "no fewer than", "not fewer than", "up to", "more than", "fewer than", "less than",
+        "a maximum of", "a minimum of", "a total of", "as many as",
+    )
+)  # fmt: skip
+"""What a number is only the most or the least of."""
+
 AWAY = frozenset({"away", "apart", "off", "further", "farther"})
 """What a distance may go on with: "5 cm away"."""
 
