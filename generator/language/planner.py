@@ -110,7 +110,10 @@ def _setting(
     setting = setting_of(THEMES[name], objects, people) if name else None
     if setting is not None or not reading.people:
         return setting
-    if not name and not reading.laid and len({o.noun for o in objects}) >= _OWN:
+    own = {o.category for o in objects}
+    food = any("edible" in CATEGORIES[key].roles for key in own & CATEGORIES.keys())
+    games = len(own) > 1 and not food  # "a meeting for five with notebooks and pens"
+    if not name and not reading.laid and (games or len(own) >= _OWN):
         reading.warnings.append(f"No places are laid for {people} people at what is no meal.")
         return None
     return setting_of(THEMES["dining"], objects, people)

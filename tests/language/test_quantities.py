@@ -80,3 +80,15 @@ def test_bounds_are_numbers(text: str, expected: dict[str, int]) -> None:
 
 def test_at_least_is_no_place() -> None:
     assert all_related("No more than three books and at least two pens.") == set()
+
+
+def test_the_others_are_not_the_one_that_was_told_of() -> None:
+    planned = plan("Three jars. The middle one holds cotton buds, the others are open.")
+    states = [o.attributes.get("state") for o in planned.objects if o.category.endswith("jar")]
+    assert states == ["open", None, "open"]
+
+
+def test_the_middle_one_of_three() -> None:
+    assert all_related("Three trays. Behind the middle tray stands a jar.") == {
+        ("jar_1", "behind", "tray_2"),
+    }  # fmt: skip

@@ -123,6 +123,8 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
             kind == "on" and to in alike for kind, to in d.relations)]  # fmt: skip
         if noun.position in ("top", "upper") and stacked:
             return [d for d in stacked if d.stacked_under is None][-1:] or stacked[-1:]
+        if noun.position in ("middle", "center", "centre"):
+            return [alike[len(alike) // 2]]
         return [alike[0] if noun.position in ("left", "front", "bottom", "lower") else alike[-1]]
     if noun.other and len(alike) > 1:
         return [alike[1]]

@@ -89,10 +89,8 @@ class HoldingReader(BracketReader):
 
     def _until_named_apart(self, items: list[Noun]) -> list[Noun]:
         """Return the contents of "full of berries, an empty jar": what has an article is not in."""
-        apart = next(
-            (k for k, item in enumerate(items) if k and item.determined
-             and (item.joint != "and" or item.count == 1)), 0
-        )  # fmt: skip
+        named = (k for k, item in enumerate(items) if k and item.determined and _is_apart(item))
+        apart = next(named, 0)
         if not apart or items[0].determined:
             return items
         start = items[apart].span[0]
@@ -212,3 +210,9 @@ class HoldingReader(BracketReader):
 
     def _is_clause(self, end: int) -> bool:
         return end < len(self.tokens) and self.tokens[end].text in fw.BE
+
+
+def _is_apart(item: Noun) -> bool:
+    """Tell whether an item of what fills a vessel is no contents: "and a glass full of ice"."""
+    holds = any(isinstance(post, Carry) and post.how == "hold" for post in item.post)
+    return item.joint != "and" or item.count == 1 or holds

@@ -145,7 +145,8 @@ class Parser(OpeningReader):
             predicate = [_as_aim(post) for post in predicate]  # "and put it in the basket"
             for noun in subjects:
                 noun.post = [_as_aim(post) for post in noun.post]
-        if single and predicate and len(subjects) > 1 and "comma" in subjects[-1].joint:
+        apart = single or (subjects and _is_rest(subjects[-1]))
+        if apart and predicate and len(subjects) > 1 and "comma" in subjects[-1].joint:
             self._pending.append(Clause(subjects[-1:], predicate))
             return Clause(subjects[:-1], [], lead, people)
         return Clause(subjects, predicate, lead, people)
@@ -204,6 +205,11 @@ class Parser(OpeningReader):
         if left:
             self._pending.append(Clause(left))
         return True
+
+
+def _is_rest(noun: Noun) -> bool:
+    """Tell whether a phrase means those not spoken of: "the others", "the rest"."""
+    return noun.kind == "member" and noun.definite and noun.other and noun.plural
 
 
 def _is_same(noun: Noun, other: Noun) -> bool:
