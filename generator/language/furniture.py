@@ -56,7 +56,7 @@ def plan_table(
     return PlannedTable(outline, material, legs, (length, depth, height), color)
 
 
-def _limited(
+def _limit_side(
     asked: float | None, limits: tuple[str, float, float], reading: Reading
 ) -> float | None:
     """Return a length as far as a table may have it, and tell where that is another."""
@@ -107,7 +107,7 @@ def _size(
     flat = next((n.lengths for n in reading.table if n.lengths and not n.upright), ())
     tall = next((n.lengths for n in reading.table if n.lengths and n.upright), flat[2:])
     asked = (*flat[:2], *(None,) * (2 - len(flat[:2])), *tall[:1])
-    given = [_limited(*pair, reading) for pair in zip(asked, _LIMITS, strict=False)]
+    given = [_limit_side(*pair, reading) for pair in zip(asked, _LIMITS, strict=False)]
     if given[0] is not None:
         x, y = given[0], given[1] or y * given[0] / x
         y = x if outline in ("square", "round") else y

@@ -20,9 +20,9 @@ from .furniture import plan_table
 from .laying import PlaceSetting, place_settings, setting_of
 from .reading import EXAMPLE, read_text
 from .semantics import contents
+from .semantics.tone import read_tone
 from .sizing import grow_carriers
 from .themes import DEFAULT_TABLES, THEMES
-from .tone import read_tone
 from .words.dictionary import warn_of_stand_ins
 
 _OWN = 3

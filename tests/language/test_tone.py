@@ -69,3 +69,22 @@ def test_a_game_for_two_is_no_meal() -> None:
 
 def test_too_many_people_are_told() -> None:
     assert "Not understood: 'for thirty people'." in plan("Dinner for thirty people.").warnings
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A table set for two: a plate, a wine glass, and a candle in the middle.",
+         {"plate": 2, "wine_glass": 2, "candle": 1}),
+        ("A table for three with a plate, a fork and a knife each.",
+         {"plate": 3, "fork": 3, "knife": 3}),
+        ("Dinner for three with a plate, a spoon and bread.",
+         {"plate": 3, "spoon": 3, "bread_loaf": 1}),
+        ("A meeting for five with notebooks and pens.", {"notebook": 3, "pen": 3}),
+    ],
+)  # fmt: skip
+def test_each_gets_what_the_text_lays(text: str, expected: dict[str, int]) -> None:
+    there = counts(text)
+    assert there.keys() == expected.keys()
+    if "plate" in expected:
+        assert there == expected

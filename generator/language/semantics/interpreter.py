@@ -22,10 +22,10 @@ from ..syntax.phrases.tree import (
     Zone,
     is_everything,
 )
+from ..syntax.phrases.walking import list_unread
 from .listing import TURNED, is_supported
 from .references import Target, antecedent, find_referred
 from .seating import SeatReader
-from .walking import list_unread
 
 
 @dataclass(eq=False)
@@ -148,7 +148,9 @@ class Interpreter(SeatReader):
         if isinstance(post, Location) and not groups and not things:
             self._resolve(post, [])
         if isinstance(post, Carry) and TABLE in groups:
-            self._carry(post, TABLE, None)
+            guests = self.reading.people if bare else 0
+            if not self._lay_brought(post.items, guests):  # "a table for two with a plate each"
+                self._carry(post, TABLE, None)
         if isinstance(post, Description) and TABLE in groups:
             self.reading.table.append(_describing(post))
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...scene import TABLE
 from ..drafts import Group, Grouping
-from ..syntax.phrases.tree import EVERYONE, Clause, Location, Noun, Post, Zone
+from ..syntax.phrases.tree import EVERYONE, Carry, Clause, Location, Noun, Post, Zone
 from .listing import ListInterpreter, is_supported
 from .references import Context, Target
 
@@ -28,13 +28,7 @@ class SeatReader(ListInterpreter, ABC):
             people = self.reading.people or self._guests or _SOME_PEOPLE
         self._guests = self.reading.guests = people
         if all(noun.kind in loose for noun in clause.subjects):
-            self.reading.people = self.reading.people or people
-            tables = [noun for noun in clause.subjects if noun.kind == "table"]
-            self.reading.laid = self.reading.laid or bool(tables) or not clause.subjects
-            for noun in tables:
-                self._table(noun)
-            for post in clause.predicate:
-                self._predicate(post, [], [TABLE], True)
+            self._lay_table(clause, people)
             return
         heads = [noun.head for noun in clause.subjects if noun.kind == "thing" and noun.post]
         laid = any(noun.category in _TABLEWARE for noun in clause.subjects)
@@ -54,6 +48,30 @@ class SeatReader(ListInterpreter, ABC):
                 noun.count, noun.plural = 1.0, False
         self._lay(people, lambda: self._list(own, None))
         self._list(shared, None)
+
+    def _lay_table(self, clause: Clause, people: int) -> None:
+        """Read "a table set for two: a plate and a fork", of which each gets one."""
+        tables = [noun for noun in clause.subjects if noun.kind == "table"]
+        self.reading.laid = self.reading.laid or bool(tables) or not clause.subjects
+        brought = [p for noun in tables for p in noun.post if isinstance(p, Carry)]
+        for noun in tables:
+            self._table(replace(noun, post=[p for p in noun.post if p not in brought]))
+        if not self._lay_brought([item for post in brought for item in post.items], people):
+            self.reading.people = self.reading.people or people
+            for post in brought:
+                self._carry(post, TABLE, None)
+        for post in clause.predicate:
+            self._predicate(post, [], [TABLE], True)
+
+    def _lay_brought(self, items: Sequence[Noun], people: int) -> bool:
+        """Lay "with a plate and a fork" for each; tell whether these are things to be laid."""
+        own = [item for item in items if item.category in _TABLEWARE]
+        first = any(item.category in _FIRST for item in own)
+        if people < 2 or not first or not all(map(_is_one_each, own)):
+            return False
+        self._people(Clause(own, people=people))
+        self._list([item for item in items if item not in own], TABLE)
+        return True
 
     def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
         """Lay for each person what ``read`` reads; "on the left" is left of the first thing."""
@@ -93,6 +111,16 @@ _TABLEWARE = frozenset(
      "plastic_cup", "serving_platter", "teaspoon", "butter_knife", "menu_card"]
 )  # fmt: skip
 """What each person gets."""
+
+
+_FIRST = frozenset(["plate", "bowl", "saucer", "placemat", "paper_plate"])
+"""What everyone gets where a table is laid."""
+
+
+def _is_one_each(noun: Noun) -> bool:
+    """Tell whether each of several people may get such a thing: a plate, no plate of cookies."""
+    filled = any(isinstance(post, Carry) for post in noun.post)
+    return _is_central(noun) or (not filled and noun.count in (None, 1))
 
 
 def _is_central(noun: Noun) -> bool:

@@ -118,7 +118,7 @@ class PlaceReader(Cursor):
         led = sided or self._text(k) in ("from", "left", "right")
         return (self.i + k, meters) if directed or led or away else None
 
-    def _sized(self, out: list[Post]) -> None:
+    def _read_size(self, out: list[Post]) -> None:
         """Read "3 m long and 1 m wide", and "that is 3 m long", after a table."""
         k = self.i
         if self._text() in ("that", "which") and self._text(1) in fw.BE:
@@ -220,7 +220,7 @@ class PlaceReader(Cursor):
         if self._tag() == "of" and noun.kind != "part":
             self._contents(noun, noun.post)
         if noun.kind == "table":
-            self._sized(noun.post)
+            self._read_size(noun.post)
             return noun
         if nested:
             self._posts(noun, noun.post, nested=True)

@@ -64,7 +64,7 @@ BOUNDS = tuple(
 """What a number is only the most or the least of."""
 
 AWAY = frozenset({"away", "apart", "off", "further", "farther"})
-"""What a distance may go on with: "5 cm away"."""
+"""What may follow a distance: "5 cm away"."""
 
 ASPECTS = frozenset({("color",), ("colour",), ("size",), ("shape",), ("style",), ("height",)})
 """What a thing is said to be so "in": "blue in colour"."""

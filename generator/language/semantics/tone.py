@@ -7,12 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ..scene import Density
-from .parsing import lexicon
-from .parsing.vocabulary import DRAWN, PEOPLE, STYLES
-from .semantics.walking import find_denied, find_things
-from .syntax.phrases.tree import Sentence, Span
-from .themes import THEMES
+from ...scene import Density
+from ..parsing import lexicon
+from ..parsing.vocabulary import DRAWN, PEOPLE, STYLES
+from ..syntax.phrases.tree import Sentence, Span
+from ..syntax.phrases.walking import find_denied, find_things
+from ..themes import THEMES
+from .contents import DEPICTIONS
 
 _REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
 _SOME = "|".join(PEOPLE)
@@ -31,6 +32,7 @@ _DENSITIES: Mapping[str, Density] = MappingProxyType(
 )  # fmt: skip
 """Words for how full a table is."""
 
+_PICTURES = DEPICTIONS | {"picture_frame", "photo_print"}
 _DENYING = frozenset(
     ["not", "no", "never", "without", "nothing", "hardly", "neither", "nor", "less", "isnt",
      "arent", "dont", "doesnt", "wasnt", "wont", "shouldnt", "cant", "anything"]
@@ -65,7 +67,7 @@ class Tone:
 
 def read_tone(prompt: str, sentences: Sequence[Sentence]) -> Tone:
     """Return what a text says of its table, apart from what it denies and what pictures show."""
-    said = _blank(prompt, find_denied(sentences))
+    said = _blank(prompt, find_denied(sentences, _PICTURES))
     text, drawn = _split_style(_REQUEST.sub(" ", " ".join(lexicon.tokens(said))))
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from ..syntax.phrases.tree import Carry, Lack, Location, Noun, Post, Sentence, Span
-from .contents import DEPICTIONS
+from .tree import Carry, Lack, Location, Noun, Post, Sentence, Span
 
 
 def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[str]:
@@ -22,21 +21,18 @@ def find_things(sentences: Sequence[Sentence]) -> list[Span]:
     return [noun.span for noun in _nouns(sentences) if noun.kind == "thing"]
 
 
-def find_denied(sentences: Sequence[Sentence]) -> list[Span]:
-    """Return where stands what is not there, and what pictures only show."""
+def find_denied(sentences: Sequence[Sentence], pictures: Collection[str]) -> list[Span]:
+    """Return where stands what is not there, and what ``pictures`` only show."""
     shown = [
         item.span
         for noun in _nouns(sentences)
-        if {noun.category, *noun.head.split()[-1:]} & _SHOWING
+        if {noun.category, *noun.head.split()[-1:]} & {*pictures}
         for post in noun.post
         if isinstance(post, Carry) and post.how == "of"
         for carried in post.items
         for item in _nouns_of(carried)
     ]
     return [*shown, *(item.span for post in _posts(sentences) for item in _lacking(post))]
-
-
-_SHOWING = DEPICTIONS | {"picture_frame", "photo_print"}
 
 
 def _lacking(post: Post) -> Sequence[Noun]:
