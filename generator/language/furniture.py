@@ -104,7 +104,7 @@ def _size(
             z = 0.45
         else:
             x, y = x * factor, y * factor
-    flat = next((n.lengths for n in reading.table if n.lengths and not n.upright), ())
+    flat = tuple(v for n in reading.table if not n.upright for v in n.lengths)
     tall = next((n.lengths for n in reading.table if n.lengths and n.upright), flat[2:])
     asked = (*flat[:2], *(None,) * (2 - len(flat[:2])), *tall[:1])
     given = [_limit_side(*pair, reading) for pair in zip(asked, _LIMITS, strict=False)]

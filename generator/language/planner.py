@@ -53,9 +53,9 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
     _check_content(prompt, reading, tone.theme)
     objects, groups = relate_by_habit(*_plan_objects(reading))
     full = density or tone.density
-    name = tone.theme or _default_theme(reading, empty=not objects)
+    name = tone.theme or _default_theme(reading, empty=not (objects or reading.people))
     _check_bare(reading, objects)
-    people = reading.people or (0 if reading.guests else tone.people)
+    people = reading.people or (0 if reading.seated else tone.people)
     setting = _setting(name, people, reading, objects)
     if setting:
         more, seated = place_settings(people, setting, objects, reading.excluded)

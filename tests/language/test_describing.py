@@ -65,3 +65,14 @@ def test_what_a_vessel_is_full_of_ends_at_an_article() -> None:
     assert all_related(text) == {("cherries_1", "in", "bowl_1")}
     held = all_related("a jug full of water and a glass full of ice")
     assert held == {("ice_cube_1", "in", "glass_1")}
+
+
+@pytest.mark.parametrize(
+    ("text", "mugs"), [("mugs of various sizes", 2), ("The mugs are red, blue and white.", 3)]
+)
+def test_what_a_verb_lists_says_how_many_there_are(text: str, mugs: int) -> None:
+    assert counts(text) == {"mug": mugs}
+
+
+def test_what_is_drawn_on_a_thing_is_understood() -> None:
+    assert plan("a mug with a picture of a cat").warnings == ()

@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from plans import counts, plan
 
+from generator.errors import InputError
+
 
 @pytest.mark.parametrize(
     "text",
@@ -88,3 +90,13 @@ def test_each_gets_what_the_text_lays(text: str, expected: dict[str, int]) -> No
     assert there.keys() == expected.keys()
     if "plate" in expected:
         assert there == expected
+
+
+def test_a_table_set_for_two_is_a_dining_table() -> None:
+    assert plan("a table set for two").table.size[2] > 0.7
+    assert counts("a dinner à la carte for two")["plate"] == 2
+
+
+def test_what_no_thing_is_said_to_be_is_no_table() -> None:
+    with pytest.raises(InputError, match="No object"):
+        plan("lying on its side")

@@ -16,6 +16,7 @@ from ..syntax.phrases.tree import (
     Post,
     Zone,
 )
+from ..syntax.phrases.walking import find_spans
 from . import contents
 from .linking import link, topmost
 from .references import Target
@@ -43,7 +44,7 @@ class CarryReader(ThingReader, ABC):
             items = post.items
             if isinstance(owner, list):
                 looks = [item for item in items if contents.decorates(item, owner)]
-                self._read.update(item.span for item in looks)
+                self._read.update(span for item in looks for span in find_spans(item))
                 items = tuple(item for item in items if item not in looks)
             vessel = _vessel(owner, noun)
             if (

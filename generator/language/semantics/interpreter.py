@@ -144,6 +144,9 @@ class Interpreter(SeatReader):
                     self._attach(post, target, group)
             return
         for group in things:
+            each = len(post.each) if isinstance(post, Description) else 0
+            if each > len(group) > 1 and group is self._uncounted:
+                self._recount(each)  # "cups are red, green and blue"
             self._post(post, group, None)
         if isinstance(post, Location) and not groups and not things:
             self._resolve(post, [])
@@ -151,7 +154,8 @@ class Interpreter(SeatReader):
             guests = self.reading.people if bare else 0
             if not self._lay_brought(post.items, guests):  # "a table for two with a plate each"
                 self._carry(post, TABLE, None)
-        if isinstance(post, Description) and TABLE in groups:
+        known = not bare or any(noun.kind == "table" for noun in self.reading.table)
+        if isinstance(post, Description) and TABLE in groups and known:
             self.reading.table.append(_describing(post))
 
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
@@ -258,8 +262,6 @@ class Interpreter(SeatReader):
         elif isinstance(post, Counted):
             self._recount(int(post.count))
         else:
-            if len(post.each) > len(group) > 1 and group is self._uncounted:
-                self._recount(len(post.each))  # "cups are red, green and blue"
             if len(post.each) > len(group) == 1:
                 return  # "a mug in different colours"
             for k, draft in enumerate(group):

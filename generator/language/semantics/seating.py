@@ -26,12 +26,13 @@ class SeatReader(ListInterpreter, ABC):
         people = clause.people
         if people == EVERYONE:
             people = self.reading.people or self._guests or _SOME_PEOPLE
-        self._guests = self.reading.guests = people
+        self._guests = people
         if all(noun.kind in loose for noun in clause.subjects):
             self._lay_table(clause, people)
             return
         heads = [noun.head for noun in clause.subjects if noun.kind == "thing" and noun.post]
         laid = any(noun.category in _TABLEWARE for noun in clause.subjects)
+        self.reading.seated = self.reading.seated or laid
         central = any(map(_is_central, clause.subjects))
         counted = all(noun.count is not None for noun in clause.subjects)
         common = not laid and central and counted  # "poker for two: a deck in the middle, ..."

@@ -16,6 +16,11 @@ def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[s
     ]
 
 
+def find_spans(noun: Noun) -> list[Span]:
+    """Return where a noun phrase and all those in it stand."""
+    return [inner.span for inner in _nouns_of(noun)]
+
+
 def find_things(sentences: Sequence[Sentence]) -> list[Span]:
     """Return where the names of things stand: of a lab coat, no lab."""
     return [noun.span for noun in _nouns(sentences) if noun.kind == "thing"]
