@@ -71,6 +71,8 @@ class Reading:
     banned: set[str] = field(default_factory=set)
     groupings: list[Grouping] = field(default_factory=list)
     people: int = 0  # for whom the table is laid with what its theme has; 0 where it is not said
+    seated: bool = False  # whether the text says what each of them gets
+    laid: bool = False  # whether it is the table that is for them: "a table for four"
     warnings: list[str] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)  # what was not understood
     vague: bool = False

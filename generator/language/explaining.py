@@ -11,7 +11,7 @@ import numpy as np
 from ..catalogue import CATEGORIES
 from .parsing.vocabulary import SIZES
 from .planner import plan_scene
-from .reading import read_text
+from .reading import NOT_UNDERSTOOD, read_text
 from .syntax.phrases.tree import (
     Arranged,
     Carry,
@@ -61,7 +61,8 @@ def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
                 rows.append(Explained("count", f"for {clause.people}", "people at the table"))
     if plan.style != "plain":
         rows.append(Explained("style", plan.style))
-    rows += [Explained("note", "", warning) for warning in plan.warnings]
+    notes = [warning for warning in plan.warnings if not warning.startswith(NOT_UNDERSTOOD)]
+    rows += [Explained("note", "", note) for note in notes]
     rows += [Explained("not understood", phrase) for phrase in dict.fromkeys(read.reading.lost)]
     return tuple(dict.fromkeys(rows))
 
@@ -130,6 +131,10 @@ def _post(post: Post, subject: str, text: str) -> Iterator[Explained]:
     elif isinstance(post, Lack):
         for item in post.items:
             yield Explained("absent", " ".join(item.words), f"of {subject}")
+        place = post.place
+        if place is not None and isinstance(place.target, Noun):
+            goal = " ".join(place.target.words) or place.target.head
+            yield Explained("absent", f"{place.kind.replace('_', ' ')} {goal}", f"of {subject}")
     elif isinstance(post, Arranged):
         yield Explained("arrangement", post.kind, f"of {subject}")
     elif isinstance(post, Counted):

@@ -12,6 +12,8 @@ from .parsing.vocabulary import COLORS, LEGS, OUTLINES, SHADES, SIZES, TABLE_MAT
 from .themes import Theme
 
 _FACTORS = {"tiny": 0.75, "small": 0.85, "large": 1.2, "huge": 1.35}
+_LIMITS = ("long", 0.4, 2.4), ("deep", 0.35, 2.0), ("high", 0.25, 1.2)
+"""The least and most length, depth and height of a table, metres."""
 _BOARDS = ("oak", "pine", "walnut")  # what slats are made of
 _DEFAULT = Theme(
     (), ("rectangle",), ("oak", "walnut", "pine", "beech", "white"), (1.2, 0.7, 0.74), ()
@@ -54,6 +56,21 @@ def plan_table(
     return PlannedTable(outline, material, legs, (length, depth, height), color)
 
 
+def _limit_side(
+    asked: float | None, limits: tuple[str, float, float], reading: Reading
+) -> float | None:
+    """Return a length as far as a table may have it, and tell where that is another."""
+    if asked is None:
+        return None
+    side, least, most = limits
+    length = float(np.clip(asked, least, most))
+    if length != asked:
+        reading.warnings.append(
+            f"A table {asked:g} m {side} is no table to work at; it is {length:g} m {side}."
+        )
+    return length
+
+
 def _is_leg(word: str) -> bool:
     return LEGS[word] in ("tapered", "splayed", "trestle", "pedestal", "hairpin")
 
@@ -87,11 +104,12 @@ def _size(
             z = 0.45
         else:
             x, y = x * factor, y * factor
-    lengths = [n.lengths for n in reading.table if n.lengths]
-    if lengths:
-        given = [float(np.clip(v, 0.4, 2.4)) for v in lengths[0]]
-        x, y = (given[0], given[1]) if len(given) > 1 else (given[0], y * given[0] / x)
-        z = given[2] if len(given) > 2 else z
-        if outline in ("square", "round"):
-            y = x
-    return round(x, 3), round(float(np.clip(y, 0.35, 2.0)), 3), round(z, 3)
+    flat = tuple(v for n in reading.table if not n.upright for v in n.lengths)
+    tall = next((n.lengths for n in reading.table if n.lengths and n.upright), flat[2:])
+    asked = (*flat[:2], *(None,) * (2 - len(flat[:2])), *tall[:1])
+    given = [_limit_side(*pair, reading) for pair in zip(asked, _LIMITS, strict=False)]
+    if given[0] is not None:
+        x, y = given[0], given[1] or y * given[0] / x
+        y = x if outline in ("square", "round") else y
+    z = given[2] if len(given) > 2 and given[2] is not None else z
+    return round(x, 3), round(float(np.clip(y, *_LIMITS[1][1:])), 3), round(z, 3)

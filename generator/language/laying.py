@@ -35,12 +35,13 @@ SETTINGS: Mapping[str, PlaceSetting] = MappingProxyType(
 """How tables are laid, by the thing of a theme that says so."""
 
 
-def setting_of(theme: Theme, objects: Sequence[PlannedObject]) -> PlaceSetting | None:
-    """Return how a table of ``theme`` is laid, unless the text has laid it already."""
-    words = {o.noun for o in objects} | {o.category for o in objects}
+def setting_of(theme: Theme, objects: Sequence[PlannedObject], people: int) -> PlaceSetting | None:
+    """Return how a table of ``theme`` is laid for people, unless the text has laid it already."""
+    there = Counter(o.category for o in objects)
     for thing, setting in SETTINGS.items():
         if any(entry.startswith(f"{thing} ") for entry in theme.things):
-            return None if words & {thing, setting.things[0][0]} else setting
+            own = any(there[key] >= people for key in (thing, "fork", "knife", "spoon"))
+            return None if own else setting
     return None
 
 
@@ -60,7 +61,7 @@ def place_settings(
         names: list[str] = []
         for word, where in setting.things[:share]:
             key = lexicon.category_of((word,))
-            if key is None or key in excluded:
+            if key is None or key in excluded or taken[key] >= people:
                 continue
             name = f"{key}_{taken[key] + person + 1}"
             relation = (Relation(where, names[0]),) if where and names else ()

@@ -17,36 +17,16 @@ from . import relations
 from .drafts import Draft, Grouping, Reading
 from .filling import fill, relate_by_habit
 from .furniture import plan_table
-from .laying import place_settings, setting_of
-from .parsing import lexicon
-from .parsing.vocabulary import DRAWN, PEOPLE, STYLES
+from .laying import PlaceSetting, place_settings, setting_of
 from .reading import EXAMPLE, read_text
 from .semantics import contents
+from .semantics.tone import read_tone
 from .sizing import grow_carriers
 from .themes import DEFAULT_TABLES, THEMES
 from .words.dictionary import warn_of_stand_ins
 
-_REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
-_SOME = "|".join(PEOPLE)
-_PEOPLE = re.compile(
-    rf"\b(?:(?:set |laid )?for ({_SOME})(?: (?:people|persons|guests|diners|children|kids))?"
-    r"(?=\s*(?:[.,;]|$|with|and|on|in|at))"
-    rf"|({_SOME})[ -](?:person|seat|seater))\b"
-)
-
-
-_LAID = re.compile(r"\b(?:set|lay|laid|setting|settings|places|seats)\b")
 _OWN = 3
 """So many kinds of things of its own say that a text lays its table itself."""
-
-_DENSITIES: Mapping[str, Density] = MappingProxyType(
-    {
-        "cluttered": "dense", "crowded": "dense", "messy": "dense", "packed": "dense",
-        "busy": "dense", "chaotic": "dense", "sparse": "sparse", "minimalist": "sparse",
-        "minimal": "sparse", "uncluttered": "sparse", "spacious": "sparse",
-    }
-)  # fmt: skip
-"""Words for how full a table is."""
 
 _FULL: Mapping[Density, tuple[int, int]] = MappingProxyType(
     {"sparse": (3, 4), "normal": (5, 7), "dense": (10, 13)}
@@ -68,29 +48,19 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
             or contradicting relations.
     """
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
-    reading = read_text(prompt, rng).reading
-    text = _REQUEST.sub(" ", " ".join(lexicon.tokens(prompt)))
-    text, drawn = _split_style(text)
-    people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
-    words = _PEOPLE.sub(" ", text).split()
-    theme = _theme(words)
-    _check_content(prompt, reading, theme)
+    read = read_text(prompt, rng)
+    reading, tone = read.reading, read_tone(prompt, read.sentences)
+    _check_content(prompt, reading, tone.theme)
     objects, groups = relate_by_habit(*_plan_objects(reading))
-    full = density or _density_of(words)
-    name = theme or _default_theme(reading, empty=not objects)
+    full = density or tone.density
+    name = tone.theme or _default_theme(reading, empty=not (objects or reading.people))
     _check_bare(reading, objects)
-    people = reading.people or people
-    laid = (name or "dining") if reading.people else name
-    own = len({o.noun for o in objects})
-    if people > 1 and own >= _OWN and not _LAID.search(text):
-        people, reading.people = 0, 0
-    setting = setting_of(THEMES[laid], objects) if laid and people > 1 else None
-    if setting is None and reading.people:
-        setting = setting_of(THEMES["dining"], objects)
+    people = reading.people or (0 if reading.seated else tone.people)
+    setting = _setting(name, people, reading, objects)
     if setting:
         more, seated = place_settings(people, setting, objects, reading.excluded)
         objects, groups = [*objects, *more], [*groups, *seated]
-    elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
+    elif name and (not objects or (tone.setting and reading.vague and len(objects) < 6)):
         fewest, most = _FULL[full]
         if objects:
             fewest = most = min(most, len(objects) + 3)
@@ -98,18 +68,9 @@ def plan_scene(prompt: str, seed: int, density: Density | None = None) -> SceneP
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects = relations.place_supports(grow_carriers(objects))
     objects, doubts = relations.check_relations(objects)
-    style = drawn or next((word for word in words if word in STYLES), "plain")
     told = [*reading.warnings, *_warn_of_lengths(reading), *warn_of_stand_ins(objects), *doubts]
     warnings = tuple(dict.fromkeys(told))
-    return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups), full)
-
-
-def _density_of(words: Sequence[str]) -> Density:
-    """Return how full a text says that the table is."""
-    for word in words:
-        if word in _DENSITIES:
-            return _DENSITIES[word]
-    return "normal"
+    return ScenePlan(prompt, table, tuple(objects), tone.style, warnings, tuple(groups), full)
 
 
 # ------------------------------------------------------------------------------------- checks
@@ -140,26 +101,22 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
 # -------------------------------------------------------------------------------------- themes
 
 
-def _split_style(text: str) -> tuple[str, str | None]:
-    """Take "cartoon style" or "low poly" out of a text; return the rest and the way to draw."""
-    for phrase, drawn in DRAWN.items():
-        found = re.search(rf"\b{phrase}\b(?: styled?\b)?", text)
-        if found:
-            return f"{text[: found.start()]} {text[found.end() :]}", drawn
-    return text, None
-
-
-def _theme(words: Sequence[str]) -> str | None:
-    """Return the theme whose longest phrase occurs in the text."""
-    text = f" {' '.join(words)} "
-    singular = f" {' '.join(lexicon.singular(w) for w in words)} "
-    found = [
-        (len(phrase), name)
-        for name, theme in THEMES.items()
-        for phrase in theme.words
-        if f" {phrase} " in text or f" {phrase} " in singular
-    ]
-    return max(found, key=lambda pair: pair[0])[1] if found else None
+def _setting(
+    name: str | None, people: int, reading: Reading, objects: Sequence[PlannedObject]
+) -> PlaceSetting | None:
+    """Return what is laid for each of several people; None where nothing is."""
+    if people < 2:
+        return None
+    setting = setting_of(THEMES[name], objects, people) if name else None
+    if setting is not None or not reading.people:
+        return setting
+    own = {o.category for o in objects}
+    food = any("edible" in CATEGORIES[key].roles for key in own & CATEGORIES.keys())
+    games = len(own) > 1 and not food  # "a meeting for five with notebooks and pens"
+    if not name and not reading.laid and (games or len(own) >= _OWN):
+        reading.warnings.append(f"No places are laid for {people} people at what is no meal.")
+        return None
+    return setting_of(THEMES["dining"], objects, people)
 
 
 def _default_theme(reading: Reading, *, empty: bool) -> str | None:
@@ -217,10 +174,10 @@ _LENGTHS = 0.01, 0.6  # metres: the shortest and the longest thing on a table
 
 def _warn_of_lengths(reading: Reading) -> list[str]:
     return [
-        f"A {d.noun} of {d.lengths[0]:g} m does not belong on a table; it is "
-        f"{np.clip(d.lengths[0], *_LENGTHS):g} m long."
+        f"A {d.noun} of {max(d.lengths):g} m does not belong on a table; it is "
+        f"{np.clip(max(d.lengths), *_LENGTHS):g} m long."
         for d in reading.objects
-        if d.lengths and not _LENGTHS[0] <= d.lengths[0] <= _LENGTHS[1]
+        if d.lengths and not _LENGTHS[0] <= max(d.lengths) <= _LENGTHS[1]
     ]
 
 
@@ -229,5 +186,5 @@ def _size(draft: Draft) -> tuple[float, float, float] | None:
     if not draft.lengths:
         return None if draft.category else stand_in_size(draft.family, draft.attributes)
     known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)
-    factor = float(np.clip(draft.lengths[0], *_LENGTHS)) / max(known)
+    factor = float(np.clip(max(draft.lengths), *_LENGTHS)) / max(known)
     return float(known[0] * factor), float(known[1] * factor), float(known[2] * factor)

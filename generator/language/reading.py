@@ -40,6 +40,9 @@ from .words.spelling import correct
 MAX_CHARACTERS = 2000
 """Longest text the planner reads."""
 
+NOT_UNDERSTOOD = "Not understood: "
+"""How a warning of what was not understood begins."""
+
 OTHER_LANGUAGE = (
     "The embedded planner reads English alone, and this text is not English. Write it in English, "
     "or let a cloud reasoner plan it: 'tabletopgen generate TEXT --reasoner cloud', in Python "
@@ -83,9 +86,9 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
     sentences = parser.sentences()
     reading = Interpreter(rng).read(sentences)
     reading.lost += talk
-    reading.lost += list_skipped(parser.skipped)
+    reading.lost += [*parser.lost, *list_skipped(parser.skipped)]
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
-    reading.warnings += [f"Not understood: {phrase!r}." for phrase in dict.fromkeys(reading.lost)]
+    reading.warnings += [f"{NOT_UNDERSTOOD}{phrase!r}." for phrase in dict.fromkeys(reading.lost)]
     return ReadText(tuple(sentences), reading, fixes)
 
 

@@ -41,3 +41,15 @@ def test_ignored_words_are_told() -> None:
 def test_what_the_plan_warns_of_is_told_too() -> None:
     rows = explain("a phone leaning on a cactus")
     assert any(row.role == "note" and "does not lean" in row.meaning for row in rows)
+
+
+def test_what_was_not_understood_is_told_once() -> None:
+    rows = explain("a mug 5 cm behind a plate and happiness")
+    told = [row for row in rows if "not understood" in (row.role, row.meaning.lower()[:14])]
+    assert [row.phrase for row in told] == ["happiness", "5 cm"]
+    assert not any(row.role == "note" for row in rows)
+
+
+def test_a_denied_place_is_told() -> None:
+    rows = explain("the mug is not on the tray")
+    assert Explained("absent", "on tray", "of mug") in rows

@@ -16,6 +16,7 @@ from ..syntax.phrases.tree import (
     Post,
     Zone,
 )
+from ..syntax.phrases.walking import find_spans
 from . import contents
 from .linking import link, topmost
 from .references import Target
@@ -42,13 +43,17 @@ class CarryReader(ThingReader, ABC):
                 return
             items = post.items
             if isinstance(owner, list):
-                items = tuple(item for item in items if not contents.decorates(item, owner))
+                looks = [item for item in items if contents.decorates(item, owner)]
+                self._read.update(span for item in looks for span in find_spans(item))
+                items = tuple(item for item in items if item not in looks)
+            vessel = _vessel(owner, noun)
             if (
                 isinstance(owner, list)
-                and noun is not None
-                and (contents.fills(noun, items) or contents.repeats(noun, items))
+                and vessel is not None
+                and (contents.fills(vessel, items) or contents.repeats(vessel, items))
             ):
-                contents.label(noun, items[0], owner)
+                contents.label(vessel, items[0], owner)
+                self._read.add(items[0].span)
                 context.owner = outer
                 self._posts(items[0], owner)
                 return
@@ -84,6 +89,7 @@ class CarryReader(ThingReader, ABC):
             context.owner, context.subject = outer, subject
 
     def _contents(self, post: Carry, owner: Group, noun: Noun) -> None:
+        self._read.update(item.span for item in post.items)
         if post.each and len(post.items) == len(owner):  # "bottles of gin, rum and vermouth"
             for inner, draft in zip(post.items, owner, strict=True):
                 contents.label(noun, inner, [draft])
@@ -118,6 +124,13 @@ class CarryReader(ThingReader, ABC):
     @abstractmethod
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
+
+
+def _vessel(owner: Target, noun: Noun | None) -> Noun | None:
+    """Return the noun phrase of an owner, the last one of it where a verb says what it holds."""
+    if noun is not None or not isinstance(owner, list):
+        return noun
+    return Noun("thing", (owner[0].noun,), (0, 0), owner[0].noun, owner[0].category)
 
 
 def _is_pile(group: Group) -> bool:

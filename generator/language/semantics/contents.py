@@ -69,7 +69,11 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     (item,) = items
     if item.kind == "collective" and not item.determined and holds_things(owner.category):
         return item.head.split()[-1] in ("food", "foods", "snacks")
-    vessel = item.category is None or owner.category in _VESSELS
+    if item.category in LOOSE and owner.category not in _VESSELS:
+        return False  # crisps in a bowl are poured out
+    packed = bool(PACKAGES & set(owner.head.split()[-1:]))
+    holds = owner.category in _VESSELS or packed or holds_things(owner.category)
+    vessel = item.category is None or holds
     plain = not item.determined and not item.plural and vessel
     return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)
 

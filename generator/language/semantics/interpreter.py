@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import MAX_OBJECTS, Draft, Group, Grouping, Reading, phrase_text
+from ..drafts import Group, Reading, phrase_text
 from ..syntax.phrases.tree import (
-    EVERYONE,
     Arranged,
     Carry,
     Clause,
@@ -21,17 +20,25 @@ from ..syntax.phrases.tree import (
     Post,
     Sentence,
     Zone,
+    is_everything,
 )
-from .listing import TURNED, ListInterpreter, is_supported
-from .references import Context, Target, antecedent, find_referred
-
-_SOME_PEOPLE = 4
-"""For how many "everyone" is where the text does not say it."""
+from ..syntax.phrases.walking import list_unread
+from .listing import TURNED, is_supported
+from .references import Target, antecedent, find_referred
+from .seating import SeatReader
 
 
 @dataclass(eq=False)
-class Interpreter(ListInterpreter):
-    """Turns clauses into drafts."""
+class Interpreter(SeatReader):
+    """Turns clauses into drafts.
+
+    ``_named`` is how many groups the sentences before this one have named; ``_alone`` tells whether
+    this one has a single clause.
+    """
+
+    _named: int = 0
+    _alone: bool = False
+    _latest: Group | None = None  # the subject of the last clause of this sentence that had one
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
         """Read all sentences.
@@ -44,11 +51,16 @@ class Interpreter(ListInterpreter):
             context.earlier = context.topic or context.earlier
             self._earlier_side, self._started = self._side, len(self.reading.objects)
             context.topic, context.parallel, self._side = None, None, None
+            self._latest = None
+            self._named, self._alone = len(context.mentioned), len(sentence.clauses) == 1
             for k, clause in enumerate(sentence.clauses):
                 self._local = k > 0
                 self._clause(clause)
+        self.reading.lost += list_unread(sentences, self._read)
         told = [draft for draft in self._uncounted if draft.told]
-        if told and len(told) < len(self._uncounted):  # the text has said how many after all
+        if (
+            told and not self._halves and len(told) < len(self._uncounted)
+        ):  # the text has said how many after all
             gone = [draft for draft in self._uncounted if not draft.told and not draft.relations]
             self.reading.objects[:] = [d for d in self.reading.objects if d not in gone]
         return self.reading
@@ -58,19 +70,30 @@ class Interpreter(ListInterpreter):
             self._people(clause)
             return
         lead = self._resolve(clause.lead, []) if clause.lead else None
-        if clause.lead is not None and lead is None:
-            return
-        groups = self._list(clause.subjects, None)
+        if clause.lead is not None and lead is None:  # somewhere, but not where
+            known = [noun for noun in clause.subjects if noun.category or noun.family]
+            clause = replace(clause, subjects=known, lead=None)
+        self._said = clause.predicate
+        spoken_of = self._spoken_of(clause)
+        groups = self._list(clause.subjects, None) if spoken_of is None else [*spoken_of]
         things = [group for group in groups if isinstance(group, list)]
         if lead is not None and clause.lead is not None:
             self._attach_lead(clause.lead, lead, groups)
-        if not clause.subjects and clause.predicate:
-            things = [self._context.topic] if isinstance(self._context.topic, list) else things
+        bare = not clause.subjects or (not things and _is_pronoun(clause.subjects[0]))
+        if bare and any(not isinstance(post, Lack) for post in clause.predicate):
+            topic = self._topic()
+            things = [topic] if isinstance(topic, list) else things
         for post in clause.predicate:
-            if isinstance(post, Lack) and not clause.subjects:
+            if isinstance(post, Lack) and bare:
                 self._lack(post, [])
             else:
-                self._predicate(post, things, groups)
+                self._predicate(post, things, [TABLE] if bare and not things else groups, bare)
+        told = bool(clause.predicate) and all(isinstance(p, Description) for p in clause.predicate)
+        if told and len(things) == 1 and things[0] is self._uncounted:
+            for draft in things[0]:
+                draft.implied = True  # "cups are blue": how many, the text may say yet
+        if things and not bare:
+            self._context.recent, self._latest = things, things[0]
         firsts = [d for group in things for d in group if not is_supported(d)]
         self._context.listed = firsts if len(things) > 2 else []
         if isinstance(lead, list) and self._context.topic in (None, *things):
@@ -78,9 +101,36 @@ class Interpreter(ListInterpreter):
         if things and self._context.topic is None:
             self._context.topic = things[0]
 
-    def _predicate(self, post: Post, things: Sequence[Group], groups: Sequence[Target]) -> None:
+    def _topic(self) -> Target | None:
+        """Return what a clause without a subject is about; None where it is the table."""
+        context = self._context
+        if self._latest is not None and self._local:
+            return self._latest
+        if context.topic is not None:
+            return context.topic
+        named = context.mentioned[self._named :]
+        if self._local:
+            return named[-1] if named else None
+        return context.earlier if self._alone else None
+
+    def _spoken_of(self, clause: Clause) -> list[Group] | None:
+        """Return what "it" or "they" means as the subject of a clause; None of any other."""
+        subject = clause.subjects[0] if len(clause.subjects) == 1 else None
+        if subject is None or subject.kind != "pronoun" or subject.post:
+            return None
+        recent = self._context.recent
+        if subject.plural and len(recent) > 1:
+            return recent
+        return [group for group in recent if (len(group) > 1) == subject.plural][:1] or None
+
+    def _predicate(
+        self, post: Post, things: Sequence[Group], groups: Sequence[Target], bare: bool
+    ) -> None:
         if isinstance(post, Arranged):
             self._arrange(post, [draft for group in things for draft in group])
+            return
+        if isinstance(post, Location) and bare and not things:
+            self._resolve(post, [])  # "dinner for two by candlelight"
             return
         if isinstance(post, Location) and TABLE in groups and not things:
             if isinstance(post.target, Noun) and post.kind in ("on", "in"):
@@ -94,16 +144,23 @@ class Interpreter(ListInterpreter):
                     self._attach(post, target, group)
             return
         for group in things:
+            each = len(post.each) if isinstance(post, Description) else 0
+            if each > len(group) > 1 and group is self._uncounted:
+                self._recount(each)  # "cups are red, green and blue"
             self._post(post, group, None)
         if isinstance(post, Location) and not groups and not things:
-            self._resolve(post, [])  # "dinner for two by candlelight"
+            self._resolve(post, [])
         if isinstance(post, Carry) and TABLE in groups:
-            self._carry(post, TABLE, None)
-        if isinstance(post, Description) and TABLE in groups:
+            guests = self.reading.people if bare else 0
+            if not self._lay_brought(post.items, guests):  # "a table for two with a plate each"
+                self._carry(post, TABLE, None)
+        known = not bare or any(noun.kind == "table" for noun in self.reading.table)
+        if isinstance(post, Description) and TABLE in groups and known:
             self.reading.table.append(_describing(post))
 
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
         """Read a noun phrase with what follows it; return what it means."""
+        self._read.add(noun.span)
         if noun.kind == "table":
             return self._table(noun)
         if noun.kind == "pronoun":
@@ -125,10 +182,8 @@ class Interpreter(ListInterpreter):
             first = shown[0].items[0]
             rest = [post for post in noun.post if post is not shown[0]]
             return self._noun(replace(first, post=[*first.post, *rest]), owner)
-        if noun.words == ("everything",) and self.reading.objects:
-            standing = [d for d in self.reading.objects if not is_supported(d)]
-            self._posts(noun, standing)
-            return standing
+        if is_everything(noun) and self.reading.objects:
+            return self._everything(noun)
         if noun.kind in ("setting", "vague", "abstract"):
             return self._loose(noun)
         if noun.kind == "part":
@@ -140,8 +195,19 @@ class Interpreter(ListInterpreter):
         group = self._thing(noun)
         if group:
             self._context.mentioned.append(group)
+            if noun.half and len(group) > 1:
+                group = self._halve(group, self._said)
             self._posts(noun, group)
         return group or None
+
+    def _everything(self, noun: Noun) -> Group:
+        """Return what "everything except the fork" means of the things that stand there."""
+        apart: Group = []
+        for item in (i for post in noun.post if isinstance(post, Lack) for i in post.items):
+            apart += find_referred(item, self.reading.objects)
+        standing = [d for d in self.reading.objects if not is_supported(d) and d not in apart]
+        self._posts(replace(noun, post=[p for p in noun.post if not isinstance(p, Lack)]), standing)
+        return standing
 
     def _loose(self, noun: Noun) -> Target | None:
         """Read what follows "a scene with" or "some things": it stands on the table."""
@@ -202,26 +268,6 @@ class Interpreter(ListInterpreter):
                 draft.attributes.update(post.each[k % len(post.each)])
                 draft.lengths = post.lengths or draft.lengths
 
-    def _recount(self, count: int) -> None:
-        """Have as many of the last things that were not counted as the text says after all."""
-        group = self._uncounted
-        if not group or not 1 <= count <= MAX_OBJECTS:
-            return
-        like = group[-1]
-        while len(group) < count:
-            copy = self.reading.add(like.noun, like.category, like.attributes, family=like.family)
-            copy.relations = list(like.relations)
-            group.append(copy)
-        gone = [
-            draft for draft in group[count:] if all(d is not draft for d in self._find_related())
-        ]
-        self.reading.objects[:] = [d for d in self.reading.objects if all(d is not g for g in gone)]
-        del group[count:]
-
-    def _find_related(self) -> Group:
-        """Return the things that others are related to."""
-        return [to for d in self.reading.objects for _, to in d.relations if isinstance(to, Draft)]
-
     def _resolve(self, place: Location, subject: Group) -> Target | None:
         """Return what a place refers to, reading its noun phrase; None if it cannot be told."""
         context = self._context
@@ -230,6 +276,7 @@ class Interpreter(ListInterpreter):
                 self._table(place.table)
             return TABLE
         noun = place.target
+        self._read.add(noun.span)
         if place.kind == "otherside":
             return self._side[1] if self._side else None
         outer, context.subject = context.subject, subject
@@ -263,76 +310,19 @@ class Interpreter(ListInterpreter):
             target = target + [d for group in others if isinstance(group, list) for d in group]
         return target
 
-    def _people(self, clause: Clause) -> None:
-        """Read "set the table for four: a plate, a fork on the left"."""
-        loose = ("setting", "vague", "table", "collective", "abstract", "adjective", "title")
-        people = clause.people
-        if people == EVERYONE:
-            people = self.reading.people or self._guests or _SOME_PEOPLE
-        self._guests = people
-        if all(noun.kind in loose for noun in clause.subjects):
-            self.reading.people = self.reading.people or people
-            return
-        heads = [noun.head for noun in clause.subjects if noun.kind == "thing" and noun.post]
-        laid = any(noun.category in _TABLEWARE for noun in clause.subjects)
-        central = any(map(_is_central, clause.subjects))
-        counted = all(noun.count is not None for noun in clause.subjects)
-        common = not laid and central and counted  # "poker for two: a deck in the middle, ..."
-        once = common or len(heads) > len(set(heads))  # "a plate on either end"
-        if once and clause.people != EVERYONE:
-            self._list(clause.subjects, None)
-            return
-        shared = [noun for noun in clause.subjects if _is_central(noun)]
-        own = [noun for noun in clause.subjects if noun not in shared]
-        if clause.people == EVERYONE:
-            self.reading.people = 0
-        for noun in own:  # "cups and saucers": one for each
-            if noun.plural and noun.count is None and noun.amount is None:
-                noun.count, noun.plural = 1.0, False
-        self._lay(people, lambda: self._list(own, None))
-        self._list(shared, None)
-
-    def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
-        """Lay for each person what ``read`` reads; "on the left" is left of the first thing."""
-        for seat in range(people):
-            start = len(self.reading.objects)
-            context, self._context = self._context, Context()
-            self._seated, self._side = start, None
-            read()
-            self._seated, self._context = None, context
-            members = self.reading.objects[start:]
-            saucer = next((d for d in members if d.category == "saucer"), None)
-            for draft in members:
-                if saucer is not None and draft.category in ("mug", "teacup"):
-                    draft.relate("on", saucer)
-            for draft in members[1:]:
-                if not draft.relations:
-                    draft.relations.append(("right_of", members[0]))
-            standing = tuple(d for d in members if not is_supported(d))
-            if people == 1 and any(to == TABLE for d in members for _, to in d.relations):
-                return  # the text says where on the table it is laid
-            self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
+    def _name_denied(self, noun: Noun, group: Group) -> None:
+        """Name what a group is said not to be at: it is there all the same."""
+        context = self._context
+        outer, context.subject = context.subject, group
+        self._noun(noun, None)
+        context.subject = outer
 
 
 _IT = Noun("pronoun", ("it",), (0, 0), "it", definite=True)
 
 
-_TABLEWARE = frozenset(
-    ["plate", "bowl", "fork", "knife", "spoon", "glass", "wine_glass", "mug", "teacup", "saucer",
-     "placemat", "chopsticks", "champagne_flute", "place_card", "paper_plate", "paper_cup",
-     "plastic_cup", "serving_platter", "teaspoon", "butter_knife", "menu_card"]
-)  # fmt: skip
-"""What each person gets."""
-
-
-def _is_central(noun: Noun) -> bool:
-    """Tell whether a thing stands in the middle of the table, for all."""
-    return any(
-        isinstance(post, Location)
-        and isinstance(post.target, Zone)
-        and (post.target.x, post.target.y) == (0, 0)
-        for post in noun.post
-    )
+def _is_pronoun(noun: Noun) -> bool:
+    return noun.kind == "pronoun"
 
 
 def _is_one(noun: Noun) -> bool:
@@ -343,4 +333,5 @@ def _is_one(noun: Noun) -> bool:
 
 def _describing(post: Description) -> Noun:
     words = tuple(word for each in post.each for value in each.values() for word in value.split())
-    return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]))
+    return Noun("adjective", words, (0, 0), attributes=dict(post.each[0]), lengths=post.lengths,
+                upright=post.upright)  # fmt: skip

@@ -25,6 +25,7 @@ class Context:
         parallel: what the item before in the same list was related to.
         topic: the first subject of this sentence.
         earlier: the first subject of the sentence before.
+        recent: the subjects of the last clause that had any.
         listed: all things of the last sentence that listed several kinds.
         mentioned: every group in the order it was named.
     """
@@ -34,6 +35,7 @@ class Context:
     parallel: Target | None = None
     topic: Target | None = None
     earlier: Target | None = None
+    recent: list[Group] = field(default_factory=list)
     listed: Group = field(default_factory=list)
     mentioned: list[Group] = field(default_factory=list)
 
@@ -121,6 +123,8 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
             kind == "on" and to in alike for kind, to in d.relations)]  # fmt: skip
         if noun.position in ("top", "upper") and stacked:
             return [d for d in stacked if d.stacked_under is None][-1:] or stacked[-1:]
+        if noun.position in ("middle", "center", "centre"):
+            return [alike[len(alike) // 2]]
         return [alike[0] if noun.position in ("left", "front", "bottom", "lower") else alike[-1]]
     if noun.other and len(alike) > 1:
         return [alike[1]]

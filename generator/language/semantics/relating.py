@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -10,11 +11,13 @@ import numpy as np
 from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Grouping, Reading, assumed_relation
+from ..parsing.vocabulary import SUBSTANCES
 from ..syntax.phrases.tree import (
     Arranged,
     Lack,
     Location,
     Noun,
+    Span,
     Zone,
 )
 from .linking import flank, lies_flat, link, stack, unstack
@@ -36,7 +39,7 @@ _SIDES = {"fork": "left_of", "knife": "right_of", "spoon": "right_of", "chopstic
 
 
 @dataclass(eq=False)
-class Relater:
+class Relater(ABC):
     """Relates drafts to one another and to the table; vague numbers are drawn by ``rng``."""
 
     rng: np.random.Generator
@@ -46,6 +49,7 @@ class Relater:
     _local: bool = False  # whether more of this sentence has been read
     _earlier_side: tuple[str, Target] | None = None  # that of the sentence before
     _guests: int = 0  # for how many a table is laid; 0 where that is not said
+    _read: set[Span] = field(default_factory=set)  # where the noun phrases stand that were read
     _seated: int | None = None  # the first object of the place setting that is being read
 
     def _attach(self, place: Location, target: Target, group: Group) -> None:
@@ -261,6 +265,13 @@ class Relater:
             laid.append(Grouping(post.kind, tuple(group)))
 
     def _lack(self, post: Lack, group: Group) -> None:
+        self._read.update(item.span for item in post.items)
+        target = post.place.target if post.place is not None else None
+        if isinstance(target, Noun):
+            self._read.add(target.span)
+        named = isinstance(target, Noun) and target.kind == "thing" and target.definite
+        if isinstance(target, Noun) and named and target.head not in SUBSTANCES:
+            self._name_denied(target, group)  # "not in the bowl, but next to it"
         for item in post.items:
             names = {item.category or item.head, *item.members} - {""}
             own = any((d.category or d.noun) in names for d in group)
@@ -270,6 +281,10 @@ class Relater:
             self.reading.excluded |= names
             if not group or own:
                 self.reading.banned |= names
+
+    @abstractmethod
+    def _name_denied(self, noun: Noun, group: Group) -> None:
+        """Name what a group is said not to be at: it is there all the same."""
 
 
 def _bottom(draft: Draft) -> Draft:

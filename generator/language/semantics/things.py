@@ -22,10 +22,10 @@ from ..syntax.phrases.tree import (
     Zone,
 )
 from ..syntax.text import function_words as fw
+from .counting import CountReader
 from .linking import link
 from .ordering import size_rank
 from .references import find_referred, may_carry, pick
-from .relating import Relater
 
 _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "sticky_notes"))
 """Categories that are a stack or a heap already."""
@@ -48,13 +48,9 @@ _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
 
 @dataclass(eq=False)
-class ThingReader(Relater, ABC):
-    """Reads which things a noun phrase means.
+class ThingReader(CountReader, ABC):
+    """Reads which things a noun phrase means."""
 
-    ``_uncounted`` are the last several things of which the text has not said how many they are.
-    """
-
-    _uncounted: Group = field(default_factory=list)
     _fresh: Group = field(default_factory=list)  # the last things that came in
     _started: int = 0  # how many things the sentences before this one have named
 
@@ -112,6 +108,12 @@ class ThingReader(Relater, ABC):
             )
             return []
         claimed = [d for d in self.reading.objects if d.implied and _claims(d, noun)]
+        if claimed and noun.count and not (noun.definite or noun.variants or noun.each):
+            counted = self._count_claimed(claimed, int(noun.count))
+            if counted is not None:
+                for draft in counted:
+                    draft.attributes.update(noun.attributes)
+                return counted
         if claimed and not noun.definite and (noun.count or 1) == 1 and not noun.plural:
             claimed[0].implied = False
             claimed[0].attributes.update(noun.attributes)
@@ -162,6 +164,15 @@ class ThingReader(Relater, ABC):
 
     def _member(self, noun: Noun) -> Group | None:
         """Read "one on the plate", "the other behind it": single ones of the last group."""
+        if noun.half or (noun.definite and noun.other and noun.plural and not noun.words):
+            several = [g for g in self._context.mentioned if len(g) > 1][-1:]
+            half = self._halve(several[0], self._said) if noun.half and several else []
+            chosen = half or self._rest()
+            if chosen and not noun.count:
+                for draft in chosen:
+                    draft.told = True
+                self._posts(noun, chosen)
+                return chosen
         if noun.definite and noun.other and noun.attributes and (noun.count or noun.plural):
             rest = [g for g in self._context.mentioned if len(g) > 1][-1:]
             free = [d for group in rest for d in group if not d.told][: int(noun.count or 99)]
@@ -247,7 +258,7 @@ class ThingReader(Relater, ABC):
         ):
             self._recount(int(noun.count))  # "there are four of them"
             return groups[-1]
-        if not groups or not (noun.post or noun.attributes):
+        if not groups or not (noun.post or noun.attributes or (noun.count and self._said)):
             return None
         free = [d for d in groups[-1] if not d.told]
         count = len(free) if noun.other and noun.plural else int(noun.count or 1)
@@ -326,10 +337,6 @@ class ThingReader(Relater, ABC):
             if word == "middle":
                 return [group[len(group) // 2]]
         return []
-
-    @abstractmethod
-    def _recount(self, count: int) -> None:
-        """Have as many of the last things that were not counted as the text says after all."""
 
     @abstractmethod
     def _posts(self, noun: Noun, group: Group) -> None:

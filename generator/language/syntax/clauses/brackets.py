@@ -40,6 +40,9 @@ class BracketReader(PlaceReader):
         while self._text() in _THERE_ARE:
             self.i += 1
         found, end = read_noun(self.tokens, self.i)
+        if self._distance() is not None:
+            self.i = before
+            return False  # "a mug, 5 cm from the edge"
         sized = found is not None and bool(found.lengths) and not found.words
         listed = opening in ("comma", "colon") and not (sized and opening == "comma")
         recounted = found is not None and noun.count is None and self._counts_them(found, end)
@@ -48,7 +51,7 @@ class BracketReader(PlaceReader):
             return False
         self.i = end
         if not found.words and found.lengths:
-            out.append(Description(({},), found.lengths))
+            out.append(Description(({},), found.lengths, found.upright))
         elif found.kind == "member" and not found.words and (found.count or found.amount):
             single = noun.kind == "thing" and not (noun.determined or noun.post)
             if many or (single and opening == "open"):

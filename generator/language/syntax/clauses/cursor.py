@@ -34,6 +34,7 @@ class Cursor(ABC):
         self.tokens = list(tokens)
         self.i = 0
         self.skipped: list[Token] = []
+        self.lost: list[str] = []  # phrases that were read but say nothing that a plan has
         self._heading: Location | None = None
         self._pending: list[Clause] = []  # clauses that were read with the one before them
         self._task = ""  # the verb of the task that this sentence tells a robot

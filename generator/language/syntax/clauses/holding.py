@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from ..phrases.nouns import read_noun
-from ..phrases.tree import VARIED, Carry, Description, How, Lack, Noun, Post
+from ..phrases.tree import VARIED, Carry, Description, How, Lack, Location, Noun, Post
 from ..text import function_words as fw
 from .brackets import BracketReader
 from .cursor import SUPPORTING
@@ -16,8 +17,12 @@ class HoldingReader(BracketReader):
 
     def _lacks(self, out: list[Post]) -> bool:
         self.i += 1
-        if self._place() is not None:
-            return True  # "that is not on the book"
+        if self._tag() == "of" and (self._tag(1) == "relative" or self._text(1) in fw.PRONOUNS):
+            self.i += 2  # "neither of which lies on the book"
+            self._skip(fw.BE | fw.PARTICIPLES)
+        if (place := self._place()) is not None:
+            self._denial(place, out)
+            return True
         self._skip(fw.STARTERS)  # "do not want any plates"
         items: list[Noun] = []
         while True:
@@ -41,12 +46,34 @@ class HoldingReader(BracketReader):
         out.append(Lack(tuple(items)))
         return bool(items)
 
+    def _denial(self, place: Location, out: list[Post]) -> None:
+        """Take in "not on the book", and where the thing is instead: "but next to it"."""
+        out.append(Lack((), place))
+        target = place.target
+        if self._tag() == "comma" and self._text(1) == "which" and isinstance(target, Noun):
+            self.i += 1
+            self._posts(target, target.post)  # "not in the cup, which lies on its side"
+        k = int(self._tag() == "comma")
+        if self._text(k) not in ("but", "rather"):
+            return
+        before, self.i = self.i, self.i + k + 1
+        self._skip(fw.PARTICIPLES)
+        instead = self._place()
+        if instead is None:
+            self.i = before
+            return
+        there = instead.target
+        if isinstance(there, Noun) and there.kind == "pronoun" and isinstance(target, Noun):
+            instead = replace(instead, target=replace(target, definite=True, count=None))
+        out.append(instead)
+
     def _carried(self, noun: Noun | None, out: list[Post], each: bool) -> bool:
         how: How = "hold" if self._value() in ("hold", "top") else "with"
         self.i += 1
         if self._tag() == "no" or self._text() == "not":
             return self._lacks(out)
-        full = self.tokens[self.i - 1].text.split()[0] in fw.FULL
+        said = self.tokens[self.i - 1].text.split()
+        full = bool(fw.FULL & {*said})
         self.i += self._tag() == "colon" and self._starts_noun(1)  # "contains: pliers, a wrench"
         back = self._returns()
         items = self._items(noun, how)
@@ -54,7 +81,7 @@ class HoldingReader(BracketReader):
             items = self._until_named_apart(items)
         if not items:
             return False
-        for item in items if full else ():
+        for item in items if full and "half" not in said else ():
             if item.plural and not item.determined:
                 item.amount = (4, 5)
         out.append(Carry(how, tuple(items), each, back))
@@ -62,9 +89,8 @@ class HoldingReader(BracketReader):
 
     def _until_named_apart(self, items: list[Noun]) -> list[Noun]:
         """Return the contents of "full of berries, an empty jar": what has an article is not in."""
-        apart = next(
-            (k for k, item in enumerate(items) if k and item.determined and item.joint != "and"), 0
-        )
+        named = (k for k, item in enumerate(items) if k and item.determined and _is_apart(item))
+        apart = next(named, 0)
         if not apart or items[0].determined:
             return items
         start = items[apart].span[0]
@@ -82,7 +108,7 @@ class HoldingReader(BracketReader):
         if self._tag() == "open" and inner.category is None:
             self._bracket(inner, inner.post)  # "six sufganiyot (jelly doughnuts)"
         if inner.lengths and not inner.words:
-            out.append(Description(({},), inner.lengths))
+            out.append(Description(({},), inner.lengths, inner.upright))
             return True
         if noun.kind == "table" and inner.family == "person":
             return True  # "the desk of a pupil"
@@ -161,6 +187,9 @@ class HoldingReader(BracketReader):
         if noun is None or noun.definite:
             return False
         last = noun.head.split()[-1:]
+        if self._text() == "in" and noun.words in fw.ASPECTS and self._tag(-1) == "word":
+            self.i = end  # "blue in colour"
+            return True
         aspect = "color" if last == ["colour"] else "".join(last)
         if noun.kind == "adjective" and set(noun.attributes) == {"color"}:
             colors = [*(noun.variants or (noun.attributes,))]
@@ -181,3 +210,9 @@ class HoldingReader(BracketReader):
 
     def _is_clause(self, end: int) -> bool:
         return end < len(self.tokens) and self.tokens[end].text in fw.BE
+
+
+def _is_apart(item: Noun) -> bool:
+    """Tell whether an item of what fills a vessel is no contents: "and a glass full of ice"."""
+    holds = any(isinstance(post, Carry) and post.how == "hold" for post in item.post)
+    return item.joint != "and" or item.count == 1 or holds

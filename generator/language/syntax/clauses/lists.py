@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ....catalogue import CATEGORIES, open_category
+from ...parsing.vocabulary import STYLES
 from ...relations import fits
 from ...words.speech import is_finite
 from ..phrases.nouns import read_noun
@@ -74,6 +75,7 @@ class ListReader(PostReader):
             if noun.kind == "thing" and noun.count is None:
                 noun.count, noun.amount = self._each_count, None
         self._each_count = 0.0
+        out = _describe_before(out)
         for noun in out:  # "a red and a blue mug": the first borrows the noun
             if noun.kind == "adjective" and noun.definite and noun.other:
                 noun.kind = "member"  # "the other four blue"
@@ -88,7 +90,12 @@ class ListReader(PostReader):
                     other.kind, other.head, other.category = "thing", noun.head, noun.category
                     other.count = other.count or 1.0
                 bare = []
-        return [noun for noun in out if noun not in bare or noun.post]
+        bare = [noun for noun in bare if not noun.post]
+        for noun in bare:  # "a mug and a red"
+            start, end = noun.span
+            said = [t for t in self.tokens if start <= t.span[0] and t.span[1] <= end]
+            self.skipped += [token for token in said if token.text not in STYLES]
+        return [noun for noun in out if noun not in bare]
 
     def _entry(self) -> list[Noun]:
         """Read one noun phrase with its posts, or a part of the table with what is there."""
@@ -124,9 +131,10 @@ class ListReader(PostReader):
         return items
 
     def _is_zone_heading(self) -> bool:
-        before = self.i
+        before, skipped = self.i, len(self.skipped)
         found = bool(self._zone_heading())
         self.i = before
+        del self.skipped[skipped:]
         return found
 
     def _leads(self) -> bool:
@@ -200,6 +208,34 @@ class ListReader(PostReader):
                 return None
             k += 1
         return None
+
+
+def _describe_before(items: list[Noun]) -> list[Noun]:
+    """Return a list where "a vase, tall and slim, and a candle" is of two things."""
+    out: list[Noun] = []
+    open_to = False  # whether the item before was described by the one after it
+    for noun in items:
+        before = out[-1] if out else None
+        open_to = "comma" in noun.joint or open_to
+        if before is None or not open_to or not _describes(noun, before):
+            out.append(noun)
+            open_to = False
+            continue
+        for attributes in (*noun.variants, noun.attributes):
+            before.attributes = {**attributes, **before.attributes}
+        before.post += noun.post
+    return out
+
+
+def _describes(noun: Noun, before: Noun) -> bool:
+    """Tell whether describing words of a list are said of the item before them."""
+    bare = noun.kind == "adjective" and noun.words and not (noun.determined or noun.other)
+    if not bare or before.kind != "thing" or not before.determined:
+        return False
+    if noun.variants and (before.plural or (before.count or 1) > 1):
+        return False
+    again = "color" in noun.attributes and "color" in before.attributes
+    return not again  # "a red mug, yellow and a green one"
 
 
 def _is_elsewhere(item: Noun, how: How) -> bool:

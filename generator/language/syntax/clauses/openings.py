@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 from ...parsing.lexicon import singular
 from ...parsing.vocabulary import COLORS
 from ...words.speech import is_verb
 from ..phrases.nouns import read_noun
-from ..phrases.tree import EVERYONE, Arranged, Description, Noun, Post, Zone
+from ..phrases.tree import EVERYONE, Arranged, Clause, Description, Noun, Post, Zone
 from ..phrases.zones import read_zone
 from ..text import function_words as fw
 from .cursor import ENDS
@@ -138,6 +139,8 @@ class OpeningReader(ListReader):
             number = float(self.tokens[k + 1].value)
         if self._text(k + 1 - self.i) == "a" and self._text(k + 2 - self.i) in ("couple", "family"):
             number, k = (2.0 if self._text(k + 2 - self.i) == "couple" else 4.0), k + 1
+        if number is not None and number > 24 and self._text(k + 2 - self.i) in fw.PEOPLE_WORDS:
+            self.lost.append(" ".join(token.text for token in self.tokens[k : k + 3]))
         if number is None or not 1 <= number <= 24:
             return 0
         self._seats = True
@@ -195,16 +198,65 @@ class OpeningReader(ListReader):
             return True  # "guards it from the left"
         return is_verb(self._text()) and not self._starts_category()
 
+    def _pronoun_clause(self) -> Clause | None:
+        """Read "It is red.", "They stand on a book." and "It contains three apples."."""
+        whole = self._text() in ("all", "both") and self._tag(1) == "of"
+        k = 2 * whole  # "all of them are red"
+        verbal = self._text(k + 1) in fw.BE or self._tag(k + 1) == "carry"
+        known = fw.PLURAL_PRONOUNS if whole else fw.SUBJECT_PRONOUNS
+        if self._text(k) not in known or not verbal:
+            return None
+        before, said = self.i, self._text(k)
+        self.i += k
+        noun = Noun("pronoun", (said,), self.tokens[self.i].span, said, definite=True,
+                    plural=said in fw.PLURAL_PRONOUNS)  # fmt: skip
+        self.i += 1
+        if self._tag() != "carry":
+            self.i += 1
+            self._skip(fw.BE | fw.PARTICIPLES | {"being"})
+        predicate: list[Post] = []
+        self._posts(None, predicate)
+        if not predicate and not self._ended():
+            predicate += self._complement()
+            self._posts(None, predicate)
+        if not predicate:
+            self.i = before
+            return None
+        return Clause([noun], predicate)
+
     def _complement(self) -> list[Post]:
-        """Read "is a red one", "is red": describing words after a verb."""
-        noun, end = read_noun(self.tokens, self.i)
-        if self._text() in COLORS and end == self.i + 1:
-            self.i = end  # "the top cube is orange"
-            return [Description(({"color": self._text(-1)},))]
-        if noun is None or noun.kind != "adjective":
-            return []
-        self.i = end
-        return [Description((noun.attributes,))]
+        """Read "is a red one", "is red and shiny": describing words after a verb."""
+        each: list[Mapping[str, str]] = []
+        while True:
+            k = self.i
+            if each:
+                while k < len(self.tokens) and self.tokens[k].tag in ("comma", "and"):
+                    k += 1
+                if k == self.i:
+                    break
+            noun, end = read_noun(self.tokens, k)
+            color = self.tokens[k].text if k < len(self.tokens) else ""
+            if noun is not None and noun.lengths and not (noun.words or each):
+                self.i = end  # "the table is 1.8 m long"
+                return [Description(({},), noun.lengths, noun.upright)]
+            if color in COLORS and end == k + 1:
+                each.append({"color": color})  # "the top cube is orange"
+            elif noun is None or noun.kind != "adjective" or (each and noun.determined):
+                break
+            else:
+                each += noun.variants or (noun.attributes,)
+            self.i = end
+        return [Description(describe_each(each))] if each else []
+
+
+def describe_each(said: Sequence[Mapping[str, str]]) -> tuple[Mapping[str, str], ...]:
+    """Return "red and blue" as one for each of two, "red and shiny" as what is true of all."""
+    if len(said) > 1 and all(words and words.keys() == said[0].keys() for words in said):
+        return tuple(said)
+    merged: dict[str, str] = {}
+    for words in said:
+        merged = {**words, **merged}
+    return (merged,)
 
 
 def is_seat(noun: Noun) -> bool:

@@ -15,6 +15,7 @@ from ..phrases.tree import (
     Noun,
     Post,
     Sentence,
+    is_everything,
 )
 from ..text import function_words as fw
 from .cursor import ENDS
@@ -61,6 +62,9 @@ class Parser(OpeningReader):
             self._heading = Location("at", zone)
         if self._tag(1) == "relation" and self._text() in fw.PARTICIPLES:
             self.i += 1  # "sitting on it: ..."
+        if (told := self._pronoun_clause()) is not None:
+            aim = self._task
+            return replace(told, predicate=[_as_aim(p) if aim else p for p in told.predicate])
         arrangement = self._opening() or self._listing()
         people = self._everyone() or self._people()
         lead = self._lead()
@@ -141,7 +145,8 @@ class Parser(OpeningReader):
             predicate = [_as_aim(post) for post in predicate]  # "and put it in the basket"
             for noun in subjects:
                 noun.post = [_as_aim(post) for post in noun.post]
-        if single and predicate and len(subjects) > 1 and "comma" in subjects[-1].joint:
+        apart = single or (subjects and _is_rest(subjects[-1]))
+        if apart and predicate and len(subjects) > 1 and "comma" in subjects[-1].joint:
             self._pending.append(Clause(subjects[-1:], predicate))
             return Clause(subjects[:-1], [], lead, people)
         return Clause(subjects, predicate, lead, people)
@@ -161,6 +166,8 @@ class Parser(OpeningReader):
         told = ("setting", "abstract", "title", "adjective")
         if subjects and all(noun.kind in told for noun in subjects[:-1]):
             del subjects[:-1]  # "a still life, everything on a cloth: ..."
+        if len(subjects) == 1 and self._read_everything(subjects, predicate):
+            return
         if len(subjects) != 1 or predicate:
             return
         first = subjects[0]
@@ -169,12 +176,6 @@ class Parser(OpeningReader):
             first.kind = "title"
             if not first.post:
                 return  # what follows is a clause of its own
-        places = [post for post in first.post if isinstance(post, Location)]
-        if first.words == ("everything",) and places and self._starts_noun(1):
-            self.i += 1  # "everything on a cloth: a bottle, ..."
-            subjects[:] = self._items(None, "with")
-            predicate += places
-            return
         roles = CATEGORIES[first.category].roles if first.category else ()
         if {"container", "support"} & {*roles} and not first.plural and self._starts_noun(1):
             self.i += 1
@@ -188,6 +189,31 @@ class Parser(OpeningReader):
                 items[-1].post += arranged
                 first.post = [post for post in first.post if post not in arranged]
                 first.post.append(Carry("with", tuple(items)))
+
+    def _read_everything(self, subjects: list[Noun], predicate: list[Post]) -> bool:
+        """Read "everything except the fork is on the tray: a plate, a fork and a knife"."""
+        first = subjects[0]
+        places = [p for p in (*first.post, *predicate) if isinstance(p, Location)]
+        if not is_everything(first) or not places or not self._starts_noun(1):
+            return False
+        self.i += 1
+        items = self._items(None, "with")
+        apart = [i for p in first.post if isinstance(p, Lack) for i in p.items]
+        left = [item for item in items if any(_is_same(item, other) for other in apart)]
+        subjects[:] = [item for item in items if item not in left]
+        predicate[:] = [*(p for p in places if p not in predicate), *predicate]
+        if left:
+            self._pending.append(Clause(left))
+        return True
+
+
+def _is_rest(noun: Noun) -> bool:
+    """Tell whether a phrase means those not spoken of: "the others", "the rest"."""
+    return noun.kind == "member" and noun.definite and noun.other and noun.plural
+
+
+def _is_same(noun: Noun, other: Noun) -> bool:
+    return noun.head == other.head and noun.category == other.category
 
 
 def _as_aim(post: Post) -> Post:

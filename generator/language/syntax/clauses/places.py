@@ -5,8 +5,10 @@ from __future__ import annotations
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
     Carry,
+    Description,
     Location,
     Noun,
+    Post,
     Zone,
 )
 from ..phrases.zones import read_zone
@@ -20,12 +22,20 @@ _SIDES = {(-1, None): "left_of", (1, None): "right_of", (None, -1): "in_front_of
 _DEGREES = frozenset({"right", "just", "directly", "immediately", "slightly", "far", "close"})
 
 
+_DIRECTED = frozenset({"left_of", "right_of", "in_front_of", "behind", "next_to", "under"})
+"""Relations that a distance may go before."""
+
+_BESIDE = 0.15  # metres: how far from another a thing may be that is next to it
+
+
 class PlaceReader(Cursor):
     """Reads places."""
 
     def _place(self, *, leading: bool = False) -> Location | None:
         """Read where something is; None where no place starts here."""
         before = self.i
+        if (distance := self._distance()) is not None:
+            return self._place_apart(distance, leading=leading)
         if self._text() in _DEGREES and self._tag(1) in ("relation", "here"):
             self.i += 1  # "right next to it"
         found = read_zone(self.tokens, self.i)
@@ -81,6 +91,77 @@ class PlaceReader(Cursor):
                 return Location(kind, target, target.each)
         self.i = before
         return None
+
+    def _distance(self) -> tuple[int, float] | None:
+        """Return where the "5 cm" of "5 cm behind the banana" ends, and how far it is in metres."""
+        noun, end = read_noun(self.tokens, self.i)
+        if noun is None:
+            return None
+        words = tuple(word for word in noun.words if word not in fw.AWAY)
+        unit = words[0] if len(words) == 1 else ""
+        if unit in fw.MEASURES and (noun.count or noun.amount):  # "a few centimetres", "an inch"
+            meters = (noun.count or float((noun.amount or (1, 1))[1])) * fw.MEASURES[unit]
+        elif len(noun.lengths) == 1 and not words:
+            meters = noun.lengths[0]
+        else:
+            return None
+        while self.tokens[end - 1].text in fw.AWAY:
+            end -= 1
+        k = end - self.i
+        away = self._text(k) in fw.AWAY
+        if self._text(k - 1) not in fw.MEASURES:
+            return None  # "a mug 10 cm tall next to a plate"
+        k += away
+        directed = self._tag(k) in ("relation", "here") and self._value_at(k) in _DIRECTED
+        directed = directed and self._text(k) not in ("by", "along", "at")
+        sided = self._text(k) == "to" and self._text(k + 1) in fw.DEFINITE  # no "4 cm to a side"
+        led = sided or self._text(k) in ("from", "left", "right")
+        return (self.i + k, meters) if directed or led or away else None
+
+    def _read_size(self, out: list[Post]) -> None:
+        """Read "3 m long and 1 m wide", and "that is 3 m long", after a table."""
+        k = self.i
+        if self._text() in ("that", "which") and self._text(1) in fw.BE:
+            k += 2
+        lengths: list[float] = []
+        while k < len(self.tokens):
+            noun, end = read_noun(self.tokens, k)
+            if noun is None or noun.words or not noun.lengths:
+                break
+            if noun.upright:
+                out.append(Description(({},), noun.lengths, upright=True))
+            else:
+                lengths += noun.lengths
+            self.i = end
+            k = end + (self._tag() in ("and", "comma"))
+        if lengths:
+            out.append(Description(({},), tuple(lengths)))
+
+    def _place_apart(self, distance: tuple[int, float], *, leading: bool) -> Location | None:
+        """Read a place after a distance, which no plan has; things far apart are not beside."""
+        before, (self.i, meters) = self.i, distance
+        said = " ".join(token.text for token in self.tokens[before : self.i])
+        place = self._place(leading=leading)
+        if place is None and self._text() == "from":
+            self.i += 1
+            target = self._target(nested=False)
+            place = None if target is None else Location("next_to", target)
+            if place is not None and meters > _BESIDE:
+                place = Location("aim", place.target)
+        if place is None:
+            self.i = before
+            return None
+        self.lost.append(said)
+        return place
+
+    def _apart(self) -> bool:
+        """Step over "10 cm apart"."""
+        distance = self._distance()
+        if distance is None:
+            return False
+        self.lost.append(" ".join(token.text for token in self.tokens[self.i : distance[0]]))
+        self.i = distance[0]
+        return True
 
     def _owned_side(self) -> Location | None:
         """Read "to the bowl's right" and "along the tray's left side"."""
@@ -139,6 +220,7 @@ class PlaceReader(Cursor):
         if self._tag() == "of" and noun.kind != "part":
             self._contents(noun, noun.post)
         if noun.kind == "table":
+            self._read_size(noun.post)
             return noun
         if nested:
             self._posts(noun, noun.post, nested=True)

@@ -90,6 +90,8 @@ class PostReader(HoldingReader):
             whole = word == "all" and comma and noun is not None
             out.append(replace(place, each=place.each or (each and not whole), whole=whole))
             return True
+        if self._apart():
+            return True
         if noun is not None and self._tag() in ("word", "number") and not comma:
             return self._described(out)
         return False
@@ -216,8 +218,11 @@ class PostReader(HoldingReader):
         if self._tag() != "relative" and not (self._text() == "that" and noun is not None):
             return False
         self.i += 1
+        self.i += self._text() in ("itself", "themselves")
         self._skip(fw.BE | fw.PARTICIPLES)
-        self.i += self._text() in ("has", "have", "had") and is_verb(self._text(1))
+        has = self._text() in ("has", "have", "had")
+        if has and (self._text(1) == "been" or is_verb(self._text(1))):
+            self.i += 1 + (self._text(1) == "been")
         if self._tag() == "word" and is_verb(self._text()) and self._text() not in fw.BE:
             self.i += 1  # "that usually comes along", "that has gone out"
             along = self._text() in ("along", "out", "up", "off", "away", "down")
@@ -261,7 +266,7 @@ class PostReader(HoldingReader):
         placed = self._tag(1) in ("relation", "here", "arranged") or (
             read_zone(self.tokens, self.i + 1) is not None
         )
-        verbal = self._tag() == "word" and word.endswith(("ed", "ing", "en", "t"))
+        verbal = self._tag() == "word" and word.endswith(("ed", "ing", "en", "t")) and word != "but"
         return placed and verbal and is_verb(word) and not self._starts_category()
 
     def _goes_on(self) -> bool:
@@ -317,5 +322,5 @@ class PostReader(HoldingReader):
         if not measured and (noun.kind != "adjective" or noun.determined):
             return False
         self.i = end
-        out.append(Description((noun.attributes,), noun.lengths))
+        out.append(Description((noun.attributes,), noun.lengths, noun.upright))
         return True

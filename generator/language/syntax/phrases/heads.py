@@ -108,7 +108,7 @@ def noun_of(run: PhraseStart) -> Noun:
         lengths=tuple(run.lengths), arrangement=run.arrangement,
         position=next((word for word in modifiers if word in _POSITIONS), None),
         ordinal=run.ordinal,
-        family=family,
+        family=family, upright=run.upright,
     )  # fmt: skip
 
 

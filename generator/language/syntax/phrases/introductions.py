@@ -26,6 +26,7 @@ _FURTHER = frozenset({"more", "extra", "additional", "further"})
 
 
 _EXTENTS = ("tall", "high", "long", "wide", "deep", "across", "diameter", "thick")
+_UPRIGHT = ("tall", "high")
 _MADE = (("out", "of"), ("from",), ("made", "of"), ("made", "from"), ("made", "out", "of"),
          ("built", "of"), ("built", "from"), ("using",))  # fmt: skip
 """Words between an arrangement and its things: "a pyramid out of six blocks"."""
@@ -52,6 +53,7 @@ class PhraseStart:
     words: list[str] = field(default_factory=list)
     variants: list[list[str]] = field(default_factory=list)
     lengths: list[float] = field(default_factory=list)
+    upright: bool = False  # "20 cm tall"
     name: tuple[str, ...] = ()
     first: int = 0
 
@@ -221,6 +223,8 @@ def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         return 0
     run.lengths += [value * fw.MEASURES[unit] for value in values]
     k += 1
+    upright = len(run.lengths) == 1 and k < len(tokens) and tokens[k].text in _UPRIGHT
+    run.upright = upright
     while k < len(tokens) and tokens[k].text in (*_EXTENTS, "-", "in"):
         if tokens[k].text == "in" and (k + 1 >= len(tokens) or tokens[k + 1].text != "diameter"):
             break

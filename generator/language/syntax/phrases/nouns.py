@@ -14,6 +14,8 @@ from .tree import Noun
 
 def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     """Return the noun phrase that starts at a token and where it ends; None where there is none."""
+    if (some := _share(tokens, start)) is not None:
+        return some
     run = PhraseStart(first=start)
     i = read_introduction(tokens, start, run)
     i = i if run.closed else _content(tokens, i, run)
@@ -22,6 +24,34 @@ def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     noun = noun_of(run)
     noun.span = tokens[start].span[0], tokens[i - 1].span[1]
     return noun, i
+
+
+def _share(tokens: Sequence[Token], start: int) -> tuple[Noun, int] | None:
+    """Read "half of the apples", "half of them", "the other half" and "the rest"."""
+    texts = [token.text for token in tokens[start : start + 5]]
+    for phrase in _REMAINDER:
+        if tuple(texts[: len(phrase)]) == phrase:
+            end = start + len(phrase)
+            end += 2 * (texts[len(phrase) : len(phrase) + 2] in (["of", "them"], ["of", "these"]))
+            if end < len(tokens) and tokens[end].text in fw.BE | {"all", "both"}:
+                span = tokens[start].span[0], tokens[end - 1].span[1]
+                return Noun("member", (), span, definite=True, plural=True, other=True), end
+    if texts[:1] != ["half"]:
+        return None
+    k = start + 1 + (texts[1:2] == ["of"])
+    if k >= len(tokens) or tokens[k].text not in fw.DEFINITE | fw.PLURAL_PRONOUNS:
+        return None
+    if tokens[k].text in fw.PLURAL_PRONOUNS and (k + 1 == len(tokens) or tokens[k].text == "them"):
+        span = tokens[start].span[0], tokens[k].span[1]
+        return Noun("member", (), span, definite=True, plural=True, half=True), k + 1
+    noun, end = read_noun(tokens, k)
+    if noun is None or noun.kind != "thing" or not noun.plural:
+        return None
+    noun.half, noun.span = True, (tokens[start].span[0], noun.span[1])
+    return noun, end
+
+
+_REMAINDER = (("the", "rest"), ("the", "remainder"), ("the", "other", "half"))
 
 
 # ------------------------------------------------------------------------------------ content
@@ -80,6 +110,8 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
     if not more or (tokens[k].tag == "word" and ends_here(tokens, k, run)):
         return 0
     start = i + 1 + (tokens[i].tag == "comma" and tokens[i + 1].tag == "and")
+    if ends_here(tokens, start, PhraseStart()):
+        return 0  # "empty and clean," of which the last may be a verb
     run.variants.append(list(run.words))
     run.words = []
     return start - i

@@ -74,9 +74,10 @@ class Carry:
 
 @dataclass(frozen=True)
 class Lack:
-    """What a thing is said to be without."""
+    """What a thing is said to be without; ``place``: where it is said not to be."""
 
     items: tuple[Noun, ...]
+    place: Location | None = None
 
 
 @dataclass(frozen=True)
@@ -95,11 +96,12 @@ class Arranged:
 class Description:
     """Attributes said after the noun: all the same, or one after the other for each.
 
-    ``lengths``: "20 cm tall", metres.
+    ``lengths``: "20 cm long", metres; ``upright`` where they are its height.
     """
 
     each: tuple[Mapping[str, str], ...]
     lengths: tuple[float, ...] = ()
+    upright: bool = False
 
 
 @dataclass(frozen=True)
@@ -140,7 +142,9 @@ class Noun:
         attributes: "color", "material", "size", "state", ... to words.
         variants: attributes of single ones ("red, green and blue cubes").
         members: categories of a collective.
-        lengths: lengths in metres ("20 cm tall").
+        lengths: lengths in metres ("20 cm long").
+        half: whether half of them are meant ("half of the apples").
+        upright: whether its one length is its height ("20 cm tall").
         arrangement: "a stack of", "stacked".
         position: "left", "right", ... ("the left plate").
         post: what follows the noun and belongs to it.
@@ -171,11 +175,20 @@ class Noun:
     seated: bool = False
     joint: str = ""
     family: str = ""
+    upright: bool = False
+    half: bool = False
 
     @property
     def determined(self) -> bool:
         """Whether an article, a number or a vague amount introduces it."""
         return self.definite or self.count is not None or self.amount is not None or self.each
+
+
+def is_everything(noun: Noun) -> bool:
+    """Tell whether a phrase means all there is: "everything", "all things"."""
+    return noun.words == ("everything",) or (
+        noun.kind == "vague" and noun.definite and noun.plural and len(noun.words) == 1
+    )
 
 
 EVERYONE = -1

@@ -62,6 +62,10 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
             i += 4
             i += apart and i < len(tokens) and tokens[i].tag == "comma"
             continue
+        if tokens[i].text == "but" and out and out[-1].text in ("everything", "all", "things"):
+            out.append(Token("no", tokens[i].words, "no"))  # "everything but the pen"
+            i += 1
+            continue
         if _is_also(tokens, i):
             i = _join_subject(out, tokens, i + 2)
             continue
@@ -179,6 +183,12 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
     texts = [token.text for token in tokens[i : i + 10]]
     if skipped := _robot(texts):
         return i + skipped
+    bound = next((b for b in fw.BOUNDS if tuple(" ".join(texts).split()[: len(b)]) == b), ())
+    k = i
+    while bound and sum(len(token.words) for token in tokens[i:k]) < len(bound):
+        k += 1
+    if bound and _is_number(tokens[k : k + 1]):
+        return k  # "no more than three books and at least two pens"
     if texts[:2] == ["nothing", "else"]:  # "nothing else goes in it: the hat is ..."
         marks = [k for k in range(i, len(tokens)) if tokens[k].tag in ("colon", "comma", *ENDS)]
         if marks and tokens[marks[0]].tag == "colon":
@@ -218,7 +228,9 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
         end = texts.index("but")
         marks = [token.tag for token in tokens[i + 1 : i + end]]
         after = tokens[i + end + 1].tag if i + end + 1 < len(tokens) else ""
-        if not any(tag in (*_PAUSES, "and") for tag in marks) and after == "relation":
+        denied = marks[:1] == ["relation"]  # the grammar reads "not on it but beside it"
+        plain = not denied and not any(tag in (*_PAUSES, "and") for tag in marks)
+        if plain and after == "relation":
             return i + end + 1
     return i
 

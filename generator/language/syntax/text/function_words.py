@@ -36,7 +36,7 @@ NUMBERS: Mapping[str, float] = MappingProxyType(
 
 PARTICLES = _words("off over up down out away")
 
-NEVER_INSIDE = _words("although though however unless whether because until during via "
+NEVER_INSIDE = _words("but although though however unless whether because until during via "
                       "than whilst instead")  # fmt: skip
 """Words that end a noun phrase."""
 
@@ -52,6 +52,22 @@ ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed gar
 """Where things are that "stay" there."""
 
 KINDS = _words("color colour kind type sort flavor flavour size shape one")
+
+BOUNDS = tuple(
+    tuple(phrase.split())
+    for phrase in (
+        "at least", "at most", "no more than", "not more than", "no less than", "not less than",
+        "no fewer than", "not fewer than", "up to", "more than", "fewer than", "less than",
+        "a maximum of", "a minimum of", "a total of", "as many as",
+    )
+)  # fmt: skip
+"""What a number is only the most or the least of."""
+
+AWAY = frozenset({"away", "apart", "off", "further", "farther"})
+"""What may follow a distance: "5 cm away"."""
+
+ASPECTS = frozenset({("color",), ("colour",), ("size",), ("shape",), ("style",), ("height",)})
+"""What a thing is said to be so "in": "blue in colour"."""
 
 NOBODY = _words("nothing nobody somebody someone something anything everybody anybody everyone")
 
@@ -75,6 +91,7 @@ AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
 DEFINITE = _words("the this that these those its his her my your their our")
 INDEFINITE = _words("a an any")
 PRONOUNS = _words("it them itself themselves they these those one")
+SUBJECT_PRONOUNS = _words("it they these those")
 PLURAL_PRONOUNS = _words("them themselves they these those")
 EACH = _words("each every")
 
@@ -143,6 +160,7 @@ CARRIES = _table(
     with: decked with, laden with, adorned with, strewn with, littered with, scattered with
     with: covered with, covered in, showing, lined with, cluttered with, dressed with, loaded with
     hold: containing, contains, contain, holding, holds, hold, that holds, filled with, full of
+    hold: half full of, half full with, half filled with, full to the brim with, full with
     hold: stuffed with, packed with, carrying, carries, carry, supporting, supports, piled with
     hold: piled high with, stacked with, heaped with, housing, brimming with, consisting of
     top: topped with, topped by, garnished with, sprinkled with, crowned with, crowned by
@@ -399,7 +417,9 @@ MEASURES: Mapping[str, float] = MappingProxyType(
         "centimetre": 0.01, "dm": 0.1, "m": 1.0, "meter": 1.0, "metre": 1.0, "inch": 0.0254,
         "inches": 0.0254, "ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "millimeters": 0.001,
         "millimetres": 0.001, "centimeters": 0.01, "centimetres": 0.01, "meters": 1.0,
-        "metres": 1.0,
+        "metres": 1.0, "km": 1000.0, "kilometer": 1000.0, "kilometre": 1000.0,
+        "kilometers": 1000.0, "kilometres": 1000.0, "yard": 0.9144, "yards": 0.9144, "yd": 0.9144,
+        "mile": 1609.344, "miles": 1609.344,
     }
 )  # fmt: skip
 

@@ -7,17 +7,17 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Literal
 
-from .function_words import NUMBERS
+from .function_words import MEASURES, NUMBERS
 
 WordKind = Literal["word", "number", "mark"]
 
 _ABBREVIATIONS = {
     "w/o": "without", "w/": "with", "&": "and", "+": "and", "pls": "please", "plz": "please",
-    "approx": "about", "ca": "about", "½": "half", "inc": "including", "incl": "including",
+    "approx": "about", "ca": "about", "inc": "including", "incl": "including",
 }  # fmt: skip
 _PIECE = re.compile(
     r"""
-    (?P<abbreviation>w/o\b|w/|[&+½])
+    (?P<abbreviation>w/o\b|w/|[&+])
     |(?P<contraction>\b(?:there|it|that|here|what|where|who)'s\b|\b(?:i|you|we|they)'(?:ve|re|ll|d|m)\b)
     |(?P<negated>[a-z]+n't)
     |(?P<possessive>(?<=[a-z])'s?(?![a-z]))
@@ -70,6 +70,8 @@ _LIKE = re.compile(
 )
 """What only says how a thing looks or smells: "cat-shaped"."""
 _AMOUNT = re.compile(r"(?i)\(\s*\d+(?:[.,]\d+)?\s*(?:ml|l|cl|dl|g|kg|oz|lb|lbs|w|v|gb|mb)\s*\)")
+_SLASHED = re.compile(r"(?<![\d/.,])(?:(\d+)(?: +| ?- ?))?([1-9])/([2-8])(?![\d/])")
+"""A fraction with a slash: "3 1/2", but no "1/2/3"."""
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
@@ -105,6 +107,7 @@ def words_of(text: str) -> tuple[Word, ...]:
     text = _PARTS.sub(lambda found: " " * len(found.group()), text)
     text = _TIMES.sub(lambda found: f"({found[1]})".ljust(len(found.group())), text)
     text = _BULLET.sub(lambda found: "\n".ljust(len(found.group())), text)
+    text = _SLASHED.sub(_fraction, text)
     plain, places = _plain(text)
     found = []
     for piece in _PIECE.finditer(plain):
@@ -149,12 +152,34 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
     return [(_ABBREVIATIONS.get(said, said), "word")]
 
 
+def _fraction(found: re.Match[str]) -> str:
+    """Return "3 1/2" as "3½", as long as it was; what is no fraction of a thing stays."""
+    sign = _FRACTIONS.get(int(found[2]) / int(found[3]))
+    return found.group() if sign is None else f"{found[1] or ''}{sign}".ljust(len(found.group()))
+
+
+_FRACTIONS = {
+    unicodedata.numeric(sign): sign for sign in "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
+}  # fmt: skip
+_UNIT = re.compile(rf"\s*(?:{'|'.join(MEASURES)})\b", re.IGNORECASE)
+
+
+def _decimal(letters: list[str], letter: str, rest: str) -> str:
+    """Return a fraction's sign as a decimal after a number, "half" before a thing."""
+    value = f"{unicodedata.numeric(letter):.3g}"
+    if letters and letters[-1].isdigit():
+        return value[1:]
+    return "half" if letter == "½" and not _UNIT.match(rest) else value
+
+
 def _plain(text: str) -> tuple[str, list[int]]:
     """Return the text in lower case without accents, and where each letter of it stood."""
     letters: list[str] = []
     places: list[int] = []
     for place, letter in enumerate(text):
         letter = {"’": "'", "‘": "'", "×": "x", "\r": "\n", "\t": " "}.get(letter, letter)
+        if letter in _FRACTIONS.values():
+            letter = _decimal(letters, letter, text[place + 1 :])
         for part in unicodedata.normalize("NFKD", letter.lower()):
             if not unicodedata.combining(part):
                 letters.append(part)

@@ -1,0 +1,122 @@
+"""What a text says of its table as a whole: the theme, the style, how full it is, for how many."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from ...scene import Density
+from ..parsing import lexicon
+from ..parsing.vocabulary import DRAWN, PEOPLE, STYLES
+from ..syntax.phrases.tree import Sentence, Span
+from ..syntax.phrases.walking import find_denied, find_things
+from ..themes import THEMES
+from .contents import DEPICTIONS
+
+_REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
+_SOME = "|".join(PEOPLE)
+_PEOPLE = re.compile(
+    rf"\b(?:(?:set |laid )?for ({_SOME})(?: (?:people|persons|guests|diners|children|kids))?"
+    r"(?=\s*(?:[.,;]|$|with|and|on|in|at))"
+    rf"|({_SOME})[ -](?:person|seat|seater))\b"
+)
+
+_DENSITIES: Mapping[str, Density] = MappingProxyType(
+    {
+        "cluttered": "dense", "crowded": "dense", "messy": "dense", "packed": "dense",
+        "busy": "dense", "chaotic": "dense", "sparse": "sparse", "minimalist": "sparse",
+        "minimal": "sparse", "uncluttered": "sparse", "spacious": "sparse",
+    }
+)  # fmt: skip
+"""Words for how full a table is."""
+
+_PICTURES = DEPICTIONS | {"picture_frame", "photo_print"}
+_DENYING = frozenset(
+    ["not", "no", "never", "without", "nothing", "hardly", "neither", "nor", "less", "isnt",
+     "arent", "dont", "doesnt", "wasnt", "wont", "shouldnt", "cant", "anything"]
+)  # fmt: skip
+"""Words before what a table is not; "anything" goes before "but"."""
+_TURNING = frozenset([*",.;:!?()\n", "but", "on", "in", "at", "of", "with", "and"])
+"""What ends their reach."""
+_REACH = 3
+_UNDRAWN = re.compile(
+    r"\b(?:not|no|never|without|isnt|dont)\b(?: (?:in|a|an|any|the|want|draw))*\s*$"
+)
+
+
+@dataclass(frozen=True)
+class Tone:
+    """What a text says of its table as a whole.
+
+    Attributes:
+        theme: the kind of table, by any word of the text; None where there is none.
+        setting: the kind of table by words that are no part of a thing's name.
+        style: how it looks, "plain" where that is not said.
+        density: how full it is.
+        people: for how many people it is, 0 where that is not said.
+    """
+
+    theme: str | None
+    setting: str | None
+    style: str
+    density: Density
+    people: int
+
+
+def read_tone(prompt: str, sentences: Sequence[Sentence]) -> Tone:
+    """Return what a text says of its table, apart from what it denies and what pictures show."""
+    said = _blank(prompt, find_denied(sentences, _PICTURES))
+    text, drawn = _split_style(_REQUEST.sub(" ", " ".join(lexicon.tokens(said))))
+    people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
+    words = _PEOPLE.sub(" ", text).split()
+    unnamed = _REQUEST.sub(" ", " ".join(lexicon.tokens(_blank(said, find_things(sentences)))))
+    true = _drop_denied(words)
+    style = drawn or next((word for word in true if word in STYLES), "plain")
+    full: list[Density] = [_DENSITIES[word] for word in true if word in _DENSITIES]
+    density = full[0] if full else "normal"
+    return Tone(_theme(words), _theme(unnamed.split()), style, density, people)
+
+
+def _blank(text: str, spans: Iterable[Span]) -> str:
+    for start, end in spans:
+        text = text[:start] + " " * (end - start) + text[end:]
+    return text
+
+
+def _drop_denied(words: Sequence[str]) -> list[str]:
+    """Return words without those after "not": "not too messy", "anything but cluttered"."""
+    reach, out = 0, []
+    for k, word in enumerate(words):
+        if word in _DENYING:
+            reach = _REACH
+        elif word in _TURNING and not (word == "but" and words[k - 1] == "anything"):
+            reach = 0
+        if reach <= 0:
+            out.append(word)
+        reach -= word not in _DENYING
+    return out
+
+
+def _split_style(text: str) -> tuple[str, str | None]:
+    """Take "cartoon style" or "low poly" out of a text; return the rest and the way to draw."""
+    for phrase, drawn in DRAWN.items():
+        found = re.search(rf"\b{phrase}\b(?: styled?\b)?", text)
+        if found:
+            denied = _UNDRAWN.search(text[: found.start()])
+            return f"{text[: found.start()]} {text[found.end() :]}", None if denied else drawn
+    return text, None
+
+
+def _theme(words: Sequence[str]) -> str | None:
+    """Return the theme whose longest phrase occurs in the text."""
+    text = f" {' '.join(words)} "
+    singular = f" {' '.join(lexicon.singular(w) for w in words)} "
+    found = [
+        (len(phrase), name)
+        for name, theme in THEMES.items()
+        for phrase in theme.words
+        if f" {phrase} " in text or f" {phrase} " in singular
+    ]
+    return max(found, key=lambda pair: pair[0])[1] if found else None
