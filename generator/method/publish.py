@@ -1,8 +1,9 @@
 """From placements to the scene that is published: one loop of attempts, each judged by the gate.
 
 In a scene that fails its gate, the thing that the failures name most is put on a weighted foot if
-it does not rest; if that does not help, it is left out. One thing found wrong (two things taken for one, a shadow
-made solid) would otherwise cost the whole table. Provenance and report name what is left out.
+it does not rest; if that does not help, it is left out. One thing found wrong (two things taken for
+one, a shadow made solid) would otherwise cost the whole table. Provenance and report name what is
+left out.
 
 A text's scene has what its plan asks for instead, as the plan has it (``planned``): things that
 fail, or between which a relation does not hold at rest, give way to the plan's, at last all.
