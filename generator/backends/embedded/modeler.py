@@ -15,7 +15,7 @@ from ...meshes.normalising import metric
 from ...meshes.pixels import mask_iou
 from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
-from .shapes.choosing import best_solid
+from .shapes.choosing import MEASURED, NAMED, best_solid
 from .shapes.framing import proportion_gap, small_mask
 from .shapes.likeness import FEW, VARIANTS, Likeness, fit_likeness
 from .shapes.painting import PROJECT, paint
@@ -65,7 +65,7 @@ class EmbeddedModeler:
                 return likeness_model(found, instance, projection, size, self.texture)
         small = projection.resize(_WORKING)
         mask = small_mask(instance, small)
-        posed = best_solid(mask, small, size.extent)
+        posed = best_solid(mask, small, size.extent, MEASURED if category is None else NAMED)
         if found is not None and found.iou >= _ALIKE:
             overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
             if found.iou > overlap - _TRUST:

@@ -18,13 +18,15 @@ from .slices import fit_slices
 from .solids import PosedSolid
 
 _STRICT = 0.94  # a real box is met at least that well
-_PRIOR = 0.03  # weight of the size prior's proportions
+MEASURED, NAMED = 0.03, 0.1
+"""Weight of the size prior's proportions: measured from the mask alone, and a known kind's."""
+
 _STRAIGHT = float(np.cos(np.deg2rad(20)))
 _DRAWN_OUT = ([1.05, 1.5, 2.5, 4.0, 6.0], [0.0, 0.1, 0.15, 0.1, 0.02])
 """How much longer than wide a lying outline is, towards the camera, and what that costs."""
 
 _TOPPLING = ([3.5, 6.0, 10.0], [0.0, 0.12, 0.3])
-"""How much taller than wide a standing thing is, and what that costs."""
+"""How much taller than its foot is wide a standing thing is, and what that costs."""
 
 _SHEET = ([12.0, 30.0], [0.0, 0.06])
 """How much taller than thick a standing outline is, and what that costs."""
@@ -32,11 +34,12 @@ _SHEET = ([12.0, 30.0], [0.0, 0.06])
 _ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
 
 
-_PRICES = {"box": 0.0, "revolution": -0.02, "prism": 0.14, "upright": 0.08, "slices": 0.03,
+_PRICES = {"box": 0.0, "revolution": -0.02, "prism": 0.14, "upright": 0.1, "slices": 0.03,
            "carved": 0.045}  # fmt: skip
 """What each family costs against silhouette overlap."""
 
-_REGULAR = 0.05  # what extruded outlines cost that are regular
+_REGULAR = {"prism": 0.05, "upright": 0.09}
+"""What extruded outlines cost that are regular: more things lie than stand on their edge."""
 
 
 def candidates(
@@ -73,25 +76,33 @@ def stroke_share(mask: Mask) -> float:
     return width / max(np.ptp(np.nonzero(mask), axis=1).max(), 1)
 
 
-def best_solid(mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]) -> PosedSolid:
-    """Return the generic solid that explains the silhouette best."""
-    return max(candidates(mask, small, expected), key=lambda p: score(p, mask, small, expected))
+def best_solid(
+    mask: Mask, small: Projection, expected: Float[np.ndarray, "3"], trust: float = MEASURED
+) -> PosedSolid:
+    """Return the generic solid that explains the silhouette best; see :func:`score`."""
+    found = candidates(mask, small, expected)
+    return max(found, key=lambda p: score(p, mask, small, expected, trust))
 
 
 def score(
-    posed: PosedSolid, mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]
+    posed: PosedSolid,
+    mask: Mask,
+    small: Projection,
+    expected: Float[np.ndarray, "3"],
+    trust: float = MEASURED,
 ) -> float:
     """Return how well a solid explains the picture: silhouette overlap less what it costs.
 
     Any-outline families are cheap only where the outline is regular, a box must fit well, things
-    rarely point straight at the camera, and proportions should be the prior's.
+    rarely point straight at the camera, and proportions should be the prior's: ``trust`` is what
+    a difference costs.
     """
     overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
-    cost = _REGULAR if is_regular(posed) else _PRICES[posed.kind]
+    cost = _REGULAR[posed.kind] if is_regular(posed) else _PRICES[posed.kind]
     if posed.kind == "box":
         cost += max(0.0, _STRICT - overlap)
     extent = np.ptp(posed.solid.vertices, axis=0)
-    return overlap - cost - accident(posed, small) - _PRIOR * proportion_gap(extent, expected)
+    return overlap - cost - accident(posed, small) - trust * proportion_gap(extent, expected)
 
 
 def accident(posed: PosedSolid, small: Projection) -> float:
@@ -103,7 +114,8 @@ def accident(posed: PosedSolid, small: Projection) -> float:
     long, wide, tall = np.ptp(posed.solid.vertices, axis=0)
     if posed.kind in ("revolution", "upright", "slices"):
         sheet = np.interp(tall / wide, *_SHEET) if posed.kind == "upright" else 0.0
-        return float(np.interp(tall / long, *_TOPPLING) + sheet)
+        base = max(np.sqrt(long * wide), long / 2)  # how deep it is, is hardly seen
+        return float(np.interp(tall / base, *_TOPPLING) + sheet)
     ratio = min(long / max(wide, tall), 3.0)
     along = abs(np.cos(posed.yaw) * small.away[0] + np.sin(posed.yaw) * small.away[1])
     price = _ACCIDENT * (ratio - 1.0) / 2.0 if ratio >= 1.3 and along > _STRAIGHT else 0.0

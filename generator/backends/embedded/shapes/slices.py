@@ -19,6 +19,7 @@ from .solids import PosedSolid, simplify_profile, stack_of_ellipses
 _ANGLES = np.arange(32) * np.pi / 16
 _FEW = slice(None, None, 3)  # of the angles, while slices are searched for
 _DEPTHS = (1.0, 0.6)  # depth over width of the slices that are tried
+_FLAT = 0.04  # what slices cost that are not round: how deep they are, is hardly seen
 _CUT = 0.006  # overlap that cutting an end may cost
 
 
@@ -203,7 +204,7 @@ def best_stack(
     """Trim and refine the most promising of some stacks; None if there is none."""
     if not stacks:
         return None
-    overlaps = [mask_iou(s.silhouette(projection), mask) for s in stacks]
+    overlaps = [mask_iou(s.silhouette(projection), mask) - _FLAT * (1 - s.depth) for s in stacks]
     best = trim(stacks[int(np.argmax(overlaps))], mask, projection)
     smooth = replace(best, r=_smooth(best.r), x=_smooth(best.x))
     return refine(smooth, mask, projection, free)
