@@ -12,7 +12,7 @@ from generator.backends.embedded.plane.free_outline import as_seen
 from generator.backends.embedded.plane.outline import Outline, walk
 from generator.backends.embedded.plane.plane import TablePlane, fit_plane
 from generator.backends.embedded.tables.form import TableForm, corners_of
-from generator.backends.embedded.tables.likeness import model_table, top_colors
+from generator.backends.embedded.tables.likeness import find_strange, model_table, top_colors
 from generator.catalogue.build.outlines import ellipse, rectangle, rounded_polygon
 from generator.geometry import Camera, mask_box, ray_view, yaw_quaternion
 from generator.meshes.pixels import hull_corners, mask_iou
@@ -215,3 +215,17 @@ def test_what_stood_on_a_top_leaves_no_mark():
     filled = top_colors(points, np.where(hidden[:, None], 255.0, colors), ~hidden)
     assert np.abs(filled[hidden] - colors[hidden]).mean() < 25
     np.testing.assert_array_equal(filled[~hidden], colors[~hidden])
+
+
+def test_what_lies_on_a_top_unfound_is_no_part_of_it() -> None:
+    rng = np.random.default_rng(0)
+    board = np.indices((120, 180)).sum(0) // 15 % 2
+    known = np.ones(board.shape, bool)
+    for top in (
+        np.array([200.0, 160, 110]) + rng.normal(0, 9, (*board.shape, 3)),
+        np.where(board[..., None] > 0, [230.0, 225, 215], [70.0, 45, 30]),
+    ):
+        assert not find_strange(top, known).any()
+        top[40:48, 60:100] = (90, 40, 150)
+        strange = find_strange(top, known)
+        assert strange[40:48, 60:100].mean() > 0.9 and strange.mean() < 0.04

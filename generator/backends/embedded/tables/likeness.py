@@ -12,6 +12,7 @@ import cv2
 import numpy as np
 import shapely
 from jaxtyping import Bool, Float, Int
+from scipy import ndimage
 
 from ....catalogue.build.outlines import ellipse, rectangle, rounded_polygon
 from ....meshes import baking
@@ -28,6 +29,12 @@ _PLAIN = 14.0  # grey levels of unrest within a hand's breadth, up to which a to
 _BESIDE = 0.01  # of the crop's longer side: how near to a thing its halo lies
 _SHADE = 0.05  # likewise, its shadow
 _DARK = 0.8  # of the top's usual brightness: darker places there are shadow
+_SHADES = 20  # of each colour channel, that are told apart
+_RARE = 0.02  # of the top: a colour that covers less is rare
+_PATCH = (
+    0.0007,
+    0.03,
+)  # of the top: how large rare colours next to each other are at what lies there
 _CELLS = 192  # along the longer side of the top as it is filled in
 
 
@@ -154,6 +161,9 @@ def top_colors(
     total, count = np.zeros((*side, 3), np.float32), np.zeros(side, np.float32)
     np.add.at(total, (at[clear, 1], at[clear, 0]), colors[clear])
     np.add.at(count, (at[clear, 1], at[clear, 0]), 1.0)
+    strange = find_strange(total / np.maximum(count, 1)[..., None], count > 0)
+    clear = clear & ~strange[at[:, 1], at[:, 0]]
+    total[strange], count[strange] = 0, 0
     filled = np.broadcast_to(middle, total.shape).astype(np.float32)
     for spread in ((90.0, 12.0), (24.0, 2.5)):  # coarse first; near by counts for more
         weight = cv2.GaussianBlur(count, (0, 0), spread[0], sigmaY=spread[1])
@@ -162,6 +172,29 @@ def top_colors(
         filled = trust * smooth / np.maximum(weight, 1e-6)[..., None] + (1 - trust) * filled
     carried = baking.sample(filled, at + 0.5)
     return np.where(clear[:, None], colors, carried)
+
+
+def find_strange(
+    colors: Float[np.ndarray, "h w 3"], known: Bool[np.ndarray, "h w"]
+) -> Bool[np.ndarray, "h w"]:
+    """Return the cells of a top that show something else, which nobody has found on it.
+
+    Their colours are rare on the top, and next to each other: grain and speckles are rare too, but
+    all over it.
+    """
+    bins = np.minimum(colors / 256 * _SHADES, _SHADES - 1).astype(int)
+    histogram = np.zeros((_SHADES,) * 3, np.float32)
+    np.add.at(histogram, tuple(bins[known].T), 1.0)
+    for axis in range(3):  # neighbouring shades are one colour
+        histogram = ndimage.convolve1d(histogram, np.ones(3, np.float32), axis, mode="constant")
+    usual = histogram[tuple(bins.reshape(-1, 3).T)].reshape(known.shape)
+    rare = (known & (usual < _RARE * known.sum())).astype(np.uint8)
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(rare, connectivity=8)
+    area = stats[:, cv2.CC_STAT_AREA]
+    alone = (area > _PATCH[0] * known.sum()) & (area < _PATCH[1] * known.sum())
+    alone[0] = False
+    patch = np.isin(labels, np.flatnonzero(alone)).astype(np.uint8)
+    return (cv2.dilate(patch, np.ones((5, 5), np.uint8)) > 0) & known
 
 
 def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, "t"]:
