@@ -59,7 +59,8 @@ def generate(
     seed = int(seed)
     b = backends or Backends.select("embedded")
     config = config or Config()
-    guesser = pose_guesser(b.reasoner) if config.without else None  # refused before any work
+    b.check()  # what is missing is told before any work
+    guesser = pose_guesser(b.reasoner) if config.without else None
     clock = Stopwatch(STAGES, progress)
     step = clock.step
 

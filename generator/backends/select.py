@@ -149,6 +149,17 @@ class Backends:
             }
         )
 
+    def check(self) -> None:
+        """Ask every role that can tell whether it is able to answer: its ``check()``, if any.
+
+        Raises:
+            BackendError: a folder, a model or a key is not there.
+        """
+        for role in PROTOCOLS:
+            check = getattr(getattr(self, role), "check", None)
+            if check is not None:
+                check()
+
     def each(self, role: str) -> Each:
         """Return how to ask a role about many things: at once where it has a ``session``.
 

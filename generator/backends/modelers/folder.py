@@ -2,48 +2,81 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
+from typing import Literal, get_args
 
-from ...errors import BackendError, choices
+import numpy as np
+from jaxtyping import Float
+
+from ...errors import BackendError, choices, require_known
 from ...io.reading import read_regular
 from ...language.naming import known_category
-from ...meshes.normalising import Normal, foreign_model, normal_mesh
+from ...meshes.normalising import Normal, foreign_model, normal_surface
 from ...meshes.reading.bounds import MOST_BYTES
 from ...meshes.reading.companions import companions
-from ...meshes.reading.surface import Axis
+from ...meshes.reading.surface import Axis, ColoredSurface, read_surface
 from ...scene import Instance, Model, SizePrior, View
 from ..protocols import Modeler
+from .assets import find_assets, plain
+
+_LOG = logging.getLogger(__name__)
 
 ASSETS = "TABLETOPGEN_ASSETS"
 """The environment's name for the folder, where ``Folder.path`` is empty."""
 
-_FORMATS = (".glb", ".obj")  # the first is taken where there are both
+Units = Literal["usual", "m", "cm", "mm", "in"]
+"""What a file's numbers are: lengths in a unit, or without meaning ("usual")."""
+
+_METRES: Mapping[str, float] = MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254})
+_CLEAR = 0.15  # mean logarithm of proportions by which one axis must fit better than the other
+_ODD = 4.0  # times the usual size, or a part of it, from which a file's own size is warned of
 
 
 @dataclass(frozen=True)
 class Folder:
     """Answers with your own files, by name ("mug_1.glb"), then by label or category ("mug.obj").
 
-    A texture that all of a file's parts share stays, unless it repeats or the triangles are changed
-    (see ``normalising``); several are painted into one. The size is the prior's, the proportions
-    are the file's own.
+    Files may lie in folders of their own ("025_mug/textured.obj", see ``assets``). A texture that
+    all of a file's parts share stays, unless it repeats or the triangles are changed (see
+    ``normalising``); several are painted into one. The proportions are the file's own.
 
     Attributes:
         path: the folder; empty: the one that the environment's ``TABLETOPGEN_ASSETS`` names.
-        up: which axis of the files is up.
+        up: which axis of the files is up; "auto": y of a GLB, as its format says, and of an OBJ
+            the one of y and z that suits the usual proportions better, y in doubt.
+        units: what the files' numbers are. "usual": nothing, the size is the prior's; else the size
+            is the file's own.
         faces: most triangles of a mesh, see ``Normal``.
         texture: side of a texture made again, texels.
-        rest: who models what the folder has no file for; None: that is an error.
+        fallback: who models what the folder has no file for; None: that is an error. Chosen by name
+            it is the embedded modeler.
+
+    Raises:
+        InputError: an unknown axis or unit.
     """
 
     path: str = ""
-    up: Axis = "y"
+    up: Axis | Literal["auto"] = "auto"
+    units: Units = "usual"
     faces: int = Normal.faces
     texture: int = Normal.texture
-    rest: Modeler | None = None
+    fallback: Modeler | None = None
+
+    def __post_init__(self) -> None:
+        require_known(self.up, ("auto", *get_args(Axis)), "Folder.up: unknown axis")
+        require_known(self.units, get_args(Units), "Folder.units: unknown unit")
+
+    def check(self) -> None:
+        """Raise BackendError if there is no folder, or no mesh in it."""
+        if not self.files():
+            raise BackendError(
+                f"folder, model: {self.home()} holds no GLB or OBJ file, also in folders within it."
+            )
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the file for one instance as a model; see ``protocols.Modeler``.
@@ -54,22 +87,43 @@ class Folder:
         files = self.files()
         category = known_category(instance, size)
         words = (instance.name, instance.label, category.key if category else instance.label)
-        file = next((files[_plain(word)] for word in words if _plain(word) in files), None)
+        file = next((files[plain(word)] for word in words if plain(word) in files), None)
         if file is None:
-            if self.rest is not None:
-                return self.rest.model(instance, size, view)
-            tried = " or ".join(dict.fromkeys(f"{_plain(word)}.glb" for word in words))
-            raise BackendError(
-                f"folder, model of {instance.name!r}: {self.home()} has no {tried}."
-                + choices(_plain(instance.name), files)
-            )
+            tried = " or ".join(dict.fromkeys(f"{plain(word)}.glb" for word in words))
+            missing = f"folder, model of {instance.name!r}: {self.home()} has no {tried}."
+            if self.fallback is not None:
+                _LOG.warning("%s %s makes it.", missing, type(self.fallback).__name__)
+                return self.fallback.model(instance, size, view)
+            raise BackendError(missing + choices(plain(instance.name), files))
         what = f"folder, model of {instance.name!r}: {file.name}"
         raw = read_regular(file, f"{what}:", BackendError, max_bytes=MOST_BYTES)
         kind = "obj" if file.suffix.lower() == ".obj" else "glb"
         beside = companions(raw, what, file.parent) if kind == "obj" else {}
-        to = Normal(self.faces, self.texture)
-        mesh = normal_mesh(raw, what, kind=kind, up=self.up, to=to, beside=beside)
-        return foreign_model(mesh, instance, size)
+        surface = read_surface(raw, what, kind, beside)
+        up = self._up(surface, kind, size, what)
+        mesh = normal_surface(surface, what, up=up, to=Normal(self.faces, self.texture))
+        model = foreign_model(mesh, instance, size)
+        return model if self.units == "usual" else self._own_size(model, mesh.vertices, what)
+
+    def _up(self, surface: ColoredSurface, kind: str, size: SizePrior, what: str) -> Axis:
+        """Return the upward axis of a file."""
+        if self.up != "auto":
+            return self.up
+        if kind == "glb":
+            return "y"
+        gaps = {axis: proportion_gap(surface, axis, size.extent) for axis in get_args(Axis)}
+        if gaps["z"] + _CLEAR < gaps["y"]:
+            _LOG.warning("%s is taken to be z-up, by its proportions. Folder.up says it.", what)
+            return "z"
+        return "y"
+
+    def _own_size(self, model: Model, vertices: Float[np.ndarray, "n 3"], what: str) -> Model:
+        """Return the model in the file's own size."""
+        own = np.ptp(vertices, axis=0) * _METRES[self.units]
+        times = float(own.max() / np.asarray(model.size).max())
+        if not 1 / _ODD < times < _ODD:
+            _LOG.warning("%s is %.3g times its usual size in %s.", what, times, self.units)
+        return replace(model, size=own)
 
     def home(self) -> Path:
         """Return the folder.
@@ -89,15 +143,13 @@ class Folder:
         return home
 
     def files(self) -> Mapping[str, Path]:
-        """Return the folder's files by what they model."""
-        found: dict[str, Path] = {}
-        for kind in _FORMATS:
-            for file in sorted(self.home().iterdir()):
-                if file.suffix.lower() == kind and file.is_file():
-                    found.setdefault(_plain(file.stem), file)
-        return found
+        """Return the folder's files by what they model; see ``assets.find_assets``."""
+        return find_assets(self.home())
 
 
-def _plain(word: str) -> str:
-    """Return a word as files are called: lower case, underscores."""
-    return "_".join(word.lower().replace("-", " ").replace("_", " ").split())
+def proportion_gap(surface: ColoredSurface, up: Axis, extent: Float[np.ndarray, "3"]) -> float:
+    """Return how far a surface's proportions are from usual ones: mean absolute log ratio."""
+    have = np.ptp(surface.upright(up).vertices, axis=0)
+    rows = [np.log(np.maximum([*np.sort(v[:2]), v[2]], 1e-9)) for v in (have, extent)]
+    gap = (rows[0] - rows[0].mean()) - (rows[1] - rows[1].mean())
+    return float(np.abs(gap).mean())

@@ -9,9 +9,11 @@ import trimesh
 from backends.modelers.foreign import glb, instance, plain, prior, striped_box
 from PIL import Image
 
+from generator.backends import Backends
 from generator.backends.modelers.folder import Folder
-from generator.errors import BackendError
-from generator.scene import USUAL_VIEW
+from generator.errors import BackendError, InputError
+from generator.pipeline import generate
+from generator.scene import USUAL_VIEW, SizePrior
 
 RED, GREEN = (200, 0, 0, 255), (0, 200, 0, 255)
 
@@ -115,12 +117,76 @@ def test_what_is_missing_is_told_with_what_is_there(tmp_path):
 
 
 def test_somebody_else_may_model_the_rest(tmp_path):
-    (tmp_path / "mug.glb").write_bytes(box(RED))
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine/mug.glb").write_bytes(box(RED))
     (tmp_path / "others").mkdir()
     (tmp_path / "others/book.glb").write_bytes(box(GREEN))
     rest = Folder(str(tmp_path / "others"))
-    assert ask(tmp_path, rest=rest).mesh.texture[0, 0, 0] == 200
-    assert ask(tmp_path, "book", rest=rest).mesh.texture[0, 0, 1] == 200
+    assert ask(tmp_path / "mine", fallback=rest).mesh.texture[0, 0, 0] == 200
+    assert ask(tmp_path / "mine", "book", fallback=rest).mesh.texture[0, 0, 1] == 200
+
+
+def test_a_folder_for_each_thing_as_ycb_has_it(tmp_path):
+    paths = (
+        "025_mug/google_16k/textured.obj",
+        "025_mug/google_16k/nontextured.obj",
+        "025_mug/tsdf/textured.obj",
+        "lamps/desk_lamp.glb",
+        "003_box/model.glb",
+    )
+    for path in paths:
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_bytes(b"")
+    (tmp_path / "away").symlink_to(tmp_path.parent)
+    found = {name: file.relative_to(tmp_path).as_posix() for name, file in
+             Folder(str(tmp_path)).files().items()}  # fmt: skip
+    assert found == {
+        "mug": "025_mug/google_16k/textured.obj",
+        "desk_lamp": "lamps/desk_lamp.glb",
+        "box": "003_box/model.glb",
+    }
+
+
+def obj(extents: tuple[float, float, float]) -> str:
+    made = trimesh.creation.box(extents=extents)
+    lines = [f"v {x} {y} {z}" for x, y, z in made.vertices]
+    return "\n".join([*lines, *(f"f {a + 1} {b + 1} {c + 1}" for a, b, c in made.faces)])
+
+
+def test_the_upward_axis_of_an_obj_is_told_by_its_proportions(tmp_path, caplog):
+    usual = SizePrior("bottle", np.array([0.075, 0.075, 0.3]))
+
+    def height(extents: tuple[float, float, float], **settings: str) -> float:
+        (tmp_path / "bottle.obj").write_text(obj(extents))
+        made = Folder(str(tmp_path), **settings).model(instance("bottle"), usual, USUAL_VIEW)
+        return float(made.size[2] / made.size[0])
+
+    assert height((0.08, 0.08, 0.3)) > 3 and "z-up" in caplog.text
+    caplog.clear()
+    assert height((0.08, 0.3, 0.08)) > 3 and not caplog.text
+    assert height((0.08, 0.3, 0.08), up="z") < 2
+
+
+def test_a_unit_makes_the_size_the_file_s_own(tmp_path, caplog):
+    (tmp_path / "mug.obj").write_text(obj((9.0, 10.0, 8.0)))
+    np.testing.assert_allclose(ask(tmp_path, units="cm").size, [0.09, 0.08, 0.1], rtol=1e-3)
+    assert not caplog.text
+    ask(tmp_path, units="m")
+    assert "times its usual size in m" in caplog.text
+    with pytest.raises(InputError, match=r"Folder\.units: unknown unit 'ft'"):
+        Folder(str(tmp_path), units="ft")
+
+
+def test_an_empty_folder_is_refused_before_any_work(tmp_path):
+    backends = Backends.select(modeler=Folder(str(tmp_path)))
+    with pytest.raises(BackendError, match="holds no GLB or OBJ file"):
+        generate("a desk with a mug", backends)
+
+
+def test_by_name_the_embedded_modeler_makes_what_has_no_file(tmp_path, monkeypatch, caplog):
+    monkeypatch.setenv("TABLETOPGEN_ASSETS", str(tmp_path))
+    (tmp_path / "book.glb").write_bytes(box(RED))
+    assert type(Backends.select(modeler="folder").modeler.fallback).__name__ == "EmbeddedModeler"
 
 
 def test_the_environment_names_the_folder(tmp_path, monkeypatch):

@@ -49,6 +49,10 @@ class MiniSamSegmenter:
     def __post_init__(self) -> None:
         object.__setattr__(self, "_model", Once(self._load))
 
+    def check(self) -> None:
+        """Raise BackendError if the model is not there, or is another."""
+        self._model()
+
     def segment(
         self,
         image: UInt8[np.ndarray, "h w 3"],
