@@ -244,3 +244,18 @@ def test_a_texture_too_small_for_all_faces_grows():
 def test_settings_out_of_range_are_refused():
     with pytest.raises(InputError, match="Normal needs texture"):
         Normal(texture=4096)
+
+
+def test_what_is_evenly_subdivided_is_reduced_too():
+    """Quadric error takes the collapses of a flat lattice for flips, and thins nothing out."""
+    top = trimesh.creation.box((1.2, 0.03, 0.7))
+    legs = [trimesh.creation.cylinder(0.03, 0.7, sections=64) for _ in range(2)]
+    parts = [top, *(leg.apply_translation((0.4 * k - 0.2, 0, 0)) for k, leg in enumerate(legs))]
+    for _ in range(4):
+        parts = [part.subdivide() for part in parts]
+    made = trimesh.util.concatenate(parts)
+    vertices, faces = reducing.reduce(
+        np.asarray(made.vertices), np.asarray(made.faces), 3000, "a table"
+    )
+    assert len(made.faces) > 100_000 and len(faces) <= 12_000
+    np.testing.assert_allclose(np.ptp(vertices, axis=0), made.extents, rtol=0.01)
