@@ -138,7 +138,7 @@ def compose(
     density: Density | None = None,
     json: bool = False,
 ) -> int:
-    """Turn a text into a table directly, without drawing a picture first: about a second.
+    """Turn a text into a table directly, without drawing a picture first: a few seconds.
 
     Args:
         text: A description ("a round dining table for two").
