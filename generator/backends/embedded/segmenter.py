@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -61,10 +61,7 @@ class EmbeddedSegmenter:
             SceneError: no tabletop in the picture, or more things on it than can be told apart.
         """
         image = np.ascontiguousarray(image)
-        sight = see(image)
-        drawn = [refine(image, thing.visible) for thing in sight.things]
-        things = [replace(t, visible=mask) for t, mask in zip(sight.things, drawn, strict=True)]
-        return detect(image, replace(sight, things=tuple(things)), labels, depth, intrinsics)
+        return detect(image, see(image), labels, depth, intrinsics)
 
 
 def detect(
