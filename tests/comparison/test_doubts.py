@@ -1,0 +1,75 @@
+"""What speaks against a scene made of a picture, and the exit code that says so."""
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from toy import toy_scene
+
+from generator import cli, pipeline
+from generator.comparison.doubts import find_doubts, warn_of_eye_level
+from generator.geometry import Camera, mask_box
+from generator.render.picture import render_scene
+from generator.scene import TABLE, Instance, Reference, Scene, View
+
+VIEW = View(azimuth=0.2, elevation=0.8, fov=0.6)
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return toy_scene().replace(view=VIEW)
+
+
+@pytest.fixture(scope="module")
+def found(scene: Scene) -> tuple[tuple[Instance, ...], Reference]:
+    camera = Camera.looking_at(np.array([0.15, -0.05, 0.7]), VIEW, 1.7, 320, 240)
+    shot = render_scene(scene, camera=camera, supersample=1)
+    ids, crop = np.asarray(shot.ids), np.full((4, 4, 4), 255, np.uint8)
+    instances = []
+    for number, name in enumerate((TABLE, *(thing.name for thing in scene.objects))):
+        mask = ids == number
+        instances.append(Instance(name, name, mask_box(mask), mask, crop, mask_box(mask)))
+    return tuple(instances), Reference(np.asarray(shot.image))
+
+
+def moved(scene: Scene, far: float) -> Scene:
+    objects = []
+    for k, thing in enumerate(scene.objects):
+        step = np.array([far * (-1) ** k, far, 0.0])
+        pose = dataclasses.replace(thing.pose, position=thing.pose.position + step)
+        objects.append(dataclasses.replace(thing, pose=pose))
+    return scene.replace(objects=tuple(objects))
+
+
+def test_a_scene_that_shows_its_picture_is_not_doubted(
+    scene: Scene, found: tuple[tuple[Instance, ...], Reference]
+) -> None:
+    assert find_doubts(scene, *found) == ()
+
+
+def test_things_that_are_elsewhere_are_told(
+    scene: Scene, found: tuple[tuple[Instance, ...], Reference]
+) -> None:
+    doubts = " ".join(find_doubts(moved(scene, 0.25), *found))
+    assert "The simulated things cover" in doubts
+    assert "Not where the picture has them: " in doubts
+
+
+def test_eye_level_is_warned_of(scene: Scene) -> None:
+    low = scene.replace(view=dataclasses.replace(VIEW, elevation=np.deg2rad(7.0)))
+    assert "eye level (7°)" in " ".join(warn_of_eye_level(low))
+    assert warn_of_eye_level(scene) == ()
+
+
+@pytest.mark.slow
+def test_the_command_ends_with_6_where_the_view_shows_something_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(pipeline, "find_doubts", lambda *_: ("The simulated view is blank.",))
+    picture = Path(__file__).parents[2] / "examples/pictures/coffee_table.png"
+    assert cli.run(["generate", str(picture), "--out", str(tmp_path)]) == 6
+    shown = capsys.readouterr()
+    assert "is not the picture: The simulated view is blank." in shown.err
+    assert "note: The simulated view is blank." in shown.out
+    assert len(list(tmp_path.iterdir())) == 1  # the bundle is there all the same
