@@ -144,14 +144,14 @@ def aspect_error(sample: Sample, plane: TablePlane | None) -> float | None:
         return None
     view = dataclasses.replace(sample.view, azimuth=0.0)
     camera = Camera(np.array([0.0, 0.0, 1.0]), view_rotation(view), view.fov, w, h)
-    true = np.ptp(oriented(camera.on_plane(sample.outline, 0.0)[:, :2]), axis=0)
-    found = np.ptp(oriented(plane.top()), axis=0)
+    true = np.ptp(turn_level(camera.on_plane(sample.outline, 0.0)[:, :2]), axis=0)
+    found = np.ptp(turn_level(plane.top()), axis=0)
     return abs(float(true[0] / true[1] / (found[0] / found[1])) - 1)
 
 
-def oriented(outline: np.ndarray) -> np.ndarray:
+def turn_level(outline: np.ndarray) -> np.ndarray:
     """Return an outline turned so that its smallest rectangle is level, the long side along x."""
-    corners = np.array(shapely.minimum_rotated_rectangle(shapely.Polygon(outline)).exterior.coords)
+    corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapely.Polygon(outline)))
     sides = np.diff(corners, axis=0)
     long = sides[int(np.linalg.norm(sides, axis=1).argmax())]
     axes = np.array([long, [-long[1], long[0]]]) / np.linalg.norm(long)

@@ -340,7 +340,7 @@ ENGLISH = [
     ("a laptop with a speaker on either side of the laptop", "speaker_2",
      {("right_of", "laptop_1")}),
     ("an alarm clock in the back left corner", "alarm_clock_1",
-     {("left_of", "table"), ("behind", "table")}),
+     {("left_of", "table"), ("behind", "table"), ("edge", "table")}),
 ]  # fmt: skip
 
 
