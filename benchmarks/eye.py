@@ -165,7 +165,8 @@ def summary(marks: list[dict], seconds: float) -> list[tuple[str, str]]:
         return float(sum(m[key] for m in marks))
 
     def every(key: str) -> np.ndarray:
-        return np.concatenate([np.atleast_1d(m[key]) for m in marks if m[key] is not None])
+        known = [np.atleast_1d(m[key]) for m in marks if m[key] is not None]
+        return np.concatenate(known) if known else np.full(1, np.nan)
 
     return [
         ("pictures, things", f"{len(marks)}, {total('things'):.0f}"),

@@ -118,6 +118,7 @@ def test_stages_can_be_left_out_and_timed(
             scene=scene,
             seconds={"extraction": Seconds(2.5, 4.0), "assembly": Seconds(1.0, 0.5)},
             save=lambda folder, allow_failed: bundle.save(scene, folder),
+            doubts=(),
         )
 
     monkeypatch.setattr("generator.pipeline.generate", generate)

@@ -7,13 +7,13 @@ import pytest
 import torch
 
 from generator.backends.embedded.eye.network import REGIONS, STRIDE, Eye
-from generator.catalogue import CATEGORIES
 from generator.errors import InputError
 from generator.scene import View
 from research.eye import losses, train
 from research.eye.sample import OBJECT, TOP, Sample
 from research.eye.shards import ShardWriter
 from research.eye.targets import cut
+from research.eye.vocabulary import VOCABULARY
 
 
 def sample() -> Sample:
@@ -68,7 +68,7 @@ def test_the_right_answer_costs_least():
 @pytest.mark.slow
 def test_every_term_reaches_the_network():
     torch.manual_seed(0)
-    eye = Eye(len(CATEGORIES) + 1)
+    eye = Eye(len(VOCABULARY) + 1)
     rng = np.random.default_rng(0)
     batch = train.collate([cut(sample(), 64, rng) for _ in range(4)])
     found = losses.terms(eye, batch)
@@ -89,14 +89,14 @@ def test_a_mask_is_judged_by_the_thing_it_fits_best():
 def _args(data, out, minutes: float) -> argparse.Namespace:
     return argparse.Namespace(
         data=data, out=out, minutes=minutes, batch=2, size=64, rate=1e-3, seed=0, workers=0,
-        device="cpu",
+        device="cpu", start="imagenet", learn="all",
     )  # fmt: skip
 
 
 @pytest.mark.slow
 def test_a_run_goes_on_where_it_stopped(tmp_path, monkeypatch):
-    monkeypatch.setattr(train, "new_eye", lambda: Eye(len(CATEGORIES) + 1))
-    with ShardWriter(tmp_path / "a.shard", list(CATEGORIES)) as shard:
+    monkeypatch.setattr(train, "new_eye", lambda: Eye(len(VOCABULARY) + 1))
+    with ShardWriter(tmp_path / "a.shard", list(VOCABULARY)) as shard:
         shard.add(sample())
     train.train(_args(tmp_path, tmp_path / "run", 1e-4))
     first = train.TrainingRun(tmp_path / "run", 1e-3, "cpu")
@@ -106,7 +106,7 @@ def test_a_run_goes_on_where_it_stopped(tmp_path, monkeypatch):
 
 
 def test_late_in_a_run_whole_pictures_take_turns_with_crops(tmp_path):
-    with ShardWriter(tmp_path / "a.shard", list(CATEGORIES)) as shard:
+    with ShardWriter(tmp_path / "a.shard", list(VOCABULARY)) as shard:
         shard.add(sample())
     crops = train.Crops(tmp_path, 64, 0)
     early, late = (train.Steps(crops, 8, 10, late=x) for x in (False, True))
@@ -117,7 +117,7 @@ def test_late_in_a_run_whole_pictures_take_turns_with_crops(tmp_path):
 
 @pytest.mark.slow
 def test_settled_norms_keep_their_statistics(tmp_path, monkeypatch):
-    monkeypatch.setattr(train, "new_eye", lambda: Eye(len(CATEGORIES) + 1))
+    monkeypatch.setattr(train, "new_eye", lambda: Eye(len(VOCABULARY) + 1))
     run = train.TrainingRun(tmp_path, 1e-3, "cpu")
     run.settle()
     before = {k: v.clone() for k, v in run.eye.state_dict().items() if "running" in k}
@@ -135,3 +135,15 @@ def test_new_categories_start_as_unknown_does():
     state = {f"namer.1.{part}": torch.arange(3.0) for part in ("weight", "bias")}
     changed = train.rename_categories(state, ["a", "b"], ["b", "c"])
     assert changed["namer.1.bias"].tolist() == [1.0, 2.0, 2.0]
+
+
+def test_rough_masks_are_none_of_nothing():
+    """What the outliner is asked with shows some of the thing, at the features' size."""
+    torch.manual_seed(0)
+    wished = torch.zeros(40, 64, 64)
+    wished[:, 20:44, 12:50] = 1
+    rough = losses.roughen(wished, torch.zeros(40, 32, 32))
+    assert rough.shape == (40, 32, 32)
+    inside = torch.nn.functional.avg_pool2d(wished[:, None], 2)[:, 0]
+    assert ((rough > 0.5) & (inside > 0.5)).sum((1, 2)).min() >= 4
+    assert len({round(float(mask.sum())) for mask in rough}) > 8
