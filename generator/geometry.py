@@ -303,3 +303,13 @@ def inside_margin(
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     points = np.atleast_2d(np.asarray(points, float))
     return ((points[:, None] - outline[None]) * normals[None]).sum(-1).min(1)
+
+
+def proportion_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
+    """Return how far two extents' proportions are apart: mean absolute log ratio.
+
+    The two horizontal sides are compared in order of length; overall size does not count.
+    """
+    rows = [np.log(np.array([max(v[0], v[1]), min(v[0], v[1]), v[2]])) for v in (a, b)]
+    gap = (rows[0] - rows[0].mean()) - (rows[1] - rows[1].mean())
+    return float(np.abs(gap).mean())

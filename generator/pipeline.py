@@ -127,8 +127,10 @@ def generate(
         getattr(b.imager, "draws_catalogue", False), config.leave_out,
     )  # fmt: skip
     scene = publish(found, refined, alignment.placements)
-    doubts = () if reference.plan else find_doubts(scene, instances, reference)
-    scene = scene if reference.plan else _with_warnings(scene, warn_of_eye_level(scene) + doubts)
+    doubts: tuple[str, ...] = ()
+    if reference.plan is None:
+        doubts = find_doubts(scene, instances, reference)
+        scene = _with_warnings(scene, warn_of_eye_level(scene) + doubts)
     return Generation(
         reference, instances, view, sizes, models, rotations, alignment, refined, scene,
         clock.stop(), doubts,

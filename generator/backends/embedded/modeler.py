@@ -16,7 +16,7 @@ from ...meshes.pixels import mask_iou
 from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from .shapes.choosing import MEASURED, NAMED, best_solid
-from .shapes.framing import proportion_gap, small_mask
+from .shapes.framing import bounded_gap, small_mask
 from .shapes.likeness import FEW, VARIANTS, Likeness, fit_likeness
 from .shapes.painting import PROJECT, paint
 from .shapes.solids import PosedSolid
@@ -59,7 +59,7 @@ class EmbeddedModeler:
                 category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
                 instance.occluded, FEW if self.quick else VARIANTS,
             )  # fmt: skip
-            if size.measured and proportion_gap(found.extent, size.extent) > _UNLIKE:
+            if size.measured and bounded_gap(found.extent, size.extent) > _UNLIKE:
                 found = None  # a book does not stand as a box does
             elif found.iou >= (_ALIKE if self.quick else _SURE):
                 return likeness_model(found, instance, projection, size, self.texture)

@@ -14,6 +14,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...errors import BackendError, choices, require_known
+from ...geometry import proportion_gap
 from ...io.reading import read_regular
 from ...language.naming import known_category
 from ...meshes.normalising import Normal, foreign_model, normal_surface
@@ -111,7 +112,8 @@ class Folder:
             return self.up
         if kind == "glb":
             return "y"
-        gaps = {axis: proportion_gap(surface, axis, size.extent) for axis in get_args(Axis)}
+        sides = {axis: np.ptp(surface.upright(axis).vertices, axis=0) for axis in get_args(Axis)}
+        gaps = {a: proportion_gap(np.maximum(s, 1e-9), size.extent) for a, s in sides.items()}
         if gaps["z"] + _CLEAR < gaps["y"]:
             _LOG.warning("%s is taken to be z-up, by its proportions. Folder.up says it.", what)
             return "z"
@@ -145,11 +147,3 @@ class Folder:
     def files(self) -> Mapping[str, Path]:
         """Return the folder's files by what they model; see ``assets.find_assets``."""
         return find_assets(self.home())
-
-
-def proportion_gap(surface: ColoredSurface, up: Axis, extent: Float[np.ndarray, "3"]) -> float:
-    """Return how far a surface's proportions are from usual ones: mean absolute log ratio."""
-    have = np.ptp(surface.upright(up).vertices, axis=0)
-    rows = [np.log(np.maximum([*np.sort(v[:2]), v[2]], 1e-9)) for v in (have, extent)]
-    gap = (rows[0] - rows[0].mean()) - (rows[1] - rows[1].mean())
-    return float(np.abs(gap).mean())

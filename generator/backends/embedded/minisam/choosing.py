@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ....meshes.pixels import dilate
+from ....meshes.pixels import dilate, mask_iou
 from ..eye.judge import EyeDetection
 from .prompting import Proposal
 
@@ -156,5 +156,5 @@ def _overlaps(
     found = np.zeros((len(masks), len(others)))
     for i, mask in enumerate(masks):
         for j, other in enumerate(others):
-            found[i, j] = (mask & other).sum() / max(int((mask | other).sum()), 1)
+            found[i, j] = mask_iou(mask, other)
     return found

@@ -10,6 +10,7 @@ import numpy as np
 import torch
 from jaxtyping import Bool, Float, UInt8
 
+from ....meshes.pixels import mask_iou
 from ....scene import Detection, Intrinsics
 from ....threads import single_thread
 from ...installing import Once, models_folder
@@ -91,9 +92,11 @@ def outline(
         with single_thread(), torch.inference_mode():
             return name_all(load_weights(), image, masks, tabletop)
 
-    masks = [masks[k] for k in choose(proposals, name(masks), sight.things)]
+    names = name(masks)
+    chosen = choose(proposals, names, sight.things)
+    masks, names = [masks[k] for k in chosen], [names[k] for k in chosen]
     own = find_own(masks, sight.things)
-    clear = [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, name(masks), strict=True)]
+    clear = [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, names, strict=True)]
     masks = join_parts(masks, stand_on(sight, masks), clear)
     masks = _unite(look, masks, name)
     names = name(masks)
@@ -131,7 +134,7 @@ def _thing(
     known: Sequence[EyeDetection],
 ) -> EyeDetection:
     """Return a mask as a thing: as certain, and as far behind others, as the eye's nearest."""
-    overlap = [float((mask & d.visible).sum() / (mask | d.visible).sum()) for d in known]
+    overlap = [mask_iou(mask, d.visible) for d in known]
     best = int(np.argmax(overlap)) if overlap else -1
     if best < 0 or overlap[best] < 0.5:
         return EyeDetection(_NEW, _NEW, mask, mask, names)

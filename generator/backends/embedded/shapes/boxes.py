@@ -9,7 +9,7 @@ from ....geometry import rotation_z
 from ....meshes.pixels import Mask, mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart
-from .framing import descend, frame_to_mask, proportion_gap
+from .framing import bounded_gap, descend, frame_to_mask
 from .solids import ConvexSolid, PosedSolid, box, heightfield
 
 _UNIT_BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
@@ -36,7 +36,7 @@ def fit_box(
         value = 1 - mask_iou(projection.hull_silhouette(corners), mask)
         if expected is not None:
             sides = np.array([np.exp(parameters[1]), 1.0, np.exp(parameters[2])])
-            value += 0.01 * proportion_gap(sides, expected)
+            value += 0.01 * bounded_gap(sides, expected)
         return value
 
     grid = [

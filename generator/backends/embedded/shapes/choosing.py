@@ -12,7 +12,7 @@ from ....meshes.projection import Projection
 from ....scene.triangles import scaled_normals
 from .boxes import fit_box, fit_carved
 from .extrusions import base_line, fit_prism, fit_upright
-from .framing import proportion_gap
+from .framing import bounded_gap
 from .rounds import fit_revolution
 from .slices import fit_slices
 from .solids import PosedSolid
@@ -102,7 +102,7 @@ def score(
     if posed.kind == "box":
         cost += max(0.0, _STRICT - overlap)
     extent = np.ptp(posed.solid.vertices, axis=0)
-    return overlap - cost - accident(posed, small) - trust * proportion_gap(extent, expected)
+    return overlap - cost - accident(posed, small) - trust * bounded_gap(extent, expected)
 
 
 def accident(posed: PosedSolid, small: Projection) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.optimize import minimize
 
-from ....geometry import mask_box
+from ....geometry import mask_box, proportion_gap
 from ....meshes.pixels import Mask
 from ....meshes.projection import Projection
 from ....scene import Instance
@@ -62,11 +62,6 @@ def descend(
     return np.asarray(minimize(cost, start, method="Nelder-Mead", options=options).x)
 
 
-def proportion_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
-    """Return how far two extents' proportions are apart: mean absolute log ratio, at most 1.5.
-
-    The two horizontal sides are compared in order of length; overall size does not count.
-    """
-    rows = [np.log(np.array([max(v[0], v[1]), min(v[0], v[1]), v[2]])) for v in (a, b)]
-    gap = (rows[0] - rows[0].mean()) - (rows[1] - rows[1].mean())
-    return float(min(np.abs(gap).mean(), 1.5))
+def bounded_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
+    """Return how far two extents' proportions are apart (``proportion_gap``), at most 1.5."""
+    return min(proportion_gap(a, b), 1.5)
