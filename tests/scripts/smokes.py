@@ -4,12 +4,16 @@ A new script needs an entry in ``SMOKES``: the least work that its own options a
 leaves. It runs in an empty folder, its ``{out}``; nothing else may change.
 """
 
+import hashlib
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
 from drawn_shard import write_shard
+
+from generator.method.reference import read_image
 
 ROOT = Path(__file__).parents[2]
 
@@ -51,6 +55,18 @@ def _recipe(folder: Path) -> None:
         """,
         encoding="utf-8",
     )
+
+
+def _trace(folder: Path) -> None:
+    picture = ROOT / "examples" / "pictures" / "coffee_table.png"
+    corners = [[300, 300], [380, 300], [380, 400], [300, 400]]
+    record = {
+        "picture": picture.name,
+        "sha256": hashlib.sha256(picture.read_bytes()).hexdigest(),
+        "size": read_image(picture).shape[1::-1],
+        "things": [{"name": "mug", "mask": [{"outer": corners}], "pose": "standing"}],
+    }
+    (folder / "coffee_table.json").write_text(json.dumps(record), encoding="utf-8")
 
 
 def _table(stem: str) -> tuple[str, str]:
@@ -131,6 +147,10 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/supports.py": Smoke(
         "--texts {out}/texts.json --scenes 1 --out {out}", _table("supports"),
         "| scenes in which all hold | ", _texts,
+    ),
+    "benchmarks/traced.py": Smoke(
+        "{root}/examples/pictures --traces {out} --out {out}",
+        ("traced_embedded.md", "coffee_table.png"), "| **all** | 1 |", _trace,
     ),
     "benchmarks/understanding.py": Smoke(
         "--theme terse --limit 1 --sheet 1 --bundles {out}/made --out {out}",
