@@ -40,14 +40,20 @@ from rich.progress import track
 from scipy.optimize import linear_sum_assignment
 
 from generator.backends import Backends
+from generator.bundle import Segments
+from generator.comparison import compare, comparison_sheet
 from generator.errors import InputError, TabletopError
 from generator.geometry import quaternion_matrix
 from generator.io.pictures import write_picture
-from generator.method.extraction import TABLE, clean
+from generator.meshes.pixels import mask_iou
+from generator.method.extraction import clean
 from generator.method.reference import refer
+from generator.pipeline import generate
+from generator.scene import TABLE, Detection
 
 FOUND, WHOLE = 0.5, 0.75
 UNNAMED = "object"
+Shows = dict[int, tuple[int, float]]
 _COLOURS = {"whole": (60, 220, 90), "found": (250, 200, 40), "wrong": (240, 60, 60)}
 
 
@@ -84,33 +90,31 @@ def read_record(path: Path, folder: Path) -> tuple[Path, list[Traced]]:
     width, height = record["size"]
     things = []
     for thing in record["things"]:
-        mask = np.zeros((height, width), np.uint8)
-        for polygon in thing["mask"]:
-            cv2.fillPoly(mask, [np.round(polygon["outer"]).astype(np.int32)], 1)
-            for hole in polygon.get("holes", ()):
-                cv2.fillPoly(mask, [np.round(hole).astype(np.int32)], 0)
-        things.append(
-            Traced(
-                (thing["name"], *thing.get("also", ())), mask > 0, thing["pose"],
-                thing.get("sure", True),
-            )
-        )  # fmt: skip
+        names = (thing["name"], *thing.get("also", ()))
+        mask = fill(thing["mask"], (height, width))
+        things.append(Traced(names, mask, thing["pose"], thing.get("sure", True)))
     return picture, things
 
 
-def match(found: list[Found], things: list[Traced]) -> np.ndarray:
-    """Return (found,) the index of the thing each find shows, -1 for none, and their IoU."""
+def fill(polygons: list[dict[str, Any]], shape: tuple[int, int]) -> np.ndarray:
+    """Return the mask (h, w) of polygons, each without its own holes."""
+    mask = np.zeros(shape, bool)
+    for polygon in polygons:
+        part = np.zeros(shape, np.uint8)
+        cv2.fillPoly(part, [np.round(polygon["outer"]).astype(np.int32)], 1)
+        for hole in polygon.get("holes", ()):
+            cv2.fillPoly(part, [np.round(hole).astype(np.int32)], 0)
+        mask |= part > 0
+    return mask
+
+
+def match(found: list[Found], things: list[Traced]) -> Shows:
+    """Return, of each find that shows a thing, which thing that is and their IoU."""
     iou = np.zeros((len(found), len(things)))
-    for i, find in enumerate(found):
-        for j, thing in enumerate(things):
-            both = np.count_nonzero(find.mask & thing.mask)
-            iou[i, j] = both / max(np.count_nonzero(find.mask | thing.mask), 1)
-    shows = np.full(len(found), -1)
-    overlap = np.zeros(len(found))
-    for i, j in zip(*linear_sum_assignment(-iou), strict=True):
-        if iou[i, j] >= FOUND:
-            shows[i], overlap[i] = j, iou[i, j]
-    return np.stack([shows, overlap])
+    for i, j in np.ndindex(iou.shape):
+        iou[i, j] = mask_iou(found[i].mask, things[j].mask)
+    pairs = zip(*linear_sum_assignment(-iou), strict=True)
+    return {int(i): (int(j), float(iou[i, j])) for i, j in pairs if iou[i, j] >= FOUND}
 
 
 def is_named(label: str, names: tuple[str, ...]) -> bool:
@@ -119,46 +123,42 @@ def is_named(label: str, names: tuple[str, ...]) -> bool:
     return words[0] in words[1:] or words[0].split()[-1:] == words[1].split()[-1:]
 
 
-def marks(found: list[Found], things: list[Traced]) -> dict[str, int]:
-    """Return the counts of one picture."""
-    shows, overlap = match(found, things)
-    seen = [(i, int(j)) for i, j in enumerate(shows) if j >= 0]
-    sure = [(i, j) for i, j in seen if things[j].sure]
-    named = [found[i].label for i, _ in sure]
-    right = [is_named(found[i].label, things[j].names) for i, j in sure]
+def marks(found: list[Found], things: list[Traced], shows: Shows) -> dict[str, int]:
+    """Return the counts of one picture; ``shows`` is of :func:`match`, here and below."""
+    sure = [(i, j, overlap) for i, (j, overlap) in shows.items() if things[j].sure]
+    named = [found[i].label for i, _, _ in sure]
+    right = [is_named(found[i].label, things[j].names) for i, j, _ in sure]
     return {
         "things": sum(t.sure for t in things),
-        "finds": len(found) - (len(seen) - len(sure)),
+        "finds": len(found) - (len(shows) - len(sure)),
         "found": len(sure),
-        "whole": sum(overlap[i] >= WHOLE for i, _ in sure),
+        "whole": sum(overlap >= WHOLE for _, _, overlap in sure),
         "named": sum(right),
         "unnamed": sum(n == UNNAMED and not r for n, r in zip(named, right, strict=True)),
     }
 
 
-def poses(made: Any, found: list[Found], things: list[Traced]) -> dict[str, int]:
-    """Return how many things of a scene lie or stand as the record says, of how many."""
-    shows, _ = match(found, things)
+def poses(made: Any, things: list[Traced], shows: Shows) -> dict[str, int]:
+    """Return how many things of a scene do not lie or stand as the record says, of how many."""
     bodies = {thing.name: thing for thing in made.scene.objects}
     asked = wrong = 0
-    for instance, j in zip(made.instances[1:], shows, strict=True):
-        body = bodies.get(instance.name)
-        if j < 0 or body is None or things[int(j)].pose not in ("lying", "standing"):
+    for i, (j, _) in shows.items():
+        body = bodies.get(made.instances[1 + i].name)
+        if body is None or things[j].pose not in ("lying", "standing"):
             continue
         points = (body.model.mesh.vertices * body.scale) @ quaternion_matrix(body.pose.quaternion).T
         x, y, z = np.ptp(points, axis=0)
-        lies = things[int(j)].pose == "lying"
         asked += 1
-        wrong += z > max(x, y) if lies else z < 0.4 * max(x, y)
+        wrong += z > max(x, y) if things[j].pose == "lying" else z < 0.4 * max(x, y)
     return {"posed": asked, "misposed": int(wrong)}
 
 
-def draw(image: np.ndarray, found: list[Found], things: list[Traced]) -> np.ndarray:
+def draw(image: np.ndarray, found: list[Found], things: list[Traced], shows: Shows) -> np.ndarray:
     """Return the picture with the record's outlines in white and the finds in colour."""
-    shows, overlap = match(found, things)
     canvas = (image * 0.55).astype(np.uint8)
-    for find, j, value in zip(found, shows, overlap, strict=True):
-        kind = "wrong" if j < 0 else "whole" if value >= WHOLE else "found"
+    for i, find in enumerate(found):
+        _, overlap = shows.get(i, (-1, 0.0))
+        kind = "whole" if overlap >= WHOLE else "found" if overlap else "wrong"
         colour = np.array(_COLOURS[kind], float)
         canvas[find.mask] = (0.55 * image[find.mask] + 0.45 * colour).astype(np.uint8)
     thick = max(1, round(max(image.shape) / 800))
@@ -175,46 +175,41 @@ def draw(image: np.ndarray, found: list[Found], things: list[Traced]) -> np.ndar
 
 
 def process(path: Path, args: argparse.Namespace) -> dict[str, Any]:
-    """Segment (and, if asked, rebuild) the picture of a record, draw its sheet, return its row."""
+    """Segment (and, if asked, rebuild) the picture of a record, draw its sheets, return its row."""
     picture, things = read_record(path, args.folder)
     backends = Backends.select("embedded", segmenter=args.segmenter)
-    start = time.process_time()
-    if args.scenes:
-        return _rebuild(picture, things, backends, args, start)
-    reference = refer(picture, backends.reasoner, backends.imager, 0)
-    image = np.asarray(reference.image)
-    labels = (TABLE, *(n for n in backends.reasoner.list_objects(reference) if n != TABLE))
-    detections = [clean(d) for d in backends.segmenter.segment(image, labels)]
+    start, made = time.process_time(), None
+    try:
+        if args.scenes:
+            made = generate(picture, backends, name=re.sub(r"\W", "_", path.stem))
+            image, finds = made.reference.image, made.instances[1:]
+        else:
+            image, finds = segment(picture, backends)
+    except TabletopError as error:
+        blank = {"things": sum(t.sure for t in things), "error": f"{error}"[:200]}
+        return {"picture": path.stem, **blank, "cpu": time.process_time() - start}
+    cpu = time.process_time() - start
     shape = things[0].mask.shape
-    found = [Found(d.label, enlarge(d.mask, shape)) for d in detections if d and d.label != TABLE]
-    row = {"picture": path.stem, **marks(found, things), "cpu": time.process_time() - start}
-    write_picture(draw(enlarge(image, shape), found, things), args.out / f"{path.stem}.png")
+    found = [Found(find.label, enlarge(find.mask, shape)) for find in finds]
+    shows = match(found, things)
+    sheet = draw(enlarge(np.asarray(image), shape), found, things, shows)
+    write_picture(sheet, args.out / f"{path.stem}.png")
+    row = {"picture": path.stem, **marks(found, things, shows), "cpu": cpu}
+    if made is not None:
+        made.save(args.out / "bundles", allow_failed=True)
+        seen = compare(made.scene, Segments.of(made.instances), np.asarray(image))
+        write_picture(comparison_sheet(seen), args.out / f"{path.stem}_scene.png")
+        row |= poses(made, things, shows)
     return row
 
 
-def _rebuild(
-    picture: Path, things: list[Traced], backends: Backends, args: argparse.Namespace, start: float
-) -> dict[str, Any]:
-    from generator.bundle import Segments
-    from generator.comparison import compare, comparison_sheet
-    from generator.pipeline import generate
-
-    stem = picture.stem
-    shape = things[0].mask.shape
-    try:
-        made = generate(picture, backends, name=re.sub(r"\W", "_", stem))
-    except TabletopError as error:
-        blank = {"things": sum(t.sure for t in things), "error": f"{error}"[:200]}
-        return {"picture": stem, **blank, "cpu": time.process_time() - start}
-    found = [Found(i.label, enlarge(i.mask, shape)) for i in made.instances[1:]]
-    row = {"picture": stem, **marks(found, things), **poses(made, found, things)}
-    row["cpu"] = time.process_time() - start
-    image = np.asarray(made.reference.image)
-    made.save(args.out / "bundles", allow_failed=True)
-    seen = compare(made.scene, Segments.of(made.instances), image)
-    write_picture(comparison_sheet(seen), args.out / f"{stem}_scene.png")
-    write_picture(draw(enlarge(image, shape), found, things), args.out / f"{stem}.png")
-    return row | {"doubts": "; ".join(made.doubts)}
+def segment(picture: Path, backends: Backends) -> tuple[np.ndarray, list[Detection]]:
+    """Return a picture as the pipeline reads it, and the things found in it, cleaned."""
+    reference = refer(picture, backends.reasoner, backends.imager, 0)
+    image = np.asarray(reference.image)
+    labels = (TABLE, *(n for n in backends.reasoner.list_objects(reference) if n != TABLE))
+    cleaned = [clean(found) for found in backends.segmenter.segment(image, labels)]
+    return image, [found for found in cleaned if found is not None and found.label != TABLE]
 
 
 def enlarge(pixels: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
