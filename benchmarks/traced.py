@@ -10,7 +10,7 @@ mask is what shows of it, its pose one of ``standing``, ``lying``, ``leaning``, 
 found at an overlap (IoU) of at least 0.5 with that mask, whole at 0.75; a find is right if it shows
 a thing of the record. ``sure`` is false where a fair judge could disagree whether something is a
 thing of its own: finding it is neither right nor wrong. Names are marked on what is found: right,
-wrong, or none given ("object").
+wrong, or none given ("object", "tall object").
 
 With ``--scenes`` each picture becomes a bundle besides. A thing that lies is wrong if its body is
 taller than long, one that stands if its height is under 0.4 of its longest horizontal side. The
@@ -134,7 +134,7 @@ def marks(found: list[Found], things: list[Traced], shows: Shows) -> dict[str, i
         "found": len(sure),
         "whole": sum(overlap >= WHOLE for _, _, overlap in sure),
         "named": sum(right),
-        "unnamed": sum(n == UNNAMED and not r for n, r in zip(named, right, strict=True)),
+        "unnamed": sum(n.endswith(UNNAMED) and not r for n, r in zip(named, right, strict=True)),
     }
 
 
