@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from jaxtyping import Float
-from scipy.optimize import least_squares
+from scipy.optimize import OptimizeResult, least_squares
 
 from ..bundle import Segments
 from ..errors import InputError
@@ -14,6 +14,12 @@ from ..scene import TABLE, Scene
 
 _EVEN = 0.01
 """Share of the picture's diagonal beyond which a box counts as an outlier."""
+
+_FAR = 5.0
+"""Outliers' distances: with a larger mean miss a camera is tried from nearer."""
+
+_NEARER = (0.3, 0.6, 1.0)
+"""Logarithms of how much nearer it is tried."""
 
 
 def picture_camera(scene: Scene, segments: Segments) -> Camera:
@@ -54,8 +60,15 @@ def picture_camera(scene: Scene, segments: Segments) -> Camera:
         return np.concatenate(edges)
 
     scale = _EVEN * float(np.hypot(width, height))
-    fit = least_squares(misses, np.zeros(3), loss="soft_l1", f_scale=scale, diff_step=1e-4)
-    return camera(fit.x)
+
+    def fit(nearer: float) -> OptimizeResult:
+        start = np.array([0.0, 0.0, nearer])
+        return least_squares(misses, start, loss="soft_l1", f_scale=scale, diff_step=1e-4)
+
+    best = fit(0.0)
+    if np.abs(best.fun).mean() > _FAR * scale:  # of a close view the frame's whole is far away
+        best = min([best, *(fit(nearer) for nearer in _NEARER)], key=lambda found: found.cost)
+    return camera(best.x)
 
 
 def _box(camera: Camera, vertices: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "4"]:

@@ -34,6 +34,13 @@ def erode(mask: Mask, side: int) -> Mask:
     return cv2.erode(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
 
 
+def foot_of(mask: Mask) -> Mask:
+    """Return the lowest sixth of a mask: where a thing stands."""
+    rows = np.flatnonzero(mask.any(1))
+    line = rows[-1] - (rows[-1] - rows[0]) // 6 if len(rows) else 0
+    return mask & (np.arange(mask.shape[0])[:, None] >= line)
+
+
 def hull_of(mask: Mask) -> Mask:
     """Return the filled convex hull of a mask."""
     points = np.column_stack(np.nonzero(mask)[::-1]).astype(np.int32)

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from generator.backends.embedded.minisam.network import CELLS, Drawn
+from generator.backends.embedded.eye.frames import Frame
+from generator.backends.embedded.minisam.network import CELLS, SIDE, Drawn
 from generator.geometry import mask_box
 
 
@@ -17,8 +18,9 @@ class PlayedModel:
         self.masks = [np.asarray(mask, bool) for mask in masks]
         self.asked = 0
 
-    def look(self, image: np.ndarray) -> PlayedModel:
+    def look(self, image: np.ndarray, frame: Frame | None = None) -> PlayedModel:
         assert image.shape[:2] == self.masks[0].shape
+        assert frame is None or frame.side == SIDE
         return self
 
     def at_point(self, point: np.ndarray) -> Drawn:

@@ -9,10 +9,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from played_masks import PlayedModel
 
 from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.minisam import weights
 from generator.backends.embedded.minisam.choosing import choose, is_one, join_parts
+from generator.backends.embedded.minisam.closer import Closer, ask_unions, complete, look_closer
 from generator.backends.embedded.minisam.prompting import Proposal, clean
 from generator.backends.embedded.minisam.segmenter import MiniSamSegmenter
 from generator.cli import run
@@ -89,6 +91,50 @@ def test_two_clear_names_are_two_things() -> None:
     assert not is_one(named(0, 0.9), named(1, 0.8), named(2, 0.8))
     assert is_one(named(0, 0.5), named(1, 0.8), named(1, 0.9))
     assert is_one(named(0, 0.8), named(0, 0.5), named(2, 0.4))
+
+
+GOURD = rectangle(30, 10, 50, 80)
+UPPER, LOWER = rectangle(30, 10, 50, 40), rectangle(30, 40, 50, 80)
+
+
+def test_two_pieces_that_name_the_same_whole_are_one_thing() -> None:
+    seen = [Closer(UPPER, GOURD), Closer(LOWER, GOURD)]
+    (whole,) = complete(seen, [True, True], lambda mask: True)
+    assert np.array_equal(whole, GOURD)
+
+
+def test_a_thing_that_names_no_whole_is_left_alone_by_others() -> None:
+    seen = [Closer(UPPER), Closer(LOWER, GOURD, firm=True)]
+    apart = complete(seen, [True, True], lambda mask: True)
+    assert sorted(int(mask.sum()) for mask in apart) == [int(UPPER.sum()), int(LOWER.sum())]
+    (joined,) = complete(seen, [False, True], lambda mask: True)  # nothing speaks for the upper one
+    assert np.array_equal(joined, GOURD)
+
+
+def test_a_whole_that_is_the_table_is_refused() -> None:
+    (mask,) = complete([Closer(UPPER, GOURD, firm=True)], [True], lambda mask: False)
+    assert np.array_equal(mask, UPPER)
+    (mask,) = complete([Closer(UPPER, GOURD, firm=False)], [True], lambda mask: True)
+    assert np.array_equal(mask, UPPER)
+
+
+def test_a_closer_look_shows_what_a_mask_is_a_piece_of() -> None:
+    model = PlayedModel([UPPER, GOURD])
+    model.at_point = lambda point: model._draw(1)  # type: ignore[method-assign]
+    image = np.zeros((SIDE, SIDE, 3), np.uint8)
+    seen = look_closer(model, model, image, UPPER)
+    assert np.array_equal(seen.mask, UPPER)
+    assert seen.whole is not None and np.array_equal(seen.whole, GOURD) and seen.firm
+
+
+def test_only_what_is_on_the_other_is_asked_about_as_one() -> None:
+    image = np.zeros((SIDE, SIDE, 3), np.uint8)
+    model = PlayedModel([GOURD])
+    ((i, j, mask),) = ask_unions(model, model, image, [UPPER, LOWER])
+    assert (i, j) == (0, 1) and np.array_equal(mask, GOURD)
+    beside = rectangle(50, 30, 70, 84)
+    model = PlayedModel([GOURD | beside])
+    assert not list(ask_unions(model, model, image, [GOURD, beside]))
 
 
 def test_crumbs_are_cleaned_away() -> None:

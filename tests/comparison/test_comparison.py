@@ -46,6 +46,16 @@ def test_the_cameras_place_is_found_again(scene: Scene, camera: Camera, segments
     assert (found.width, found.height, found.fov) == (320, 240, VIEW.fov)
 
 
+def test_a_camera_so_near_that_little_shows_is_not_lost(scene: Scene) -> None:
+    view = View(azimuth=0.08, elevation=0.39, fov=0.55)
+    near = Camera.looking_at(np.array([0.1, -0.1, 0.7]), view, 0.35, 240, 320)
+    close = scene.replace(view=view)
+    shot = render_scene(close, camera=near, supersample=1)
+    names = (TABLE, *(thing.name for thing in scene.objects))
+    segments = Segments(names, names, (np.asarray(shot.ids) + 1).astype(np.uint8))
+    assert np.linalg.norm(picture_camera(close, segments).position - near.position) < 0.5
+
+
 def test_one_wrong_object_moves_the_camera_little(
     scene: Scene, camera: Camera, segments: Segments
 ) -> None:

@@ -7,17 +7,20 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+import torch
 from jaxtyping import Bool, Float, UInt8
 
 from ...errors import SceneError
 from ...geometry import main_parts, mask_box
 from ...language.naming import assign, free_labels, shape_word, weigh
-from ...meshes.pixels import dilate
+from ...meshes.pixels import dilate, foot_of
 from ...scene import TABLE, Detection, Intrinsics
+from ...threads import single_thread
+from .carriers import find_carriers
 from .depth.plane import find_depth_plane
 from .depth.things import confirm
 from .eye.judge import EyeDetection
-from .eye.sight import EyeReading, see
+from .eye.sight import EyeReading, name_all, see
 from .eye.weights import load_weights
 from .plane.measure import apparent_scale, usual_solid
 from .plane.outline import top_of
@@ -74,6 +77,7 @@ def detect(
     """Return table and things as ``protocols.Segmenter`` says, from what was seen of a picture."""
     wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
     things = _on_table(sight, _ASKED if wanted else SURE)
+    things += _carriers(image, sight, [t for t in things if t.score >= SURE])
     if len(things) > _MOST:
         raise SceneError(
             f"More than {_MOST} things on the table. Cut the picture into parts with fewer."
@@ -111,18 +115,28 @@ def _on_table(sight: EyeReading, minimum: float) -> list[EyeDetection]:
     ]
 
 
+def _carriers(
+    image: UInt8[np.ndarray, "h w 3"], sight: EyeReading, things: Sequence[EyeDetection]
+) -> list[EyeDetection]:
+    """Return the boards and mats beneath things that the eye takes for tabletop."""
+    top = sight.top > 0.5
+    found = find_carriers(image, top, [t.visible for t in things])
+    if not found:
+        return []
+    with single_thread(), torch.inference_mode():
+        names = name_all(load_weights(), image, [f.visible for f in found], float(top.sum()))
+    return [
+        EyeDetection(f.score, f.score, f.visible, f.whole, n)
+        for f, n in zip(found, names, strict=True)
+    ]
+
+
 def stand_on(sight: EyeReading, masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[bool]:
     """Tell of each mask whether its foot is on the tabletop, or where things hide it."""
     top = top_of(sight)
     near = dilate(top, max(top.shape) // 60 + 1)
-    feet = (m & (np.arange(top.shape[0])[:, None] >= _foot_line(m)) for m in masks)
+    feet = map(foot_of, masks)
     return [bool((foot & near).sum() > 0.5 * foot.sum()) for foot in feet]
-
-
-def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:
-    """Return the row below which the lowest sixth of a mask lies."""
-    rows = np.flatnonzero(mask.any(1))
-    return int(rows[-1] - (rows[-1] - rows[0]) / 6) if len(rows) else 0
 
 
 def _pick_wanted(things: Sequence[EyeDetection], wanted: tuple[str, ...]) -> Named:

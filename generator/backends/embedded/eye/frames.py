@@ -87,9 +87,15 @@ class Frame:
         fine = cv2.warpAffine(mask, finer, (count * times, count * times))
         return cv2.resize(fine, (count, count), interpolation=cv2.INTER_AREA)
 
+    def inside(self, size: tuple[int, ...]) -> Bool[np.ndarray, "s s"]:
+        """Tell of the look's pixels which show something of a picture of ``size`` (h, w)."""
+        middles = (np.arange(self.side) + 0.5) / self.scale
+        x, y = middles + self.corner[0], middles + self.corner[1]
+        return ((y > 0) & (y < size[0]))[:, None] & ((x > 0) & (x < size[1]))
+
     def spread(
-        self, masks: Float[np.ndarray, "k s s"], size: tuple[int, ...]
+        self, masks: Float[np.ndarray, "k s s"], size: tuple[int, ...], level: float = 0.5
     ) -> list[Bool[np.ndarray, "h w"]]:
-        """Carry masks of the look (probabilities) to a picture of ``size`` (height, width)."""
+        """Carry what exceeds ``level`` in maps of the look to a picture of ``size`` (h, w)."""
         back = cv2.invertAffineTransform(self._warp())
-        return [cv2.warpAffine(m, back, (size[1], size[0])) > 0.5 for m in masks]
+        return [cv2.warpAffine(m, back, (size[1], size[0])) > level for m in masks]

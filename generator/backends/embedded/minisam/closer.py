@@ -1,0 +1,168 @@
+"""A closer look at each thing: a finer outline, and what else belongs to it.
+
+A point at its middle asks for the thing without saying where it ends. What such an answer shows
+beyond the outline belongs to the thing, unless it is another thing whose own middle says otherwise:
+two pieces of one thing name the same whole, a tomato before an orange does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from ....geometry import mask_box
+from ....meshes.pixels import dilate, foot_of, mask_iou
+from ..eye.frames import Frame
+from .network import SIDE, Drawn, PromptedModel, PromptedPicture
+from .prompting import clean
+
+_ROOM = 2.6  # side of a closer look over the longer side of the thing's box
+_GAIN = 1.15  # pixels of it for each of the first look's, from which a closer look is worth it
+_LEAST = 48.0  # pixels of the picture that a closer look shows at least
+_GOOD, _STABLE = 0.7, 0.7  # quality and stability of an outline that is taken
+_SAME = 0.5  # overlap (IoU) of it with the first one
+_SURE, _FIRM = 0.9, 0.85  # quality and stability of a whole that nothing else confirms
+_HOLDS = 0.9  # share of the outline that its whole shows
+_MORE = 1.1  # area of a whole over that of the outline
+_INSIDE = 0.7  # share of another thing that a whole shows
+_FREE = 0.1  # share of another thing up to which a whole leaves it alone
+_AGREED = 0.75  # overlap (IoU) of the wholes of two pieces of one thing
+_CONTACT = 0.3  # length over that of the smaller of two outlines, from which they touch
+_STACKED = 0.7  # share of an outline's foot below which the other one is, of two pieces
+_ONE = 0.85  # quality and stability of a mask that shows two as one
+_COVERS = 0.85  # share of them that it covers, and of it that they do
+
+
+@dataclass(frozen=True, eq=False)
+class Closer:
+    """What a closer look shows: the thing's outline, and the whole it is a piece of, if any.
+
+    ``firm`` tells that the whole needs no other piece to confirm it.
+    """
+
+    mask: Bool[np.ndarray, "h w"]
+    whole: Bool[np.ndarray, "h w"] | None = None
+    firm: bool = False
+
+
+def look_closer(
+    model: PromptedModel,
+    look: PromptedPicture,
+    image: UInt8[np.ndarray, "h w 3"],
+    mask: Bool[np.ndarray, "h w"],
+) -> Closer:
+    """Look at one thing again; ``look`` is the first one, used where a closer one shows no more."""
+    near = _near(model, look, image, mask)
+    drawn = near.in_box(mask_box(mask))
+    fine = clean(near.spread(drawn))
+    if not (_is_good(drawn) and mask_iou(fine, mask) >= _SAME):
+        fine = mask
+    drawn = near.at_point(_middle(fine))
+    whole = clean(near.spread(drawn))
+    held = int((whole & fine).sum()) >= _HOLDS * int(fine.sum())
+    larger = int(whole.sum()) >= _MORE * int(fine.sum())
+    if not (held and larger and _is_good(drawn) and drawn.quality >= _SURE):
+        return Closer(fine)
+    return Closer(fine, whole, drawn.stability >= _FIRM)
+
+
+def complete(
+    seen: Sequence[Closer],
+    clear: Sequence[bool],
+    may_be_thing: Callable[[Bool[np.ndarray, "h w"]], bool],
+) -> list[Bool[np.ndarray, "h w"]]:
+    """Return the outlines, each with what belongs to it; pieces of one thing become one.
+
+    ``clear`` tells of each that it is certain to be a thing of its own: only its own whole can
+    make it a piece. ``may_be_thing`` refuses a whole that is the table or the background.
+    """
+    seen = [c if c.whole is None or may_be_thing(c.whole) else replace(c, whole=None) for c in seen]
+    areas = [int(c.mask.sum()) for c in seen]
+    owner = list(range(len(seen)))
+    masks = [c.mask for c in seen]
+    for k in sorted(range(len(seen)), key=lambda k: -areas[k]):
+        whole = seen[k].whole
+        if whole is None or owner[k] != k:
+            continue
+        shared = [int((whole & c.mask).sum()) / max(a, 1) for c, a in zip(seen, areas, strict=True)]
+        inside = [j for j, s in enumerate(shared) if j != k and s > _INSIDE]
+        cut = any(_FREE < s <= _INSIDE for s in shared)
+        agreed = [_agrees(seen[j], whole) for j in inside]
+        if cut or not all(a or not clear[j] for j, a in zip(inside, agreed, strict=True)):
+            continue
+        if seen[k].firm or any(agreed):
+            masks[k] = whole | masks[k]
+            for j in inside:
+                owner[j] = k
+    return [masks[k] for k in range(len(seen)) if owner[k] == k]
+
+
+def _agrees(other: Closer, whole: Bool[np.ndarray, "h w"]) -> bool:
+    return other.whole is not None and mask_iou(other.whole, whole) >= _AGREED
+
+
+def ask_unions(
+    model: PromptedModel,
+    look: PromptedPicture,
+    image: UInt8[np.ndarray, "h w 3"],
+    masks: Sequence[Bool[np.ndarray, "h w"]],
+) -> Iterator[tuple[int, int, Bool[np.ndarray, "h w"]]]:
+    """Ask at the box around each two outlines, one on the other; yield what shows both as one.
+
+    Two things side by side, or one before the other, stand on the table each.
+    """
+    reach = max(masks[0].shape) // 250 + 2 if masks else 0
+    for i, j in combinations(range(len(masks)), 2):
+        upper, lower = sorted((masks[i], masks[j]), key=lambda m: int(np.flatnonzero(m.any(1))[-1]))
+        if not _rests_on(upper, lower, reach):
+            continue
+        both = upper | lower
+        near = _near(model, look, image, both)
+        drawn = near.in_box(mask_box(both))
+        if drawn.quality < _ONE or drawn.stability < _ONE:
+            continue
+        mask = clean(near.spread(drawn))
+        covers = all((mask & m).sum() > _COVERS * m.sum() for m in (upper, lower))
+        if covers and (mask & both).sum() > _COVERS * mask.sum():
+            yield i, j, mask
+
+
+def _rests_on(upper: Bool[np.ndarray, "h w"], lower: Bool[np.ndarray, "h w"], reach: int) -> bool:
+    """Tell whether the lower outline is right below most of the upper one's foot."""
+    near = dilate(lower, 2 * reach + 1)
+    smaller = min(int(upper.sum()), int(lower.sum()))
+    if int((near & upper).sum()) < _CONTACT * reach * smaller**0.5:
+        return False
+    foot = foot_of(upper)
+    columns = np.flatnonzero(foot.any(0))
+    last = upper.shape[0] - 1 - upper[::-1, columns].argmax(0)
+    below = np.minimum(last + reach, upper.shape[0] - 1)
+    return float(near[below, columns].mean()) >= _STACKED
+
+
+def _near(
+    model: PromptedModel,
+    look: PromptedPicture,
+    image: UInt8[np.ndarray, "h w 3"],
+    mask: Bool[np.ndarray, "h w"],
+) -> PromptedPicture:
+    low, high = mask_box(mask).reshape(2, 2)
+    frame = Frame.around(low, high, SIDE, _ROOM, _LEAST)
+    first = SIDE / max(mask.shape)
+    return model.look(image, frame) if frame.scale >= _GAIN * first else look
+
+
+def _is_good(drawn: Drawn) -> bool:
+    return drawn.quality >= _GOOD and drawn.stability >= _STABLE
+
+
+def _middle(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "2"]:
+    """Return the point (x, y) of a mask that is farthest from its rim, pixels."""
+    inside = cv2.distanceTransform(np.pad(mask.astype(np.uint8), 1), cv2.DIST_L2, 5)[1:-1, 1:-1]
+    y, x = np.unravel_index(int(inside.argmax()), inside.shape)
+    return np.array([x + 0.5, y + 0.5])
