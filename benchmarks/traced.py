@@ -6,7 +6,8 @@
 ``FOLDER`` holds the pictures, ``TRACES`` one JSON record for each: ``picture`` (the file's name),
 ``sha256``, ``size`` (width, height) and ``things``, each with ``name``, ``also`` (other right
 names), ``mask`` (polygons in pixels: ``outer``, ``holes``), ``pose`` and ``sure``. A thing's
-mask is what shows of it, its pose one of ``standing``, ``lying``, ``leaning``, ``round``. It is
+mask is what shows of it, its pose one of ``standing``, ``lying``, ``leaning``, ``round``, and
+``low`` (a bowl, a car: wider than high as it always rests, not marked). It is
 found at an overlap (IoU) of at least 0.5 with that mask, whole at 0.75; a find is right if it shows
 a thing of the record. ``sure`` is false where a fair judge could disagree whether something is a
 thing of its own: finding it is neither right nor wrong. Names are marked on what is found: right,

@@ -57,6 +57,13 @@ def _recipe(folder: Path) -> None:
     )
 
 
+def _sheets(folder: Path) -> None:
+    picture = (ROOT / "examples/pictures/coffee_table.png").read_bytes()
+    for name in ("before", "after"):
+        (folder / name).mkdir()
+        (folder / name / "table.png").write_bytes(picture)
+
+
 def _trace(folder: Path) -> None:
     picture = ROOT / "examples" / "pictures" / "coffee_table.png"
     corners = [[300, 300], [380, 300], [380, 400], [300, 400]]
@@ -132,6 +139,9 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     ),
     "benchmarks/rotation_speed.py": Smoke(
         "--cases 1 --out {out}", ("rotation_speed_cpu.md",), "| wall | 1 |"
+    ),
+    "benchmarks/side_by_side.py": Smoke(
+        "{out}/before {out}/after --out {out}/both", ("both/table.jpg",), "1 sheets in", _sheets
     ),
     "benchmarks/soak.py": Smoke(
         "--steps 20 --scenes 1 --out {out}", _table("soak"), "# Soak: 20 random steps at 1 tables"

@@ -1,0 +1,59 @@
+"""Sheets of the same pictures from two versions, side by side.
+
+    tabletopgen compare out/old/scene --out sheets/before/scene.png
+    tabletopgen compare out/new/scene --out sheets/after/scene.png
+    python benchmarks/side_by_side.py sheets/before sheets/after --out benchmarks/results/sheets
+
+Every PNG that both folders hold becomes a JPEG with the first folder's on the left.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from PIL import Image, ImageDraw, ImageFont
+
+from generator.errors import InputError
+
+_LINE = 26
+
+
+def join(before: Path, after: Path, width: int) -> Image.Image:
+    """Return two pictures side by side, each ``width`` pixels wide, under its folder's name."""
+    pictures = []
+    for path in (before, after):
+        with Image.open(path) as opened:
+            picture = opened.convert("RGB")
+        pictures.append(picture.resize((width, round(picture.height * width / picture.width))))
+    height = max(picture.height for picture in pictures)
+    sheet = Image.new("RGB", (2 * width, height + _LINE), "white")
+    draw = ImageDraw.Draw(sheet)
+    for k, (path, picture) in enumerate(zip((before, after), pictures, strict=True)):
+        draw.text((k * width + 6, 3), path.parent.name, "black", ImageFont.load_default(18))
+        sheet.paste(picture, (k * width, _LINE))
+    return sheet
+
+
+def main() -> None:
+    """Read the command line and write the sheets."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument("before", type=Path, help="folder of sheets, shown left")
+    parser.add_argument("after", type=Path, help="folder of sheets with the same names")
+    parser.add_argument("--out", type=Path, required=True, help="folder of the JPEGs")
+    parser.add_argument("--width", type=int, default=800, help="pixels of each, across")
+    args = parser.parse_args()
+    names = sorted(p.name for p in args.before.glob("*.png") if (args.after / p.name).is_file())
+    if not names:
+        raise InputError(f"No PNG is both in {args.before} and in {args.after}.")
+    args.out.mkdir(parents=True, exist_ok=True)
+    for name in names:
+        sheet = join(args.before / name, args.after / name, args.width)
+        sheet.save(args.out / Path(name).with_suffix(".jpg"), quality=80)
+    print(f"{len(names)} sheets in {args.out}")
+
+
+if __name__ == "__main__":
+    main()
