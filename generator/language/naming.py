@@ -12,7 +12,7 @@ from ..catalogue import CATEGORIES, Category, category
 from ..errors import InputError
 from ..scene import Instance, SizePrior
 
-_SURE = 0.45  # probability from which a thing gets its category's name
+_SURE = 0.55  # probability from which a thing gets its category's name
 _SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
 _SHAPES = 0.4  # of its proportions in the picture, log
 _TABLES = 0.35  # of a table's usual size, log
