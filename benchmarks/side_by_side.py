@@ -1,10 +1,10 @@
-"""Sheets of the same pictures from two versions, side by side.
+"""Sheets of the same pictures from several versions, side by side.
 
     tabletopgen compare out/old/scene --out sheets/before/scene.png
     tabletopgen compare out/new/scene --out sheets/after/scene.png
     python benchmarks/side_by_side.py sheets/before sheets/after --out benchmarks/results/sheets
 
-Every PNG that both folders hold becomes a JPEG with the first folder's on the left.
+Every PNG that all the folders hold becomes a JPEG with the first folder's on the left.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ from generator.errors import InputError
 _LINE = 26
 
 
-def join(before: Path, after: Path, width: int) -> Image.Image:
-    """Return two pictures side by side, each ``width`` pixels wide, under its folder's name."""
+def join(paths: list[Path], width: int) -> Image.Image:
+    """Return pictures side by side, each ``width`` pixels wide, under its folder's name."""
     pictures = []
-    for path in (before, after):
+    for path in paths:
         with Image.open(path) as opened:
             picture = opened.convert("RGB")
         pictures.append(picture.resize((width, round(picture.height * width / picture.width))))
     height = max(picture.height for picture in pictures)
-    sheet = Image.new("RGB", (2 * width, height + _LINE), "white")
+    sheet = Image.new("RGB", (len(paths) * width, height + _LINE), "white")
     draw = ImageDraw.Draw(sheet)
-    for k, (path, picture) in enumerate(zip((before, after), pictures, strict=True)):
+    for k, (path, picture) in enumerate(zip(paths, pictures, strict=True)):
         draw.text((k * width + 6, 3), path.parent.name, "black", ImageFont.load_default(18))
         sheet.paste(picture, (k * width, _LINE))
     return sheet
@@ -40,17 +40,19 @@ def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    parser.add_argument("before", type=Path, help="folder of sheets, shown left")
-    parser.add_argument("after", type=Path, help="folder of sheets with the same names")
+    parser.add_argument("folders", type=Path, nargs="+", help="of sheets with the same names")
     parser.add_argument("--out", type=Path, required=True, help="folder of the JPEGs")
     parser.add_argument("--width", type=int, default=800, help="pixels of each, across")
     args = parser.parse_args()
-    names = sorted(p.name for p in args.before.glob("*.png") if (args.after / p.name).is_file())
+    first, *others = args.folders
+    names = sorted(
+        p.name for p in first.glob("*.png") if all((other / p.name).is_file() for other in others)
+    )
     if not names:
-        raise InputError(f"No PNG is both in {args.before} and in {args.after}.")
+        raise InputError(f"No PNG is in all of {', '.join(map(str, args.folders))}.")
     args.out.mkdir(parents=True, exist_ok=True)
     for name in names:
-        sheet = join(args.before / name, args.after / name, args.width)
+        sheet = join([folder / name for folder in args.folders], args.width)
         sheet.save(args.out / Path(name).with_suffix(".jpg"), quality=80)
     print(f"{len(names)} sheets in {args.out}")
 

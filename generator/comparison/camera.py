@@ -16,7 +16,7 @@ _EVEN = 0.01
 """Share of the picture's diagonal beyond which a box counts as an outlier."""
 
 _FAR = 5.0
-"""Outliers' distances: with a larger mean miss a camera is tried from nearer."""
+"""Mean miss of the boxes' edges, over that, from which the fit is tried again from nearer."""
 
 _NEARER = (0.3, 0.6, 1.0)
 """Logarithms of how much nearer it is tried."""
@@ -62,8 +62,8 @@ def picture_camera(scene: Scene, segments: Segments) -> Camera:
     scale = _EVEN * float(np.hypot(width, height))
 
     def fit(nearer: float) -> OptimizeResult:
-        start = np.array([0.0, 0.0, nearer])
-        return least_squares(misses, start, loss="soft_l1", f_scale=scale, diff_step=1e-4)
+        first = np.array([0.0, 0.0, -nearer])
+        return least_squares(misses, first, loss="soft_l1", f_scale=scale, diff_step=1e-4)
 
     best = fit(0.0)
     if np.abs(best.fun).mean() > _FAR * scale:  # of a close view the frame's whole is far away

@@ -37,7 +37,7 @@ def erode(mask: Mask, side: int) -> Mask:
 def foot_of(mask: Mask) -> Mask:
     """Return the lowest sixth of a mask: where a thing stands."""
     rows = np.flatnonzero(mask.any(1))
-    line = rows[-1] - (rows[-1] - rows[0]) // 6 if len(rows) else 0
+    line = rows[-1] + (rows[0] - rows[-1]) // 6 if len(rows) else 0
     return mask & (np.arange(mask.shape[0])[:, None] >= line)
 
 

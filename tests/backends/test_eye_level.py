@@ -8,11 +8,10 @@ import pytest
 from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.eye.network import REGIONS
 from generator.backends.embedded.eye.sight import EyeReading
-from generator.backends.embedded.plane.eye_level import view_from_eye_level
-from generator.scene import View
+from generator.backends.embedded.plane.eye_level import is_from_eye_level, plane_from_eye_level
 
 SIDE = 200
-EXPECTED = View(0.0, float(np.deg2rad(24)), float(np.deg2rad(30)))
+EYE = float(np.deg2rad(24))
 
 
 def reading(band: int, things: int = 2, sure: float = 0.9) -> EyeReading:
@@ -33,25 +32,34 @@ def reading(band: int, things: int = 2, sure: float = 0.9) -> EyeReading:
 
 def test_a_narrow_band_under_tall_things_is_seen_from_eye_level() -> None:
     sight = reading(band=25)
-    view = view_from_eye_level(sight, sight.top > 0.5, EXPECTED)
-    assert view is not None
-    assert np.deg2rad(2) <= view.elevation <= np.deg2rad(11)
-    assert view.fov == EXPECTED.fov
+    assert is_from_eye_level(sight, sight.top > 0.5, EYE)
 
 
 @pytest.mark.parametrize(
-    ("sight", "expected"),
+    ("sight", "elevation"),
     [
-        (reading(band=65), EXPECTED),  # the top shows well
-        (reading(band=25, things=1), EXPECTED),  # one thing says little
-        (reading(band=25, sure=0.3), EXPECTED),
-        (reading(band=25), View(0.0, float(np.deg2rad(40)), EXPECTED.fov)),  # surely from above
+        (reading(band=65), EYE),  # the top shows well
+        (reading(band=25, things=1), EYE),  # one thing says little
+        (reading(band=25, sure=0.3), EYE),
+        (reading(band=25), float(np.deg2rad(40))),  # surely from above
     ],
 )
-def test_other_views_are_left_to_the_eye(sight: EyeReading, expected: View) -> None:
-    assert view_from_eye_level(sight, sight.top > 0.5, expected) is None
+def test_other_views_are_left_to_the_eye(sight: EyeReading, elevation: float) -> None:
+    assert not is_from_eye_level(sight, sight.top > 0.5, elevation)
 
 
-def test_a_wider_band_is_seen_from_higher() -> None:
-    low, high = (view_from_eye_level(s, s.top > 0.5, EXPECTED) for s in (reading(8), reading(55)))
-    assert low is not None and high is not None and low.elevation < high.elevation
+@pytest.mark.parametrize("fov", [25, 40])
+@pytest.mark.parametrize("margin", [0, 30])
+def test_the_view_is_that_of_a_table_of_usual_depth(fov: float, margin: int) -> None:
+    top = reading(band=14).top > 0.5
+    top[:, :margin] = top[:, SIDE - margin :] = False
+    plane = plane_from_eye_level(top, float(np.deg2rad(fov)), np.zeros_like(top))
+    assert plane is not None
+    assert np.deg2rad(1.9) < plane.view.elevation < np.deg2rad(12)
+    assert 0.3 < plane.size[1] / plane.size[0] < 1.1
+
+
+def test_what_no_low_view_shows_is_none() -> None:
+    speck = np.zeros((SIDE, SIDE), bool)
+    speck[:4, :4] = True
+    assert plane_from_eye_level(speck, 0.5, np.zeros_like(speck)) is None

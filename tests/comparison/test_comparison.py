@@ -53,7 +53,7 @@ def test_a_camera_so_near_that_little_shows_is_not_lost(scene: Scene) -> None:
     shot = render_scene(close, camera=near, supersample=1)
     names = (TABLE, *(thing.name for thing in scene.objects))
     segments = Segments(names, names, (np.asarray(shot.ids) + 1).astype(np.uint8))
-    assert np.linalg.norm(picture_camera(close, segments).position - near.position) < 0.5
+    assert np.linalg.norm(picture_camera(close, segments).position - near.position) < 0.05
 
 
 def test_one_wrong_object_moves_the_camera_little(

@@ -7,7 +7,6 @@ than what it falls on, hardly another colour, and convex only with what throws i
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -28,21 +27,12 @@ _KNOWN = 0.4  # overlap (IoU) of it with something that the eye has found
 _OWN = 0.85  # share of its own colour's pixels around it that are within it
 
 
-@dataclass(frozen=True, eq=False)
-class Carrier:
-    """What shows of a flat thing that others stand on, and the whole of it."""
-
-    visible: Bool[np.ndarray, "h w"]
-    whole: Bool[np.ndarray, "h w"]
-    score: float = 0.6
-
-
 def find_carriers(
     image: UInt8[np.ndarray, "h w 3"],
     top: Bool[np.ndarray, "h w"],
     things: Sequence[Bool[np.ndarray, "h w"]],
-) -> list[Carrier]:
-    """Return the carriers on a tabletop.
+) -> list[Bool[np.ndarray, "h w"]]:
+    """Return the whole masks of the carriers on a tabletop.
 
     ``top`` is all of it, with what is on it; ``things`` is what shows of each thing there.
     """
@@ -66,7 +56,7 @@ def find_carriers(
         if any(mask_iou(whole, mask) > _KNOWN for mask in masks):
             continue
         full = cv2.resize(whole.astype(np.float32), image.shape[1::-1]) > 0.5
-        found.append(Carrier(full & ~np.any(things, axis=0), full))
+        found.append(full)
     return found
 
 
@@ -102,12 +92,18 @@ def _pieces(
     pieces = []
     while patches:
         piece, colour = patches.pop(0), colours.pop(0)
-        for k in reversed(range(len(patches))):
-            if np.linalg.norm(colours[k] - colour) < _ALIKE:
-                joined = piece | patches[k] | covered
-                if _in_one(joined, piece, patches[k]):
-                    piece |= patches.pop(k)
-                    colours.pop(k)
+        grows = True
+        while grows:  # a part may touch only through another one
+            near = [
+                k
+                for k, other in enumerate(patches)
+                if np.linalg.norm(colours[k] - colour) < _ALIKE
+                and _in_one(piece | other | covered, piece, other)
+            ]
+            grows = bool(near)
+            for k in reversed(near):
+                piece |= patches.pop(k)
+                colours.pop(k)
         pieces.append(piece)
     return pieces
 

@@ -35,6 +35,7 @@ GENERIC = "object"
 SURE = 0.5
 """Certainty from which a thing is told without having been asked for."""
 
+_CARRIER = 0.6  # certainty of a carrier that its colour tells
 _ASKED = 0.15  # certainty that is enough if a word asks for it
 _MOST = 64  # things of a picture
 _LOOKED = 0.03  # probability from which a category's size and shape are compared
@@ -77,7 +78,7 @@ def detect(
     """Return table and things as ``protocols.Segmenter`` says, from what was seen of a picture."""
     wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
     things = _on_table(sight, _ASKED if wanted else SURE)
-    things += _carriers(image, sight, [t for t in things if t.score >= SURE])
+    things += _carriers(image, sight, things)
     if len(things) > _MOST:
         raise SceneError(
             f"More than {_MOST} things on the table. Cut the picture into parts with fewer."
@@ -120,14 +121,16 @@ def _carriers(
 ) -> list[EyeDetection]:
     """Return the boards and mats beneath things that the eye takes for tabletop."""
     top = sight.top > 0.5
-    found = find_carriers(image, top, [t.visible for t in things])
-    if not found:
+    wholes = find_carriers(image, top, [t.visible for t in things if t.score >= SURE])
+    if not wholes:
         return []
+    hidden = np.any([t.visible for t in things], axis=0)
+    shown = [whole & ~hidden for whole in wholes]
     with single_thread(), torch.inference_mode():
-        names = name_all(load_weights(), image, [f.visible for f in found], float(top.sum()))
+        names = name_all(load_weights(), image, shown, float(top.sum()))
     return [
-        EyeDetection(f.score, f.score, f.visible, f.whole, n)
-        for f, n in zip(found, names, strict=True)
+        EyeDetection(_CARRIER, _CARRIER, mask, whole, likely)
+        for mask, whole, likely in zip(shown, wholes, names, strict=True)
     ]
 
 

@@ -57,13 +57,15 @@ def look_closer(
     mask: Bool[np.ndarray, "h w"],
 ) -> Closer:
     """Look at one thing again; ``look`` is the first one, used where a closer one shows no more."""
-    near = _near(model, look, image, mask)
+    frame = _frame(mask)
+    near = look if frame is None else model.look(image, frame)
     drawn = near.in_box(mask_box(mask))
     fine = clean(near.spread(drawn))
     if not (_is_good(drawn) and mask_iou(fine, mask) >= _SAME):
         fine = mask
-    drawn = near.at_point(_middle(fine))
-    whole = clean(near.spread(drawn))
+    drawn, whole = _ask_middle(near, fine)
+    if frame is not None and _is_cut(whole, frame):
+        drawn, whole = _ask_middle(look, fine)
     held = int((whole & fine).sum()) >= _HOLDS * int(fine.sum())
     larger = int(whole.sum()) >= _MORE * int(fine.sum())
     if not (held and larger and _is_good(drawn) and drawn.quality >= _SURE):
@@ -96,8 +98,9 @@ def complete(
         if cut or not all(a or not clear[j] for j, a in zip(inside, agreed, strict=True)):
             continue
         if seen[k].firm or any(agreed):
-            masks[k] = whole | masks[k]
-            for j in inside:
+            taken = [j for j in inside if owner[j] == j]
+            masks[k] = np.any([whole, masks[k], *(masks[j] for j in taken)], axis=0)
+            for j in taken:
                 owner[j] = k
     return [masks[k] for k in range(len(seen)) if owner[k] == k]
 
@@ -112,9 +115,9 @@ def ask_unions(
     image: UInt8[np.ndarray, "h w 3"],
     masks: Sequence[Bool[np.ndarray, "h w"]],
 ) -> Iterator[tuple[int, int, Bool[np.ndarray, "h w"]]]:
-    """Ask at the box around each two outlines, one on the other; yield what shows both as one.
+    """Ask at the box around each two outlines, one right above the other; yield what is one mask.
 
-    Two things side by side, or one before the other, stand on the table each.
+    Two things side by side are two.
     """
     reach = max(masks[0].shape) // 250 + 2 if masks else 0
     for i, j in combinations(range(len(masks)), 2):
@@ -122,7 +125,8 @@ def ask_unions(
         if not _rests_on(upper, lower, reach):
             continue
         both = upper | lower
-        near = _near(model, look, image, both)
+        frame = _frame(both)
+        near = look if frame is None else model.look(image, frame)
         drawn = near.in_box(mask_box(both))
         if drawn.quality < _ONE or drawn.stability < _ONE:
             continue
@@ -134,6 +138,9 @@ def ask_unions(
 
 def _rests_on(upper: Bool[np.ndarray, "h w"], lower: Bool[np.ndarray, "h w"], reach: int) -> bool:
     """Tell whether the lower outline is right below most of the upper one's foot."""
+    gap = mask_box(lower)[:2] - mask_box(upper)[2:], mask_box(upper)[:2] - mask_box(lower)[2:]
+    if float(np.max(gap)) > reach:
+        return False
     near = dilate(lower, 2 * reach + 1)
     smaller = min(int(upper.sum()), int(lower.sum()))
     if int((near & upper).sum()) < _CONTACT * reach * smaller**0.5:
@@ -145,16 +152,29 @@ def _rests_on(upper: Bool[np.ndarray, "h w"], lower: Bool[np.ndarray, "h w"], re
     return float(near[below, columns].mean()) >= _STACKED
 
 
-def _near(
-    model: PromptedModel,
-    look: PromptedPicture,
-    image: UInt8[np.ndarray, "h w 3"],
-    mask: Bool[np.ndarray, "h w"],
-) -> PromptedPicture:
+def _frame(mask: Bool[np.ndarray, "h w"]) -> Frame | None:
+    """Return the frame of a closer look at a mask, None where it shows no more than the first."""
     low, high = mask_box(mask).reshape(2, 2)
     frame = Frame.around(low, high, SIDE, _ROOM, _LEAST)
     first = SIDE / max(mask.shape)
-    return model.look(image, frame) if frame.scale >= _GAIN * first else look
+    return frame if frame.scale >= _GAIN * first else None
+
+
+def _is_cut(mask: Bool[np.ndarray, "h w"], frame: Frame) -> bool:
+    """Tell whether a frame cuts what is seen in it: more of it is in the picture beside."""
+    box, size = mask_box(mask), mask.shape[1::-1]
+    low, high = np.array(frame.corner) + 1, np.array(frame.corner) + frame.side / frame.scale - 1
+    return bool(
+        ((box[:2] <= low) & (low > 1)).any()
+        or ((box[2:] >= high) & (high < np.array(size) - 1)).any()
+    )
+
+
+def _ask_middle(
+    look: PromptedPicture, mask: Bool[np.ndarray, "h w"]
+) -> tuple[Drawn, Bool[np.ndarray, "h w"]]:
+    drawn = look.at_point(_middle(mask))
+    return drawn, clean(look.spread(drawn))
 
 
 def _is_good(drawn: Drawn) -> bool:

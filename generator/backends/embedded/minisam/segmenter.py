@@ -24,7 +24,7 @@ from .network import MiniSam, PromptedModel, PromptedPicture
 from .prompting import may_be_thing, propose
 from .weights import NAME, VERSION
 
-_NEW = 0.75  # certainty of a thing that only the prompted model has outlined
+_NEW = 0.75  # least certainty of a thing that the prompted model has outlined
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,8 @@ def outline(
 ) -> EyeReading:
     """Return what the eye has seen with the things that the prompted model outlines.
 
-    What the eye found for certain and no mask shows stays as the eye drew it.
+    What the eye found for certain and no mask shows is looked at again like the others; what it
+    doubts stays as it drew it.
     """
     look = model.look(image)
     proposals = propose(look, sight)
@@ -88,9 +89,7 @@ def outline(
     names = name(masks)
     chosen = choose(proposals, names, sight.things)
     masks, names = [masks[k] for k in chosen], [names[k] for k in chosen]
-    own = find_own(masks, sight.things)
-    clear = [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, names, strict=True)]
-    masks = join_parts(masks, stand_on(sight, masks), clear)
+    masks = join_parts(masks, stand_on(sight, masks), _are_clear(masks, names, sight))
     masks += [t.visible for t in _not_shown(sight.things, masks) if t.score >= SURE]
     masks = _complete(model, look, image, sight, masks, name)
     masks = _unite(model, look, image, masks, name)
@@ -100,6 +99,16 @@ def outline(
     shown = split_shared([t.visible for t in things])
     kept = (replace(t, visible=m) for t, m in zip(things, shown, strict=True) if m.any())
     return replace(sight, things=tuple(kept))
+
+
+def _are_clear(
+    masks: Sequence[Bool[np.ndarray, "h w"]],
+    names: Sequence[Float[np.ndarray, "k"]],
+    sight: EyeReading,
+) -> list[bool]:
+    """Tell of each mask whether the eye or a clear name makes it a thing of its own."""
+    own = find_own(masks, sight.things)
+    return [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, names, strict=True)]
 
 
 def _complete(
@@ -113,8 +122,7 @@ def _complete(
     """Return the masks as closer looks show them, each with what belongs to it."""
     region, top = sight.region[REGIONS.index("thing")], sight.top > 0.5
     seen = [look_closer(model, look, image, mask) for mask in masks]
-    own = find_own(masks, sight.things)
-    clear = [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, name(masks), strict=True)]
+    clear = _are_clear(masks, name(masks), sight)
     return complete(seen, clear, lambda mask: may_be_thing(mask, region, top))
 
 

@@ -27,9 +27,11 @@ CUT_SHARE = 0.15
 VISIBLE_LENGTH = 1.0
 """Longer side in metres of the visible part of a cut table of unknown size."""
 
+REACH = 7.0
+"""Camera heights: what lies farther off along the plane is left out."""
+
 _SMALLEST = 0.004  # of the picture: less is no tabletop
 _ISLAND = 0.05  # of the largest part: smaller ones are dropped
-_REACH = 7.0  # camera heights: what lies farther off along the plane is left out
 _POINTS = 240  # sampled along the hull
 _FRAME, _BESIDE = 3, 5  # pixels of a 640-pixel picture: at the frame, beside something hidden
 _BRIDGE = 0.25  # weight of a hull point with no rim of the region near it
@@ -70,6 +72,7 @@ def plane_from_view(
     *,
     hidden: Bool[np.ndarray, "h w"] | None = None,
     length: float | None = None,
+    reach: float = REACH,
 ) -> TablePlane:
     """Return the tabletop of a picture whose camera is known, whole or cut.
 
@@ -77,7 +80,7 @@ def plane_from_view(
     of the mask or holes in it). Of ``view`` the azimuth is found anew from the edges. ``hidden``
     pixels may hide more of the top: an edge of the mask beside them is not the table's. ``length``,
     metres of the top's longer side, is ``VISIBLE_LENGTH`` by default if the frame cuts the top,
-    else ``TABLE_LENGTH``.
+    else ``TABLE_LENGTH``. ``reach`` is how far the camera sees, in its own heights above the plane.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
@@ -85,7 +88,7 @@ def plane_from_view(
     height, width = mask.shape
     ahead = replace(view, azimuth=0.0)
     camera = Camera(np.array([0, 0, 1.0]), view_rotation(ahead), view.fov, width, height)
-    unit = plane_of_region(mask, camera, hidden)
+    unit = plane_of_region(mask, camera, hidden, reach=reach)
     longer = length or (VISIBLE_LENGTH if is_cut(mask) else TABLE_LENGTH)
     return scaled_plane(unit, longer / max(unit.size))
 
@@ -103,6 +106,7 @@ def plane_of_region(
     camera: Camera,
     hidden: Bool[np.ndarray, "h w"] | None = None,
     carried: Float[np.ndarray, "n 2"] | None = None,
+    reach: float = REACH,
 ) -> TablePlane:
     """Return the tabletop whose visible part is ``mask``, seen by a camera over the plane z = 0.
 
@@ -113,7 +117,7 @@ def plane_of_region(
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
     """
-    rim = _rim(mask, camera, hidden)
+    rim = _rim(mask, camera, hidden, reach)
     true = float(rim.true.mean())
     if carried is not None and len(carried) >= 3:
         rim = _holding(rim, carried)
@@ -153,13 +157,16 @@ def _at_frame(points: Float[np.ndarray, "n 2"], shape: tuple[int, ...]) -> Bool[
 
 
 def _rim(
-    mask: Bool[np.ndarray, "h w"], camera: Camera, hidden: Bool[np.ndarray, "h w"] | None
+    mask: Bool[np.ndarray, "h w"],
+    camera: Camera,
+    hidden: Bool[np.ndarray, "h w"] | None,
+    reach: float,
 ) -> _Rim:
     region = _region(mask)
     height, width = mask.shape
     y, x = np.mgrid[0:height, 0:width] + 0.5
     places = camera.on_plane(np.column_stack([x.ravel(), y.ravel()]), 0.0)[:, :2]
-    seen = np.linalg.norm(places, axis=1) < _REACH * camera.position[2]
+    seen = np.linalg.norm(places, axis=1) < reach * camera.position[2]
     in_reach = seen.reshape(mask.shape)  # NaN, above the horizon, is out of reach
     far = dilate(~in_reach, 3)
     region = _region(region & in_reach & ~far)

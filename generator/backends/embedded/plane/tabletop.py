@@ -11,7 +11,7 @@ from ....scene import PlannedTable, View
 from ..eye.horizon import fit_view
 from ..eye.sight import see
 from .cut_plane import is_cut, plane_from_view
-from .eye_level import view_from_eye_level
+from .eye_level import is_from_eye_level, plane_from_eye_level
 from .free_outline import as_seen
 from .outline import find_outline, top_of
 from .plane import TablePlane, fit_plane
@@ -56,10 +56,13 @@ def _find(
     elevation, fov = fit_view(sight.latitude)
     expected = View(0.0, elevation, fov)
     top = top_of(sight)
-    low = view_from_eye_level(sight, top, expected) if plan is None and view is None else None
-    if plan is None and (low or is_cut(top)):
-        expected = low or expected
-        return plane_from_view(top, view or expected, hidden=sight.shows("thing"), length=length)
+    things = sight.shows("thing")
+    if plan is None and view is None and is_from_eye_level(sight, top, elevation):
+        low = plane_from_eye_level(top, fov, things, length)
+        if low is not None:
+            return low
+    if plan is None and is_cut(top):
+        return plane_from_view(top, view or expected, hidden=things, length=length)
     outline, factor = find_outline(image, sight)
     plane = fit_plane(outline, factor, (size[1], size[0]), expected, plan, length, view)
     return plane if plan is not None else as_seen(plane, outline, factor)
