@@ -222,10 +222,10 @@ def enlarge(pixels: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     return resized > 0 if pixels.dtype == bool else resized
 
 
-def table(rows: list[dict[str, Any]], command: str) -> str:
+def table(rows: list[dict[str, Any]], segmenter: str, command: str) -> str:
     """Return the marks as a Markdown table."""
     lines = [
-        "# Pictures traced by hand",
+        f"# Pictures traced by hand: segmenter {segmenter}",
         f"`{command}`, {platform.machine()}, {os.cpu_count()} cores, {datetime.date.today()}",
         "",
         "| picture | things | found | whole | finds that are no thing | named right | wrong | "
@@ -273,7 +273,7 @@ def main() -> None:
     args.out.mkdir(parents=True, exist_ok=True)
     rows = [process(path, args) for path in track(paths, "pictures")]
     words = (Path(w).name if Path(w).is_absolute() else w for w in sys.argv[1:])
-    text = table(rows, " ".join(["python benchmarks/traced.py", *words]))
+    text = table(rows, args.segmenter, " ".join(["python benchmarks/traced.py", *words]))
     (args.out / f"traced_{args.segmenter}.md").write_text(text)
     print(text)
 
