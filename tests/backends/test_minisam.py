@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 from played_masks import PlayedModel
 
+from generator.backends.embedded.eye.frames import Frame
 from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.minisam import weights
 from generator.backends.embedded.minisam.choosing import choose, is_one, join_parts
 from generator.backends.embedded.minisam.closer import Closer, ask_unions, complete, look_closer
+from generator.backends.embedded.minisam.network import Drawn
 from generator.backends.embedded.minisam.prompting import Proposal, clean
 from generator.backends.embedded.minisam.segmenter import MiniSamSegmenter
 from generator.cli import run
@@ -119,12 +121,38 @@ def test_a_whole_that_is_the_table_is_refused() -> None:
 
 
 def test_a_closer_look_shows_what_a_mask_is_a_piece_of() -> None:
-    model = PlayedModel([UPPER, GOURD])
-    model.at_point = lambda point: model._draw(1)  # type: ignore[method-assign]
+    model = FramedModel([UPPER, GOURD])
     image = np.zeros((SIDE, SIDE, 3), np.uint8)
     seen = look_closer(model, model, image, UPPER)
     assert np.array_equal(seen.mask, UPPER)
     assert seen.whole is not None and np.array_equal(seen.whole, GOURD) and seen.firm
+
+
+class FramedModel(PlayedModel):
+    """Shows no more of the true masks than its frame does; a point asks for the last of them."""
+
+    def at_point(self, point: np.ndarray) -> Drawn:
+        return self._draw(len(self.masks) - 1)
+
+    def look(self, image: np.ndarray, frame: Frame | None = None) -> FramedModel:
+        if frame is None:
+            return self
+        (shown,) = frame.spread(
+            frame.inside(image.shape[:2])[None].astype(np.float32), (SIDE, SIDE)
+        )
+        return FramedModel([mask & shown for mask in self.masks])
+
+
+def test_a_whole_that_a_closer_look_cuts_is_asked_for_in_the_first_one() -> None:
+    pot, knob = rectangle(5, 5, 95, 95), rectangle(45, 45, 55, 55)
+    model = FramedModel([knob, pot])
+    seen = look_closer(model, model, np.zeros((SIDE, SIDE, 3), np.uint8), knob)
+    assert seen.whole is not None and np.array_equal(seen.whole, pot)
+
+
+def test_a_frame_beyond_the_picture_tells_what_of_it_is_inside() -> None:
+    inside = Frame((-10.0, 80.0), 2.0, 80).inside((SIDE, SIDE))
+    assert inside[:40, 20:].all() and not inside[40:].any() and not inside[:, :20].any()
 
 
 def test_only_what_is_on_the_other_is_asked_about_as_one() -> None:
