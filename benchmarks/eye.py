@@ -144,7 +144,10 @@ def aspect_error(sample: Sample, plane: TablePlane | None) -> float | None:
         return None
     view = dataclasses.replace(sample.view, azimuth=0.0)
     camera = Camera(np.array([0.0, 0.0, 1.0]), view_rotation(view), view.fov, w, h)
-    true = np.ptp(turn_level(camera.on_plane(sample.outline, 0.0)[:, :2]), axis=0)
+    outline = camera.on_plane(sample.outline, 0.0)[:, :2]
+    if not np.isfinite(outline).all():
+        return None  # seen edge-on
+    true = np.ptp(turn_level(outline), axis=0)
     found = np.ptp(turn_level(plane.top()), axis=0)
     return abs(float(true[0] / true[1] / (found[0] / found[1])) - 1)
 
