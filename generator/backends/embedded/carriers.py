@@ -91,28 +91,17 @@ def _pieces(
     colours = [np.median(lab[patch], axis=0) for patch in patches]
     pieces = []
     while patches:
-        piece, colour = patches.pop(0), colours.pop(0)
-        grows = True
-        while grows:  # a part may touch only through another one
-            near = [
-                k
-                for k, other in enumerate(patches)
-                if np.linalg.norm(colours[k] - colour) < _ALIKE
-                and _in_one(piece | other | covered, piece, other)
-            ]
-            grows = bool(near)
-            for k in reversed(near):
-                piece |= patches.pop(k)
-                colours.pop(k)
-        pieces.append(piece)
+        alike = [np.linalg.norm(colour - colours[0]) < _ALIKE for colour in colours]
+        bridged = np.any([p for p, a in zip(patches, alike, strict=True) if a], axis=0) | covered
+        _, areas = cv2.connectedComponents(bridged.astype(np.uint8))
+        own = np.unique(areas[patches[0]])
+        joins = [
+            a and bool(np.isin(areas[p], own).any()) for p, a in zip(patches, alike, strict=True)
+        ]
+        pieces.append(np.any([p for p, j in zip(patches, joins, strict=True) if j], axis=0))
+        patches = [p for p, j in zip(patches, joins, strict=True) if not j]
+        colours = [c for c, j in zip(colours, joins, strict=True) if not j]
     return pieces
-
-
-def _in_one(
-    area: Bool[np.ndarray, "h w"], one: Bool[np.ndarray, "h w"], other: Bool[np.ndarray, "h w"]
-) -> bool:
-    _, labels = cv2.connectedComponents(area.astype(np.uint8))
-    return bool(np.isin(labels[other], np.unique(labels[one])).any())
 
 
 def _is_carrier(

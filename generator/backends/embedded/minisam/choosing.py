@@ -69,13 +69,13 @@ def join_parts(
     joined = list(masks)
     owner = list(range(len(masks)))
     reach = max(masks[0].shape) // 250 + 2 if masks else 0
-    for k in sorted(range(len(masks)), key=lambda k: _foot(masks[k])):
+    for k in sorted(range(len(masks)), key=lambda k: foot_row(masks[k])):
         if stands[k] and own[k]:
             continue
         grown = dilate(joined[k], reach)
         rim = int((grown & ~joined[k]).sum())
         touch = [
-            0 if owner[j] != j or j == k or _foot(joined[j]) <= _foot(joined[k])
+            0 if owner[j] != j or j == k or foot_row(joined[j]) <= foot_row(joined[k])
             else int((grown & joined[j]).sum())
             for j in range(len(masks))
         ]  # fmt: skip
@@ -86,7 +86,8 @@ def join_parts(
     return [joined[k] for k in range(len(masks)) if owner[k] == k]
 
 
-def _foot(mask: Bool[np.ndarray, "h w"]) -> int:
+def foot_row(mask: Bool[np.ndarray, "h w"]) -> int:
+    """Return the lowest row of a mask."""
     return int(np.flatnonzero(mask.any(1))[-1])
 
 

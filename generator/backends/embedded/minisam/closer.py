@@ -18,6 +18,7 @@ from jaxtyping import Bool, Float, UInt8
 from ....geometry import mask_box
 from ....meshes.pixels import dilate, foot_of, mask_iou
 from ..eye.frames import Frame
+from .choosing import foot_row
 from .network import SIDE, Drawn, PromptedModel, PromptedPicture
 from .prompting import clean
 
@@ -121,7 +122,7 @@ def ask_unions(
     """
     reach = max(masks[0].shape) // 250 + 2 if masks else 0
     for i, j in combinations(range(len(masks)), 2):
-        upper, lower = sorted((masks[i], masks[j]), key=lambda m: int(np.flatnonzero(m.any(1))[-1]))
+        upper, lower = sorted((masks[i], masks[j]), key=foot_row)
         if not _rests_on(upper, lower, reach):
             continue
         both = upper | lower

@@ -134,9 +134,12 @@ def _unite(
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
     """Return the masks with pairs that the model outlines as one thing, and that look like one."""
+    unions = list(ask_unions(model, look, image, masks))
+    if not unions:
+        return masks
     names = name(masks)
     gone: set[int] = set()
-    for i, j, whole in list(ask_unions(model, look, image, masks)):
+    for i, j, whole in unions:
         if i in gone or j in gone or not is_one(name([whole])[0], names[i], names[j]):
             continue
         larger, smaller = sorted((i, j), key=lambda k: -int(masks[k].sum()))
