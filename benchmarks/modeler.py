@@ -4,10 +4,10 @@
 
 Each case is a catalogue object (variant seeds from ``--seed`` on) drawn on a wooden table by the
 numpy renderer at a random place, yaw and camera under a random sun. The modeler gets the crop cut
-out by the true mask, once with its label and the catalogue's usual size, once as an "object" with
-the size that its mask measures on the table. Its model, turned to the yaw that looks most alike
-and stood on the table, is drawn by the same light from the same place and from one 60 degrees
-round. Columns: overlap (IoU) of the silhouettes, mean CIELAB difference where they overlap.
+out by the true mask and the proportions that the eye sees, once with its label and the catalogue's
+usual size, once as an "object". Its model, turned to the yaw that looks most alike and stood on the
+table, is drawn by the same light from the same place and from one 60 degrees round. Columns:
+overlap (IoU) of the silhouettes, mean CIELAB difference where they overlap.
 """
 
 from __future__ import annotations
@@ -22,8 +22,10 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from generator.backends.embedded.drawing.completion import complete
+from generator.backends.embedded.eye.proportions import proportion_clues
+from generator.backends.embedded.eye.weights import load_proportions, load_weights
 from generator.backends.embedded.modeler import EmbeddedModeler
-from generator.backends.embedded.plane.measure import measured_extent
+from generator.backends.embedded.plane.measure import sized_extent
 from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
 from generator.catalogue import CATEGORIES, build
@@ -52,7 +54,7 @@ class ModelerCase:
     camera: Camera
     light: Light
     usual: SizePrior
-    measured: SizePrior
+    seen: SizePrior
 
     def look(self, item: Item, turn: float) -> tuple[UInt8[np.ndarray, "s s 3"], np.ndarray]:
         """Draw an item close up from ``turn`` radians round; return picture and silhouette."""
@@ -109,11 +111,16 @@ def draw_case(model: Model, rng: np.random.Generator) -> ModelerCase:
     mask = drawn.ids == 1
     found = complete(Reference(drawn.image), Detection(model.label, mask_box(mask), mask), ())
     plane = TablePlane(view, camera, "rectangle", False, (1.6, 1.2), 0.0, 0.0)
+    clues = proportion_clues(
+        load_weights().eye, drawn.image, [mask], [plane.elevation_at(found.box)],
+        float((drawn.ids >= 0).sum()),
+    )  # fmt: skip
+    (seen,) = load_proportions().tell(clues)
     return ModelerCase(
         model.category, item, found,
         ray_view(view, (found.box[:2] + found.box[2:]) / 2, WIDTH, HEIGHT), camera, light,
-        SizePrior("thing", np.array(CATEGORIES[model.category].size)),
-        SizePrior("object", measured_extent(mask, plane)[0]),
+        SizePrior("thing", np.array(CATEGORIES[model.category].size), seen=seen),
+        SizePrior("object", sized_extent(found.box, seen.extent, plane), seen=seen),
     )  # fmt: skip
 
 
@@ -188,7 +195,7 @@ def main() -> None:
         own = np.random.default_rng([args.seed, k])
         case = draw_case(build(key, args.seed + k), own)
         items = []
-        for name, size in (("label known", case.usual), ("label withheld", case.measured)):
+        for name, size in (("label known", case.usual), ("label withheld", case.seen)):
             label = case.instance.label if name == "label known" else "object"
             i = case.instance
             shown = Instance(label, label, i.box, i.mask, i.crop, i.crop_box, i.occluded)

@@ -32,6 +32,7 @@ from .model import Mesh as Mesh
 from .model import Model as Model
 from .model import PartKind as PartKind
 from .model import Physics as Physics
+from .model import Proportions as Proportions
 from .model import SizePrior as SizePrior
 from .model import Slot as Slot
 from .picture import USUAL_VIEW as USUAL_VIEW

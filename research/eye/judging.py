@@ -10,10 +10,7 @@ from where an interrupted run resumes. The networks are small and then train in 
 from __future__ import annotations
 
 import argparse
-import multiprocessing
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -25,17 +22,16 @@ from torch.nn import functional
 from generator.backends.embedded.eye.judge import DetectionJudge, Panel, clues_of
 from generator.backends.embedded.eye.sight import glance_at
 from generator.backends.embedded.eye.weights import JUDGE_PATH, load_weights, save_weights
-from generator.errors import InputError
 
-from .sample import worth_finding
-from .shards import ShardReader
+from .lessons import Lesson, gather
+from .sample import Sample, worth_finding
 
 _RIGHT = 0.5  # overlap (IoU) with a thing from which a detection shows it
 _STEPS, _BATCH, _RATE, _DECAY = 3000, 512, 2e-3, 1e-2
 
 
 @dataclass(frozen=True, eq=False)
-class JudgeLesson:
+class JudgeLesson(Lesson):
     """Clues with their truths: detections that show a thing, and pairs that show two.
 
     ``counts`` is False for detections of things that hardly show: they are neither right nor wrong.
@@ -46,25 +42,6 @@ class JudgeLesson:
     counts: Bool[np.ndarray, "n"]
     both: Float[np.ndarray, "m b"]
     apart: Bool[np.ndarray, "m"]
-
-    def save(self, path: Path) -> None:
-        """Write the lesson to ``path``; an interrupted write leaves none."""
-        partial = path.with_suffix(".partial")
-        with partial.open("wb") as file:
-            np.savez_compressed(file, **vars(self))
-        partial.replace(path)
-
-    @classmethod
-    def load(cls, path: Path) -> JudgeLesson:
-        """Read a lesson that :meth:`save` wrote."""
-        with np.load(path, allow_pickle=False) as file:
-            return cls(**{key: file[key] for key in cls.__dataclass_fields__})
-
-    @classmethod
-    def join(cls, lessons: list[JudgeLesson]) -> JudgeLesson:
-        """Return several lessons as one."""
-        parts = {k: [getattr(x, k) for x in lessons] for k in cls.__dataclass_fields__}
-        return cls(**{key: np.concatenate(part) for key, part in parts.items()})
 
 
 def lesson(
@@ -93,15 +70,9 @@ def lesson(
     return JudgeLesson(clues.alone, right, counts, clues.both, apart)
 
 
-def write_lesson(path: Path, work: Path) -> Path:
-    """Write the lesson of one shard into ``work``, unless it is there; return its path."""
-    target = work / f"{path.stem}.npz"
-    if not target.is_file():
-        torch.set_num_threads(1)
-        reader = ShardReader(path)
-        samples = (reader.read(k, depth=False) for k in range(len(reader)))
-        JudgeLesson.join([lesson(s.image, s.visible, s.full) for s in samples]).save(target)
-    return target
+def teach(sample: Sample) -> JudgeLesson:
+    """Return what one render teaches."""
+    return lesson(sample.image, sample.visible, sample.full)
 
 
 def train_judge(lesson: JudgeLesson, seed: int, steps: int = _STEPS) -> DetectionJudge:
@@ -142,17 +113,8 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=JUDGE_PATH)
     args = parser.parse_args()
-    shards = sorted(args.data.glob("*.shard"))
-    if not shards:
-        raise InputError(
-            f"No shards in {args.data}. Render some: python -m research.eye.pictures.renders --help"
-        )
-    args.work.mkdir(parents=True, exist_ok=True)
-    with ProcessPoolExecutor(args.workers, multiprocessing.get_context("spawn")) as pool:
-        paths = pool.map(partial(write_lesson, work=args.work), shards)
-        lesson = JudgeLesson.join(
-            [JudgeLesson.load(p) for p in track(paths, "looking", total=len(shards))]
-        )
+    lessons = gather(JudgeLesson, teach, args.data, args.work, args.workers)
+    lesson = JudgeLesson.join(lessons)
     judge = train_judge(lesson, args.seed)
     notes = {
         "pictures": args.data.name,

@@ -13,12 +13,21 @@ from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.shapes import choosing, solids
 from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
 from generator.catalogue import build
+from generator.errors import InputError
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, view_rotation, yaw_quaternion
 from generator.meshes.baking import sample
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection, camera_view
 from generator.render.raster import Item, place, render
-from generator.scene import Detection, Instance, Model, Reference, SizePrior, View
+from generator.scene import (
+    Detection,
+    Instance,
+    Model,
+    Proportions,
+    Reference,
+    SizePrior,
+    View,
+)
 
 VIEW = View(0.0, np.deg2rad(48), np.deg2rad(36))
 SIZE = 480, 640
@@ -213,3 +222,39 @@ def test_no_outline_is_drawn_out_beyond_all_bounds(elevation: float) -> None:
     mask = cv2.line(np.zeros((120, 120), np.uint8), (20, 100), (95, 15), 1, 9) > 0
     found = choosing.candidates(mask, small, np.array([0.1, 0.1, 0.1]))
     assert found and all(np.ptp(p.solid.vertices, axis=0).max() < 1200 for p in found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("tall", "stands"), [(1.4, True), (0.06, False)])
+def test_what_it_looks_like_decides_whether_an_outline_lies_or_stands(tall: float, stands: bool):
+    instance, view, _ = generic("upright")
+    seen = Proportions(np.log([0.7 if not stands else 0.15, tall]), np.array([0.3, 0.2]))
+    size = SizePrior("object", 0.2 * seen.extent, seen=seen)
+    model = EmbeddedModeler().model(instance, size, view)
+    assert (model.size[2] > 0.8 * max(model.size[:2])) == stands
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("spread", "believed"), [(0.05, False), (2.0, True)])
+def test_a_name_whose_shape_the_look_belies_does_not_decide_the_solid(
+    spread: float, believed: bool
+):
+    made = build("mug", 0)
+    item = place(made.mesh, made.size, np.array([0, 0, made.size[2] / 2]), yaw_quaternion(0.5), 1)
+    instance, view = shot(item, "mug")
+    seen = Proportions(np.log([0.9, 3.0]), np.array([spread, spread]))
+    model = EmbeddedModeler().model(
+        instance, SizePrior("mug", np.array(made.size), seen=seen), view
+    )
+    assert (model.category == "mug") == believed
+
+
+def test_a_gap_is_counted_in_expected_errors():
+    seen = Proportions(np.log([0.5, 2.0]), np.array([0.1, 0.4]))
+    assert seen.gap(np.array([0.1, 0.2, 0.4])) == pytest.approx(0.0)
+    assert seen.gap(np.array([0.2, 0.1, 0.4 * np.exp(0.4)])) == pytest.approx(0.5)
+    np.testing.assert_allclose(seen.extent, [1.0, 0.5, 2.0])
+    with pytest.raises(InputError, match="finite"):
+        Proportions(np.array([np.nan, 0.0]), np.ones(2))
+    with pytest.raises(InputError, match="spread"):
+        Proportions(np.zeros(2), np.array([0.0, 1.0]))

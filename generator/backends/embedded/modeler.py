@@ -8,14 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from ...catalogue import Category
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
 from ...language.naming import known_category
 from ...meshes import baking
 from ...meshes.normalising import metric
-from ...meshes.pixels import mask_iou
 from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
-from .shapes.choosing import MEASURED, NAMED, best_solid
+from .shapes.choosing import best_solid, oddness, score
 from .shapes.framing import bounded_gap, small_mask
 from .shapes.likeness import FEW, VARIANTS, Likeness, fit_likeness
 from .shapes.painting import PROJECT, paint
@@ -24,10 +24,10 @@ from .tables.likeness import model_table
 
 _COARSE = 100  # of those that catalogue shapes are searched with
 _WORKING = 200  # longer side of the silhouettes that are compared, pixels
-_SURE = 0.82  # silhouette overlap from which a label is believed at once
-_ALIKE = 0.6  # and below which a catalogue shape is not what the picture shows
+_ALIKE = 0.6  # silhouette overlap below which a catalogue shape is not what the picture shows
+_SURE = 0.83  # overlap less what odd proportions cost, from which a label is believed at once
+_TRUST = 0.12  # below, a label is believed unless a solid's score is that much better
 _UNLIKE = 0.4  # gap to measured proportions above which a label is not believed
-_TRUST = 0.12  # in between, a label is believed unless a solid overlaps that much better
 
 
 @dataclass(frozen=True)
@@ -52,25 +52,31 @@ class EmbeddedModeler:
             return model_table(instance, size, view, self.seed, 2 * self.texture, self.quick)
         projection = Projection.of_instance(instance, view)
         category = known_category(instance, size)
-        found = None
-        if category is not None:
-            coarse = projection.resize(_COARSE)
-            found = fit_likeness(
-                category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
-                instance.occluded, FEW if self.quick else VARIANTS,
-            )  # fmt: skip
-            if size.measured and bounded_gap(found.extent, size.extent) > _UNLIKE:
-                found = None  # a book does not stand as a box does
-            elif found.iou >= (_ALIKE if self.quick else _SURE):
-                return likeness_model(found, instance, projection, size, self.texture)
+        found = None if category is None else self._likeness(category, instance, size, projection)
+        worth = -np.inf if found is None else found.iou - oddness(found.extent, size)
+        if found is not None and (self.quick or worth >= _SURE):
+            return likeness_model(found, instance, projection, size, self.texture)
         small = projection.resize(_WORKING)
         mask = small_mask(instance, small)
-        posed = best_solid(mask, small, size.extent, MEASURED if category is None else NAMED)
-        if found is not None and found.iou >= _ALIKE:
-            overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
-            if found.iou > overlap - _TRUST:
-                return likeness_model(found, instance, projection, size, self.texture)
+        posed = best_solid(mask, small, size)
+        if found is not None and worth > score(posed, mask, small, size) - _TRUST:
+            return likeness_model(found, instance, projection, size, self.texture)
         return solid_model(posed, instance, projection, size, self.texture)
+
+    def _likeness(
+        self, category: Category, instance: Instance, size: SizePrior, projection: Projection
+    ) -> Likeness | None:
+        """Return the catalogue shape that looks most like the crop, unless none looks like it."""
+        coarse = projection.resize(_COARSE)
+        found = fit_likeness(
+            category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
+            instance.occluded, FEW if self.quick else VARIANTS,
+        )  # fmt: skip
+        if found.iou < _ALIKE:
+            return None
+        # A book does not stand as a box does.
+        belied = size.measured and bounded_gap(found.extent, size.extent) > _UNLIKE
+        return None if belied else found
 
 
 def likeness_model(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ...geometry import mask_box
 from ...language.naming import find_category
 from ...language.planner import plan_scene
 from ...scene import (
@@ -14,16 +15,20 @@ from ...scene import (
     Instance,
     LayoutBox,
     Mesh,
+    Proportions,
     Reference,
     SizePrior,
     Stacking,
     View,
 )
 from ..protocols import Instances, Sizes
+from .eye.proportions import proportion_clues
+from .eye.weights import load_proportions, load_weights
 from .layout import guessing
 from .layout.stacking import stack
 from .layout.survey import Survey, solid_size, survey
-from .plane.measure import apparent_scale, measured_extent, usual_solid, whole_box
+from .plane.measure import apparent_scale, sized_extent, usual_solid, whole_box
+from .plane.plane import TablePlane
 from .segmenter import GENERIC
 
 _TAU = 0.25  # tolerance of proportions, as in the RMA-Score
@@ -56,32 +61,36 @@ class EmbeddedReasoner:
         The table is as long as makes most known things their usual size, within what tables are.
         Where depth shows a thing, its size is measured.
         """
-        seen = survey(reference, instances)
-        plane, solids = seen.plane, seen.solids
+        known = survey(reference, instances)
+        plane, solids = known.plane, known.solids
         stacking = stack(instances, _holds, solids)
-        found: dict[str, SizePrior | np.ndarray] = {}  # an extent is still to be scaled
+        things = [instance for instance in instances if instance.name != TABLE]
+        priors = {thing.name: _usual_size(reference, thing) for thing in things}
+        told = reference.plan is not None  # what a thing is like
+        unseen = [t for t in things if t.name not in solids and not (told and priors[t.name])]
+        seen = _proportions(reference, instances, unseen, plane)
+        sizes: dict[str, SizePrior] = {}
         looks: list[tuple[float, float]] = []
-        for instance in instances:
-            name = instance.name
-            if name == TABLE:
-                continue
-            prior = _usual_size(reference, instance)
+        for thing in things:
+            name, prior = thing.name, priors[thing.name]
             if name in solids:
-                found[name] = solid_size(instance, solids, stacking, prior)
-            elif prior is None:
-                found[name], _ = measured_extent(np.asarray(instance.mask), plane)
-            else:
-                found[name] = prior
-                if (category := find_category(instance.label)) is not None:
+                sizes[name] = solid_size(thing, solids, stacking, prior)
+            elif prior is not None:
+                sizes[name] = replace(prior, seen=seen.get(name))
+                if (category := find_category(thing.label)) is not None:
                     solid = usual_solid(category.key)
-                    looks.append(apparent_scale(whole_box(instance), solid, plane))
-        metric = reference.plan is not None or reference.depth is not None
+                    looks.append(apparent_scale(whole_box(thing), solid, plane))
+        metric = told or reference.depth is not None
         factor = 1.0 if metric else _table_factor(looks)
-        sizes = {
-            name: size if isinstance(size, SizePrior) else SizePrior(name, size * factor)
-            for name, size in found.items()
+        for thing in things:
+            if thing.name not in sizes:
+                look = seen[thing.name]
+                extent = sized_extent(whole_box(thing), look.extent, plane)
+                sizes[thing.name] = SizePrior(thing.name, extent * factor, seen=look)
+        return {
+            TABLE: _table_size(reference, known, factor),
+            **{thing.name: sizes[thing.name] for thing in things},
         }
-        return {TABLE: _table_size(reference, seen, factor), **sizes}
 
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
@@ -107,6 +116,23 @@ class EmbeddedReasoner:
     ) -> Mapping[str, LayoutBox]:
         """Return places read off the table's box, and usual sizes (``guessing``)."""
         return guessing.guess_layout(instances, sizes, view)
+
+
+def _proportions(
+    reference: Reference, instances: Instances, asked: Sequence[Instance], plane: TablePlane
+) -> dict[str, Proportions]:
+    """Return what the eye makes of the shape of those ``asked`` about, by name."""
+    masks = [np.asarray(instance.mask) for instance in asked]
+    tabletop = np.any([np.asarray(instance.mask) for instance in instances], axis=0).sum()
+    clues = proportion_clues(
+        load_weights().eye,
+        np.ascontiguousarray(reference.image),
+        masks,
+        [plane.elevation_at(mask_box(mask)) for mask in masks],
+        float(tabletop),
+    )
+    told = load_proportions().tell(clues)
+    return {instance.name: one for instance, one in zip(asked, told, strict=True)}
 
 
 def _holds(label: str) -> bool:
@@ -139,9 +165,9 @@ def _table_factor(looks: list[tuple[float, float]]) -> float:
     return float(np.clip(1 / voices[middle, 0], 0.5, 2.0))
 
 
-def _table_size(reference: Reference, seen: Survey, factor: float) -> SizePrior:
-    plane = seen.plane
-    extent = np.array([plane.size[0] * factor, plane.size[1] * factor, seen.height or _HEIGHT])
+def _table_size(reference: Reference, known: Survey, factor: float) -> SizePrior:
+    plane = known.plane
+    extent = np.array([plane.size[0] * factor, plane.size[1] * factor, known.height or _HEIGHT])
     if reference.plan is not None:
         extent = np.array(reference.plan.table.size)
     outline = plane.top() * (extent[:2] / plane.size)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import torch
 from jaxtyping import Bool, Float, UInt8
+from torch import Tensor
 
 from ....geometry import mask_box
+from .detections import tensor
 from .frames import Frame
-from .network import CLOSE_ROOM, CLOSEUP, hints
+from .network import CLOSE_ROOM, CLOSEUP, Eye, hints
 
 CELL = 4
 """Pixels of the look that a cell of ``Closeup.visible`` covers."""
@@ -46,3 +50,16 @@ def closeup(
     frame = Frame.around(low, high, CLOSEUP, CLOSE_ROOM, _LEAST)
     visible = frame.carry(mask.astype(np.float32), 1.0, 1, CELL)
     return Closeup(frame.cut(image), visible, clues)
+
+
+def impressions(eye: Eye, looks: Sequence[Closeup]) -> Float[Tensor, "2 n f"]:
+    """Return the features of things seen close up, as they are and mirrored."""
+    pictures = tensor(*[look.image for look in looks])
+    visible = torch.from_numpy(np.stack([look.visible for look in looks]))
+    clues = torch.tensor([look.hints for look in looks])
+    return torch.stack(
+        [
+            eye.impression(pictures, visible, clues),
+            eye.impression(pictures.flip(3), visible.flip(2), clues),
+        ]
+    )

@@ -33,6 +33,9 @@ CLOSEUP, CLOSE_ROOM = 128, 1.25
 HINTS = 3
 """What the namer is told besides: see :func:`hints`."""
 
+IMPRESSION = SUMMARY + CHANNELS[2] + HINTS
+"""Features of a thing's close-up that it is named from."""
+
 _WIDTH = 96
 _OUTLINE = 48  # channels of the outliner
 _MASK = 16  # channels of the mask features and of the layers in between
@@ -156,9 +159,7 @@ class Eye(nn.Module):
         self.judge = nn.Sequential(nn.Linear(3 * _WIDTH + 3, 64), nn.ReLU(), nn.Linear(64, 1))
         self.outliner = Outliner()
         nn.init.constant_(self.outliner.last[-1].bias, -3.0)  # type: ignore[arg-type]
-        self.namer = nn.Sequential(
-            nn.Dropout(0.15), nn.Linear(SUMMARY + CHANNELS[2] + HINTS, categories)
-        )
+        self.namer = nn.Sequential(nn.Dropout(0.15), nn.Linear(IMPRESSION, categories))
         for head in (self.heat, self.box, self.region, self.mask, self.latitude, self.controller):
             nn.init.normal_(head.weight, std=0.01)
         nn.init.constant_(self.heat.bias, -4.0)  # type: ignore[arg-type]
@@ -254,9 +255,13 @@ class Eye(nn.Module):
             visible: (n, h, w) which part of each is the thing, in [0, 1], at any size.
             hints: (n, HINTS), of :func:`hints`.
         """
+        return self.namer(self.impression(closeups, visible, hints))
+
+    def impression(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
+        """Return the features (n, ``IMPRESSION``) that things are named from; as :meth:`names`."""
         features = self.encoder(closeups)
         summary = _pool(self.encoder.summary(features[3]), visible)
-        return self.namer(torch.cat([summary, _pool(features[2], visible), hints], 1))
+        return torch.cat([summary, _pool(features[2], visible), hints], 1)
 
 
 def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:

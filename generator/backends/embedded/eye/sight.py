@@ -19,7 +19,7 @@ from torch.nn import functional
 
 from ....geometry import mask_box
 from ....threads import single_thread
-from .closeups import closeup
+from .closeups import closeup, impressions
 from .detections import FAINT, Detections, answers, ask, tensor
 from .frames import Frame
 from .judge import EyeDetection, clues_of
@@ -237,9 +237,5 @@ def name_all(
     if not masks:
         return []
     looks = [closeup(image, mask, tabletop) for mask in masks]
-    pictures = tensor(*[look.image for look in looks])
-    visible = torch.from_numpy(np.stack([look.visible for look in looks]))
-    clues = torch.tensor([look.hints for look in looks])
-    logits = weights.eye.names(pictures, visible, clues)
-    turned = weights.eye.names(pictures.flip(3), visible.flip(2), clues)
-    return list(((logits + turned) / 2 / weights.temperature).softmax(1).numpy())
+    logits = weights.eye.namer(impressions(weights.eye, looks)).mean(0)
+    return list((logits / weights.temperature).softmax(1).numpy())

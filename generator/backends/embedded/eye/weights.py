@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import TypeVar
 
 import torch
 from torch import nn
@@ -14,12 +15,16 @@ from ....errors import BackendError
 from ....io.reading import parse_json, printable
 from .judge import DetectionJudge
 from .network import Eye
+from .proportions import ProportionNetwork
 
 PATH = Path(__file__).with_name("eye.safetensors")
 """The weights the package ships, half precision, with categories and temperature beside them."""
 
 JUDGE_PATH = Path(__file__).with_name("judge.safetensors")
 """The weights of the judge of what the eye finds, half precision."""
+
+PROPORTIONS_PATH = Path(__file__).with_name("proportions.safetensors")
+"""The weights of the network that tells things' proportions, half precision."""
 
 _MOST_NOTE = 2**16  # bytes of the list of categories
 
@@ -28,6 +33,8 @@ _RESTORE = (
     "(git checkout -- generator/backends/embedded/eye), or train it: "
     "python -m research.eye.{} --help"
 )
+
+Network = TypeVar("Network", bound=nn.Module)
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,14 +70,13 @@ def load_weights(path: Path = PATH) -> Weights:
 @cache
 def load_judge(path: Path = JUDGE_PATH) -> DetectionJudge:
     """Read the judge's weights as ``load_weights`` does."""
-    restore = _RESTORE.format("judging")
-    state, _ = _read(path, restore)
-    judge = DetectionJudge()
-    try:
-        _fill(judge, state)
-    except (KeyError, RuntimeError) as error:
-        raise _useless(path, error, restore) from error
-    return judge
+    return _load(DetectionJudge(), path, "judging")
+
+
+@cache
+def load_proportions(path: Path = PROPORTIONS_PATH) -> ProportionNetwork:
+    """Read the weights of the network of proportions as ``load_weights`` does."""
+    return _load(ProportionNetwork(), path, "proportioning")
 
 
 def save_weights(path: Path, state: dict[str, torch.Tensor], notes: dict[str, str]) -> None:
@@ -85,6 +91,16 @@ def save_weights(path: Path, state: dict[str, torch.Tensor], notes: dict[str, st
     save_file(small, partial, metadata=notes)
     partial.chmod(0o644)
     partial.replace(path)
+
+
+def _load(network: Network, path: Path, script: str) -> Network:
+    restore = _RESTORE.format(script)
+    state, _ = _read(path, restore)
+    try:
+        _fill(network, state)
+    except (KeyError, RuntimeError) as error:
+        raise _useless(path, error, restore) from error
+    return network
 
 
 def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, str]]:

@@ -88,6 +88,11 @@ class TablePlane:
         """Return table x, y in metres of picture pixels, on the plane ``z`` above the top."""
         return self.camera.on_plane(pixels, z)[:, :2]
 
+    def elevation_at(self, box: Float[np.ndarray, "4"]) -> float:
+        """Return how many radians below the horizon the foot of a pixel box is seen."""
+        ray = self.camera.rays(np.array([[(box[0] + box[2]) / 2, box[3]]]))[0]
+        return float(np.arcsin(np.clip(-ray[2] / np.linalg.norm(ray), -1.0, 1.0)))
+
     def to_pixels(self, points: Float[np.ndarray, "n 2"], z: float = 0.0) -> np.ndarray:
         """Return the picture pixels of table points at height ``z`` above the top."""
         points = np.atleast_2d(points)

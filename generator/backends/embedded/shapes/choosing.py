@@ -9,6 +9,7 @@ from scipy import spatial
 
 from ....meshes.pixels import Mask, mask_iou
 from ....meshes.projection import Projection
+from ....scene import SizePrior
 from ....scene.triangles import scaled_normals
 from .boxes import fit_box, fit_carved
 from .extrusions import base_line, fit_prism, fit_upright
@@ -18,8 +19,10 @@ from .slices import fit_slices
 from .solids import PosedSolid
 
 _STRICT = 0.94  # a real box is met at least that well
-MEASURED, NAMED = 0.03, 0.1
-"""Weight of the size prior's proportions: measured from the mask alone, and a known kind's."""
+_LIKELY, _NAMED = 0.15, 0.1
+"""What proportions cost: unlike a thing's look, per expected error, and unlike its kind's."""
+
+_FARTHEST = 4.0  # expected errors: what is farther off costs no more
 
 _STRAIGHT = float(np.cos(np.deg2rad(20)))
 _DRAWN_OUT = ([1.05, 1.5, 2.5, 4.0, 6.0], [0.0, 0.1, 0.15, 0.1, 0.02])
@@ -76,33 +79,32 @@ def stroke_share(mask: Mask) -> float:
     return width / max(np.ptp(np.nonzero(mask), axis=1).max(), 1)
 
 
-def best_solid(
-    mask: Mask, small: Projection, expected: Float[np.ndarray, "3"], trust: float = MEASURED
-) -> PosedSolid:
+def oddness(extent: Float[np.ndarray, "3"], size: SizePrior) -> float:
+    """Return what an extent costs whose proportions are not those of the size prior."""
+    if size.seen is None:
+        return _NAMED * bounded_gap(extent, size.extent)
+    return _LIKELY * min(size.seen.gap(extent), _FARTHEST)
+
+
+def best_solid(mask: Mask, small: Projection, size: SizePrior) -> PosedSolid:
     """Return the generic solid that explains the silhouette best; see :func:`score`."""
+    expected = size.extent if size.seen is None else size.seen.extent
     found = candidates(mask, small, expected)
-    return max(found, key=lambda p: score(p, mask, small, expected, trust))
+    return max(found, key=lambda p: score(p, mask, small, size))
 
 
-def score(
-    posed: PosedSolid,
-    mask: Mask,
-    small: Projection,
-    expected: Float[np.ndarray, "3"],
-    trust: float = MEASURED,
-) -> float:
+def score(posed: PosedSolid, mask: Mask, small: Projection, size: SizePrior) -> float:
     """Return how well a solid explains the picture: silhouette overlap less what it costs.
 
     Any-outline families are cheap only where the outline is regular, a box must fit well, things
-    rarely point straight at the camera, and proportions should be the prior's: ``trust`` is what
-    a difference costs.
+    rarely point straight at the camera, and proportions should be the prior's.
     """
     overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
     cost = _REGULAR[posed.kind] if is_regular(posed) else _PRICES[posed.kind]
     if posed.kind == "box":
         cost += max(0.0, _STRICT - overlap)
     extent = np.ptp(posed.solid.vertices, axis=0)
-    return overlap - cost - accident(posed, small) - trust * bounded_gap(extent, expected)
+    return overlap - cost - accident(posed, small) - oddness(extent, size)
 
 
 def accident(posed: PosedSolid, small: Projection) -> float:
