@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, get_args
 
+from .comparison.doubts import PictureMatch
 from .errors import InputError, choices
 from .method.alignment import Alignment, AlignmentConfig
 from .method.assembly import AssemblyConfig
@@ -84,8 +85,9 @@ class Config:
 class Generation:
     """A scene and everything that led to it, in the order it came about (Sec. 6.1).
 
-    ``seconds`` is how long each of ``STAGES`` took (Sec. 6.2); no bundle holds it. ``doubts`` say
-    why the scene's view does not show what its picture shows; they are among its warnings too.
+    ``seconds`` is how long each of ``STAGES`` took (Sec. 6.2); no bundle holds it. ``match``
+    tells how the scene's view compares with the picture it was made from; None for a text's scene.
+    Its doubts and notes are among the scene's warnings too.
     """
 
     reference: Reference
@@ -98,7 +100,7 @@ class Generation:
     refinement: Refinement
     scene: Scene
     seconds: Mapping[str, Seconds] = field(default_factory=dict)
-    doubts: tuple[str, ...] = ()
+    match: PictureMatch | None = None
 
     def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
         """Publish the scene as a bundle under ``folder``; return the bundle's path."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from .backends import Backends
-from .comparison.doubts import find_doubts, warn_of_eye_level
+from .comparison.doubts import match_picture, warn_of_eye_level
 from .errors import require_seed
 from .generation import STAGES, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
@@ -127,13 +127,14 @@ def generate(
         getattr(b.imager, "draws_catalogue", False), config.leave_out,
     )  # fmt: skip
     scene = publish(found, refined, alignment.placements)
-    doubts: tuple[str, ...] = ()
+    match = None
     if reference.plan is None:
-        doubts = find_doubts(scene, instances, reference)
-        scene = _with_warnings(scene, warn_of_eye_level(scene) + doubts)
+        match = match_picture(scene, instances, reference)
+        told = (*warn_of_eye_level(scene), *match.doubts, *match.notes)
+        scene = _with_warnings(scene, told)
     return Generation(
         reference, instances, view, sizes, models, rotations, alignment, refined, scene,
-        clock.stop(), doubts,
+        clock.stop(), match,
     )  # fmt: skip
 
 

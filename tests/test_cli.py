@@ -1,5 +1,7 @@
 """The command line as a user types it: results, exit codes, one-line errors."""
 
+import subprocess
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -118,7 +120,7 @@ def test_stages_can_be_left_out_and_timed(
             scene=scene,
             seconds={"extraction": Seconds(2.5, 4.0), "assembly": Seconds(1.0, 0.5)},
             save=lambda folder, allow_failed: bundle.save(scene, folder),
-            doubts=(),
+            match=None,
         )
 
     monkeypatch.setattr("generator.pipeline.generate", generate)
@@ -142,6 +144,26 @@ def test_help_names_every_command(shell: Shell) -> None:
     made = ("generate", "compose", "cache")
     for name in (*made, "inspect", "verify", "view", "compare", "evaluate"):
         assert name in shown
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("frob",), "frob"),
+        (("inspect", "a", "b"), "b"),
+        (("generate", TEXT, "desk"), "desk"),
+        (("view", "a", "--frob", "3"), "--frob"),
+        (("cache", "frob"), "frob"),
+    ],
+)
+def test_words_too_many_are_named(words: tuple[str, ...], told: str, shell: Shell) -> None:
+    shown = shell(*words, code=2).err
+    assert f"Unrecognized options: {told}" in shown
+
+
+def test_the_package_is_a_command() -> None:
+    run = [sys.executable, "-m", "generator", "explain", "a mug on a desk"]
+    assert "mug" in subprocess.run(run, capture_output=True, text=True, check=True).stdout
 
 
 @pytest.mark.parametrize("words", [("verify",), ("cache", "rm")])

@@ -33,6 +33,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("generator.pipeline", "generator.composition", "generator.evaluation"),
     ("generator.jobs", "generator.editing"),
     ("generator", "generator.cli"),
+    ("generator.__main__",),
     ("tabletopgen_env.robot", "tabletopgen_env.affordance", "tabletopgen_env.files"),
     ("tabletopgen_env.scenes",),
     ("tabletopgen_env.world",),

@@ -10,7 +10,7 @@ from typing import Any
 
 import tyro
 
-from ..errors import TabletopError, escape, exit_code
+from ..errors import InputError, TabletopError, escape, exit_code
 from ..io.terminal import run_piped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 from .machine.command import doctor
@@ -26,7 +26,7 @@ Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle,
 
 GROUPS: Mapping[str, tuple[tyro.extras.SubcommandApp, str]] = MappingProxyType({
     "cache": (cache.app, "List, check and remove bundles of the store."),
-    "models": (models.app, "List, fetch and remove the open models."),
+    "models": (models.app, "List and fetch the open models."),
 })  # fmt: skip
 """Commands with commands of their own, and what they are for."""
 
@@ -55,20 +55,30 @@ def app(name: str) -> tyro.extras.SubcommandApp:
             found |= {entry.name: command} if command else {}
     for known, command in found.items():
         made.command(name=known)(command if name in found else _brief(command))
-    for group, (commands, purpose) in GROUPS.items():
-        made.command(name=group)(_brief(commands.cli, purpose))
+    for group, (_, purpose) in GROUPS.items():
+        made.command(name=group)(_entry(group, purpose))
     return made
 
 
-def _brief(command: Callable[..., Any], purpose: str = "") -> Callable[..., Any]:
+def _brief(command: Callable[..., Any]) -> Callable[..., Any]:
     """Return a command of which a list of commands shows one line."""
 
     @functools.wraps(command)
     def brief(*args: Any, **settings: Any) -> Any:
         return command(*args, **settings)
 
-    brief.__doc__ = purpose or (command.__doc__ or "").partition("\n\n")[0]
+    brief.__doc__ = (command.__doc__ or "").partition("\n\n")[0]
     return brief
+
+
+def _entry(group: str, purpose: str) -> Callable[[], int]:
+    """Return what a list of commands shows of a group; ``run`` has its commands run."""
+
+    def entry() -> int:
+        raise InputError(f"tabletopgen {group} needs one of its commands; see --help.")
+
+    entry.__doc__ = purpose
+    return entry
 
 
 def run(arguments: list[str]) -> int:

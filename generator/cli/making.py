@@ -120,9 +120,10 @@ def generate(
         return paying.print_dry_run(error, json, mix, chosen)
     paying.save_ledger(session, path)
     seconds = generation.seconds if timings else None
-    done = print_scene(path, generation.scene, json, seconds, session)
-    if generation.doubts:
-        print(escape(f"error: {path.name} is not the picture: {' '.join(generation.doubts)}"),
+    match = generation.match
+    done = print_scene(path, generation.scene, json, seconds, session, match)
+    if match is not None and match.doubts:
+        print(escape(f"error: {path.name} is not the picture: {' '.join(match.doubts)}"),
               file=sys.stderr)  # fmt: skip
         return UNLIKE
     return done

@@ -13,6 +13,7 @@ from ..errors import escape
 
 if TYPE_CHECKING:
     from ..calls import Session
+    from ..comparison.doubts import PictureMatch
     from ..method.stopwatch import Seconds
     from ..scene import Scene
 
@@ -67,9 +68,12 @@ def print_scene(
     as_json: bool,
     seconds: Mapping[str, Seconds] | None = None,
     session: Session | None = None,
+    likeness: PictureMatch | None = None,
 ) -> int:
-    """Print a bundle, how long its stages took, and the calls; return the exit code of success."""
+    """Print a bundle, how like its picture it is, times and calls; return success's exit code."""
     facts = describe(path, scene)
+    if likeness is not None and likeness.mean_iou is not None:
+        facts["mean_iou"] = round(likeness.mean_iou, 3)
     if session is not None and session.account.entries:
         facts["ledger"] = session.account.facts(session.prices)
     if seconds is not None:
@@ -89,10 +93,20 @@ def print_scene(
         gate = "no report"
         if report := scene.report:
             gate = "passed" if report.passed else "FAILED: " + "; ".join(report.failures)
+        like = [f"  likeness: {facts['mean_iou']:.2f} (mean overlap, from the picture's camera, of "
+                "what was found)"] if "mean_iou" in facts else []  # fmt: skip
         notes = [f"  note: {w}" for w in facts["warnings"]]
         spent = "" if session is None else session.account.text(session.prices.currency)
         calls = ["  calls:", *(f"    {line}" for line in spent.splitlines())] if spent else []
-        return [str(path), *rows, f"  gate: {gate}", *notes, *_timings(seconds or {}), *calls]
+        return [
+            str(path),
+            *rows,
+            f"  gate: {gate}",
+            *like,
+            *notes,
+            *_timings(seconds or {}),
+            *calls,
+        ]
 
     emit(facts, as_json, lines)
     return 0

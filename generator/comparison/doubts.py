@@ -5,36 +5,57 @@ The physical gate says whether a scene is sound; these say whether it is the pic
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from ..bundle import Segments
 from ..errors import InputError
 from ..scene import TABLE, Instance, Reference, Scene
-from .scores import Comparison, compare
+from .scores import Comparison, Score, compare
 
 EYE_LEVEL = float(np.deg2rad(12.0))
 """Elevation, radians, below which a picture does not show how far back things stand."""
 
 _TABLE = 0.35  # overlap (IoU) of the table's outlines below which the tables are two
-_THINGS = 0.3  # mean overlap of the things' below which they are others
+_THINGS = 0.3  # mean overlap of the things' below which they are others; of one, worth a word
 _GONE = 0.05  # overlap of one thing's below which it is not where the picture has it
+_MANY = 3  # one in so many of such things is one too many
 
 
-def find_doubts(
+@dataclass(frozen=True)
+class PictureMatch:
+    """How a scene's view compares with its picture.
+
+    ``mean_iou`` is the mean overlap (intersection over union, in [0, 1]) of the outlines of what
+    was found in the picture; what was not found is not counted. It is None where the two cannot be
+    compared. ``doubts`` say why the view does not show what the picture shows; ``notes`` name
+    single things that it shows elsewhere, or not at all.
+    """
+
+    mean_iou: float | None
+    doubts: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+def match_picture(
     scene: Scene, instances: tuple[Instance, ...], reference: Reference
-) -> tuple[str, ...]:
-    """Return why a scene's view does not show what its picture shows; nothing if it does.
+) -> PictureMatch:
+    """Draw a scene from its picture's camera and compare the two.
 
-    ``instances`` have the table among them. The scene is drawn from the picture's camera.
+    ``instances`` are what was found in the picture, the table among them.
     """
     try:
         seen = compare(scene, Segments.of(instances), np.asarray(reference.image))
     except InputError as error:
-        return (f"The scene cannot be held against the picture: {error}",)
+        return PictureMatch(None, (f"The scene cannot be held against the picture: {error}",))
     shown = np.asarray(seen.rendered.ids)
     if not (shown >= 0).any():
-        return ("The simulated view is blank: nothing of the scene is where the picture has it.",)
-    return (*_doubt_table(seen), *_doubt_things(seen))
+        blank = "The simulated view is blank: nothing of the scene is where the picture has it."
+        return PictureMatch(0.0, (blank,))
+    things = [score for score in seen.scores if score.name != TABLE and score.found]
+    doubts = (*_doubt_table(seen), *_doubt_things(seen, things))
+    return PictureMatch(seen.mean_iou, doubts, tuple(_note_things(things)))
 
 
 def warn_of_eye_level(scene: Scene) -> tuple[str, ...]:
@@ -58,8 +79,7 @@ def _doubt_table(seen: Comparison) -> tuple[str, ...]:
     )
 
 
-def _doubt_things(seen: Comparison) -> tuple[str, ...]:
-    things = [score for score in seen.scores if score.name != TABLE and score.found]
+def _doubt_things(seen: Comparison, things: list[Score]) -> tuple[str, ...]:
     gone = [score.name for score in things if score.built and score.iou < _GONE]
     doubts = []
     if things and seen.mean_iou < _THINGS:
@@ -67,6 +87,16 @@ def _doubt_things(seen: Comparison) -> tuple[str, ...]:
             f"The simulated things cover {100 * seen.mean_iou:.0f} % of the picture's on average "
             f"({100 * _THINGS:.0f} % at least is asked)."
         )
-    if gone and 2 * len(gone) >= len(things):
+    if gone and _MANY * len(gone) >= len(things):
         doubts.append(f"Not where the picture has them: {', '.join(gone)}.")
     return tuple(doubts)
+
+
+def _note_things(things: list[Score]) -> list[str]:
+    """Return a line for each built thing whose outlines hardly overlap."""
+    return [
+        f"{score.name} is not as the picture shows it: the outlines overlap by "
+        f"{100 * score.iou:.0f} % (intersection over union)."
+        for score in things
+        if score.built and score.iou < _THINGS
+    ]

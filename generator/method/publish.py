@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from ..layout.checking import list_unmet, record_relations, warn_unmet
+from ..layout.checking import correct_supports, list_unmet, observe, record_relations, warn_unmet
 from ..scene import (
     TABLE,
     Instance,
@@ -158,9 +158,10 @@ def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -
     """Return the scene to publish, judged, with its misfit in the report.
 
     Where a plan is followed, see ``publish_planned``. Else it is assembled of the refined
-    placements. If its outlines agree worse than the ``unrefined``
-    placements did, these are tried as well; of the two a sound scene comes first, then the one
-    that agrees better. ``refined.before`` is 0 where nothing was refined.
+    placements. If its outlines agree worse than the ``unrefined`` placements did, these are tried
+    as well; of the two a sound scene comes first, then the one that agrees better.
+    ``refined.before`` is 0 where nothing was refined. What an object is said to stand on is what
+    it touches at rest.
     """
     draft = found.draft(refined.placements)
     if draft is not None:
@@ -170,13 +171,14 @@ def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -
         return _with_report(scene, misfit=_round(refined.before, found.misfit(scene)))
     scene = assemble_sound(found, Attempt(refined.placements))
     if not refined.before:
-        return scene
+        return correct_supports(scene, observe(scene))
     misfit = found.misfit(scene)
     if misfit > refined.before + WORSE and refined.after < refined.before:
         other = assemble_sound(found, Attempt(unrefined, (UNREFINED,)))
         other_misfit = found.misfit(other)
         if (_is_sound(other), -other_misfit) > (_is_sound(scene), -misfit):
             scene, misfit = other, other_misfit
+    scene = correct_supports(scene, observe(scene))
     return _with_report(scene, misfit=_round(refined.before, misfit))
 
 

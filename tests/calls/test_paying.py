@@ -42,7 +42,7 @@ def server(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Ite
             return SimpleNamespace(
                 scene=scene,
                 seconds={},
-                doubts=(),
+                match=None,
                 save=lambda folder, allow_failed: bundle.save(scene, folder),
             )
 

@@ -8,7 +8,7 @@ import pytest
 from toy import toy_scene
 
 from generator import cli, pipeline
-from generator.comparison.doubts import find_doubts, warn_of_eye_level
+from generator.comparison.doubts import PictureMatch, match_picture, warn_of_eye_level
 from generator.geometry import Camera, mask_box
 from generator.render.picture import render_scene
 from generator.scene import TABLE, Instance, Reference, Scene, View
@@ -45,15 +45,28 @@ def moved(scene: Scene, far: float) -> Scene:
 def test_a_scene_that_shows_its_picture_is_not_doubted(
     scene: Scene, found: tuple[tuple[Instance, ...], Reference]
 ) -> None:
-    assert find_doubts(scene, *found) == ()
+    match = match_picture(scene, *found)
+    assert not match.doubts and not match.notes
+    assert match.mean_iou is not None and match.mean_iou > 0.9
 
 
 def test_things_that_are_elsewhere_are_told(
     scene: Scene, found: tuple[tuple[Instance, ...], Reference]
 ) -> None:
-    doubts = " ".join(find_doubts(moved(scene, 0.25), *found))
+    match = match_picture(moved(scene, 0.25), *found)
+    doubts = " ".join(match.doubts)
     assert "The simulated things cover" in doubts
     assert "Not where the picture has them: " in doubts
+    assert len(match.notes) == len(scene.objects)
+
+
+def test_one_thing_that_is_elsewhere_is_named(
+    scene: Scene, found: tuple[tuple[Instance, ...], Reference]
+) -> None:
+    far = moved(scene, 0.25).objects[-1]
+    match = match_picture(scene.replace(objects=(*scene.objects[:-1], far)), *found)
+    (note,) = match.notes
+    assert note.startswith(f"{far.name} is not as the picture shows it")
 
 
 def test_eye_level_is_warned_of(scene: Scene) -> None:
@@ -66,7 +79,8 @@ def test_eye_level_is_warned_of(scene: Scene) -> None:
 def test_the_command_ends_with_6_where_the_view_shows_something_else(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(pipeline, "find_doubts", lambda *_: ("The simulated view is blank.",))
+    blank = PictureMatch(0.0, ("The simulated view is blank.",))
+    monkeypatch.setattr(pipeline, "match_picture", lambda *_: blank)
     picture = Path(__file__).parents[2] / "examples/pictures/coffee_table.png"
     assert cli.run(["generate", str(picture), "--out", str(tmp_path)]) == 6
     shown = capsys.readouterr()

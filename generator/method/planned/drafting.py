@@ -108,7 +108,9 @@ def draft_scene(
             continue
         factor = factors[name]
         if factor is None:
-            warnings.append(f"{name} is built from the plan: the drawing shows another shape.")
+            warnings.append(
+                f"{name} is built from the plan: its outline in the drawing has other proportions."
+            )
         else:
             yaw = placed[name].yaw
             size = scales[name] * factor
