@@ -163,7 +163,9 @@ def test_words_too_many_are_named(words: tuple[str, ...], told: str, shell: Shel
 
 def test_the_package_is_a_command() -> None:
     run = [sys.executable, "-m", "generator", "explain", "a mug on a desk"]
-    assert "mug" in subprocess.run(run, capture_output=True, text=True, check=True).stdout
+    assert (
+        "mug" in subprocess.run(run, capture_output=True, text=True, check=True, timeout=120).stdout
+    )
 
 
 @pytest.mark.parametrize("words", [("verify",), ("cache", "rm")])

@@ -15,6 +15,7 @@ from ..scene import Instance, SizePrior
 _SURE = 0.55  # probability from which a thing gets its category's name
 _SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
 _SHAPES = 0.4  # of its proportions in the picture, log
+_BELIED = float(np.log(1.7))  # log of size over a kind's usual one that no name survives
 _TABLES = 0.35  # of a table's usual size, log
 _SHIFTS = np.linspace(-0.7, 0.7, 29)
 _UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
@@ -41,14 +42,21 @@ def weigh(
 
     All things share one table, so that one scale must do for all: it is chosen to make the names
     likeliest together, unless ``metric`` says that it was measured. A category that was not looked
-    at is as likely as one that is unlike. ``names`` are probabilities of each thing over the
+    at is as likely as one that is unlike. What a thing is far too large or too small for, by the
+    scale chosen, counts as "unknown", however much the thing looks like it. ``names`` are probabilities of each thing over the
     categories and, last, "unknown"; ``looks``, by category index, what ``apparent_scale`` returns
     on a table of usual size; None for a thing that the frame cuts.
     """
     shifts = np.zeros(1) if metric else _SHIFTS
     joint = [names * _likely(names, looks, shift) for shift in shifts]
     evidence = [np.log(j.sum(1)).sum() for j in joint] - 0.5 * (shifts / _TABLES) ** 2
-    best = joint[int(np.argmax(evidence))]
+    chosen = int(np.argmax(evidence))
+    best = joint[chosen]
+    for row, seen in zip(best, looks, strict=True):
+        for column, (scale, _) in (seen or {}).items():
+            if abs(np.log(scale) + shifts[chosen]) > _BELIED:
+                row[-1] += row[column]
+                row[column] = 0.0
     return best / best.sum(1, keepdims=True)
 
 

@@ -35,6 +35,15 @@ def test_one_table_scale_must_do_for_all():
     assert naming.free_labels(odd, KEYS) == [None, "mug", "mug"]
 
 
+def test_a_look_that_is_sure_does_not_make_a_monitor_a_toaster():
+    # Nothing else is likely, but the things beside it say how large it is.
+    names = np.array([[0.98, 0.005, 0.005, 0.01], *[[0.0, 0.9, 0.0, 0.1]] * 3])
+    looks = [{0: (2.1, 0.2)}, *[{1: (1.0, 0.0)}] * 3]
+    assert naming.free_labels(naming.weigh(names, looks), KEYS) == [None, *["bowl"] * 3]
+    looks[0] = {0: (1.5, 0.2)}
+    assert naming.free_labels(naming.weigh(names, looks), KEYS) == ["mug", *["bowl"] * 3]
+
+
 def test_a_thing_that_the_frame_cuts_keeps_its_name():
     names = np.array([[0.6, 0.1, 0.2, 0.1]])
     np.testing.assert_allclose(naming.weigh(names, [None]), names)
