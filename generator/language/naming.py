@@ -43,9 +43,10 @@ def weigh(
     All things share one table, so that one scale must do for all: it is chosen to make the names
     likeliest together, unless ``metric`` says that it was measured. A category that was not looked
     at is as likely as one that is unlike. What a thing is far too large or too small for, by the
-    scale chosen, counts as "unknown", however much the thing looks like it. ``names`` are probabilities of each thing over the
-    categories and, last, "unknown"; ``looks``, by category index, what ``apparent_scale`` returns
-    on a table of usual size; None for a thing that the frame cuts.
+    scale chosen, counts as "unknown", however much the thing looks like it. ``names`` are
+    probabilities of each thing over the categories and, last, "unknown"; ``looks``, by category
+    index, what ``apparent_scale`` returns on a table of usual size; None for a thing that the frame
+    cuts.
     """
     shifts = np.zeros(1) if metric else _SHIFTS
     joint = [names * _likely(names, looks, shift) for shift in shifts]
