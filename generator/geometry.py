@@ -39,7 +39,7 @@ def yaw_quaternion(yaw: float) -> Float[np.ndarray, "4"]:
 
 def quaternion_matrix(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
     """Return the rotation matrix of a unit wxyz quaternion."""
-    w, x, y, z = np.asarray(quaternion, float) / np.linalg.norm(quaternion)
+    w, x, y, z = (np.asarray(quaternion, float) / np.linalg.norm(quaternion)).tolist()
     return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -231,12 +231,24 @@ def framing_camera(
     frame = np.array([width, height]) * (1 - 2 * margin)
     for _ in range(12):  # alternate centring and approaching; converges geometrically
         camera = Camera.looking_at(target, view, distance, width, height)
-        pixels = camera.project(points)
-        low, high = pixels.min(0), pixels.max(0)
+        low, high = _pixel_box(camera, points)
         shift = ((low + high) / 2 - [width / 2, height / 2]) * distance / camera.focal
         target = target + shift[0] * camera.rotation[0] + shift[1] * camera.rotation[1]
         distance *= float(((high - low) / frame).max())
     return Camera.looking_at(target, view, distance, width, height)
+
+
+def _pixel_box(
+    camera: Camera, points: Float[np.ndarray, "n 3"]
+) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "2"]]:
+    """Return the lowest and the highest of what ``Camera.project`` returns."""
+    x, y, depth = camera.to_camera(points).T
+    across, down = x / depth, y / depth
+    low, high = (
+        np.array([across.min(), down.min()]),
+        np.array([across.max(), down.max()]),
+    )
+    return low * camera.focal + camera.center, high * camera.focal + camera.center
 
 
 # ------------------------------------------------------------------------------------ outlines
@@ -254,27 +266,39 @@ def hull_points(points: Float[np.ndarray, "n d"]) -> Float[np.ndarray, "k d"]:
 
 def convex_outline(points: Real[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
     """Return the convex hull of 2D points, counter-clockwise (Andrew's monotone chain)."""
-    unique = np.unique(np.round(np.asarray(points, float), 9), axis=0)
+    unique = _sort_distinct(np.round(np.asarray(points, float), 9))
     if len(unique) < 3:
         raise InputError("An outline needs at least three distinct points.")
     if len(unique) > len(_AROUND):
         unique = _leave_inner_out(unique)
 
-    def half(ordered: np.ndarray) -> list[np.ndarray]:
-        chain: list[np.ndarray] = []
-        for p in ordered:
-            while len(chain) > 1:
-                a, b = chain[-1] - chain[-2], p - chain[-2]
-                if a[0] * b[1] - a[1] * b[0] > 1e-12:
-                    break
-                chain.pop()
-            chain.append(p)
-        return chain[:-1]
-
-    return np.array(half(unique) + half(unique[::-1]))
+    path = unique.tolist()  # plain numbers: arrays of two are slow one by one
+    return np.array(_half_outline(path) + _half_outline(path[::-1]))
 
 
-_AROUND = 2 * np.pi * np.arange(32) / 32  # directions
+def _sort_distinct(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "m 2"]:
+    """Return the points by x, then y, each once."""
+    ordered = points[np.lexsort((points[:, 1], points[:, 0]))]
+    new = np.ones(len(ordered), bool)
+    new[1:] = (ordered[1:] != ordered[:-1]).any(1)
+    return ordered[new]
+
+
+def _half_outline(ordered: list[list[float]]) -> list[list[float]]:
+    """Return the corners that turn left on the way along ``ordered``, all but the last."""
+    chain: list[list[float]] = []
+    for x, y in ordered:
+        while len(chain) > 1:
+            (x0, y0), (x1, y1) = chain[-2:]
+            if (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) > 1e-12:
+                break
+            chain.pop()
+        chain.append([x, y])
+    return chain[:-1]
+
+
+_AROUND = 2 * np.pi * np.arange(32) / 32
+_WAYS = np.column_stack([np.cos(_AROUND), np.sin(_AROUND)]).reshape(4, 8, 2)  # a few at a time
 
 
 def _leave_inner_out(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
@@ -283,14 +307,12 @@ def _leave_inner_out(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2
     These lie inside the polygon of the points that are farthest out in some directions (S. Akl and
     G. Toussaint, "A fast convex hull algorithm", 1978).
     """
-    ways = np.column_stack([np.cos(_AROUND), np.sin(_AROUND)])
-    far = (points @ ways.T).argmax(0)
+    far = np.concatenate([(points @ ways.T).argmax(0) for ways in _WAYS])
     corners = points[far[far != np.roll(far, 1)]]
     sides = np.roll(corners, -1, axis=0) - corners
-    cross = sides[:, 0] * (points[:, 1:] - corners[:, 1]) - sides[:, 1] * (
-        points[:, :1] - corners[:, 0]
-    )
-    return points[~(cross > 1e-9).all(1)]
+    along, up = sides.T[:, :, None]
+    x, y = points.T[:, None, :] - corners.T[:, :, None]
+    return points[~(along * y - up * x > 1e-9).all(0)]
 
 
 def inside_margin(

@@ -11,7 +11,8 @@ import numpy as np
 
 from ..errors import BundleError, SceneError
 from ..io.png import encode_png
-from ..physics.mjcf import Document, compile_spec, document, spec_of
+from ..physics.mjcf import Document, document
+from ..physics.spec import compile_spec, spec_of
 from .decoding import Decoded
 
 if TYPE_CHECKING:

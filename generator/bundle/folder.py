@@ -23,7 +23,8 @@ from jaxtyping import UInt8
 
 from ..errors import BundleError, InputError, SceneError, StorageError
 from ..io.png import encode_png
-from ..physics.mjcf import compile_spec, document, spec_of
+from ..physics.mjcf import document
+from ..physics.spec import compile_spec, spec_of
 from ..scene import Scene
 from .bounds import BOUNDS, check_listed
 from .contents import decode_png, picture_size
@@ -37,7 +38,7 @@ from .segments import Segments, decode_segments, encode_segments
 SCHEMA = 1
 """Version of ``scene.json``; other versions are refused."""
 
-_BESIDE = frozenset({"certificate.json", "ledger.json"})  # need not be listed
+_BESIDE = frozenset({"certificate.json", "grasps.json", "ledger.json"})  # need not be listed
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 _FOLDER = re.compile(r".*-([0-9a-f]{12})")
 _PICTURE = re.compile(r"[a-z][a-z0-9_]*")

@@ -14,7 +14,7 @@ from ..errors import InputError, TabletopError, escape, exit_code
 from ..io.terminal import run_piped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 from .machine.command import doctor
-from .plugins import find_commands, load
+from .plugins import find_commands, load, purpose_of
 
 DESCRIPTION = """Turn text or a photo of a tabletop into a MuJoCo scene and Gymnasium environments.
 
@@ -31,9 +31,9 @@ GROUPS: Mapping[str, tuple[tyro.extras.SubcommandApp, str]] = MappingProxyType({
 """Commands with commands of their own, and what they are for."""
 
 COMMANDS: tuple[Callable[..., int], ...] = (
-    making.generate, making.compose, batching.batch, editing.edit,
+    making.generate, making.compose, making.import_, batching.batch, editing.edit,
     looking.explain, looking.inspect, looking.verify, looking.view, looking.compare,
-    evaluating.evaluate, doctor,
+    looking.export, evaluating.evaluate, doctor,
 )  # fmt: skip
 
 
@@ -52,6 +52,8 @@ def app(name: str) -> tyro.extras.SubcommandApp:
     for entry in [others[name]] if name in others else others.values():
         if entry.name not in own.keys() | GROUPS.keys():
             command = load(entry, entry.name == name)
+            if isinstance(command, tyro.extras.SubcommandApp):
+                command = _entry(entry.name, purpose_of(entry))
             found |= {entry.name: command} if command else {}
     for known, command in found.items():
         made.command(name=known)(command if name in found else _brief(command))
@@ -81,14 +83,26 @@ def _entry(group: str, purpose: str) -> Callable[[], int]:
     return entry
 
 
+def _group(name: str) -> tyro.extras.SubcommandApp | None:
+    """Return the commands of a group, this package's or another's; None if there is no such group.
+
+    Raises:
+        InputError: another package's cannot be loaded.
+    """
+    if name in GROUPS:
+        return GROUPS[name][0]
+    own = {command.__name__ for command in COMMANDS}
+    others = {} if name in own else find_commands()
+    found = load(others[name], True) if name in others else None
+    return found if isinstance(found, tyro.extras.SubcommandApp) else None
+
+
 def run(arguments: list[str]) -> int:
     """Run the command line; every expected error becomes one line, and an exit code is returned."""
     name = arguments[0] if arguments else ""
     try:
-        if group := GROUPS.get(name):
-            return group[0].cli(
-                prog=f"tabletopgen {name}", args=arguments[1:], use_underscores=False
-            )
+        if group := _group(name):
+            return group.cli(prog=f"tabletopgen {name}", args=arguments[1:], use_underscores=False)
         code = app(name).cli(
             prog="tabletopgen", description=DESCRIPTION, args=arguments, use_underscores=False
         )

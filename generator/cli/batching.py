@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -14,27 +14,13 @@ from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from ..errors import InputError, escape, require_number, require_seed
 from ..io.files import check_folder
+from ..jobs.pools import PoolOptions
 from .paying import NO_CALLS, USUAL, Calls, Chosen, calls_folder, lines_of, roles_of
 from .printing import emit
 
 if TYPE_CHECKING:
     from ..backends import Backends
     from ..jobs import Generating, Maker, Outcome, Summary
-
-
-@dataclass(frozen=True)
-class PoolOptions:
-    """Where the scenes are made.
-
-    Attributes:
-        workers: Scenes made in parallel, each by a process with one thread: a worker for each
-            processor is fastest.
-        ray: Make them on the Ray cluster at this address, which shares the folder; "local" starts
-            Ray here (pip install 'tabletopgen[ray]').
-    """
-
-    workers: int = 1
-    ray: str | None = None
 
 
 _POOL = PoolOptions()
@@ -64,7 +50,7 @@ def batch(
     Args:
         prompts: A text or the path of a picture a line, # for remarks; or a .json array of texts,
             or of objects with text and seed.
-        out: Folder the bundles go into, and summary.json.
+        out: Folder the bundles go into, and summary.json; all machines of a Ray cluster share it.
         pool: Where the scenes are made.
         route: All stages of the paper, or composed without drawing a picture first.
         mix: Who answers the questions about text and image; roles can differ from the rest.

@@ -7,15 +7,17 @@ import os
 import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from tyro import conf
 from tyro.conf import Positional
 
 from ..errors import InputError, MissingError, TabletopError, escape
-from ..io.files import check_target
+from ..io.files import check_folder, check_target
 from .printing import emit, print_scene
 from .store import find, one, some
+
+Format = Literal["mjcf", "urdf", "sdf", "glb", "usd", "usdz"]
 
 
 def explain(
@@ -106,7 +108,7 @@ def view(
         picture: Write a PNG here instead of opening a window.
     """
     from ..bundle import load
-    from ..physics.mjcf import compile_spec, scene_spec
+    from ..physics.spec import compile_spec, scene_spec
 
     path = one(bundle)
     if picture is not None:
@@ -127,6 +129,33 @@ def view(
     target = picture or Path(f"{path.name}.png")
     write_picture(preview(scene), target)
     print(escape(str(target) if picture else f"No screen here; wrote {target}."))
+    return 0
+
+
+def export(
+    bundles: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="BUNDLE [BUNDLE ...]")],
+    /,
+    *,
+    to: tuple[Format, ...],
+    out: Path = Path(),
+) -> int:
+    """Write bundles in formats of other programs: glTF, MJCF, SDF, URDF, USD.
+
+    glb and usdz are one file, the others a folder with the document and its meshes and textures.
+
+    Args:
+        bundles: Names, digests, globs or paths.
+        to: Formats: mjcf has every mesh in a file; usd and usdz need the extra "usd".
+        out: The folder they go into.
+    """
+    from ..bundle import load
+    from ..exports import export as write
+
+    check_folder(out)
+    for path in [p for wanted in some(bundles) for p in find(wanted)]:
+        scene = load(path)
+        for kind in to:
+            print(escape(str(write(scene, kind, out, path.name))), flush=True)
     return 0
 
 

@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from ..errors import DryRunError, InputError, SceneError, escape, exit_code, require_seed
+from ..imports.options import ImportOptions
 from ..io.files import check_folder
 from ..scene import Density, Intrinsics
 from . import paying
@@ -52,7 +53,7 @@ class OutputOptions:
 UNLIKE = exit_code(SceneError(""))
 """Exit code of a bundle whose view does not show what its picture shows."""
 
-_CAMERA, _OUTPUT = CameraOptions(), OutputOptions()
+_CAMERA, _OUTPUT, _IMPORT = CameraOptions(), OutputOptions(), ImportOptions()
 
 
 def generate(
@@ -159,6 +160,44 @@ def compose(
     scene = run(text, seed, name=name, density=density)
     path = save(scene, folder, images={"preview": preview(scene)})
     return print_scene(path, scene, json)
+
+
+def import_(
+    source: Annotated[Positional[Path], arg(metavar="SOURCE")],
+    /,
+    *,
+    out: Path | None = None,
+    options: OmitArgPrefixes[ImportOptions] = _IMPORT,
+    allow_failed: bool = False,
+    json: bool = False,
+) -> int:
+    """Turn a scene of another program into a bundle: a MJCF or GLB file, or a folder of GLB files.
+
+    Of a MJCF the bodies with a free joint become objects, and what they stand on the table; meshes,
+    colours, textures, masses, friction and collision shapes stay. A folder needs poses.json, which
+    says which file is what, and where. What comes without collision shapes is cut into convex
+    parts. The scene is settled and judged.
+
+    Args:
+        source: A MJCF file (.xml), a GLB file, a folder with poses.json, or an exported folder.
+        out: Folder the bundle goes into; the user cache if left out.
+        options: How it is read.
+        allow_failed: Publish the scene even if it fails its physical gate.
+        json: Print one JSON object instead of text.
+    """
+    from ..bundle import check_name, save
+    from ..imports import import_scene
+    from ..method.figures import preview
+
+    folder = store(out)
+    if options.name is not None:
+        check_name(options.name)
+    scene = import_scene(source, options)
+    path = save(scene, folder, images={"preview": preview(scene)}, allow_failed=allow_failed)
+    return print_scene(path, scene, json)
+
+
+import_.__name__ = "import"
 
 
 def _intrinsics(text: str) -> Intrinsics:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any
@@ -29,8 +29,11 @@ def find_commands() -> Mapping[str, EntryPoint]:
     return dict(sorted((installed | own).items()))
 
 
-def load(entry: EntryPoint, needed: bool) -> Callable[..., Any] | None:
+def load(entry: EntryPoint, needed: bool) -> Any:
     """Import a command; return None if it cannot be imported and is not needed, and say so.
+
+    It is a function, or a ``tyro.extras.SubcommandApp`` with commands of its own, of which the
+    first line of its module's docstring says what they are for.
 
     Raises:
         InputError: it is needed.
@@ -46,6 +49,11 @@ def load(entry: EntryPoint, needed: bool) -> Callable[..., Any] | None:
             raise InputError(f"{told} Install again what adds it.") from error
         print(escape(told), file=sys.stderr)
         return None
+
+
+def purpose_of(entry: EntryPoint) -> str:
+    """Return what a group of commands is for, once it is imported."""
+    return (sys.modules[entry.module].__doc__ or "").partition("\n")[0]
 
 
 def project() -> Mapping[str, Any]:

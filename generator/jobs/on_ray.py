@@ -1,27 +1,44 @@
-"""A Ray cluster as the worker pool of a batch, and the actor that owns its database of money."""
+"""A Ray cluster as a pool of workers, and the actor that owns a batch's database of money."""
 
 from __future__ import annotations
 
 import contextlib
 import logging
 import os
-from collections.abc import Callable, Iterator
+import pickle
+import signal
+import socket
+from collections import Counter, deque
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
-from typing import Any
+from threading import RLock
+from typing import Any, TypeVar
+
+import cloudpickle
 
 from ..calls.money.database import LOCAL, T
 from ..errors import BackendError
+from ..scene.provenance import versions
+from .task_pool import TaskPool
+from .worker import answer_task
 from .workers import WorkerDied
 
+R = TypeVar("R")
+
 _USAGE = "RAY_USAGE_STATS_ENABLED"  # else Ray tells its makers that it was started
+_KNOCK_TIME = 10.0  # seconds that a cluster has to accept a connection
+_ALIKE = ("tabletopgen", "mujoco", "numpy")  # what has to be of one version on all machines
 
 
-class RayPool:
-    """At most ``width`` tasks of a Ray cluster, a CPU each; its machines share the batch's folder.
+class RayPool(TaskPool):
+    """At most ``width`` tasks of a Ray cluster at a time, a CPU each, spread over its machines.
 
-    ``address`` is as ``ray.init`` takes it; "local" starts Ray here, with ``width`` CPUs.
+    ``address`` is as ``ray.init`` takes it; "local" starts Ray here, with ``width`` CPUs. Where
+    this process is connected to a cluster already, that one is used, and the connection stays.
+    Tasks run in the folder that this process is in, where their machine has it.
 
     Raises:
         BackendError: Ray is not installed, or there is none at the address.
@@ -35,41 +52,145 @@ class RayPool:
                 "Ray is not installed. Run: pip install 'tabletopgen[ray]'"
             ) from error
         self._ray, self.width = ray, width
-        cpus = {"num_cpus": width, "include_dashboard": False} if address == "local" else {}
-        asked = os.environ.get(_USAGE)
-        os.environ.setdefault(_USAGE, "0")
-        try:
-            ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR, **cpus)
-        except (ConnectionError, ValueError, RuntimeError) as error:
-            raise BackendError(f"No Ray at {address!r}: {error}") from error
-        finally:
-            if asked is None:
-                del os.environ[_USAGE]
-        self._call = ray.remote(num_cpus=1, max_retries=0)(_call)
-        self.keeper = RayKeeper(_keeping_actor(ray))
+        self._own = not ray.is_initialized()
+        if self._own:
+            _connect(ray, address, width)
+        self._call = ray.remote(num_cpus=1, max_retries=0, scheduling_strategy="SPREAD")(_call)
+        self._place = _Place(str(Path.cwd()), versions(_ALIKE))
+        self._waiting: deque[_RayTask] = deque()
+        self._running: dict[Any, _RayTask] = {}
+        self._done = Counter[str]()
+        self._lock = RLock()
 
-    def submit(self, function: Callable[..., Any], *args: Any) -> Future[Any]:
-        """Have a worker call a function; ``WorkerDied`` says that its process ended."""
-        result: Future[Any] = Future()
-        reference = self._call.remote(function, *args)
-        name = reference.task_id().hex()
+    def submit(
+        self, function: Callable[..., R], *args: Any, timeout: float | None = None
+    ) -> Future[R]:
+        """See ``TaskPool``; BackendError where a machine cannot run it as this one would."""
+        task = _RayTask(cloudpickle.dumps((function, args)), timeout)
+        self._waiting.append(task)
+        self._begin()
+        return task.future
 
-        def pass_on(done: Future[Any]) -> None:
-            error: Any = done.exception()
-            if error is None:
-                result.set_result(done.result())
-            elif isinstance(error, self._ray.exceptions.RayTaskError):
-                result.set_exception(error.cause)
-            else:
-                self.keeper.actor.release.remote(name)
-                result.set_exception(WorkerDied(f"Ray's worker died: {type(error).__name__}."))
-
-        reference.future().add_done_callback(pass_on)
-        return result
+    @cached_property
+    def keeper(self) -> RayKeeper:
+        """Who works on the databases of money: an actor on this machine."""
+        return RayKeeper(_keeping_actor(self._ray))
 
     def close(self, grace: float = 0.0) -> None:
-        """Leave the cluster: unfinished tasks are dropped, whatever ``grace``."""
-        self._ray.shutdown()
+        """Cancel what waits and stop what runs, whatever ``grace``; leave the cluster."""
+        with self._lock:
+            for task in self._waiting:
+                task.future.cancel()
+            self._waiting.clear()
+            running, done = [*self._running], Counter(self._done)
+            self._done.clear()
+        for machine, count in sorted(done.items()):
+            logging.getLogger(__name__).info("%d tasks were done by Ray's node %s", count, machine)
+        if self._own:
+            self._ray.shutdown()
+        else:
+            for reference in running:
+                self._ray.cancel(reference, force=True)
+
+    def _begin(self) -> None:
+        """Hand Ray as many tasks as it may have."""
+        with self._lock:
+            while self._waiting and len(self._running) < self.width:
+                task = self._waiting.popleft()
+                if task.future.set_running_or_notify_cancel():
+                    reference = self._call.remote(self._place, task.packed, task.timeout)
+                    self._running[reference] = task
+                    reference.future().add_done_callback(
+                        lambda done, reference=reference: self._end(reference, done)
+                    )
+
+    def _end(self, reference: Any, done: Future[tuple[str, bytes]]) -> None:
+        """Pass on how a task has ended, and begin the next one."""
+        with self._lock:
+            task = self._running.pop(reference)
+        try:
+            machine, packed = done.result()
+            with self._lock:
+                self._done[machine] += 1
+            well, value = pickle.loads(packed)  # by our own process
+        except Exception as error:
+            well, value = False, self._failure(error, task.timeout)
+            if "keeper" in self.__dict__:
+                self.keeper.actor.release.remote(reference.task_id().hex())
+        self._begin()
+        if well:
+            task.future.set_result(value)
+        else:
+            task.future.set_exception(value)
+
+    def _failure(self, error: Exception, timeout: float | None) -> Exception:
+        """Return what it means that there is no answer of a task."""
+        if isinstance(error, self._ray.exceptions.RayTaskError):
+            cause = getattr(error, "cause", error)
+            return BackendError(f"A machine of the Ray cluster cannot run tasks: {cause}")
+        if not isinstance(error, self._ray.exceptions.RayError):
+            return error  # what came cannot be unpickled
+        late = "" if timeout is None else f", or was given up after {timeout:g} s"
+        return WorkerDied(
+            f"A worker process of Ray ended abruptly ({type(error).__name__}){late}. Use fewer "
+            "workers if memory is short."
+        )
+
+
+@dataclass(frozen=True)
+class _Place:
+    """The folder that tasks run in, and the versions that they need."""
+
+    folder: str
+    versions: Mapping[str, str]
+
+
+@dataclass(frozen=True, eq=False)
+class _RayTask:
+    packed: bytes
+    timeout: float | None
+    future: Future[Any] = field(default_factory=Future)
+
+
+def _connect(ray: Any, address: str, width: int) -> None:
+    """Connect this process to the cluster at an address, or start one."""
+    cpus = {"num_cpus": width, "include_dashboard": False} if address == "local" else {}
+    asked = os.environ.get(_USAGE)
+    os.environ.setdefault(_USAGE, "0")
+    try:
+        _knock(address)
+        ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR, **cpus)
+    except (OSError, ValueError, RuntimeError, ray.exceptions.RayError) as error:
+        raise BackendError(f"No Ray at {address!r}: {error}") from error
+    finally:
+        if asked is None:
+            del os.environ[_USAGE]
+
+
+def _knock(address: str) -> None:
+    """Raise OSError if nobody listens at HOST:PORT, which Ray would try for minutes."""
+    host, colon, port = address.rpartition(":")
+    if colon and port.isdecimal() and "/" not in host:
+        socket.create_connection((host.strip("[]"), int(port)), _KNOCK_TIME).close()
+
+
+def _call(place: _Place, packed: bytes, timeout: float | None) -> tuple[str, bytes]:
+    """Run a task in a worker of Ray; return its machine's id and ``answer_task``'s answer."""
+    import ray  # pyright: ignore[reportMissingImports]
+
+    machine = ray.get_runtime_context().get_node_id()
+    own = versions(_ALIKE)
+    if own != place.versions:
+        other = ", ".join(f"{k} {v}, not {place.versions[k]}" for k, v in own.items()
+                          if v != place.versions[k])  # fmt: skip
+        raise BackendError(f"it has {other}. Install the same versions everywhere.")
+    with contextlib.suppress(OSError):
+        os.chdir(place.folder)
+    signal.setitimer(signal.ITIMER_REAL, timeout or 0.0)  # whose signal ends the process
+    try:
+        return machine, answer_task(packed)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 
 @dataclass(frozen=True)
@@ -131,7 +252,3 @@ def _keeping_actor(ray: Any) -> Any:
 
     here = NodeAffinitySchedulingStrategy(ray.get_runtime_context().get_node_id(), soft=False)
     return ray.remote(num_cpus=0)(_KeepingActor).options(scheduling_strategy=here).remote()
-
-
-def _call(function: Callable[..., Any], *args: Any) -> Any:
-    return function(*args)

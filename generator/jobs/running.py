@@ -9,18 +9,16 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from ..errors import require_number
 from .facts import Outcome
 from .making import Generating
+from .pools import pool_of
 from .prompts import Job, Maker, jobs_of
 from .records import CRASH, find_outcome, key_of, place_of, record_failure, work
 from .summary import Summary, write_summary
-from .workers import WorkerDied, WorkerPool
-
-if TYPE_CHECKING:
-    from .on_ray import RayPool
+from .task_pool import TaskPool
+from .workers import WorkerDied
 
 _PAUSE = 0.5  # seconds between two looks at jobs that another batch is at
 
@@ -117,10 +115,10 @@ def try_out(
     return Summary(tuple(outcome for job in jobs if (outcome := known[job]) is not None))
 
 
-def _pool(width: int, ray: str | None, make: Maker) -> tuple[WorkerPool | RayPool, Maker]:
+def _pool(width: int, ray: str | None, make: Maker) -> tuple[TaskPool, Maker]:
     """Return who runs the tasks, and the maker, whose money one process of several keeps."""
     if ray is None:
-        return WorkerPool(width), make
+        return pool_of(width), make
     from .on_ray import RayPool
 
     pool = RayPool(ray, width)
@@ -130,7 +128,7 @@ def _pool(width: int, ray: str | None, make: Maker) -> tuple[WorkerPool | RayPoo
 
 def _run_all(
     waiting: deque[Job],
-    pool: WorkerPool | RayPool,
+    pool: TaskPool,
     folder: Path,
     make: Maker,
     retry: bool,

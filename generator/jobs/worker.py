@@ -39,15 +39,15 @@ def main() -> None:
             begin()
         while (packed := tasks.get()) is not None:
             busy.set()
-            answer = _answer(packed)
+            answer = answer_task(packed)
             busy.clear()
             pickle.dump(answer, answers)
             answers.flush()
     _remove(folder)
 
 
-def _answer(packed: bytes) -> bytes:
-    """Run a task; return whether it went well, and what it returned or raised."""
+def answer_task(packed: bytes) -> bytes:
+    """Run a pickled task; return, pickled, whether it went well, and what it returned or raised."""
     try:
         function, args = pickle.loads(packed)
         return cloudpickle.dumps((True, function(*args)))

@@ -23,7 +23,7 @@ import sys
 import threading
 import time
 import weakref
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -32,6 +32,7 @@ from typing import Any, TypeVar
 import cloudpickle
 
 from ..errors import SceneError
+from .task_pool import TaskPool
 
 T = TypeVar("T")
 
@@ -40,23 +41,35 @@ _EXIT_TIME = 5.0  # seconds that a worker without a task has to exit
 
 
 class WorkerDied(SceneError):
-    """A worker process ended abruptly, could not be started, or took too long."""
+    """A worker process ended abruptly, could not be started, or took too long.
+
+    ``how`` it ended, where that is known: "was killed (SIGKILL)".
+    """
+
+    how: str = ""
 
 
-class WorkerPool:
+class WorkerPool(TaskPool):
     """At most ``width`` worker processes, started as tasks come.
 
     Each computes on one thread, unless OMP_NUM_THREADS and its like say otherwise. Ctrl-C is only
     for the process that owns the pool: see ``close``. A forked copy of a pool owns nothing and must
     not be used. ``begin``, picklable, is called once in each process, before its first task.
     ``folder`` is a temporary one that ends with the pool; the workers' standard error goes there.
+    ``descriptors`` are those of open files that the workers inherit, by the same numbers; they may
+    be closed here once ``width`` tasks were submitted.
     """
 
     def __init__(
-        self, width: int, *, begin: Callable[[], object] | None = None, folder: Path | None = None
+        self,
+        width: int,
+        *,
+        begin: Callable[[], object] | None = None,
+        folder: Path | None = None,
+        descriptors: Iterable[int] = (),
     ) -> None:
         self.width = width
-        self._state = _State(cloudpickle.dumps(begin), folder)
+        self._state = _State(cloudpickle.dumps(begin), folder, tuple(descriptors))
         self._finalizer = weakref.finalize(self, _end, self._state)
 
     @property
@@ -68,11 +81,7 @@ class WorkerPool:
     def submit(
         self, function: Callable[..., T], *args: Any, timeout: float | None = None
     ) -> Future[T]:
-        """Have a worker call a function; both, and what it returns, must be picklable.
-
-        The pending result is what the function returns or raises, or ``WorkerDied``; ``timeout``
-        are the seconds after which the worker is killed.
-        """
+        """See ``TaskPool``; ``timeout`` kills the worker, and what it has started."""
         state, task = self._state, _Task(cloudpickle.dumps((function, args)), timeout)
         if len(state.workers) < self.width:
             worker = _Worker(state, len(state.workers))
@@ -82,11 +91,6 @@ class WorkerPool:
             threading.Thread(target=_serve, args=(state.tasks, worker), daemon=True).start()
         state.tasks.put(task)
         return task.future
-
-    def map(self, function: Callable[[Any], T], items: Iterable[Any]) -> Iterator[T]:
-        """Yield the function's result for every item, in their order."""
-        for future in [self.submit(function, item) for item in items]:
-            yield future.result()
 
     def close(self, grace: float = 0.0) -> None:
         """End the processes and remove the folder; may be called twice.
@@ -118,6 +122,7 @@ class _State:
 
     begin: bytes
     folder: Path | None
+    descriptors: tuple[int, ...] = ()
     owner: int = field(default_factory=os.getpid)
     tasks: queue.SimpleQueue[_Task | None] = field(default_factory=queue.SimpleQueue)
     workers: list[_Worker] = field(default_factory=list)
@@ -154,6 +159,7 @@ class _Worker:
                 [sys.executable, "-P", "-m", f"{__package__}.worker", str(folder or "")],
                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, bufsize=0,
                 env={**os.environ, **alone, "PYTHONPATH": path}, start_new_session=True,
+                pass_fds=self.state.descriptors,
             )  # fmt: skip
         self.proven = False
         _send(self.process, self.state.begin)
@@ -180,10 +186,12 @@ class _Worker:
         except (OSError, EOFError, ValueError, pickle.UnpicklingError) as error:
             code = self.kill()
             how = f"was given up after {task.timeout:g} s" if late.is_set() else _death(code)
-            raise WorkerDied(
-                f"A worker process ended abruptly: it {how}{self._last_words()}. Use fewer workers "
-                "if memory is short."
-            ) from error
+            how += self._last_words()
+            died = WorkerDied(
+                f"A worker process ended abruptly: it {how}. Use fewer workers if memory is short."
+            )
+            died.how = how
+            raise died from error
         finally:
             timer.cancel()
         self.proven = True

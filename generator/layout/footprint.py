@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from jaxtyping import Float
@@ -57,8 +58,12 @@ class Footprint:
         )
 
 
+@lru_cache(maxsize=64)
 def footprint(model: Model, yaw: float) -> Footprint:
-    """Return the footprint of a model at its own size, turned by ``yaw``."""
+    """Return the footprint of a model at its own size, turned by ``yaw``.
+
+    Each try at a layout asks again for those of the same few things.
+    """
     points = model.mesh.vertices[:, :2] * model.size[:2] @ rotation_z(yaw)[:2, :2].T
     outline = convex_outline(points)
     reach = (outline @ DIRECTIONS.T).max(0)

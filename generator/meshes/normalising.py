@@ -108,13 +108,13 @@ def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
         instance.label,
         unit,
         metric(extent, size),
-        _physics(mesh, extent, kind),
+        foreign_physics(mesh, extent, kind),
         category=kind.key if kind else "generic",
         container=bool(kind and kind.container),
     )
 
 
-def _physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
+def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
     """Return what a foreign mesh is made of: such that one of usual size has its kind's mass."""
     if kind is None:
         return Physics(density=500.0, friction=0.6)

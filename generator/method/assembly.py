@@ -148,7 +148,7 @@ def bring_to_rest(
         SceneError: a mesh has no convex parts and cannot be decomposed.
     """
     config = config or AssemblyConfig()
-    table = _table(table_model, np.asarray(table_scale, float))
+    table = table_body(table_model, np.asarray(table_scale, float))
     _check_supports(placements, models)
     objects = tuple(body(models[p.name], p) for p in placements)
     scene = Scene(name, table, objects, provenance, plan=plan)
@@ -223,7 +223,8 @@ def rest(
 # ------------------------------------------------------------------------------------------ bodies
 
 
-def _table(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
+def table_body(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
+    """Return a model as a table of that scale (its extent in metres), with convex parts."""
     parts = model_parts(model, scale)
     points = np.concatenate([p.vertices for p in parts])
     top = points[points[:, 2] > points[:, 2].max() - 0.01]

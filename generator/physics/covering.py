@@ -24,7 +24,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from ..scene import ConvexPart
 from ..scene.triangles import Faces, Vertices, pieces, scaled_normals
-from .mjcf import primitive
+from .mjcf import primitive_kind
 
 Points = Float[np.ndarray, "n 3"]
 
@@ -56,27 +56,30 @@ def covering(
     faces = index.reshape(-1)[faces]
     drawn, normals, owner = _surface(places, faces)
     lacking = _lacking(parts, drawn)
-    hulls = _convex_pieces(places, faces, parts, lacking) if len(lacking) else []
-    if hulls:
-        spare = [(_distance(hulls, p.vertices) <= _MUCH).all() for p in parts]
-        parts = [p for p, drop in zip(parts, spare, strict=True) if not drop] + hulls
-        lacking = _lacking(parts, drawn)
     if not len(lacking):
         return tuple(parts)
+    out = _distances(parts, drawn[lacking])
+    if hulls := _convex_pieces(places, faces, lacking, out.min(0)):
+        spare = [(_distances(hulls, p.vertices).min(0) <= _MUCH).all() for p in parts]
+        parts = [p for p, drop in zip(parts, spare, strict=True) if not drop] + hulls
+        lacking = _lacking(parts, drawn)
+        if not len(lacking):
+            return tuple(parts)
+        out = _distances(parts, drawn[lacking])
     sky = _Sky.over(drawn)
     bare = drawn[_seen_from_above(drawn, normals, sky)]
     bare = bare[_lacking(parts, bare, _BURIED / 2)]
     grown = list(parts)
-    out = np.stack([outside(part, drawn[lacking]) for part in parts])
     near, depth = out.argmin(0), out.min(0)
     for k in np.unique(near[depth <= _REACH]):
         mine = lacking[(near == k) & (depth <= _REACH)]
-        if primitive(parts[k])[0] != "mesh":  # a hull does not hold its roundness: the mesh does
+        if primitive_kind(parts[k]) != "mesh":  # a hull does not hold its roundness: the mesh does
             from_it = outside(parts[k], drawn)
             mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= _REACH))
         grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
+        out[k] = outside(grown[k], drawn[lacking])
     bad = np.zeros(len(drawn), bool)
-    bad[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
+    bad[lacking[out.min(0) > TOLERANCE]] = True
     left = np.asarray(bad[: len(places)][faces].any(1))
     left[owner[bad[len(places) :]]] = True
     return (*grown, *_patches(places, faces[left], bare, sky))
@@ -86,18 +89,25 @@ def _lacking(
     parts: Sequence[ConvexPart], points: Points, depth: float = -TOLERANCE
 ) -> Int[np.ndarray, "k"]:
     """Return the indices of points that lie in no part, or less deep in it than ``depth``."""
-    left = np.arange(len(points))
+    left, at = np.arange(len(points)), points
     for part in parts:
-        low, high = part.bounds
-        at = points[left]
-        near = np.flatnonzero(((at > low + depth) & (at < high - depth)).all(1))
+        near = np.flatnonzero(_deep_in_box(part, at, depth))
         within = near[outside(part, at[near]) < -depth]
-        left = np.delete(left, within)
+        if len(within):
+            left = np.delete(left, within)
+            at = points[left]
     return left
 
 
-def _distance(parts: Sequence[ConvexPart], points: Points) -> Float[np.ndarray, "n"]:
-    return np.min([outside(part, points) for part in parts], axis=0)
+def _deep_in_box(part: ConvexPart, points: Points, depth: float) -> Bool[np.ndarray, "n"]:
+    """Whether points lie deeper than ``depth`` in the box about a part."""
+    (x, y, z), (low, high) = points.T, part.bounds
+    (x0, y0, z0), (x1, y1, z1) = low + depth, high - depth
+    return (x > x0) & (x < x1) & (y > y0) & (y < y1) & (z > z0) & (z < z1)
+
+
+def _distances(parts: Sequence[ConvexPart], points: Points) -> Float[np.ndarray, "p n"]:
+    return np.stack([outside(part, points) for part in parts])
 
 
 def _surface(
@@ -161,13 +171,16 @@ def _seen_from_above(drawn: Points, normals: Points, sky: _Sky) -> Bool[np.ndarr
 
 
 def _convex_pieces(
-    places: Vertices, faces: Faces, parts: Sequence[ConvexPart], lacking: Int[np.ndarray, "k"]
+    places: Vertices, faces: Faces, lacking: Int[np.ndarray, "k"], depth: Float[np.ndarray, "k"]
 ) -> list[ConvexPart]:
-    """Return hulls of the mesh's connected pieces that are convex and stick out by much."""
+    """Return hulls of the mesh's connected pieces that are convex and stick out by much.
+
+    ``depth`` is how far each point that is ``lacking`` is outside of the parts.
+    """
     piece = pieces(faces, len(places))
-    lacking = lacking[lacking < len(places)]
+    corners = lacking < len(places)
     worst = np.zeros(int(piece.max()) + 1)
-    np.maximum.at(worst, piece[lacking], _distance(parts, places[lacking]))
+    np.maximum.at(worst, piece[lacking[corners]], depth[corners])
     hulls = []
     longest = _LARGE * float(np.ptp(places, axis=0).max())
     for k in np.flatnonzero(worst > _MUCH):
@@ -202,7 +215,7 @@ def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
     """
     low, high = part.bounds
     middle, half = (low + high) / 2, (high - low) / 2
-    kind = primitive(part)[0]
+    kind = primitive_kind(part)
     if kind == "cylinder":
         radius = float(np.delete(half, part.axis).mean())
         across = np.linalg.norm(np.delete(points - middle, part.axis, axis=1), axis=1) - radius
@@ -211,30 +224,42 @@ def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
         return (np.linalg.norm((points - middle) / half, axis=1) - 1) * float(half.min())
     if kind == "box":
         return (np.abs(points - middle) - half).max(1)
-    planes = _planes(part)
-    return (points @ planes[:, :3].T + planes[:, 3]).max(1)
+    return _heights(points, _hull(part)[1]).max(0)
+
+
+def _heights(points: Points, planes: Float[np.ndarray, "k 4"]) -> Float[np.ndarray, "k n"]:
+    """Return how high points are over planes, metres."""
+    found = planes[:, :3] @ points.T
+    found += planes[:, 3:]  # in place: the memory of another array would take most of the time
+    return found
 
 
 @lru_cache(maxsize=1024)
-def _planes(part: ConvexPart) -> Float[np.ndarray, "k 4"]:
-    """Return the planes of a hull's faces: outward normal and offset, metres."""
-    return ConvexHull(part.vertices).equations
+def _hull(part: ConvexPart) -> tuple[Int[np.ndarray, "c"], Float[np.ndarray, "k 4"]]:
+    """Return which vertices are a hull's corners, and the planes of its faces.
+
+    Each plane is an outward normal and an offset, metres.
+    """
+    hull = ConvexHull(part.vertices)
+    return hull.vertices, hull.equations
 
 
 def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
     """Return the part with as many of the points as it takes to hold them all."""
-    corners, left = part.vertices, lacking
-    for _ in range(_ROUNDS):
-        hull = ConvexHull(corners)
-        corners = corners[hull.vertices]
-        distance = left @ hull.equations[:, :3].T + hull.equations[:, 3]
-        own, farthest = distance.argmax(1), distance.max(1)
+    extreme, planes = _hull(part)
+    corners, left = part.vertices[extreme], lacking
+    for k in range(_ROUNDS):
+        if k:
+            hull = ConvexHull(corners)
+            corners, planes = corners[hull.vertices], hull.equations
+        height = _heights(left, planes)
+        own, farthest = height.argmax(0), height.max(0)
         keep = farthest > TOLERANCE
         if not keep.any():
             break
         left, own, farthest = left[keep], own[keep], farthest[keep]
         order = np.lexsort((-farthest, own))
-        first = order[np.unique(own[order], return_index=True)[1]]
+        first = order[np.diff(own[order], prepend=-1) > 0]
         corners = np.concatenate([corners, left[first]])
     return ConvexPart(corners.round(6))
 
@@ -254,8 +279,7 @@ def _grown_where_solid(
 
 def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
     """Whether points of the drawn surface lie deep inside of a part."""
-    low, high = part.bounds
-    inside = bare[((bare > low + _BURIED) & (bare < high - _BURIED)).all(1)]
+    inside = bare[_deep_in_box(part, bare, _BURIED)]
     return bool(len(inside)) and bool((outside(part, inside) < -_BURIED).any())
 
 

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import copy
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from ..scene import Pose, Scene
-from .mjcf import FLOOR, compile_spec, scene_spec
+from .mjcf import FLOOR, written_poses
+from .spec import compile_spec, scene_spec
+
+if TYPE_CHECKING:
+    import mujoco
 
 ON_TABLE = -1
 """Index of the table among a scene's objects, in contacts."""
@@ -54,9 +61,10 @@ class Simulation:
         import mujoco
 
         self.scene = scene
-        self.model = compile_spec(scene_spec(scene, visuals=False), scene.name)
+        self.model = _compile_at(scene)
         self.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.data = mujoco.MjData(self.model)
+        mujoco.mj_setConst(self.model, self.data)
         bodies = [self.model.body(o.name).id for o in scene.objects]
         owner = np.full(self.model.nbody, ON_TABLE)
         owner[bodies] = np.arange(len(bodies))
@@ -161,6 +169,50 @@ class Simulation:
     def speeds(self) -> Float[np.ndarray, "n 2"]:
         """Return each object's linear (m/s) and angular (rad/s) speed."""
         return np.linalg.norm(self.data.qvel.reshape(-1, 2, 3), axis=2)
+
+
+def _compile_at(scene: Scene) -> mujoco.MjModel:
+    """Return the compiled physics of a scene, the caller's own, for ``mj_setConst`` to complete.
+
+    A scene is simulated several times on its way to rest, at other poses each time. Shapes and
+    masses are compiled once for all of them. With what then follows from the poses the model is, to
+    the bit, as compiled at these, but for ``stat.center`` and ``stat.extent``, which only pictures
+    use.
+
+    Raises:
+        SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
+    """
+    model = copy.copy(_compile(_Bodies.of(scene)))
+    if scene.objects:
+        poses = written_poses(scene.objects)
+        moving = slice(model.nbody - len(poses), model.nbody)
+        model.body_pos[moving], model.body_quat[moving] = poses[:, :3], poses[:, 3:]
+        for start in (model.qpos0, model.qpos_spring, model.key_qpos[0]):
+            start[:] = poses.ravel()
+    return model
+
+
+@dataclass(frozen=True)
+class _Bodies:
+    """What of a scene is compiled, wherever its objects are."""
+
+    identity: Hashable
+    scene: Scene = field(compare=False)
+
+    @classmethod
+    def of(cls, scene: Scene) -> _Bodies:
+        table = scene.table
+        shapes = tuple(
+            (o.name, o.parts, o.mass, o.friction,
+             *(numbers.tobytes() for numbers in (o.scale, o.com, o.inertia)))
+            for o in scene.objects
+        )  # fmt: skip
+        return cls((scene.name, table.parts, table.height, table.friction, shapes), scene)
+
+
+@lru_cache(maxsize=8)
+def _compile(bodies: _Bodies) -> mujoco.MjModel:
+    return compile_spec(scene_spec(bodies.scene, visuals=False), bodies.scene.name)
 
 
 def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:

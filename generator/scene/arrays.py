@@ -35,24 +35,37 @@ def frozen_array(
 ) -> np.ndarray:
     """Return a read-only copy of ``value`` with ``dtype``, checked for shape and finiteness.
 
-    ``None`` in ``shape`` accepts any length along that axis; ``maximum`` bounds the numbers' size.
+    What is such an array already, and a view of no other, needs no copy. ``None`` in ``shape``
+    accepts any length along that axis; ``maximum`` bounds the numbers' size.
 
     Raises:
         InputError: wrong number of axes or length, a NaN or infinity, or a number out of bounds.
     """
-    array = np.array(value, dtype=dtype)
-    fits = array.ndim == len(shape) and all(
-        want is None or want == have for want, have in zip(shape, array.shape, strict=True)
-    )
-    if not fits:
+    array = value if _is_frozen(value, dtype) else np.array(value, dtype=dtype)
+    if array.shape != shape and not _fits(array.shape, shape):
         wanted = "×".join("n" if n is None else str(n) for n in shape)
         raise InputError(f"{what} must have shape {wanted}, got {array.shape}.")
-    if np.issubdtype(array.dtype, np.floating) and not np.isfinite(array).all():
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
         raise InputError(f"{what} holds NaN or infinity; every number must be finite.")
     if maximum is not None and array.size and np.abs(array).max() > maximum:
         raise InputError(f"{what} holds numbers beyond {maximum:g}: at most that is simulated.")
     array.setflags(write=False)
     return array
+
+
+def _is_frozen(value: Any, dtype: type[np.generic]) -> bool:
+    return (
+        type(value) is np.ndarray
+        and value.dtype == dtype
+        and value.base is None
+        and not value.flags.writeable
+    )
+
+
+def _fits(have: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:
+    return len(have) == len(wanted) and all(
+        want is None or want == size for want, size in zip(wanted, have, strict=True)
+    )
 
 
 def freeze(instance: object, maximum: float | None = None, /, **kinds: ArrayKind) -> None:

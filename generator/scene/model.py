@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import Float, Int, UInt8
@@ -69,10 +69,16 @@ class ConvexPart:
         if len(self.vertices) < 4:
             raise InputError(f"A convex part needs at least 4 points, got {len(self.vertices)}.")
 
-    @property
+    @cached_property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """Lowest and highest corner."""
-        return np.stack([self.vertices.min(0), self.vertices.max(0)])
+        """Lowest and highest corner, read-only."""
+        corners = np.stack([self.vertices.min(0), self.vertices.max(0)])
+        corners.setflags(write=False)
+        return corners
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no bounds, which follow."""
+        return {"vertices": self.vertices, "kind": self.kind, "axis": self.axis}
 
 
 @dataclass(frozen=True, eq=False)

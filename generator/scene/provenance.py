@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from importlib import metadata
 from typing import Any, cast
 
@@ -23,7 +24,13 @@ def scene_name(prompt: str | None) -> str:
 
 def versions(packages: Iterable[str] = _DECISIVE) -> dict[str, str]:
     """Return the versions of packages; of those that decide a scene's bytes, unless told."""
-    return {package: metadata.version(package) for package in packages}
+    return {package: _version(package) for package in packages}
+
+
+@lru_cache(maxsize=64)
+def _version(package: str) -> str:
+    """Return what is installed, which a process reads once: finding it takes a millisecond."""
+    return metadata.version(package)
 
 
 def plain(value: Any) -> Any:

@@ -22,7 +22,8 @@ from generator.bundle.fields import numbers
 from generator.bundle.segments import Segments
 from generator.errors import BundleError, InputError, SceneError
 from generator.physics.gate import judge
-from generator.physics.mjcf import compile_spec, document, scene_spec
+from generator.physics.mjcf import document
+from generator.physics.spec import compile_spec, scene_spec
 from generator.scene import Provenance, View
 
 ESCAPE = "\x1b[2J\x1b[Hx"

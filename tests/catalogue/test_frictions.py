@@ -9,7 +9,7 @@ from toy import toy_object, toy_scene
 
 from generator.catalogue import CATEGORIES, build
 from generator.catalogue.tables import build_table
-from generator.physics.mjcf import scene_spec
+from generator.physics.spec import scene_spec
 from generator.scene import PlannedTable
 
 KNOWN = json.loads((Path(__file__).parent / "known_frictions.json").read_text())["pairs"]

@@ -105,7 +105,7 @@ def test_a_process_that_dies_between_two_scenes_ends_no_batch(
                 until(lambda: not self.pids)
             return super().submit(*task)
 
-    monkeypatch.setattr("generator.jobs.running.WorkerPool", Killed)
+    monkeypatch.setattr("generator.jobs.pools.WorkerPool", Killed)
     texts = ["a cube", "another cube", "third cube"]
     summary = batch.run(texts, tmp_path / "out", ToyMaker(str(log)), workers=1 + busy)
     assert [o.state for o in summary.outcomes] == ["made"] * 3

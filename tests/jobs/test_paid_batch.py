@@ -110,7 +110,7 @@ def run(
 ) -> Iterator[tuple[Served, Shell]]:
     """A server, and the command whose scenes each ask it twice: 0.02 each time, at most 0.04."""
     table = remote_backend(monkeypatch, tmp_path)
-    monkeypatch.setattr("generator.jobs.running.WorkerPool", Here)
+    monkeypatch.setattr("generator.jobs.pools.WorkerPool", Here)
     prompts = tmp_path / "prompts.txt"
     prompts.write_text("one\ntwo\n")
 

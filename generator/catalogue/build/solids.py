@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
@@ -257,6 +257,13 @@ def prism(outline: Any, low: float, high: float, bevel: float = 0.0) -> Solid:
 
 def box(x: float, y: float, z: float) -> Solid:
     """Return a box standing on z = 0, centred in x and y; each face shows the whole texture."""
+    unit = _unit_box()
+    return Solid(unit.vertices * [x, y, z] + [0, 0, z / 2], unit.faces, unit.uv)
+
+
+@cache
+def _unit_box() -> Solid:
+    """Return the box of side 1 about the origin."""
     corner = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2
     frames = [  # outward normal, direction of u, direction of v
         ([0, -1, 0], [1, 0, 0], [0, 0, 1]),
@@ -270,7 +277,7 @@ def box(x: float, y: float, z: float) -> Solid:
         [np.array(n) / 2 + corner[:, :1] * u + corner[:, 1:] * v for n, u, v in frames]
     )
     faces = np.concatenate([np.array([[0, 1, 2], [0, 2, 3]]) + 4 * k for k in range(6)])
-    return Solid(vertices * [x, y, z] + [0, 0, z / 2], faces, np.tile(corner + 0.5, (6, 1)))
+    return Solid(vertices, faces, np.tile(corner + 0.5, (6, 1)))
 
 
 def block(x: float, y: float, z: float, radius: float, bevel: float = 0.0, steps: int = 4) -> Solid:

@@ -89,7 +89,7 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
             raise Crooked("a node has two parents")
         seen.add(at)
         with np.errstate(all="ignore"):  # what overflows makes vertices that are refused
-            matrix = above @ _local(nodes[at])
+            matrix = above @ local_matrix(nodes[at])
         if "mesh" in nodes[at]:
             yield int(nodes[at]["mesh"]), matrix
         waiting += [(child, matrix) for child in nodes[at].get("children", ())]
@@ -114,7 +114,7 @@ def picture_of(header: Header, material: Header) -> int | None:
     return other.get("source", texture.get("source"))
 
 
-def _local(node: Header) -> Float[np.ndarray, "4 4"]:
+def local_matrix(node: Header) -> Float[np.ndarray, "4 4"]:
     """Return the place of a node in its parent: matrix, then translation, rotation and scale."""
     matrix = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4).T
     if not {"translation", "rotation", "scale"} & node.keys():

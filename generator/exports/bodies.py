@@ -1,0 +1,162 @@
+"""A scene as every export writes it: bodies with a mesh in metres, inertia and convex pieces.
+
+All is in the body's own frame (an object's is its canonical frame scaled to metres; the table's has
+its origin at the centre of its box), z up in the world, metres, kilograms, radians. Names are
+identifiers, which every format allows.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from ..physics.mjcf import GeomKind, primitive_kind
+from ..scene import TABLE, ConvexPart, Mesh, Scene
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
+
+RESERVED = ("world", "floor", "scene", TABLE)
+"""Names that objects do not get: exports use them for what else there is."""
+
+SEGMENTS = 32
+"""Sides of a round piece, where a format has no primitive for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class ExportPiece:
+    """One convex piece of a body's collision shape.
+
+    Attributes:
+        kind: what it is; "mesh" is the convex hull of ``vertices``.
+        center: middle of its box, metres.
+        half: half extents of its box along the body's axes, metres; of a sphere three radii.
+        axis: along which a cylinder runs, 0, 1 or 2.
+        vertices, faces: its surface, outward; of round pieces with ``SEGMENTS`` sides, whose
+            corners lie on the surface.
+    """
+
+    kind: GeomKind
+    center: Float[np.ndarray, "3"]
+    half: Float[np.ndarray, "3"]
+    axis: int
+    vertices: Float[np.ndarray, "n 3"]
+    faces: Int[np.ndarray, "m 3"]
+
+    @property
+    def radius(self) -> float:
+        """Of a cylinder or a sphere, metres."""
+        return float(np.delete(self.half, self.axis).mean())
+
+
+@dataclass(frozen=True, eq=False)
+class ExportBody:
+    """One body of a scene.
+
+    Attributes:
+        name: an identifier, unique in the scene.
+        label: the word for it.
+        fixed: it does not move; then ``mass`` is 0.
+        position, quaternion: its pose in the world frame, metres and a unit wxyz.
+        mass, com, inertia: kilograms, metres, and kg m² about ``com`` along the body's axes.
+        friction: coefficient of sliding friction.
+        mesh: its picture, in the unit box; ``vertices`` are the same in metres.
+        pieces: its collision shape.
+    """
+
+    name: str
+    label: str
+    fixed: bool
+    position: Float[np.ndarray, "3"]
+    quaternion: Float[np.ndarray, "4"]
+    mass: float
+    com: Float[np.ndarray, "3"]
+    inertia: Float[np.ndarray, "3 3"]
+    friction: float
+    mesh: Mesh
+    vertices: Float[np.ndarray, "n 3"]
+    pieces: tuple[ExportPiece, ...]
+
+
+def bodies_of(scene: Scene) -> tuple[ExportBody, ...]:
+    """Return the table, fixed, and the objects of a scene as they rest."""
+    table = scene.table
+    names = legal_names([thing.name for thing in scene.objects])
+    upright = np.array([1.0, 0.0, 0.0, 0.0])
+    return (
+        ExportBody(
+            TABLE, table.model.label, True, np.array([0.0, 0.0, table.height / 2]), upright,
+            0.0, np.zeros(3), np.zeros((3, 3)), table.friction, table.model.mesh,
+            table.model.mesh.vertices * table.scale, tuple(map(piece_of, table.parts)),
+        ),
+        *(
+            ExportBody(
+                name, thing.label, False, thing.pose.position, thing.pose.quaternion,
+                thing.mass, thing.com, thing.inertia, thing.friction, thing.model.mesh,
+                thing.model.mesh.vertices * thing.scale, tuple(map(piece_of, thing.parts)),
+            )
+            for name, thing in zip(names, scene.objects, strict=True)
+        ),
+    )  # fmt: skip
+
+
+def legal_names(names: Iterable[str]) -> list[str]:
+    """Return an identifier for each name: ASCII, unique, none of ``RESERVED``.
+
+    Legal names stay as they are. Letters lose their accents, other characters become "_".
+    """
+    asked = [*names]
+    kept = {name for name in asked if _plain(name) == name and name not in RESERVED}
+    taken = {*RESERVED, *kept}
+    return [name if name in kept else _free(_plain(name), taken) for name in asked]
+
+
+def _plain(name: str) -> str:
+    ascii_ = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
+    word = re.sub(r"[^A-Za-z0-9_]", "_", ascii_) or "thing"
+    return f"_{word}" if word[0].isdigit() else word
+
+
+def _free(word: str, taken: set[str]) -> str:
+    """Return the word, numbered if it is taken; then it is."""
+    name, number = word, 2
+    while name in taken:
+        name, number = f"{word}_{number}", number + 1
+    taken.add(name)
+    return name
+
+
+def piece_of(part: ConvexPart) -> ExportPiece:
+    """Return a convex part as MuJoCo collides with it: a primitive wherever it is one."""
+    kind, (low, high) = primitive_kind(part), part.bounds
+    center, half = (low + high) / 2, (high - low) / 2
+    surface = _surface(kind, part, half)
+    vertices = np.asarray(surface.vertices, np.float64)
+    if kind != "mesh":
+        vertices = vertices + center
+    axis = int(part.axis)
+    return ExportPiece(kind, center, half, axis, vertices, np.asarray(surface.faces, np.int64))
+
+
+def _surface(kind: GeomKind, part: ConvexPart, half: Float[np.ndarray, "3"]) -> Trimesh:
+    """Return the surface of a part: of a hull in place, of a primitive about the origin."""
+    import trimesh
+    from trimesh import creation
+
+    if kind == "mesh":
+        return trimesh.convex.convex_hull(part.vertices.round(6))
+    if kind == "box":
+        return creation.box(2 * half)
+    if kind == "cylinder":
+        radius = float(np.delete(half, part.axis).mean())
+        upright = creation.cylinder(radius, 2 * float(half[part.axis]), sections=SEGMENTS)
+        turned = np.roll(upright.vertices, part.axis - 2, axis=1)  # a rotation: sides stay outside
+        return trimesh.Trimesh(turned, upright.faces, process=False)
+    ball = creation.uv_sphere(1.0, count=(SEGMENTS, SEGMENTS))
+    return trimesh.Trimesh(ball.vertices * half, ball.faces, process=False)

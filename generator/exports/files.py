@@ -1,0 +1,57 @@
+"""The files that exports in XML refer to: meshes as Wavefront OBJ, in metres, and textures.
+
+A mesh is named by the digest of its content; no file is scaled where it is used.
+"""
+
+from __future__ import annotations
+
+import hashlib
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from ..io.png import encode_png
+from ..physics.mjcf import row_lines
+from .bodies import ExportBody, ExportPiece
+
+
+class ExportFiles:
+    """Collects the files of an export by their path in its folder, each content once."""
+
+    def __init__(self) -> None:
+        self.content: dict[str, bytes] = {}
+
+    def visual(self, body: ExportBody) -> str:
+        """Add a body's mesh, its material and its texture; return the mesh's path."""
+        mesh, picture = body.mesh, self.texture(body)
+        alpha = f"d {mesh.opacity:.6g}\n"
+        material = self._add(
+            "meshes", "mtl", f"newmtl surface\nKd 1 1 1\nKs 0.2 0.2 0.2\nNs 20\n{alpha}"
+            f"map_Kd ../{picture}\n".encode(),
+        )  # fmt: skip
+        head = f"mtllib {material.removeprefix('meshes/')}\nusemtl surface\n"
+        corners = np.repeat(mesh.faces + 1, 2, axis=1)
+        rows = [
+            row_lines("v %.7f %.7f %.7f\n", body.vertices), row_lines("vt %.5f %.5f\n", mesh.uv),
+            row_lines("f %d/%d %d/%d %d/%d\n", corners),
+        ]  # fmt: skip
+        return self._add("meshes", "obj", (head + "".join(rows)).encode())
+
+    def texture(self, body: ExportBody) -> str:
+        """Add a body's texture; return its path."""
+        return self._add("textures", "png", encode_png(body.mesh.texture))
+
+    def collision(self, piece: ExportPiece) -> str:
+        """Add a piece's surface; return its path."""
+        return self._add("meshes", "obj", plain_obj(piece.vertices, piece.faces))
+
+    def _add(self, folder: str, suffix: str, content: bytes) -> str:
+        path = f"{folder}/{hashlib.sha256(content).hexdigest()[:16]}.{suffix}"
+        self.content[path] = content
+        return path
+
+
+def plain_obj(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> bytes:
+    """Return a surface as Wavefront OBJ without texture, to a tenth of a micrometre."""
+    text = row_lines("v %.7f %.7f %.7f\n", vertices) + row_lines("f %d %d %d\n", faces + 1)
+    return text.encode()

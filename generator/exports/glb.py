@@ -1,0 +1,103 @@
+"""glTF 2.0 binary: one file with two scenes, what is drawn and what collides.
+
+The first scene, which viewers show, holds a node for each body with its textured mesh. The scene
+"collision" holds the same nodes with a mesh for each convex piece. glTF has y up, so both hang on a
+node that turns z up to y up. A node's ``extras`` have what glTF has no field for: ``mass`` (kg),
+``center_of_mass`` (metres), ``inertia`` (kg m², rows, about the centre of mass), ``friction``,
+``fixed``, in the body's frame; a piece's are its ``kind`` and ``half_extents``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from ..geometry import quaternion_matrix
+from ..scene import Scene
+from .bodies import ExportBody, ExportPiece, bodies_of
+
+_COLLISION = "_collision"
+
+
+def glb_files(scene: Scene) -> Mapping[str, bytes]:
+    """Return a scene as one GLB file."""
+    import trimesh
+
+    bodies = bodies_of(scene)
+    whole = trimesh.Scene()
+    details: dict[str, dict[str, Any]] = {}
+    for body in bodies:
+        pose = np.eye(4)
+        pose[:3, :3], pose[:3, 3] = quaternion_matrix(body.quaternion), body.position
+        whole.add_geometry(_draw(body), body.name, body.name, transform=pose)
+        details[body.name] = _details(body)
+        shell = body.name + _COLLISION
+        whole.graph.update(shell, matrix=pose)
+        details[shell] = {"body": body.name}
+        for k, piece in enumerate(body.pieces):
+            name = f"{body.name}_part_{k}"
+            solid = trimesh.Trimesh(piece.vertices, piece.faces, process=False)
+            whole.add_geometry(solid, name, name, parent_node_name=shell)
+            details[name] = _piece_details(piece)
+
+    def arrange(tree: dict[str, Any]) -> None:
+        _arrange(tree, scene.name, details)
+
+    packed = whole.export(file_type="glb", tree_postprocessor=arrange, unitize_normals=True)
+    assert isinstance(packed, bytes)
+    return {"scene.glb": packed}
+
+
+def _draw(body: ExportBody) -> Any:
+    import trimesh
+    from trimesh.visual import TextureVisuals
+    from trimesh.visual.material import PBRMaterial
+
+    mesh = body.mesh
+    material = PBRMaterial(
+        name=f"{body.name}_material",
+        baseColorTexture=Image.fromarray(mesh.texture),
+        baseColorFactor=[255, 255, 255, round(255 * mesh.opacity)],
+        alphaMode="BLEND" if mesh.opacity < 1 else "OPAQUE",
+        metallicFactor=0.0, roughnessFactor=0.7,
+    )  # fmt: skip
+    visual = TextureVisuals(uv=np.asarray(mesh.uv, np.float64), material=material)
+    return trimesh.Trimesh(body.vertices, mesh.faces, visual=visual, process=False)
+
+
+def _details(body: ExportBody) -> dict[str, Any]:
+    return {
+        "label": body.label,
+        "fixed": body.fixed,
+        "mass": body.mass,
+        "center_of_mass": body.com.tolist(),
+        "inertia": body.inertia.tolist(),
+        "friction": body.friction,
+    }
+
+
+def _piece_details(piece: ExportPiece) -> dict[str, Any]:
+    return {"kind": piece.kind, "half_extents": piece.half.tolist()}
+
+
+def _arrange(tree: dict[str, Any], name: str, details: Mapping[str, dict[str, Any]]) -> None:
+    """Give nodes their extras; hang bodies on turned roots, what collides in a scene of its own."""
+    nodes, (scene,) = tree["nodes"], tree["scenes"]
+    for node in nodes:
+        if node["name"] in details:
+            node["extras"] = details[node["name"]]
+    shells = [k for k in scene["nodes"] if nodes[k]["name"].endswith(_COLLISION)]
+    drawn = [k for k in scene["nodes"] if k not in shells]
+    half = float(np.sqrt(0.5))
+    roots = {"y_up": drawn, "y_up_collision": shells}
+    for root, children in roots.items():
+        nodes.append({"name": root, "children": children, "rotation": [-half, 0.0, 0.0, half]})
+    first = len(nodes) - len(roots)
+    tree["scenes"] = [
+        {"name": name, "nodes": [first]},
+        {"name": "collision", "nodes": [first + 1]},
+    ]
+    tree["scene"] = 0

@@ -1,0 +1,112 @@
+"""URDF: ``scene.urdf``, a tree of the world, the table and the objects, and a file each for them.
+
+In ``scene.urdf`` the table hangs on the link "world" by a fixed joint and each object by a floating
+one, at the pose where it rests. ``objects/NAME.urdf`` is one object by itself, for importers that
+load things one by one, and ``poses.json`` says where these go. URDF knows no friction: it is in the
+``contact`` element that PyBullet reads, and in Gazebo's extension. Ellipsoids are hulls.
+
+Beside its texture a body has a colour. In ``scene.urdf`` it is the mean of the texture, for readers
+that draw no textures (MuJoCo), which would show white things; an object's own file has white, with
+which PyBullet multiplies the texture.
+"""
+
+from __future__ import annotations
+
+import json
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..render.shading import sample_texture
+from ..scene import Scene
+from ..scene.triangles import areas
+from .bodies import ExportBody, ExportPiece, bodies_of
+from .files import ExportFiles
+from .xml import INERTIA, along, document_text, number_text, roll_pitch_yaw
+
+_COMPILER = {"strippath": "false", "fusestatic": "false", "discardvisual": "false"}
+
+
+def urdf_files(scene: Scene) -> Mapping[str, bytes]:
+    """Return a scene's URDF and the files it refers to, by path."""
+    files, bodies = ExportFiles(), bodies_of(scene)
+    root = _robot(scene.name)
+    ET.SubElement(root, "link", name="world")
+    written: dict[str, bytes] = {}
+    poses = {}
+    for body in bodies:
+        _link(root, body, files, "")
+        joint = ET.SubElement(
+            root, "joint", name=f"{body.name}_joint", type="fixed" if body.fixed else "floating"
+        )
+        turn = roll_pitch_yaw(body.quaternion)
+        ET.SubElement(joint, "origin", xyz=number_text(body.position), rpy=number_text(turn))
+        ET.SubElement(joint, "parent", link="world")
+        ET.SubElement(joint, "child", link=body.name)
+        alone = _robot(body.name)
+        _link(alone, body, files, "../")
+        written[f"objects/{body.name}.urdf"] = document_text(alone)
+        poses[body.name] = {
+            "fixed": body.fixed,
+            "position": body.position.tolist(),
+            "quaternion_wxyz": body.quaternion.tolist(),
+        }
+    written["scene.urdf"] = document_text(root)
+    written["poses.json"] = json.dumps(poses, indent=1).encode() + b"\n"
+    return written | files.content
+
+
+def _robot(name: str) -> ET.Element:
+    root = ET.Element("robot", name=name)
+    ET.SubElement(ET.SubElement(root, "mujoco"), "compiler", _COMPILER)
+    return root
+
+
+def _link(root: ET.Element, body: ExportBody, files: ExportFiles, above: str) -> None:
+    """Add a body; ``above`` leads from the document to the export's folder."""
+    link = ET.SubElement(root, "link", name=body.name)
+    if not body.fixed:
+        inertial = ET.SubElement(link, "inertial")
+        ET.SubElement(inertial, "origin", xyz=number_text(body.com), rpy="0 0 0")
+        ET.SubElement(inertial, "mass", value=number_text([body.mass]))
+        entries = {name: number_text([body.inertia[at]]) for name, at in INERTIA.items()}
+        ET.SubElement(inertial, "inertia", entries)
+    visual = ET.SubElement(link, "visual")
+    shape = ET.SubElement(visual, "geometry")
+    ET.SubElement(shape, "mesh", filename=above + files.visual(body))
+    material = ET.SubElement(visual, "material", name=f"{body.name}_material")
+    color = [1.0, 1.0, 1.0] if above else mean_color(body)
+    ET.SubElement(material, "color", rgba=number_text([*color, body.mesh.opacity]))
+    ET.SubElement(material, "texture", filename=above + files.texture(body))
+    for piece in body.pieces:
+        _collide(ET.SubElement(link, "collision"), piece, files, above)
+    contact = ET.SubElement(link, "contact")
+    ET.SubElement(contact, "lateral_friction", value=number_text([body.friction]))
+    gazebo = ET.SubElement(root, "gazebo", reference=body.name)
+    for name in ("mu1", "mu2"):
+        ET.SubElement(gazebo, name).text = number_text([body.friction])
+
+
+def mean_color(body: ExportBody) -> list[float]:
+    """Return the mean colour of what a body's texture shows of it, 0 to 1."""
+    mesh = body.mesh
+    area = areas(body.vertices, mesh.faces.astype(np.int64))
+    shown = sample_texture(mesh.texture, mesh.uv[mesh.faces].astype(np.float64).mean(1))
+    return np.average(shown, axis=0, weights=np.maximum(area, 1e-12)).round(4).tolist()
+
+
+def _collide(collision: ET.Element, piece: ExportPiece, files: ExportFiles, above: str) -> None:
+    if piece.kind in ("box", "cylinder", "sphere"):
+        turn = along(piece.axis) if piece.kind == "cylinder" else (0, 0, 0)
+        ET.SubElement(collision, "origin", xyz=number_text(piece.center), rpy=number_text(turn))
+    shape = ET.SubElement(collision, "geometry")
+    if piece.kind == "box":
+        ET.SubElement(shape, "box", size=number_text(2 * piece.half))
+    elif piece.kind == "cylinder":
+        length = number_text([2 * piece.half[piece.axis]])
+        ET.SubElement(shape, "cylinder", radius=number_text([piece.radius]), length=length)
+    elif piece.kind == "sphere":
+        ET.SubElement(shape, "sphere", radius=number_text([piece.half.mean()]))
+    else:
+        ET.SubElement(shape, "mesh", filename=above + files.collision(piece))

@@ -1,0 +1,30 @@
+"""Scenes of other programs turned into scenes of this one: MJCF, and GLB files.
+
+    from generator.imports import import_scene
+
+    scene = import_scene("foreign/scene.xml")
+
+A foreign scene is a set of rigid bodies at rest on a table. What it says of them is kept: where
+they are, what they weigh, how they slide, the shapes that collide, and how they look. Then the
+scene is settled and judged as any other.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .options import ImportOptions as ImportOptions
+
+if TYPE_CHECKING:
+    from ..method.assembly import AssemblyConfig
+    from ..scene import Scene
+
+
+def import_scene(
+    source: str | Path, options: ImportOptions | None = None, config: AssemblyConfig | None = None
+) -> Scene:
+    """Return a foreign scene, settled and judged; see ``importing.import_scene``."""
+    from .importing import import_scene as run
+
+    return run(source, options or ImportOptions(), config)

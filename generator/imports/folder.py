@@ -1,0 +1,187 @@
+"""A folder of GLB and OBJ files with ``poses.json``: which file is what, and where it stands.
+
+    {
+      "table": {"file": "table.glb"},
+      "objects": [
+        {"name": "mug_1", "file": "mug.glb", "position": [0.2, 0.1, 0.78],
+         "quaternion": [1, 0, 0, 0], "mass": 0.3, "category": "mug", "scale": 1.0}
+      ]
+    }
+
+Positions are metres, z up; quaternions wxyz; both are of the file's own frame, once that is upright
+(a GLB is y up; ``"up": "z"`` says otherwise) and scaled. In place of a file the table may have a
+``"size"``: length, width and height in metres of a plain table in the middle of the world.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path, PurePosixPath
+from typing import Any, cast
+
+import numpy as np
+from jaxtyping import Float
+
+from ..bundle import BOUNDS
+from ..catalogue import build_table
+from ..errors import InputError
+from ..geometry import quaternion_matrix
+from ..io.reading import parse_object, printable
+from ..meshes.reading.bounds import MOST_BYTES
+from ..meshes.reading.companions import companions
+from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
+from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
+from .files import read_source
+from .foreign import ForeignBody, ForeignScene
+
+POSES = "poses.json"
+"""Name of the file that says what is where."""
+
+_MOST_POSES, _MOST_SCALE = 2**20, 1e4
+_OBJECT = {"name", "file", "position", "quaternion", "mass", "category", "scale", "friction", "up"}
+_TABLE = {"file", "position", "quaternion", "scale", "friction", "up", "size"}
+
+
+def read_folder(folder: Path) -> ForeignScene:
+    """Read a folder of files with ``poses.json``.
+
+    Raises:
+        InputError: that is missing, says something unknown or impossible, or names a file outside
+            of the folder.
+        BackendError: a file cannot be read; see ``meshes.reading``.
+    """
+    reader = _FolderReader(folder)
+    payload = parse_object(reader.read(POSES, _MOST_POSES), POSES, InputError)
+    _check_keys(payload, {"table", "objects", "name"}, POSES)
+    table, objects = payload.get("table"), payload.get("objects")
+    if not isinstance(table, dict):
+        raise InputError(f'{POSES} has no table: {{"file": …}} or {{"size": [x, y, z]}}.')
+    if not isinstance(objects, list) or not objects:
+        raise InputError(f"{POSES} has no objects: a list of at least one.")
+    if len(objects) > BOUNDS.objects:
+        raise InputError(f"{POSES} has {len(objects)} objects; at most {BOUNDS.objects} are read.")
+    bodies = tuple(reader.object(entry, k) for k, entry in enumerate(cast("list[Any]", objects)))
+    name = payload.get("name", folder.resolve().name)
+    return ForeignScene(
+        printable(name, f"The name in {POSES}", InputError), reader.table(table), bodies
+    )
+
+
+class _FolderReader:
+    """Reads the files of a folder, each once."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._surfaces: dict[tuple[str, Axis], ColoredSurface] = {}
+
+    def read(self, name: str, limit: int) -> bytes:
+        """Return the content of a file inside of the folder."""
+        return read_source(self._folder, name, limit)
+
+    def object(self, entry: Any, number: int) -> ForeignBody:
+        """Return an object of ``poses.json``."""
+        what = f"{POSES}, objects[{number}]"
+        if not isinstance(entry, dict):
+            raise InputError(f"{what} must be a JSON object.")
+        _check_keys(entry, _OBJECT, what)
+        name = printable(
+            entry.get("name", f"thing_{number + 1}"), f"The name in {what}", InputError
+        )
+        category = printable(entry.get("category", ""), f"The category in {what}", InputError)
+        if "position" not in entry:
+            raise InputError(f"{what} has no position.")
+        mass = None if "mass" not in entry else _number(entry["mass"], f"{what}.mass", 1e3)
+        return self._body(entry, name, what, category, mass)
+
+    def table(self, entry: Mapping[str, Any]) -> ForeignBody:
+        """Return the table of ``poses.json``."""
+        what = f"{POSES}, table"
+        _check_keys(entry, _TABLE, what)
+        if ("size" in entry) == ("file" in entry):
+            raise InputError(f"{what} needs a file or a size, not both.")
+        if "file" in entry:
+            return self._body({"position": [0, 0, 0], **entry}, TABLE, what, TABLE, None)
+        length, width, height = _vector(entry["size"], 3, f"{what}.size").tolist()
+        return body_of(build_table(PlannedTable(size=(length, width, height)), 0))
+
+    def _body(
+        self, entry: Mapping[str, Any], name: str, what: str, category: str, mass: float | None
+    ) -> ForeignBody:
+        up = entry.get("up", "")
+        if up not in ("", "y", "z"):
+            raise InputError(f'{what}.up must be "y" or "z", got {str(up)[:20]!r}.')
+        surface = self._surface(entry.get("file"), what, up or "y")
+        scale = entry.get("scale", 1.0)
+        factor = (
+            np.full(3, _number(scale, f"{what}.scale", _MOST_SCALE))
+            if not isinstance(scale, list)
+            else _vector(scale, 3, f"{what}.scale")
+        )
+        if (factor <= 0).any():
+            raise InputError(f"{what}.scale must be positive.")
+        quaternion = _vector(entry.get("quaternion", [1, 0, 0, 0]), 4, f"{what}.quaternion")
+        if abs(np.linalg.norm(quaternion) - 1) > 1e-2:
+            raise InputError(f"{what}.quaternion must have length 1 (wxyz).")
+        friction = entry.get("friction")
+        return ForeignBody(
+            name, _vector(entry["position"], 3, f"{what}.position"),
+            quaternion_matrix(quaternion), replace(surface, vertices=surface.vertices * factor),
+            friction=None if friction is None else _number(friction, f"{what}.friction", 5.0),
+            category=category, weight=mass,
+        )  # fmt: skip
+
+    def _surface(self, file: object, what: str, up: Axis) -> ColoredSurface:
+        if not isinstance(file, str) or not file:
+            raise InputError(f"{what} has no file.")
+        suffix = PurePosixPath(file).suffix.lower()
+        if suffix not in (".glb", ".obj"):
+            raise InputError(f"{what} names {file[:80]!r}; GLB and OBJ files are read.")
+        if (file, up) not in self._surfaces:
+            kind: Kind = "glb" if suffix == ".glb" else "obj"
+            raw = self.read(file, MOST_BYTES)
+            place = self._folder.joinpath(*PurePosixPath(file).parent.parts)
+            beside = companions(raw, what, place) if kind == "obj" else {}
+            surface = read_surface(raw, f"{what}: {file}", kind, beside)
+            self._surfaces[file, up] = surface.upright(up)
+        return self._surfaces[file, up]
+
+
+def body_of(model: Model) -> ForeignBody:
+    """Return a model as a body standing in the middle of the world."""
+    size = np.asarray(model.size, np.float64)
+    parts = tuple(ConvexPart(p.vertices * size, p.kind, p.axis) for p in model.parts)
+    return ForeignBody(
+        model.name, np.array([0.0, 0.0, size[2] / 2]), np.eye(3), _surface_of(model.mesh, size),
+        parts, friction=model.physics.friction,
+    )  # fmt: skip
+
+
+def _surface_of(mesh: Mesh, size: Float[np.ndarray, "3"]) -> ColoredSurface:
+    count = len(mesh.vertices)
+    return ColoredSurface(
+        mesh.vertices * size, mesh.faces.astype(np.int64), mesh.uv.astype(np.float64),
+        np.full((count, 3), 190, np.uint8), np.zeros(len(mesh.faces), np.int64),
+        (np.asarray(mesh.texture),), mesh.opacity,
+    )  # fmt: skip
+
+
+def _check_keys(entry: Mapping[str, Any], known: set[str], what: str) -> None:
+    if unknown := sorted(entry.keys() - known):
+        raise InputError(
+            f"{what} has an unknown key {unknown[0][:40]!r}; there are {', '.join(sorted(known))}."
+        )
+
+
+def _vector(value: object, count: int, what: str) -> Float[np.ndarray, "k"]:
+    if not isinstance(value, list) or len(value) != count:
+        raise InputError(f"{what} must be a list of {count} numbers.")
+    return np.array([_number(v, what, np.inf, signed=True) for v in value])
+
+
+def _number(value: object, what: str, most: float, *, signed: bool = False) -> float:
+    fine = isinstance(value, int | float) and not isinstance(value, bool) and np.isfinite(value)
+    number = float(cast("float", value)) if fine else 0.0
+    if not fine or (not signed and not 0 < number < most) or abs(number) > 1e9:
+        raise InputError(f"{what} must be a number" + ("." if signed else f" in (0, {most:g})."))
+    return number

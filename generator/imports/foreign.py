@@ -1,0 +1,62 @@
+"""A foreign scene as it was read: bodies with a surface, shapes that collide, mass and pose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from ..errors import InputError
+from ..meshes.reading.surface import ColoredSurface
+from ..physics.inertia import MassProperties
+from ..scene import ConvexPart
+
+LARGEST = 100.0
+"""No body of a foreign scene is larger, or farther from its table, metres."""
+
+
+@dataclass(frozen=True, eq=False)
+class ForeignBody:
+    """A rigid body in a frame of its own; metres, kilograms, z up in the world.
+
+    Attributes:
+        name: what it is called there.
+        position, rotation: of its frame in the world.
+        surface: what is drawn of it, in its frame.
+        parts: convex shapes that collide, in its frame; without any, the surface is decomposed.
+        mass: mass, centre of mass and inertia along the axes of its frame; None: by its category.
+        friction: coefficient of sliding friction; None: by its category.
+        category: what it is, a word; empty: its name says.
+        weight: kilograms, where that is all that is said of its mass.
+    """
+
+    name: str
+    position: Float[np.ndarray, "3"]
+    rotation: Float[np.ndarray, "3 3"]
+    surface: ColoredSurface
+    parts: tuple[ConvexPart, ...] = ()
+    mass: MassProperties | None = None
+    friction: float | None = None
+    category: str = ""
+    weight: float | None = None
+
+    def __post_init__(self) -> None:
+        if not len(self.surface.faces):
+            raise InputError(f"The body {self.name!r} has no faces; nothing of it can be drawn.")
+        far = np.abs(self.surface.vertices).max(), np.abs(self.position).max()
+        if not max(far) <= LARGEST:  # NaN is not, either
+            raise InputError(
+                f"The body {self.name!r} reaches farther than {LARGEST:g} m, or holds a number "
+                "that is not finite. Lengths are metres."
+            )
+
+
+@dataclass(frozen=True, eq=False)
+class ForeignScene:
+    """What was read of a foreign scene: its table, its objects, and what was left out of it."""
+
+    name: str
+    table: ForeignBody
+    objects: tuple[ForeignBody, ...]
+    warnings: tuple[str, ...] = ()

@@ -1,0 +1,244 @@
+"""GLB files as bodies: a whole scene in one file, or a folder of files and where each goes.
+
+A body of one file is a node with a mesh, with all below it. What ``tabletopgen export --to glb``
+writes beside glTF (``extras``, and the second scene "collision") is read back; nodes without it get
+convex parts by decomposition, and the mass of what their name says.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import trimesh
+from jaxtyping import Float
+
+from ..errors import InputError, choices
+from ..io.reading import printable, read_regular
+from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
+from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix
+from ..meshes.reading.inspection import inspect_glb
+from ..meshes.reading.surface import surface_of
+from ..physics.inertia import MassProperties
+from ..scene import ConvexPart
+from .foreign import ForeignBody, ForeignScene
+from .mjcf import TABLE_WORDS
+from .shapes import part_of
+
+_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # of y up
+_RIGID = 1e-3  # by which the axes of a node may be off
+_COLLISION = "collision"
+
+
+def read_glb(path: Path, table: str | None = None) -> ForeignScene:
+    """Read a GLB file with a whole scene in it, y up as glTF says, lengths in metres.
+
+    ``table`` is the name of the node that is the table; None takes the one that says it is fixed,
+    or whose name says so.
+
+    Raises:
+        InputError: no bodies, no table, or a node that is not placed rigidly.
+        BackendError: the file cannot be read; see ``meshes.reading``.
+    """
+    what = f"The scene {path.name!r}"
+    raw = read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES)
+    header = inspect_glb(raw, what)
+    try:
+        places = [*_walk(header, 0)]
+    except (KeyError, IndexError, TypeError, ValueError) as error:
+        raise InputError(f"{what} is damaged ({type(error).__name__}: {error}).") from error
+    shells = _collision_of(raw, header, what)
+    owners = dict.fromkeys(place.owner for place in places)
+    bodies: list[ForeignBody] = []
+    fixed: dict[str, ForeignBody] = {}
+    meshes = _load(raw, header, places)
+    for owner in owners:
+        mine = [k for k, place in enumerate(places) if place.owner == owner]
+        body, is_fixed = _read_body(header, owner, [places[k] for k in mine],
+                                    [m for k in mine for m in meshes[k]], shells, what)  # fmt: skip
+        if is_fixed or body.name == table:
+            fixed[body.name] = body
+        else:
+            bodies.append(body)
+    return _arrange(path.stem, bodies, fixed, table)
+
+
+def _arrange(
+    name: str, bodies: list[ForeignBody], fixed: dict[str, ForeignBody], table: str | None
+) -> ForeignScene:
+    """Return a scene with one of its bodies as the table."""
+    if table is not None and table not in fixed:
+        raise InputError(f"Nothing is called {table!r}." + choices(table, (b.name for b in bodies)))
+    if not fixed:
+        called = [body for body in bodies if TABLE_WORDS.search(body.name)]
+        if len(called) != 1:
+            raise InputError(
+                f"The scene has {len(called)} nodes with the name of a table. Name it (--table)."
+                + choices("table", (b.name for b in bodies))
+            )
+        bodies.remove(called[0])
+        fixed[called[0].name] = called[0]
+    chosen = table or next((n for n in fixed if TABLE_WORDS.search(n)), next(iter(fixed)))
+    if not bodies:
+        raise InputError("The scene has no free body: nothing but a table.")
+    others = sorted(fixed.keys() - {chosen})
+    told = (f"fixed things are left out: {', '.join(others[:8])}",) if others else ()
+    return ForeignScene(name, fixed[chosen], tuple(bodies), told)
+
+
+@dataclass(frozen=True, eq=False)
+class _Place:
+    """A mesh of a scene: its node, the node that is its body, and its place in the world."""
+
+    node: int
+    owner: int
+    mesh: int
+    matrix: Float[np.ndarray, "4 4"]
+    owner_matrix: Float[np.ndarray, "4 4"]
+
+
+def _walk(header: Header, scene: int) -> Iterator[_Place]:
+    """Yield the meshes of a scene; bodies are nodes with extras of one, else the topmost meshes.
+
+    Raises:
+        ValueError: the nodes are no tree.
+    """
+    nodes: Sequence[Any] = header.get("nodes", ())
+    roots = header["scenes"][scene].get("nodes", ())
+    said = any("fixed" in _extras(node) or "body" in _extras(node) for node in nodes)
+    waiting = [(int(k), np.eye(4), -1, np.eye(4)) for k in reversed(roots)]
+    seen: set[int] = set()
+    while waiting:
+        k, above, owner, at = waiting.pop()
+        if k in seen or not 0 <= k < len(nodes):
+            raise Crooked(f"node {k} is not in one place")
+        seen.add(k)
+        node = nodes[k]
+        matrix = above @ local_matrix(node)
+        starts = ("fixed" in _extras(node) or "body" in _extras(node)) if said else "mesh" in node
+        if owner < 0 and starts:
+            owner, at = k, matrix
+        if "mesh" in node and owner >= 0:
+            yield _Place(k, owner, int(node["mesh"]), matrix, at)
+        waiting += [(int(c), matrix, owner, at) for c in reversed(node.get("children", ()))]
+
+
+def _extras(node: object) -> Mapping[str, Any]:
+    found = node.get("extras") if isinstance(node, Mapping) else None
+    return found if isinstance(found, Mapping) else {}
+
+
+def _load(raw: bytes, header: Header, places: Sequence[_Place]) -> list[list[trimesh.Trimesh]]:
+    """Return the meshes of each place, in its own node's frame."""
+    nodes = [{"mesh": place.mesh, "matrix": np.eye(4).ravel().tolist()} for place in places]
+    scenes = [{"nodes": [*reversed(range(len(nodes)))]}]  # ``flatten`` takes the last first
+    flat = {**header, "nodes": nodes, "scenes": scenes, "scene": 0}
+    loaded = trimesh.load_scene(io.BytesIO(flatten(raw, flat)), file_type="glb", process=False)
+    parents = loaded.graph.transforms.parents
+    found: list[list[trimesh.Trimesh]] = [[] for _ in places]
+    for name in loaded.graph.nodes_geometry:
+        geometry = loaded.geometry[loaded.graph[name][1]]
+        at = name
+        while not (at.isdecimal() and int(at) < len(found)) and at in parents:
+            at = parents[at]
+        if at.isdecimal() and isinstance(geometry, trimesh.Trimesh) and len(geometry.faces):
+            found[int(at)].append(geometry)
+    return found
+
+
+def _read_body(
+    header: Header,
+    owner: int,
+    places: Sequence[_Place],
+    meshes: Sequence[trimesh.Trimesh],
+    shells: Mapping[str, tuple[ConvexPart, ...]],
+    what: str,
+) -> tuple[ForeignBody, bool]:
+    """Return the body of a node, and whether it is fixed."""
+    node = header["nodes"][owner]
+    name = printable(str(node.get("name") or f"thing_{owner}")[:100], "A node's name", InputError)
+    rotation, scale, position = _split(places[0].owner_matrix, name)
+    placed = []
+    for place, mesh in zip(places, meshes, strict=True):
+        own = np.linalg.inv(places[0].owner_matrix) @ place.matrix
+        moved = mesh.copy(include_visual=False)
+        moved.apply_transform(np.diag([*scale, 1.0]) @ own)
+        moved.visual = mesh.visual
+        placed.append(moved)
+    maker = str((header.get("asset") or {}).get("generator", ""))
+    surface = surface_of(placed, f"{what}, {name!r}", "trimesh" not in maker, MOST_FACES)
+    extras = _extras(node)
+    fixed = extras.get("fixed") is True
+    body = ForeignBody(
+        name, _Z_UP @ position, _Z_UP @ rotation, surface, shells.get(name, ()),
+        None if fixed else _mass(extras, name), _number(extras.get("friction"), name, "friction"),
+        str(extras.get("label", ""))[:80] if isinstance(extras.get("label"), str) else "",
+    )  # fmt: skip
+    return body, fixed
+
+
+def _split(
+    matrix: Float[np.ndarray, "4 4"], name: str
+) -> tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """Return rotation, scale and place of a node."""
+    scale = np.linalg.norm(matrix[:3, :3], axis=0)
+    with np.errstate(all="ignore"):
+        turn = matrix[:3, :3] / scale
+    if not np.isfinite(matrix).all() or not np.abs(turn.T @ turn - np.eye(3)).max() < _RIGID:
+        raise InputError(f"The node {name!r} is not placed by a rotation, a scale and a shift.")
+    if np.linalg.det(turn) < 0:
+        raise InputError(f"The node {name!r} is mirrored. Apply its transform in the mesh.")
+    u, _, v = np.linalg.svd(turn)
+    return u @ v, scale, matrix[:3, 3].copy()
+
+
+def _mass(extras: Mapping[str, Any], name: str) -> MassProperties | None:
+    """Return the mass of a node that says it; None for others."""
+    mass = _number(extras.get("mass"), name, "mass")
+    if mass is None or "inertia" not in extras:
+        return None
+    try:
+        com = np.array(extras.get("center_of_mass"), np.float64).reshape(3)
+        inertia = np.array(extras.get("inertia"), np.float64).reshape(3, 3)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"The node {name!r} has no sound centre of mass and inertia.") from error
+    least = np.linalg.eigvalsh((inertia + inertia.T) / 2).min() if np.isfinite(inertia).all() else 0
+    if not (mass > 0 and np.isfinite(com).all() and least > 0):
+        raise InputError(f"The node {name!r} has no sound mass, centre of mass and inertia.")
+    return MassProperties(mass, com, (inertia + inertia.T) / 2)
+
+
+def _number(value: object, name: str, what: str) -> float | None:
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, int | float) or not np.isfinite(value):
+        raise InputError(f"The node {name!r} has no number as its {what}.")
+    return float(value)
+
+
+def _collision_of(raw: bytes, header: Header, what: str) -> Mapping[str, tuple[ConvexPart, ...]]:
+    """Return the convex parts of each body that the scene "collision" has."""
+    scenes = header.get("scenes", ())
+    numbers = [k for k, s in enumerate(scenes) if isinstance(s, Mapping) and
+               s.get("name") == _COLLISION]  # fmt: skip
+    if not numbers or numbers[0] == 0:
+        return {}
+    try:
+        places = [*_walk(header, numbers[0])]
+    except (KeyError, IndexError, TypeError, ValueError) as error:
+        raise InputError(f"{what} is damaged ({type(error).__name__}: {error}).") from error
+    parts: dict[str, list[ConvexPart]] = {}
+    for place, meshes in zip(places, _load(raw, header, places), strict=True):
+        nodes = header["nodes"]
+        body, kind = _extras(nodes[place.owner]).get("body"), _extras(nodes[place.node]).get("kind")
+        own = np.linalg.inv(place.owner_matrix) @ place.matrix
+        for mesh in meshes:
+            points = np.asarray(mesh.vertices, np.float64) @ own[:3, :3].T + own[:3, 3]
+            if not np.isfinite(points).all():
+                raise InputError(f"{what} holds NaN or infinity; every vertex must be finite.")
+            parts.setdefault(str(body), []).append(part_of(points, str(kind)))
+    return {name: tuple(found) for name, found in parts.items()}

@@ -1,0 +1,89 @@
+"""Import of a foreign scene: read, rebuilt, settled and judged."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from typing import Literal
+
+from ..errors import BackendError, InputError
+from ..method.assembly import AssemblyConfig
+from ..scene import Provenance, Scene
+from ..scene.provenance import scene_name, versions
+from .building import build_scene
+from .folder import POSES, read_folder
+from .foreign import ForeignScene
+from .options import ImportOptions
+
+SourceKind = Literal["mjcf", "glb", "folder"]
+"""What a foreign scene is: a MJCF file, a GLB file, or a folder of files with ``poses.json``."""
+
+_SCENE = "scene.xml"
+_USUAL = ImportOptions()
+
+
+def import_scene(
+    source: str | Path,
+    options: ImportOptions = _USUAL,
+    config: AssemblyConfig | None = None,
+) -> Scene:
+    """Return a foreign scene, settled and judged; its report may have failed.
+
+    ``source`` is a MJCF file, a GLB file, a folder with ``poses.json`` and the files it names, or a
+    folder with ``scene.xml``, as ``export`` writes it. The same source gives the same scene.
+
+    Raises:
+        InputError: it cannot be read, has no free body, no table or too many objects.
+        SceneError: a shape cannot be decomposed, or nothing comes to rest.
+    """
+    kind, path = find_source(Path(source))
+    try:
+        foreign = _read(kind, path, options)
+        name = options.name or scene_name(foreign.name)
+        settings = {"import": kind, "table": options.table, "drop_failing": options.drop_failing}
+        provenance = Provenance(
+            "manual", 0, source_sha256=_digest(path), config=settings, versions=versions()
+        )
+        return build_scene(foreign, provenance, name, config, options.drop_failing)
+    except BackendError as error:  # a mesh that cannot be read is no backend's fault here
+        raise InputError(str(error)) from error
+
+
+def find_source(path: Path) -> tuple[SourceKind, Path]:
+    """Return what a path is, and the file or folder to read.
+
+    Raises:
+        InputError: there is nothing to import.
+    """
+    if path.is_dir():
+        if (path / POSES).is_file() and not (path / _SCENE).is_file():
+            return "folder", path
+        if (path / _SCENE).is_file():
+            return "mjcf", path / _SCENE
+        raise InputError(f"{path} has neither {_SCENE} nor {POSES}; see the page on importing.")
+    suffix = path.suffix.lower()
+    if suffix not in (".xml", ".mjcf", ".glb"):
+        raise InputError(
+            f"{path} cannot be imported: MJCF (.xml), GLB (.glb) and folders with {POSES} can."
+        )
+    if not path.is_file():
+        raise InputError(f"There is no file {path}.")
+    return ("glb" if suffix == ".glb" else "mjcf"), path
+
+
+def _read(kind: SourceKind, path: Path, options: ImportOptions) -> ForeignScene:
+    if kind == "folder":
+        return read_folder(path)
+    if kind == "glb":
+        from .glb import read_glb
+
+        return read_glb(path, options.table)
+    from .mjcf import read_mjcf
+
+    return read_mjcf(path, options.root, options.table)
+
+
+def _digest(path: Path) -> str:
+    """Return the sha256 of the file that says what is where."""
+    file = path / POSES if path.is_dir() else path
+    return hashlib.sha256(file.read_bytes()).hexdigest()

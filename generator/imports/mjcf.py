@@ -1,0 +1,347 @@
+"""A foreign MJCF as bodies: what moves freely are objects, one thing that does not is the table.
+
+MuJoCo compiles it; all is taken from the compiled model at its initial state, so that defaults,
+frames, classes and fitted shapes mean what they mean there. A mesh that collides is its convex
+hull, as in MuJoCo.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Bool, Float, Int, UInt8
+
+from ..errors import InputError, choices
+from ..meshes.reading.surface import ColoredSurface
+from ..meshes.reading.textures import MOST_TEXTURE
+from ..physics.inertia import MassProperties, join_bodies
+from ..scene import ConvexPart
+from .compiling import compile_foreign
+from .foreign import ForeignBody, ForeignScene
+from .mjcf_files import gather
+from .shapes import Solid, hull_corners, solid_part, solid_surface
+
+if TYPE_CHECKING:
+    import mujoco
+
+TABLE_WORDS = re.compile(r"table|desk|bench|counter|island|worktop", re.IGNORECASE)
+"""What the name of a table has in it."""
+
+_KINDS: dict[int, Solid] = {3: "capsule", 2: "ellipsoid", 4: "ellipsoid", 5: "cylinder", 6: "box"}
+_PLANE, _MESH = 0, 7  # of mjtGeom
+_UNDER = 0.05  # metres that an object may be sunk into what it stands on
+_SEEN = 0.01  # opacity from which a geom is drawn
+
+
+def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) -> ForeignScene:
+    """Read a MJCF file; its files have to be inside of ``folder``, by default its own.
+
+    ``table`` is the name of the fixed body or geom that is the table; None finds it, by its name or
+    as what most objects stand on.
+
+    Raises:
+        InputError: it cannot be read (``mjcf_files``) or compiled, has joints other than free ones,
+            no free body, or no table.
+    """
+    model = compile_foreign(gather(path, folder), f"the model {path.name!r}")
+    reader = _ModelReader(model)
+    reader.check_joints()
+    objects = tuple(reader.body(b) for b in reader.free)
+    fixed, name = reader.find_table(table, objects)
+    stem = str(model.names[: model.names.find(b"\0")].decode("utf-8", "replace"))
+    return ForeignScene(
+        stem or path.stem, reader.fixed_body(name, fixed), objects, tuple(reader.list_left(fixed))
+    )
+
+
+class _ModelReader:
+    """Reads bodies from a compiled model at its initial state."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        import mujoco
+
+        self.model = model
+        self.data = mujoco.MjData(model)
+        mujoco.mj_kinematics(model, self.data)
+        mujoco.mj_comPos(model, self.data)
+        free = int(mujoco.mjtJoint.mjJNT_FREE)
+        self.free = [int(model.jnt_bodyid[j]) for j in range(model.njnt) if
+                     model.jnt_type[j] == free]  # fmt: skip
+        self.solid: Bool[np.ndarray, "g"] = (model.geom_contype | model.geom_conaffinity) != 0
+        colors = [_color(model, g)[3] > _SEEN for g in range(model.ngeom)]
+        self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
+
+    def check_joints(self) -> None:
+        """Refuse what is no set of free bodies."""
+        model = self.model
+        other = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) not in self.free]
+        if other:
+            names = sorted({model.body(int(model.jnt_bodyid[j])).name or "without a name"
+                            for j in other})  # fmt: skip
+            raise InputError(
+                f"The model has {len(other)} joints that are not free, of {', '.join(names[:5])}. "
+                "Only rigid bodies with a free joint are imported; take out robots and doors."
+            )
+        if not self.free:
+            raise InputError(
+                "The model has no free body: nothing on its table can move. Give each object a "
+                "<freejoint/>."
+            )
+
+    def body(self, body: int) -> ForeignBody:
+        """Return a free body with all that is welded to it."""
+        model, data = self.model, self.data
+        position, rotation = data.xpos[body].copy(), data.xmat[body].reshape(3, 3).copy()
+        geoms = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body)
+        masses = [
+            self._mass(b, position, rotation)
+            for b in np.flatnonzero(model.body_weldid == body).tolist()
+            if model.body_mass[b] > 0
+        ]
+        name = model.body(body).name
+        if not masses:
+            raise InputError(f"The body {name!r} has no mass.")
+        return self._body(name, geoms, position, rotation, join_bodies(masses))
+
+    def fixed_body(self, name: str, geoms: Int[np.ndarray, "k"]) -> ForeignBody:
+        """Return geoms that do not move as one body, in the world's frame."""
+        return self._body(name, geoms, np.zeros(3), np.eye(3), None)
+
+    def find_table(
+        self, asked: str | None, objects: Sequence[ForeignBody]
+    ) -> tuple[Int[np.ndarray, "k"], str]:
+        """Return the geoms of the table, and what it is called."""
+        groups = self._fixed_groups()
+        if asked is not None:
+            if asked not in groups:
+                raise InputError(f"Nothing fixed is called {asked!r}." + choices(asked, groups))
+            return groups[asked], asked
+        if not groups:
+            raise InputError(
+                "The model has no table: nothing that is fixed in the world collides but planes. "
+                "Add a fixed body of boxes or a mesh that the objects stand on."
+            )
+        votes = dict.fromkeys(groups, 0)
+        boxes = {name: self._box(geoms) for name, geoms in groups.items()}
+        for thing in objects:
+            world = thing.surface.vertices @ thing.rotation.T + thing.position
+            low, middle = world[:, 2].min(), (world.min(0) + world.max(0))[:2] / 2
+            under = [
+                (box[1, 2], name) for name, box in boxes.items()
+                if (box[0, :2] <= middle).all() and (middle <= box[1, :2]).all()
+                and box[1, 2] <= low + _UNDER
+            ]  # fmt: skip
+            if under:
+                votes[max(under)[1]] += 1
+        called = [name for name in groups if TABLE_WORDS.search(name)]
+        best = max(groups, key=lambda name: (votes[name] > 0, name in called, votes[name]))
+        if not votes[best]:
+            raise InputError(
+                "The model has no table: nothing that is fixed is under any of its free bodies. "
+                "Name the table (--table)." + choices("table", groups)
+            )
+        return groups[best], best
+
+    def list_left(self, table: Int[np.ndarray, "k"]) -> Iterable[str]:
+        """Yield what is left out of the scene."""
+        others = [name for name, geoms in self._fixed_groups().items() if geoms[0] not in table]
+        if others:
+            yield f"fixed things are left out: {', '.join(sorted(others)[:8])}"
+        for what, count in (
+            ("actuators", self.model.nu), ("tendons", self.model.ntendon),
+            ("equality constraints", self.model.neq),
+        ):  # fmt: skip
+            if count:
+                yield f"{count} {what} are left out"
+
+    def _fixed_groups(self) -> dict[str, Int[np.ndarray, "k"]]:
+        """Return the geoms of fixed things: of each body of the world, and each geom in it."""
+        model = self.model
+        groups: dict[str, list[int]] = {}
+        for g in range(model.ngeom):
+            body = int(model.geom_bodyid[g])
+            if model.body_weldid[body] != 0 or model.geom_type[g] == _PLANE:
+                continue
+            top = int(model.body_rootid[body])
+            name = model.body(top).name if top else model.geom(g).name
+            groups.setdefault(name or (f"body {top}" if top else f"geom {g}"), []).append(g)
+        return {n: np.array(k) for n, k in groups.items() if self.solid[k].any()}
+
+    def _box(self, geoms: Int[np.ndarray, "k"]) -> Float[np.ndarray, "2 3"]:
+        """Return the corners of the box about what collides of geoms, in the world."""
+        points = [self._part(int(g), np.zeros(3), np.eye(3)).bounds for g in geoms if self.solid[g]]
+        return np.stack([np.min(points, axis=0)[0], np.max(points, axis=0)[1]])
+
+    def _body(
+        self,
+        name: str,
+        geoms: Int[np.ndarray, "k"],
+        position: Float[np.ndarray, "3"],
+        rotation: Float[np.ndarray, "3 3"],
+        mass: MassProperties | None,
+    ) -> ForeignBody:
+        geoms = geoms[self.model.geom_type[geoms] != _PLANE]
+        solid = geoms[self.solid[geoms]]
+        drawn = geoms[~self.solid[geoms] & self.seen[geoms]]
+        if not len(drawn):
+            drawn = solid
+        if not len(drawn):
+            raise InputError(f"The body {name!r} has no geom that collides or is drawn.")
+        friction = self.model.geom_friction[solid, 0]
+        return ForeignBody(
+            name, position, rotation, self._surface(drawn, position, rotation),
+            tuple(self._part(int(g), position, rotation) for g in solid), mass,
+            float(friction.max()) if len(friction) else None,
+        )  # fmt: skip
+
+    def _mass(
+        self, body: int, position: Float[np.ndarray, "3"], rotation: Float[np.ndarray, "3 3"]
+    ) -> MassProperties:
+        model, data = self.model, self.data
+        axes = rotation.T @ data.ximat[body].reshape(3, 3)
+        com = rotation.T @ (data.xipos[body] - position)
+        inertia = axes @ np.diag(model.body_inertia[body]) @ axes.T
+        return MassProperties(float(model.body_mass[body]), com, inertia)
+
+    def _place(
+        self, geom: int, position: Float[np.ndarray, "3"], rotation: Float[np.ndarray, "3 3"]
+    ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
+        """Return where a geom is in a frame, and its rotation there."""
+        data = self.data
+        turn = rotation.T @ data.geom_xmat[geom].reshape(3, 3)
+        return rotation.T @ (data.geom_xpos[geom] - position), turn
+
+    def _part(
+        self, geom: int, position: Float[np.ndarray, "3"], rotation: Float[np.ndarray, "3 3"]
+    ) -> ConvexPart:
+        center, turn = self._place(geom, position, rotation)
+        kind = int(self.model.geom_type[geom])
+        if kind == _MESH:
+            points = self._mesh(geom)[0] @ turn.T + center
+            return ConvexPart(hull_corners(points))
+        return solid_part(self._solid(geom), self._half(geom), center, turn)
+
+    def _solid(self, geom: int) -> Solid:
+        kind = int(self.model.geom_type[geom])
+        if kind not in _KINDS:
+            raise InputError(
+                f"The geom {self.model.geom(geom).name!r} has a shape that is not imported; boxes, "
+                "spheres, cylinders, capsules, ellipsoids and meshes are."
+            )
+        return _KINDS[kind]
+
+    def _half(self, geom: int) -> Float[np.ndarray, "3"]:
+        """Return a primitive's half extents along its axes; of a capsule without its caps."""
+        size, kind = self.model.geom_size[geom], int(self.model.geom_type[geom])
+        if kind == 2:
+            return np.full(3, size[0])
+        return size[[0, 0, 1]] if kind in (3, 5) else size.copy()
+
+    def _surface(
+        self,
+        geoms: Int[np.ndarray, "k"],
+        position: Float[np.ndarray, "3"],
+        rotation: Float[np.ndarray, "3 3"],
+    ) -> ColoredSurface:
+        """Return geoms as one surface in a frame."""
+        pictures: list[UInt8[np.ndarray, "h w 3"]] = []
+        known: dict[bytes, int] = {}
+        rows: list[tuple[Any, ...]] = []
+        count = 0
+        for geom in map(int, geoms):
+            center, turn = self._place(geom, position, rotation)
+            if self.model.geom_type[geom] == _MESH:
+                vertices, faces, uv = self._mesh(geom)
+            else:
+                vertices, faces = solid_surface(self._solid(geom), self._half(geom))
+                uv = None
+            picture, index = _picture(self.model, geom), -1
+            color = _color(self.model, geom)
+            if picture is not None and uv is None:
+                color = np.append(picture.reshape(-1, 3).mean(0) / 255, color[3])
+            elif picture is not None:
+                key = picture.tobytes()
+                index = known.setdefault(key, len(pictures))
+                if index == len(pictures):
+                    pictures.append(picture)
+            flat = np.round(255 * color[:3].clip(0, 1)).astype(np.uint8)
+            rows.append((
+                vertices @ turn.T + center, faces + count,
+                np.zeros((len(vertices), 2)) if uv is None else uv,
+                np.tile(flat, (len(vertices), 1)), np.full(len(faces), index), color[3],
+            ))  # fmt: skip
+            count += len(vertices)
+        columns = [np.concatenate([row[k] for row in rows]) for k in range(5)]
+        alphas = [float(row[5]) for row in rows]
+        opacity = float(np.clip(np.mean(alphas), 0.05, 1.0)) if max(alphas) < 1 else 1.0
+        vertices, faces, uv, colors, picture = columns
+        return ColoredSurface(vertices, faces, uv, colors, picture, tuple(pictures), opacity)
+
+    def _mesh(
+        self, geom: int
+    ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
+        """Return a mesh in its geom's frame, and its texture coordinates, v upwards."""
+        model, mesh = self.model, int(self.model.geom_dataid[geom])
+        at, count = model.mesh_faceadr[mesh], model.mesh_facenum[mesh]
+        faces = model.mesh_face[at : at + count].astype(np.int64)
+        first, number = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
+        vertices = model.mesh_vert[first : first + number].astype(np.float64)
+        if model.mesh_texcoordadr[mesh] < 0:
+            return vertices, faces, None
+        which = model.mesh_facetexcoord[at : at + count].astype(np.int64)
+        pairs, index = np.unique(
+            np.column_stack([faces.ravel(), which.ravel()]), axis=0, return_inverse=True
+        )
+        uv = model.mesh_texcoord[model.mesh_texcoordadr[mesh] + pairs[:, 1]].astype(np.float64)
+        repeat = _repeat(model, geom)
+        uv = np.column_stack([uv[:, 0], 1 - uv[:, 1]]) * repeat
+        return vertices[pairs[:, 0]], index.reshape(-1, 3), uv
+
+
+def _color(model: mujoco.MjModel, geom: int) -> Float[np.ndarray, "4"]:
+    """Return the rgba of a geom; a material's where it has one, as MuJoCo draws it."""
+    material, own = int(model.geom_matid[geom]), model.geom_rgba[geom]
+    if material < 0 or not np.allclose(own, [0.5, 0.5, 0.5, 1.0]):
+        return own.astype(np.float64)
+    return model.mat_rgba[material].astype(np.float64)
+
+
+def _texture(model: mujoco.MjModel, geom: int) -> int:
+    """Return the number of a geom's texture, -1 if it has none."""
+    import mujoco
+
+    material = int(model.geom_matid[geom])
+    if material < 0:
+        return -1
+    roles = (mujoco.mjtTextureRole.mjTEXROLE_RGB, mujoco.mjtTextureRole.mjTEXROLE_RGBA)
+    return max(int(model.mat_texid[material, int(role)]) for role in roles)
+
+
+def _repeat(model: mujoco.MjModel, geom: int) -> Float[np.ndarray, "2"]:
+    material = int(model.geom_matid[geom])
+    return model.mat_texrepeat[material].astype(np.float64) if material >= 0 else np.ones(2)
+
+
+def _picture(model: mujoco.MjModel, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
+    """Return a geom's texture in its colour; None if it has none. Of a cube, the first side."""
+    texture = _texture(model, geom)
+    if texture < 0:
+        return None
+    import cv2
+
+    height, width = int(model.tex_height[texture]), int(model.tex_width[texture])
+    channels, at = int(model.tex_nchannel[texture]), int(model.tex_adr[texture])
+    data = model.tex_data[at : at + height * width * channels].reshape(height, width, channels)
+    pixels = np.repeat(data[..., :1], 3, axis=2) if channels < 3 else data[..., :3]
+    if height == 6 * width:
+        pixels = pixels[:width]
+    longest = max(pixels.shape[:2])
+    if longest > MOST_TEXTURE:
+        size = [max(1, side * MOST_TEXTURE // longest) for side in pixels.shape[1::-1]]
+        pixels = cv2.resize(pixels, size, interpolation=cv2.INTER_AREA)
+    tint = _color(model, geom)[:3].clip(0, 1)
+    return np.ascontiguousarray(np.round(pixels * tint).astype(np.uint8))

@@ -1,0 +1,223 @@
+"""A foreign MJCF and its files, gathered before MuJoCo reads any: bounded, and inside one folder.
+
+Includes are put where they stand, files are renamed and handed over in memory, so that MuJoCo opens
+nothing. What could run code, make other files or grow without bounds is refused.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from ..errors import InputError
+from .files import read_source
+
+MOST_XML, MOST_FILE, MOST_TOGETHER = 32 * 2**20, 128 * 2**20, 384 * 2**20
+"""Bytes of an XML file, of a mesh or a picture, and of all together."""
+
+MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES, MOST_COPIES = 200_000, 100, 200, 200
+"""Elements of a file, how deep they nest, files included, and copies that a replicate makes."""
+
+_REFUSED = {
+    "extension": "plugins run code", "plugin": "plugins run code",
+    "model": "it attaches another model", "attach": "it attaches another model",
+    "flexcomp": "soft bodies are not rigid", "flex": "soft bodies are not rigid",
+    "composite": "soft bodies are not rigid", "deformable": "soft bodies are not rigid",
+    "skin": "skins are not rigid", "hfield": "height fields are not supported",
+}  # fmt: skip
+_FILES = {"mesh": "meshdir", "texture": "texturedir"}
+_SIDES = ("fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
+_SUFFIXES = {"mesh": (".obj", ".stl", ".msh"), "texture": (".png",)}
+
+
+@dataclass(frozen=True)
+class GatheredModel:
+    """A model as one XML text, and the files that it names, by name."""
+
+    xml: str
+    files: dict[str, bytes]
+
+
+def gather(path: Path, folder: Path | None = None) -> GatheredModel:
+    """Read a MJCF file with what it includes and names inside of ``folder``, by default its own.
+
+    Raises:
+        InputError: it is no such XML, names what is outside of the folder, is too large, or has
+            elements that are refused.
+    """
+    home = (folder or path.parent).resolve()
+    place = path.parent.resolve() / path.name
+    if not place.is_relative_to(home):
+        raise InputError(f"{path} is not inside of {home}. Name a folder that holds it.")
+    inside = PurePosixPath(place.relative_to(home).as_posix())
+    reader = _Reader(home, inside.parent)
+    root = reader.parse(inside)
+    if root.tag != "mujoco":
+        raise InputError(f"{path} is no MJCF: its root is {root.tag[:40]!r}, not 'mujoco'.")
+    reader.include(root, inside.parent)
+    for element in root.iter():
+        reader.check(element)
+    reader.hand_over(root)
+    return GatheredModel(ET.tostring(root, encoding="unicode"), reader.files)
+
+
+@dataclass
+class _Reader:
+    """Reads files of one folder, the model's being ``base``; ``files`` are those to hand over."""
+
+    folder: Path
+    base: PurePosixPath
+    files: dict[str, bytes] = field(default_factory=dict)
+    _included: set[PurePosixPath] = field(default_factory=set)
+    _names: dict[PurePosixPath, str] = field(default_factory=dict)
+    _total: int = 0
+
+    def parse(self, path: PurePosixPath) -> ET.Element:
+        """Return the root of an XML file."""
+        self._included.add(path)
+        if len(self._included) > MOST_INCLUDES:
+            raise InputError(f"The model includes more than {MOST_INCLUDES} files.")
+        return _parse(self._read(path, MOST_XML), str(path))
+
+    def include(self, parent: ET.Element, where: PurePosixPath) -> None:
+        """Put what is included below an element in its place; ``where`` is its file's folder."""
+        for at, child in reversed([*enumerate(parent)]):
+            if child.tag != "include":
+                self.include(child, where)
+                continue
+            path = self._find(child.get("file", ""), where)
+            if path in self._included:
+                raise InputError(f"The model includes {str(path)!r} twice, or within itself.")
+            root = self.parse(path)
+            self.include(root, path.parent)
+            parent[at : at + 1] = [*root]
+
+    def check(self, element: ET.Element) -> None:
+        """Refuse what is not supported."""
+        tag = element.tag
+        if tag in _REFUSED:
+            raise InputError(f"The model has a <{tag}>, which is refused: {_REFUSED[tag]}.")
+        if tag == "replicate" and not _is_few(element.get("count", "1")):
+            raise InputError(f"The model replicates a body more than {MOST_COPIES} times.")
+        named = element.get("file"), *(element.get(side) for side in _SIDES)
+        if tag not in _FILES and any(named):
+            raise InputError(f"The model names a file in <{tag[:40]}>; meshes and textures may.")
+
+    def hand_over(self, root: ET.Element) -> None:
+        """Read each mesh and texture, and name it as it is handed over."""
+        folders, strip = _folders(root)
+        for compiler in root.iter("compiler"):
+            for name in ("meshdir", "texturedir", "assetdir", "strippath"):
+                compiler.attrib.pop(name, None)
+        for element in root.iter():
+            if element.tag not in _FILES:
+                continue
+            element.attrib.pop("content_type", None)
+            for name in ("file", *_SIDES):
+                if given := element.get(name):
+                    if "name" not in element.attrib and name == "file":
+                        element.set("name", PurePosixPath(given.replace("\\", "/")).stem)
+                    path = PurePosixPath(given.replace("\\", "/"))
+                    path = PurePosixPath(path.name) if strip else path
+                    inside = self._find(str(path), self.base / folders[element.tag])
+                    element.set(name, self._hand(inside, element.tag))
+
+    def _hand(self, path: PurePosixPath, tag: str) -> str:
+        suffix = path.suffix.lower()
+        if suffix not in _SUFFIXES[tag]:
+            raise InputError(
+                f"The {tag} {str(path)!r} is not read; {', '.join(_SUFFIXES[tag])} files are."
+            )
+        if path not in self._names:
+            self._names[path] = f"file_{len(self._names)}{suffix}"
+            self.files[self._names[path]] = self._read(path, MOST_FILE)
+        return self._names[path]
+
+    def _find(self, given: str, where: PurePosixPath) -> PurePosixPath:
+        """Return the path in the folder of a file named in another."""
+        path = PurePosixPath(given.replace("\\", "/"))
+        if path.is_absolute() or not given or ":" in given:
+            raise InputError(
+                f"The model names the file {given[:200]!r}; paths have to be relative, and stay "
+                "inside its folder."
+            )
+        return _plain(where / path, given)
+
+    def _read(self, path: PurePosixPath, limit: int) -> bytes:
+        raw = read_source(self.folder, str(path), limit)
+        self._total += len(raw)
+        if self._total > MOST_TOGETHER:
+            raise InputError(f"The model's files have more than {MOST_TOGETHER} bytes together.")
+        return raw
+
+
+def _plain(path: PurePosixPath, given: str) -> PurePosixPath:
+    """Return a path without ``..``, which may lead up, but not out of the folder."""
+    parts: list[str] = []
+    for part in path.parts:
+        if part == "..":
+            if not parts:
+                raise InputError(
+                    f"The model names the file {given[:200]!r} outside of its folder. Name a "
+                    "folder that holds both (--root)."
+                )
+            parts.pop()
+        else:
+            parts.append(part)
+    return PurePosixPath(*parts)
+
+
+def _folders(root: ET.Element) -> tuple[dict[str, str], bool]:
+    """Return the folders of meshes and textures, and whether folders in names do not count."""
+    folders, strip = {"mesh": "", "texture": ""}, False
+    for compiler in root.iter("compiler"):
+        both = compiler.get("assetdir")
+        for tag, name in _FILES.items():
+            folders[tag] = compiler.get(name) or both or folders[tag]
+        strip = compiler.get("strippath", "true" if strip else "false") == "true"
+    return {tag: folder.replace("\\", "/") for tag, folder in folders.items()}, strip
+
+
+def _is_few(text: str) -> bool:
+    return text.strip().isdecimal() and int(text[:9]) <= MOST_COPIES
+
+
+def _parse(raw: bytes, what: str) -> ET.Element:
+    """Return the root of a bounded XML text without entities."""
+    if b"<!DOCTYPE" in raw or b"<!ENTITY" in raw or b"\0" in raw:
+        raise InputError(f"{what} declares a document type or entities, or is not text.")
+    head = raw[:200].lower()
+    if b"encoding" in head.split(b"?>")[0] and not any(
+        name in head for name in (b"utf-8", b"utf8", b"ascii")
+    ):
+        raise InputError(f"{what} is not UTF-8. Save it as UTF-8.")
+    parser = ET.XMLPullParser(("start", "end"))
+    depth = count = 0
+    root: ET.Element | None = None
+    try:
+        for piece in _pieces(raw):
+            parser.feed(piece)
+            for found in parser.read_events():
+                event, element = found[0], found[-1]
+                if event == "end":
+                    depth -= 1
+                    continue
+                assert isinstance(element, ET.Element)
+                root = element if root is None else root
+                depth, count = depth + 1, count + 1
+                if depth > MOST_DEPTH or count > MOST_ELEMENTS:
+                    raise InputError(f"{what} nests too deep, or has too many elements.")
+        parser.close()
+    except (ET.ParseError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{what} is no XML ({error}).") from error
+    assert root is not None
+    return root
+
+
+def _pieces(raw: bytes) -> Iterator[bytes]:
+    for first in range(0, len(raw), 2**16):
+        yield raw[first : first + 2**16]

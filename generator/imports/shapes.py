@@ -1,0 +1,91 @@
+"""Primitive shapes as points and triangles, and as convex parts along a body's axes."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from ..geometry import hull_points
+from ..scene import ConvexPart
+
+Solid = Literal["box", "cylinder", "capsule", "ellipsoid"]
+"""What a primitive is; a sphere is an ellipsoid."""
+
+_SIDES, _RINGS = 32, 16
+_ALIGNED = 1e-4  # by which a rotation may differ from one that takes axes to axes
+
+
+def solid_surface(
+    kind: Solid, half: Float[np.ndarray, "3"]
+) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+    """Return vertices and outward faces of a solid about the origin with half extents ``half``.
+
+    Cylinders and capsules run along z, half[2] being without a capsule's caps.
+    """
+    import trimesh
+    from trimesh import creation
+
+    if kind == "box":
+        made = creation.box(2 * half)
+    elif kind == "cylinder":
+        made = creation.cylinder(float(half[0]), 2 * float(half[2]), sections=_SIDES)
+    elif kind == "capsule":
+        made = creation.capsule(2 * float(half[2]), float(half[0]), count=(_SIDES, _RINGS))
+        low, high = made.bounds
+        made.vertices = made.vertices - (low + high) / 2
+    else:
+        made = creation.uv_sphere(1.0, count=(_SIDES, _SIDES))
+        made = trimesh.Trimesh(made.vertices * half, made.faces, process=False)
+    return np.asarray(made.vertices, np.float64), np.asarray(made.faces, np.int64)
+
+
+def solid_part(
+    kind: Solid,
+    half: Float[np.ndarray, "3"],
+    center: Float[np.ndarray, "3"],
+    rotation: Float[np.ndarray, "3 3"],
+) -> ConvexPart:
+    """Return a solid at a place as a convex part: a primitive where it lies along the axes."""
+    axes = np.abs(rotation).round()
+    ball = kind == "ellipsoid" and np.ptp(half) < 1e-9
+    aligned = ball or np.abs(np.abs(rotation) - axes).max() < _ALIGNED
+    if not aligned or kind == "capsule":
+        return ConvexPart(hull_corners(solid_surface(kind, half)[0] @ rotation.T + center))
+    turned = half if ball else axes @ half
+    if kind == "cylinder":
+        axis = int(axes[:, 2].argmax())
+        points = _drum(turned, axis)
+        return ConvexPart(points + center, "cylinder", (0, 1, 2)[axis])
+    corners = np.array([*product((-1.0, 1.0), repeat=3)])
+    if kind == "box":
+        return ConvexPart(corners * turned + center, "box")
+    return ConvexPart(solid_surface("ellipsoid", turned)[0] + center, "ellipsoid")
+
+
+def part_of(points: Float[np.ndarray, "n 3"], kind: str) -> ConvexPart:
+    """Return points on the surface of a part of a known kind ("sphere", ...) as a convex part."""
+    if kind == "cylinder":
+        flat = [len(np.unique(points[:, k].round(6))) for k in range(3)]
+        return ConvexPart(points, "cylinder", (0, 1, 2)[int(np.argmin(flat))])
+    if kind in ("sphere", "ellipsoid"):
+        return ConvexPart(points, "ellipsoid")
+    return ConvexPart(points, "box") if kind == "box" else ConvexPart(hull_corners(points))
+
+
+def hull_corners(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
+    """Return the corners of the convex hull of points; of a flat set all, each once."""
+    return hull_points(np.unique(np.asarray(points, np.float64).round(7), axis=0))
+
+
+def _drum(half: Float[np.ndarray, "3"], axis: int) -> Float[np.ndarray, "n 3"]:
+    """Return points on both rims of a cylinder along an axis."""
+    angles = np.arange(_SIDES) * 2 * np.pi / _SIDES
+    across = [k for k in range(3) if k != axis]
+    points = np.zeros((2, _SIDES, 3))
+    points[:, :, across[0]] = half[across[0]] * np.cos(angles)
+    points[:, :, across[1]] = half[across[1]] * np.sin(angles)
+    points[0, :, axis], points[1, :, axis] = -half[axis], half[axis]
+    return points.reshape(-1, 3)

@@ -1,0 +1,117 @@
+"""Scene to MuJoCo in memory: the document's model without its files, and its compilation."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, Int, UInt8
+
+from ..errors import SceneError
+from ..scene import Mesh, Scene
+from .mjcf import UV_DIGITS, VERTEX_DIGITS, Document, document
+
+if TYPE_CHECKING:
+    import mujoco
+
+
+def scene_spec(scene: Scene, *, visuals: bool = True) -> mujoco.MjSpec:
+    """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to.
+
+    It compiles to what the document with its files does, but for the names of meshes and textures:
+    these are handed over as they are, for to encode and decode them takes most of the time.
+
+    Raises:
+        SceneError: MuJoCo cannot read it.
+    """
+    meshes = [scene.table.model.mesh, *(o.model.mesh for o in scene.objects)] if visuals else []
+    drawn = {mesh: _Drawn.of(mesh) for mesh in dict.fromkeys(meshes)}
+    paths = {mesh: (held.shape, held.picture) for mesh, held in drawn.items()}
+    spec = spec_of(document(scene, visuals=visuals, paths=paths), scene.name)
+    _hand_over(spec, drawn.values())
+    return spec
+
+
+def spec_of(made: Document, name: str) -> mujoco.MjSpec:
+    """Return the document of the scene called ``name`` as an ``MjSpec``.
+
+    Raises:
+        SceneError: MuJoCo cannot read it.
+    """
+    import mujoco
+
+    try:
+        return mujoco.MjSpec.from_string(made.xml, assets=dict(made.files))
+    except ValueError as error:
+        raise _unbuildable(name, error) from error
+
+
+def compile_spec(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
+    """Compile the specification of the scene called ``name``.
+
+    Raises:
+        SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
+    """
+    try:
+        return spec.compile()
+    except ValueError as error:
+        raise _unbuildable(name, error) from error
+
+
+def _unbuildable(name: str, error: ValueError) -> SceneError:
+    said = " ".join(str(error).split())
+    return SceneError(
+        f"MuJoCo cannot build the scene {name!r}: {said!r}. Make the scene again, or give that "
+        "body a sound shape and inertia."
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawn:
+    """A mesh as it is after it was stored, and what its shape and its texture are called."""
+
+    shape: str
+    picture: str
+    vertices: Float[np.ndarray, "n 3"]
+    uv: Float[np.ndarray, "n 2"]
+    faces: Int[np.ndarray, "m 3"]
+    texture: UInt8[np.ndarray, "h w 3"]
+
+    @classmethod
+    def of(cls, mesh: Mesh) -> _Drawn:
+        vertices, uv = _store(mesh.vertices, VERTEX_DIGITS), _store(mesh.uv, UV_DIGITS)
+        shape, picture = _name(vertices, uv, mesh.faces), _name(mesh.texture)
+        return cls(f"{shape}.obj", f"{picture}.png", vertices, uv, mesh.faces, mesh.texture)
+
+
+def _store(numbers: Float[np.ndarray, "n d"], digits: int) -> Float[np.ndarray, "n d"]:
+    return np.round(numbers.astype(np.float64), digits).astype(np.float32)
+
+
+def _name(*arrays: np.ndarray) -> str:
+    """Return a name for what arrays hold, the same for the same."""
+    digest = hashlib.sha256()
+    for array in arrays:
+        digest.update(str(array.shape).encode() + array.tobytes())
+    return digest.hexdigest()[:16]
+
+
+def _hand_over(spec: mujoco.MjSpec, meshes: Collection[_Drawn]) -> None:
+    """Give a specification the meshes and textures that it names as files."""
+    import mujoco
+
+    shapes, pictures = {m.shape: m for m in meshes}, {m.picture: m for m in meshes}
+    for named in (each for each in spec.meshes if each.file in shapes):
+        mesh, named.file = shapes[named.file], ""
+        named.uservert = mesh.vertices.ravel()
+        uv = np.stack([mesh.uv[:, 0], 1 - mesh.uv[:, 1]], 1)  # as MuJoCo reads OBJ files
+        named.usertexcoord = uv.ravel()
+        named.userface = named.userfacetexcoord = mesh.faces.ravel()
+    for named in (each for each in spec.textures if each.file in pictures):
+        texture, named.file = pictures[named.file].texture, ""
+        named.height, named.width, named.nchannel = texture.shape
+        named.data = texture.tobytes()
+        named.colorspace = mujoco.mjtColorSpace.mjCOLORSPACE_LINEAR  # as it takes PNG files
