@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float
 
+from ..robot.kinematics import LOWER, UPPER
 from ..world.world import World
 from .servos import Servos, box
 
@@ -25,16 +26,15 @@ class JointDelta:
 
     def reset(self, world: World) -> None:
         """Start from the robot's present joints."""
-        self.command = world.data.qpos[world.arm_qpos].copy()
+        self.command = world.state.joints.copy()
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
         """Advance the commanded joints by ``action``."""
-        real = world.data.qpos[world.arm_qpos]
-        low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
+        real = world.state.joints
         leash = JOINT_LEASH * self.servos.slack
         wanted = self.command + JOINT_STEP * self.servos.share * action[:7]
         before = self.command
-        self.command = np.clip(real + np.clip(wanted - real, -leash, leash), low, high)
+        self.command = np.clip(real + np.clip(wanted - real, -leash, leash), LOWER, UPPER)
         self.servos.command(world, before, self.command, action[7])
 
 
@@ -43,7 +43,6 @@ class JointTarget(JointDelta):
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
         """Advance the commanded joints towards those of ``action``."""
-        low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
-        left = low + (action[:7] + 1) / 2 * (high - low) - self.command
+        left = LOWER + (action[:7] + 1) / 2 * (UPPER - LOWER) - self.command
         step = np.clip(left / (JOINT_STEP * self.servos.share), -1.0, 1.0)
         super().apply(world, np.array([*step, action[7]]))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal, Protocol, get_args
 
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from generator.errors import InputError, require_known
 
+from ..robot.kinematics import LOWER, UPPER
 from ..robot.panda import HOME_CTRL
 from ..world.composition import TIMESTEP
 from ..world.world import World
@@ -85,11 +87,10 @@ class Servos:
         ``gripper`` is the action's last entry.
         """
         lead = SERVO_LEAD / self.period * (joints - before)
-        low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
-        world.data.ctrl[world.actuators[:7]] = np.minimum(np.maximum(joints + lead, low), high)
+        world.state.servos[:] = np.minimum(np.maximum(joints + lead, LOWER), UPPER)
         if self.gripper == "binary":
             gripper = 1.0 if gripper >= 0 else -1.0
-        world.data.ctrl[world.actuators[7]] = GRIPPER_CTRL * (gripper + 1) / 2
+        world.state.gripper[0] = GRIPPER_CTRL * (gripper + 1) / 2
 
 
 class Controller(Protocol):
@@ -124,7 +125,7 @@ def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]
         ) from error
     if array.shape != space.shape:
         raise InputError(f"An action must have shape {space.shape}, got {array.shape}.")
-    if not np.isfinite(array).all():
+    if not all(map(math.isfinite, array.tolist())):
         raise InputError(f"An action must be finite, got {array.tolist()}.")
     return np.minimum(np.maximum(array, space.low), space.high)
 

@@ -33,11 +33,24 @@ WORKSPACE: tuple[tuple[float, ...], ...] = ((-0.5, -0.8, -0.1), (0.85, 0.8, 0.7)
 YAW_REACH = np.pi / 2
 """Largest yaw that ``ToolAbsolute`` can be sent to, radians."""
 
-_LOWEST, _HIGHEST = np.array(WORKSPACE)
-_JOINT_SPEED = np.array([joint.velocity for joint in JOINTS])
-for _constant in (_LOWEST, _HIGHEST, _JOINT_SPEED):
+LOWEST_POINT, HIGHEST_POINT = np.array(WORKSPACE)
+"""Ends of ``WORKSPACE`` as arrays."""
+
+JOINT_SPEED = np.array([joint.velocity for joint in JOINTS])
+"""Rated speeds of the joints, rad/s."""
+
+PULL = 0.05
+"""How much the joints are drawn towards home, per action at 20 Hz; see ``kinematics.ik_step``."""
+
+for _constant in (LOWEST_POINT, HIGHEST_POINT, JOINT_SPEED):
     _constant.setflags(write=False)
-_PULL = 0.05  # towards the home posture, per action at 20 Hz
+
+
+def _clip(
+    values: Float[np.ndarray, "n"], low: Float[np.ndarray, "n"], high: Float[np.ndarray, "n"]
+) -> Float[np.ndarray, "n"]:
+    """Return ``np.clip(values, low, high)``, in half the time."""
+    return np.minimum(np.maximum(values, low), high)
 
 
 class Arm:
@@ -50,31 +63,32 @@ class Arm:
     def __init__(self, servos: Servos) -> None:
         self.point = np.zeros(3)
         self._servos = servos
-        self._most = _JOINT_SPEED * servos.period
+        self._most = JOINT_SPEED * servos.period
+        self._leash = np.full(3, EE_LEASH * servos.slack)
         self._joints = HOME.copy()
 
     def reset(self, world: World) -> Float[np.ndarray, "3 3"]:
         """Start from the robot's present pose; return the tool's rotation."""
-        self._joints = world.data.qpos[world.arm_qpos].copy()
+        self._joints = world.state.joints.copy()
         self.point, rotation = forward(self._joints)
         return rotation
 
     def move(self, world: World, action: Float[np.ndarray, "3"]) -> None:
         """Advance the commanded point by the x, y, z of an action."""
-        real = world.to_base(world.data.site_xpos[world.tcp])
-        leash = EE_LEASH * self._servos.slack
-        wanted = self.point + EE_STEP * self._servos.share * action
-        near = real + np.minimum(np.maximum(wanted - real, -leash), leash)
-        self.point = np.minimum(np.maximum(near, _LOWEST), _HIGHEST)
+        real = world.to_base(world.state.tool)
+        ahead = self.point + EE_STEP * self._servos.share * action - real
+        near = real + _clip(ahead, -self._leash, self._leash)
+        self.point = _clip(near, LOWEST_POINT, HIGHEST_POINT)
 
     def follow(self, world: World, rotation: Float[np.ndarray, "3 3"], gripper: float) -> None:
         """Command the joints after the commanded point and ``rotation``."""
         before, joints = self._joints, self._joints
-        pull = _PULL * min(1.0, self._servos.share)
+        pull = PULL * min(1.0, self._servos.share)
         for _ in range(math.ceil(self._servos.slack)):
             joints = ik_step(joints, self.point, rotation, pull=pull)[0]
         turn = joints - before
-        self._joints = before + turn / max(1.0, float((np.abs(turn) / self._most).max()))
+        excess = max(map(abs, (turn / self._most).tolist()))
+        self._joints = joints if excess <= 1 else before + turn / excess
         self._servos.command(world, before, self._joints, gripper)
 
 
@@ -144,7 +158,7 @@ class ToolAbsolute(ToolDelta):
 
         The hand turns through yaw 0, never through the half turn that joint 7 cannot make.
         """
-        move = _LOWEST + (action[:3] + 1) / 2 * (_HIGHEST - _LOWEST) - self.arm.point
+        move = LOWEST_POINT + (action[:3] + 1) / 2 * (HIGHEST_POINT - LOWEST_POINT) - self.arm.point
         move /= max(EE_STEP * self.servos.share, float(np.linalg.norm(move)))
         turn = (YAW_REACH * action[3] - self.yaw) / (EE_TURN * self.servos.share)
         super().apply(world, np.array([*move, np.clip(turn, -1.0, 1.0), action[4]]))

@@ -14,7 +14,7 @@ from jaxtyping import Bool, Float
 
 from generator.geometry import rotation_yaw, wrap
 
-from ..robot.kinematics import HOME, LOWER, UPPER, forward, pointing_down, solve_ik
+from ..robot.kinematics import HOME, LOWER, UPPER, pointing_down, solve_ik
 from ..world.world import World
 from .planning.heights import HeightMap
 
@@ -25,7 +25,6 @@ NARROW = 0.38
 """Metres from the base's axis that the hand keeps; nearer, the arm would have to fold."""
 
 _NEAREST = 0.28  # metres from the base's axis: nearer the arm would have to fold otherwise
-_ROLL_MARGIN = 0.1
 _WRIST = ((0.088, 0.01), (0.088, -0.03), (0.088, -0.07))  # link 6: back to the base, aside, metres
 _WRIST_RADIUS, _WRIST_Z = 0.055, 0.16
 _KNUCKLE, _KNUCKLE_RADIUS, _KNUCKLE_Z = 0.0425, 0.036, 0.102  # of link 7, along both hand axes
@@ -37,8 +36,14 @@ _DISC = np.array([
 ])  # fmt: skip
 """Points of the unit disc, dense enough to hit the thin screen of a laptop."""
 
-_ROLL = rotation_yaw(forward(HOME)[1])
+ROLL = np.pi / 2
 """The hand's yaw at home, where the tool is straight ahead."""
+
+MIDDLE = ROLL + float(HOME[6])
+"""The hand's yaw relative to the bearing of the tool with the last joint at zero."""
+
+ROLL_RANGE = float(UPPER[6]) - 0.1
+"""How far from ``MIDDLE`` that is planned to be, radians."""
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
@@ -70,14 +75,28 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
 
     Radians, base frame; ``at`` is where the tool is then, world frame.
     """
-    relative = rotation_yaw(world.hand) - _bearing(world, world.data.site_xpos[world.tcp])
-    middle = _ROLL + float(HOME[6])  # the last joint at zero
-    by_joint = middle - float(world.data.qpos[world.arm_qpos[6]])
-    now = by_joint + wrap(relative - by_joint)
-    asked = middle + wrap(yaw - _bearing(world, at) - middle)
+    now = _roll(world)
+    asked = MIDDLE + wrap(yaw - _bearing(world, at) - MIDDLE)
     ways = [asked + 2 * np.pi * k for k in (-1, 0, 1)]
-    allowed = [w for w in ways if abs(w - middle) <= UPPER[6] - _ROLL_MARGIN]
+    allowed = [w for w in ways if abs(w - MIDDLE) <= ROLL_RANGE]
     return min((w - now for w in allowed or [asked]), key=abs)
+
+
+def least_turn(world: World, at: Float[np.ndarray, "3"]) -> float:
+    """Return how far the hand has to turn at least for the last joint to be in range at ``at``.
+
+    Radians, base frame, 0 where the hand can keep its yaw; ``at`` is where the tool is then.
+    """
+    turned = _bearing(world, world.data.site_xpos[world.tcp]) - _bearing(world, at)
+    asked = _roll(world) + wrap(turned)
+    return float(np.clip(asked, MIDDLE - ROLL_RANGE, MIDDLE + ROLL_RANGE)) - asked
+
+
+def _roll(world: World) -> float:
+    """Return the hand's yaw relative to the bearing of the tool, in the last joint's range."""
+    relative = rotation_yaw(world.hand) - _bearing(world, world.data.site_xpos[world.tcp])
+    by_joint = MIDDLE - float(world.data.qpos[world.arm_qpos[6]])
+    return by_joint + wrap(relative - by_joint)
 
 
 def around(

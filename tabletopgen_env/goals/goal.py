@@ -25,6 +25,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -54,11 +55,17 @@ REACHED = 0.02
 RAISED = (0.08, 0.24)
 """Between which heights above where it stood a thing counts as lifted, metres."""
 
+UPRIGHT = float(np.cos(np.deg2rad(30.0)))
+"""Least cosine between the world's up and what was up at the start of things that stand."""
+
+GAP = 0.005
+"""Most between a support's top and what stands on it, metres."""
+
+LYING = 0.01
+"""Height above the table up to which a pushed thing lies on it, metres."""
+
 _ASTRAY = 0.25  # how far aside a lifted thing may be, metres
-_UPRIGHT = np.cos(np.deg2rad(30.0))
 _ON_TOP = 0.015  # metres by which the height of a stacked thing may differ
-_GAP = 0.005  # metres between a support's top and what stands on it
-_LYING = 0.01  # metres above the table up to which a pushed thing lies on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,6 +122,10 @@ class Reached(Goal):
 
     def region(self, world: World) -> Region:
         """Return the point's surroundings."""
+        return self._region
+
+    @cached_property
+    def _region(self) -> Region:
         return Region(self.spot, np.full(3, REACHED))
 
 
@@ -131,6 +142,10 @@ class Raised(Goal):
 
     def region(self, world: World) -> Region:
         """Return the space above where it stood."""
+        return self._region
+
+    @cached_property
+    def _region(self) -> Region:
         low, high = RAISED
         center = self.start + np.array([0.0, 0.0, (low + high) / 2])
         return Region(center, np.array([_ASTRAY, _ASTRAY, (high - low) / 2]))
@@ -157,12 +172,16 @@ class Pushed(Goal):
 
     def region(self, world: World) -> Region:
         """Return where its centre is when it stands on the spot."""
+        return self._region
+
+    @cached_property
+    def _region(self) -> Region:
         return _standing(self.spot, self.rest)
 
     def settled(self, world: World) -> bool:
         """Return whether it lies on the table as it stood, at rest."""
-        upright = world.rotation(self.target)[2] @ self.up >= _UPRIGHT
-        lying = world.lowest(self.target) <= world.scene.table.height + _LYING
+        upright = world.rotation(self.target)[2] @ self.up >= UPRIGHT
+        lying = world.lowest(self.target) <= world.scene.table.height + LYING
         return bool(upright and lying and at_rest(world, self.target))
 
 
@@ -182,6 +201,10 @@ class OnSpot(Goal):
 
     def region(self, world: World) -> Region:
         """Return where its centre is when it stands on the spot."""
+        return self._region
+
+    @cached_property
+    def _region(self) -> Region:
         return _standing(self.spot, self.rest)
 
     def settled(self, world: World) -> bool:
@@ -216,7 +239,7 @@ class Into(Goal):
         base = world.position(self.reference)[2]
         below = world.lowest(self.target)
         floor = base + up[2] * (hollow.floor - hollow.thickness / 2)
-        return bool(up[2] >= _UPRIGHT and floor <= below <= base + up[2] * hollow.rim - INSIDE)
+        return bool(up[2] >= UPRIGHT and floor <= below <= base + up[2] * hollow.rim - INSIDE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -249,10 +272,10 @@ class OnTop(Goal):
         """
         if not at_rest(world, self.target) or world.touches(self.target)[2]:
             return False
-        if world.rotation(self.reference)[2] @ self.up < _UPRIGHT:
+        if world.rotation(self.reference)[2] @ self.up < UPRIGHT:
             return False
         top = world.position(self.reference) + world.rotation(self.reference) @ self.plateau.center
-        return abs(world.lowest(self.target) - float(top[2])) <= _GAP
+        return abs(world.lowest(self.target) - float(top[2])) <= GAP
 
 
 def named_by(goals: Iterable[Goal]) -> list[str]:
@@ -284,7 +307,7 @@ def the(world: World, name: str) -> str:
 
 def at_rest(world: World, name: str) -> bool:
     """Return whether an object is at rest."""
-    speed = world.velocity(name)
+    speed = world.state.velocities[world.index(name)]
     linear, angular = speed[:3], speed[3:]
     return bool(linear @ linear <= REST_SPEED**2 and angular @ angular <= REST_SPIN**2)
 

@@ -38,6 +38,16 @@ class Joint:
     stiffness: float
     damping: float
 
+    @property
+    def place(self) -> tuple[float, float, float]:
+        """Where the link's frame is in its parent's, metres."""
+        return self.a, float(-self.d * np.sin(self.alpha)), float(self.d * np.cos(self.alpha))
+
+    @property
+    def turn(self) -> tuple[float, float, float, float]:
+        """The wxyz quaternion of the link's frame in its parent's at q = 0."""
+        return float(np.cos(self.alpha / 2)), float(np.sin(self.alpha / 2)), 0.0, 0.0
+
 
 JOINTS: tuple[Joint, ...] = (
     Joint(0.0, 0.333, 0.0, -2.8973, 2.8973, 2.175, 87.0, 4500.0, 450.0),

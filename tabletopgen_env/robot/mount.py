@@ -6,8 +6,9 @@ The base is level with the table top, so that the hand, pointing straight down, 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -78,7 +79,9 @@ class Mount:
         that can be reached; a place near an object loses, and of equal places the one on the
         viewer's side (-y) nearest the middle wins.
         """
-        return max(_candidates(scene), key=lambda mount: _score(mount, scene))
+        spots, boxes = _spots(scene), _boxes(scene)
+        tall = _rising(scene, boxes)
+        return max(_candidates(scene), key=lambda mount: _score(mount, spots, boxes, tall))
 
     def reaches(self, points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
         """Return which world points the tool centre point reaches with the hand pointing down.
@@ -104,19 +107,7 @@ def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
 
     In the way is what rises above ``TALL`` within ``ARM_BREADTH``: the hand is below the forearm.
     """
-    start, end = mount.position[:2], scene.object(name).pose.position[:2]
-    way = end - start
-    for other in scene.objects:
-        axes = np.abs(quaternion_matrix(other.pose.quaternion)) @ other.scale / 2
-        if other.name == name or other.pose.position[2] + axes[2] < scene.table.height + TALL:
-            continue
-        offset = other.pose.position[:2] - start
-        along = float(np.clip(offset @ way / max(float(way @ way), 1e-9), 0.0, 1.0))
-        turned = (along * way - offset) @ quaternion_matrix(other.pose.quaternion)[:2, :2]
-        aside = np.maximum(np.abs(turned) - other.scale[:2] / 2, 0.0)
-        if float(np.linalg.norm(aside)) < ARM_BREADTH:
-            return other.name
-    return None
+    return _obstacle(mount, scene.object(name), _rising(scene, _boxes(scene)))
 
 
 def add_pedestal(spec: mujoco.MjSpec, mount: Mount) -> None:
@@ -164,15 +155,57 @@ def _candidates(scene: Scene) -> list[Mount]:
     return mounts
 
 
-def _score(mount: Mount, scene: Scene) -> float:
-    """Rate a mount: objects reached, table reached, room around the base, the viewer's side."""
-    covered = float(mount.reaches(_spots(scene)).mean())
-    within = [
-        reachable(mount, o.pose.position) and obstacle(scene, mount, o.name) is None
+class _Box(NamedTuple):
+    """An object as its turned box: where its middle is, its half extent, its axes as columns."""
+
+    thing: Object
+    middle: Float[np.ndarray, "3"]
+    half: Float[np.ndarray, "3"]
+    axes: Float[np.ndarray, "3 3"]
+
+
+def _boxes(scene: Scene) -> list[_Box]:
+    return [
+        _Box(o, o.pose.position, o.scale / 2, quaternion_matrix(o.pose.quaternion))
         for o in scene.objects
     ]
-    reached = float(np.mean(within)) if within else 0.0
-    crowded = sum(_gap(mount, o) < CLEARANCE for o in scene.objects)
+
+
+def _rising(scene: Scene, boxes: Sequence[_Box]) -> list[_Box]:
+    """Return the boxes that rise above ``TALL``."""
+    limit = scene.table.height + TALL
+    tops = [box.middle[2] + (np.abs(box.axes) @ box.thing.scale / 2)[2] for box in boxes]
+    return [box for box, top in zip(boxes, tops, strict=True) if top >= limit]
+
+
+def _obstacle(mount: Mount, thing: Object, rising: Sequence[_Box]) -> str | None:
+    """Return which of the tall boxes stands between the base and a thing, or None."""
+    start = mount.position[:2]
+    way = thing.pose.position[:2] - start
+    for other in rising:
+        if other.thing.name == thing.name:
+            continue
+        offset = other.middle[:2] - start
+        along = float(np.clip(offset @ way / max(float(way @ way), 1e-9), 0.0, 1.0))
+        turned = (along * way - offset) @ other.axes[:2, :2]
+        aside = np.maximum(np.abs(turned) - other.half[:2], 0.0)
+        if float(np.linalg.norm(aside)) < ARM_BREADTH:
+            return other.thing.name
+    return None
+
+
+def _score(
+    mount: Mount, spots: Float[np.ndarray, "n 3"], boxes: Sequence[_Box], rising: Sequence[_Box]
+) -> float:
+    """Rate a mount: objects reached, table reached, room around the base, the viewer's side."""
+    covered = float(mount.reaches(spots).mean())
+    reached = crowded = 0.0
+    if boxes:
+        near = mount.reaches(np.array([box.middle for box in boxes]))
+        pairs = zip(boxes, near.tolist(), strict=True)
+        within = [ok and _obstacle(mount, box.thing, rising) is None for box, ok in pairs]
+        reached = float(np.mean(within))
+        crowded = sum(_gap(mount, box) < CLEARANCE for box in boxes)
     aside = abs(float(mount.position[0]))
     front = 0.25 * (float(mount.position[1]) < 0) - 0.1 * aside
     return 2.0 * reached + covered + front - crowded
@@ -190,9 +223,8 @@ def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:
     return np.column_stack([grid[inside], np.full(inside.sum(), scene.table.height + 0.05)])
 
 
-def _gap(mount: Mount, obj: Object) -> float:
+def _gap(mount: Mount, box: _Box) -> float:
     """Return the horizontal distance from the base's axis to an object's turned box, metres."""
-    axes = quaternion_matrix(obj.pose.quaternion)
-    offset = (mount.position - obj.pose.position) @ axes
+    offset = (mount.position - box.middle) @ box.axes
     offset[2] = 0.0
-    return float(np.linalg.norm(np.maximum(np.abs(offset) - obj.scale / 2, 0)[:2]))
+    return float(np.linalg.norm(np.maximum(np.abs(offset) - box.half, 0)[:2]))

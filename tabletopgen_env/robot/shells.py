@@ -7,7 +7,7 @@ drawing time on a CPU is geometry.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
@@ -15,7 +15,7 @@ from types import MappingProxyType
 import numpy as np
 from jaxtyping import Float, Int
 
-from .kinematics import HOME, link_frames
+from .kinematics import HOME, forward, link_frames
 
 WHITE, GREY, DARK, BLUE = "white", "grey", "dark", "blue"
 
@@ -224,14 +224,22 @@ def _finger() -> tuple[RobotShell, ...]:
     )
 
 
+def join(
+    shells: Sequence[RobotShell],
+) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+    """Return vertices and faces of several shells as one mesh."""
+    first = np.cumsum([0, *(len(shell.vertices) for shell in shells[:-1])])
+    faces = [shell.faces + at for shell, at in zip(shells, first, strict=True)]
+    return np.concatenate([shell.vertices for shell in shells]), np.concatenate(faces)
+
+
 def arm_points() -> Float[np.ndarray, "n 3"]:
     """Return points all over the links at home and the tool centre point, in the base frame.
 
     They are what a camera has to show to have the whole robot in the picture.
     """
-    frames = [np.eye(4), *link_frames(HOME)]
-    points = [frames[-1][None, :3, 3]]
-    for number, frame in enumerate(frames[:-1]):
+    points = [forward(HOME)[0][None]]
+    for number, frame in enumerate([np.eye(4), *link_frames(HOME)]):
         shells = np.concatenate([shell.vertices for shell in arm_shells()[f"link{number}"]])
         points.append(shells @ frame[:3, :3].T + frame[:3, 3])
     return np.concatenate(points)

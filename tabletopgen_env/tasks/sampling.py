@@ -156,12 +156,13 @@ def containers(world: World, obj: Object) -> Iterator[Object]:
     outline = world.footprints[obj.name]  # however the hand turns it, it goes in lying as it does
     across = float(np.linalg.norm(outline[:, None] - outline[None], axis=-1).max())
     for other in world.scene.objects:
-        hollow = world.openings[other.name]
-        if hollow is None or other.name == obj.name or obj.placement.on == other.name:
+        if other.name == obj.name or obj.placement.on == other.name:
             continue
         upright = other.model.container and is_upright(other)
-        wide = across + ROOM <= 2 * float(hollow.semi.min())
-        if upright and wide and reachable(world.mount, other.pose.position):
+        if not upright or not reachable(world.mount, other.pose.position):
+            continue
+        hollow = world.openings[other.name]
+        if hollow is not None and across + ROOM <= 2 * float(hollow.semi.min()):
             yield other
 
 

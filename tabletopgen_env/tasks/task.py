@@ -33,13 +33,12 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import ClassVar
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from generator.language.distribution import Needs
 
@@ -59,8 +58,12 @@ ENTRIES = 8
 LIFT = 0.08
 """Height to carry things at, metres."""
 
-_FAR = 3.0  # metres; positions in goal vectors are clipped to it
-_LEAST = 1e-6  # metres; what semi-axes are at least taken for
+REACH_SCALE, PLACE_SCALE = 0.1, 0.15
+"""Distances at which the terms reach and place are a half, metres."""
+
+FAR = 3.0
+"""Positions in goal vectors are clipped to it, metres."""
+
 _HAND = ("reach", "grasp", "lift")
 
 
@@ -76,25 +79,17 @@ class Episode:
     starts: tuple[float, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class Agreement:
-    """How an achieved goal vector agrees with a desired one, goal by goal.
+@dataclass(frozen=True)
+class Gap:
+    """How far from being met one goal is.
 
-    across, up: how far outside its region each target is, horizontally and vertically, metres;
-    met: whether each goal is met (padding is); used: which goals are no padding.
+    across, up: how far outside its region the target is, horizontally and vertically, metres;
+    met: whether the goal is met.
     """
 
-    across: Float[np.ndarray, "*n most"]
-    up: Float[np.ndarray, "*n most"]
-    met: Bool[np.ndarray, "*n most"]
-    used: Bool[np.ndarray, "*n most"]
-
-    @cached_property
-    def active(self) -> int:
-        """The index of the first goal that is not met; of the last one, if all are."""
-        first = int(self.met.argmin())
-        last = int(np.count_nonzero(self.used)) - 1
-        return last if self.met[first] else min(first, last)
+    across: float
+    up: float
+    met: bool
 
 
 def episode(world: World, goals: tuple[Goal, ...]) -> Episode:
@@ -149,103 +144,97 @@ class Task(ABC):
 
     def desired_goal(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
         """Return the desired goal vector, ``float32``, 8 entries for each of ``most`` goals."""
-        vector = np.zeros((self.most, ENTRIES))
-        for row, goal in zip(vector, episode.goals, strict=False):
+        entries: list[float] = []
+        for goal in episode.goals:
             region = goal.region(world)
-            row[:3] = _near(world.to_base(region.center))
-            row[3:5] = region.semi[:2]
-            row[5:] = region.yaw - world.mount.yaw, region.semi[2], 1.0
-        return vector.ravel().astype(np.float32)
+            x, y, z = region.semi.tolist()
+            entries += _near(world.to_base(region.center))
+            entries += (x, y, region.yaw - world.mount.yaw, z, 1.0)
+        return self._vector(entries)
 
     def achieved_goal(
         self, world: World, episode: Episode, desired: Float[np.ndarray, "g"]
     ) -> Float[np.ndarray, "g"]:
         """Return what is achieved in the same form."""
-        vector = desired.reshape(self.most, ENTRIES).copy()
-        for row, goal in zip(vector, episode.goals, strict=False):
-            row[:3] = _near(world.to_base(center(world, goal)))
-            row[7] = goal.settled(world)
-        return vector.ravel()
+        entries: list[float] = []
+        wanted = desired.tolist()
+        for k, goal in enumerate(episode.goals):
+            entries += _near(world.to_base(center(world, goal)))
+            entries += wanted[ENTRIES * k + 3 : ENTRIES * k + 7]
+            entries.append(float(goal.settled(world)))
+        return self._vector(entries)
 
-    def agreement(
-        self, achieved: Float[np.ndarray, "*n g"], desired: Float[np.ndarray, "*n g"]
-    ) -> Agreement:
-        """Return how goal vectors agree; vectorised."""
-        a, d = (np.asarray(v, np.float64) for v in (achieved, desired))
-        a, d = (v.reshape(*v.shape[:-1], -1, ENTRIES) for v in (a, d))
-        across, up = distance(a, d)
-        used = d[..., 3] > 0
-        met = (across <= 0) & (up <= 0) & (a[..., 7] >= d[..., 7]) | ~used
+    def _vector(self, entries: list[float]) -> Float[np.ndarray, "g"]:
+        return np.array(entries + [0.0] * (ENTRIES * self.most - len(entries)), np.float32)
+
+    def gaps(self, achieved: Float[np.ndarray, "g"], desired: Float[np.ndarray, "g"]) -> list[Gap]:
+        """Return how far from being met each goal of a goal vector is."""
+        a, d = achieved.tolist(), desired.tolist()
+        ends = range(0, len(d), ENTRIES)
+        found = [_gap(a[k : k + ENTRIES], d[k : k + ENTRIES]) for k in ends if d[k + 3] > 0]
         for first, second in self.aside.items():
-            met[..., first] |= met[..., second]
-        return Agreement(across, up, met, used)
+            if found[second].met:
+                found[first] = replace(found[first], met=True)
+        return found
 
     # -------------------------------------------------------------------------------------- reward
 
-    def goal_terms(self, agreement: Agreement) -> dict[str, float | Float[np.ndarray, "*n"]]:
-        """Return the terms that follow from the goal vectors: place, met, success; vectorised."""
-        across, up, met = agreement.across, agreement.up, agreement.met
-        if met.shape == (1,):  # one goal at a time: the same sums, without arrays
-            apart = math.sqrt(across[0] * across[0] + up[0] * up[0])
-            done = np.asarray(met[0], np.float64)
-            return {"place": np.asarray(1 / (1 + apart / 0.15)), "met": done, "success": done}
-        place = 1 / (1 + np.sqrt(across * across + up * up) / 0.15)
+    def goal_terms(self, gaps: list[Gap]) -> dict[str, float]:
+        """Return the terms that follow from the goal vectors: place, met, success."""
+        count = len(gaps)
+        place = [1 / (1 + math.sqrt(g.across * g.across + g.up * g.up) / PLACE_SCALE) for g in gaps]
         for first, second in self.aside.items():
-            place[..., first] = np.where(met[..., second], 1.0, place[..., first])
-        count = agreement.used.sum(-1)
-        return {
-            "place": (place * agreement.used).sum(-1) / count,
-            "met": (met & agreement.used).sum(-1) / count,
-            "success": np.asarray(met.all(-1), dtype=np.float64),
-        }
+            if gaps[second].met:
+                place[first] = 1.0
+        met = sum(gap.met for gap in gaps)
+        return {"place": sum(place) / count, "met": met / count, "success": float(met == count)}
 
-    def terms(self, world: World, episode: Episode, agreement: Agreement) -> dict[str, float]:
+    def terms(self, world: World, episode: Episode, gaps: list[Gap]) -> dict[str, float]:
         """Return every reward term by name, each in [0, 1]."""
-        shared = {name: float(value) for name, value in self.goal_terms(agreement).items()}
+        shared = self.goal_terms(gaps)
         if shared["success"]:
             return dict.fromkeys((*_HAND, *shared), 1.0)
-        count = len(episode.goals)
-        met = int(np.count_nonzero(agreement.met[:count]))
-        hand = self._hand(world, episode, agreement)
+        met, count = sum(gap.met for gap in gaps), len(gaps)
+        k = first_open(gaps)
+        hand = self._hand(world, episode.goals[k], episode.starts[k], gaps[k])
         return {name: (met + value) / count for name, value in hand.items()} | shared
 
-    def _hand(self, world: World, episode: Episode, agreement: Agreement) -> dict[str, float]:
-        """Return reach, grasp and lift of the active goal."""
-        k = agreement.active
-        goal = episode.goals[k]
-        across, up = agreement.across[k], agreement.up[k]
-        if goal.target is None or (goal.released and across <= 0 and up <= 0):
+    def _hand(self, world: World, goal: Goal, start: float, gap: Gap) -> dict[str, float]:
+        """Return reach, grasp and lift of an active goal whose target stood at height ``start``."""
+        if goal.target is None or (goal.released and gap.across <= 0 and gap.up <= 0):
             return dict.fromkeys(_HAND, 1.0)
-        at = world.position(goal.target)
+        at = world.state.positions[world.index(goal.target)]
         left, right, _ = world.touches(goal.target)
-        offset = world.data.site_xpos[world.tcp] - at
+        offset = world.state.tool - at
         away = math.sqrt(offset @ offset)
-        asked = LIFT * min(float(across) / LIFT, 1.0) if goal.released else LIFT
-        risen = float(at[2]) - episode.starts[k]
+        asked = LIFT * min(gap.across / LIFT, 1.0) if goal.released else LIFT
+        risen = float(at[2]) - start
         lift = min(max(risen / asked, 0.0), 1.0) if asked > 0 else 1.0
-        return {"reach": 1 / (1 + away / 0.1), "grasp": (left + right) / 2, "lift": lift}
+        return {"reach": 1 / (1 + away / REACH_SCALE), "grasp": (left + right) / 2, "lift": lift}
+
+
+def first_open(gaps: list[Gap]) -> int:
+    """Return the index of the first goal that is not met; of the last one, if all are."""
+    return next((k for k, gap in enumerate(gaps) if not gap.met), len(gaps) - 1)
 
 
 def center(world: World, goal: Goal) -> Float[np.ndarray, "3"]:
     """Return where what a goal is about is: an object's centre or the tool centre point."""
     if goal.target is None:
-        return world.data.site_xpos[world.tcp].copy()
+        return world.state.tool.copy()
     return world.position(goal.target)
 
 
-def distance(
-    achieved: Float[np.ndarray, "*n 8"], desired: Float[np.ndarray, "*n 8"]
-) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n"]]:
-    """Return how far outside a goal's region a target is, horizontally and vertically, metres."""
-    a, d = np.asarray(achieved, np.float64), np.asarray(desired, np.float64)
-    away = a[..., :3] - d[..., :3]
-    x, y, z = away[..., 0], away[..., 1], away[..., 2]
-    c, s = np.cos(d[..., 5]), np.sin(d[..., 5])
-    semi = np.maximum(d[..., 3:5], _LEAST)  # padding has none
-    u, v = (c * x + s * y) / semi[..., 0], (c * y - s * x) / semi[..., 1]
-    outside = np.hypot(x, y) * (1 - 1 / np.maximum(np.hypot(u, v), 1.0))
-    return outside, np.maximum(np.abs(z) - d[..., 6], 0.0)
+def _gap(achieved: list[float], desired: list[float]) -> Gap:
+    """Return the gap of one goal's entries in an achieved and a desired goal vector."""
+    x, y, z, semi_x, semi_y, yaw, semi_z, state = desired
+    x, y, z = achieved[0] - x, achieved[1] - y, achieved[2] - z
+    c, s = math.cos(yaw), math.sin(yaw)
+    out = math.hypot((c * x + s * y) / semi_x, (c * y - s * x) / semi_y)  # 1 is the edge
+    across = math.hypot(x, y) * (1 - 1 / out) if out > 1 else 0.0
+    up = max(abs(z) - semi_z, 0.0)
+    return Gap(across, up, across <= 0 and up <= 0 and achieved[7] >= state)
 
 
-def _near(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
-    return np.minimum(np.maximum(point, -_FAR), _FAR)
+def _near(point: Float[np.ndarray, "3"]) -> list[float]:
+    return [min(max(x, -FAR), FAR) for x in point.tolist()]

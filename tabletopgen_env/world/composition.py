@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from generator.geometry import Camera, framing_camera, rotation_z, yaw_quaternion
-from generator.physics.mjcf import FRICTION_STIFFNESS, scene_spec
+from generator.physics.mjcf import FRICTION_STIFFNESS
+from generator.physics.spec import scene_spec
 from generator.scene import Scene, View
 
 from ..robot.mount import Mount, add_pedestal
@@ -30,6 +31,9 @@ WRIST_CAMERA = PREFIX + "wrist"
 
 TOP_CAMERA = "overhead"
 """Name of the camera that looks straight down at the table; the scene itself brings a "top"."""
+
+SIDE_CAMERA = "side"
+"""Name of the camera that looks at table and robot from the robot's left."""
 
 MARKER = "marker/goal"
 """Name of the body and the geom that mark a free goal spot; no object's name has a slash."""
@@ -63,14 +67,9 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     add_pedestal(spec, mount)
     front = front_camera(scene, mount, 4, 3)
     furnish(spec, scene, mount, front)
-    right, down, _ = front.rotation
-    spec.worldbody.add_camera(
-        name=FRONT_CAMERA,
-        pos=front.position,
-        xyaxes=[*right, *-down],
-        fovy=float(np.rad2deg(front.fov)),
-    )
+    _add_camera(spec, FRONT_CAMERA, front)
     _add_top_camera(spec, scene, mount)
+    _add_camera(spec, SIDE_CAMERA, side_camera(scene, mount, 4, 3))
     marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
     marker.add_geom(
         name=MARKER,
@@ -89,13 +88,31 @@ def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
 
     In pictures at least as wide as high it shows both whole.
     """
+    return _framing(scene, mount, np.pi / 2, width, height)
+
+
+def side_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
+    """Return the camera on the robot's left that shows what ``front_camera`` does."""
+    return _framing(scene, mount, np.pi, width, height)
+
+
+def _framing(scene: Scene, mount: Mount, around: float, width: int, height: int) -> Camera:
+    """Return the camera that looks at table and arm, ``around`` the vertical, base frame."""
     turn = rotation_z(mount.yaw)
     outline = np.asarray(scene.table.outline, float)
     top = np.column_stack([outline, np.full(len(outline), scene.table.height)])
     shown = np.concatenate([top, arm_points() @ turn.T + mount.position])
-    view = View(mount.yaw + np.pi / 2, _FRONT_ELEVATION, _FRONT_FOV)
+    view = View(mount.yaw + around, _FRONT_ELEVATION, _FRONT_FOV)
     camera = framing_camera(shown, view, 1, 1, _FRONT_MARGIN)
     return replace(camera, width=width, height=height)
+
+
+def _add_camera(spec: mujoco.MjSpec, name: str, camera: Camera) -> None:
+    right, down, _ = camera.rotation
+    spec.worldbody.add_camera(
+        name=name, pos=camera.position, xyaxes=[*right, *-down],
+        fovy=float(np.rad2deg(camera.fov)),
+    )  # fmt: skip
 
 
 def _add_top_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Callable, Hashable, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -22,7 +22,7 @@ from jaxtyping import Float, Int
 from generator.bundle import digest
 from generator.errors import SceneError, choices
 from generator.geometry import rotation_z
-from generator.physics.mjcf import compile_spec
+from generator.physics.spec import compile_spec
 from generator.scene import Scene, hold_supports
 
 from ..affordance import (
@@ -30,14 +30,19 @@ from ..affordance import (
     Plateau,
     collision_points,
     footprint,
+    is_too_wide,
     opening,
     plateau,
     why_not_graspable,
+    why_not_liftable,
 )
+from ..robot.hand import FINGER_JOINTS
 from ..robot.mount import Mount
-from ..robot.panda import ACTUATORS, ARM_JOINTS, FINGER_JOINTS, HOME_CTRL, HOME_QPOS, Panda
+from ..robot.panda import ACTUATORS, ARM_JOINTS, HOME_CTRL, HOME_QPOS, Panda
 from ..robot.tool import TCP_SITE
 from .composition import MARKER, PREFIX, compose
+from .per_object import PerObject
+from .state import WorldState, span
 
 if TYPE_CHECKING:
     import mujoco
@@ -61,6 +66,7 @@ class World:
         bundle: the bundle's folder that it was read from; None for others.
         mount: where the robot's base stands, in the world frame.
         model, data: MuJoCo's.
+        state: what ``data`` holds of the robot and the objects, as live views.
         names: the scene's objects; the order of every per-object array.
         bodies: their MuJoCo body ids.
         arm_qpos, arm_dof: addresses of the seven arm joints in qpos and qvel.
@@ -69,6 +75,8 @@ class World:
         robot_bodies: MuJoCo body ids of the robot's links, hand and fingers.
         tcp: id of the tool centre point's site.
         cached: what others keep of the scene as it was given, by keys of theirs; twins share it.
+        openings: the hollow of each object by name, None where it has none.
+        plateaus: the flat top of each object by name, None where it has none.
         absent: objects that are out of this episode; see ``randomization``.
     """
 
@@ -100,11 +108,12 @@ class World:
         self.arm_qpos = np.array([joint.qposadr[0] for joint in arm])
         self.arm_dof = np.array([joint.dofadr[0] for joint in arm])
         self.finger_qpos = np.array([joint.qposadr[0] for joint in fingers])
+        self._finger_dof = np.array([joint.dofadr[0] for joint in fingers])
         self.actuators = np.array([model.actuator(PREFIX + name).id for name in ACTUATORS])
         self.tcp = int(model.site(PREFIX + TCP_SITE).id)
         self._marker_geom = int(model.geom(MARKER).id)
         self._marker_mocap = int(model.body(MARKER).mocapid[0])
-        self._gripper_side = _gripper_sides(model)
+        self._gripper_side = gripper_sides(model)
         self.robot_bodies: Int[np.ndarray, "r"] = np.flatnonzero(self._gripper_side)
         held = (self._gripper_side > 0) & (model.body_weldid == 0)
         self._fixed_geoms = np.flatnonzero(held[model.geom_bodyid] & (model.geom_contype > 0))
@@ -113,10 +122,13 @@ class World:
         self._base_reach = _FIXED_REACH + np.linalg.norm(self.half_extent, axis=1)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
+        self.state = self._view_state()
         self._known: dict[Hashable, Any] = {}  # of this arrangement of the objects
         self._known_of_given = self._known
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
         self.cached: dict[Hashable, Any] = {}
+        self.openings: Mapping[str, Opening | None] = PerObject(scene, opening)
+        self.plateaus: Mapping[str, Plateau | None] = PerObject(scene, plateau)
 
     def twin(self) -> World:
         """Return a world of the same scene that shares what is known of it, with its own model."""
@@ -125,11 +137,28 @@ class World:
         other = copy.copy(self)
         other.model = copy.copy(self.model)
         other.data = mujoco.MjData(other.model)
+        other.state = other._view_state()
         other._touches = {}
         other.reset()
         return other
 
     # ------------------------------------------------------------------------------------ state
+
+    def _view_state(self) -> WorldState:
+        data, rows = self.data, span(self.bodies)
+        return WorldState(
+            joints=data.qpos[span(self.arm_qpos)],
+            joint_velocities=data.qvel[span(self.arm_dof)],
+            fingers=data.qpos[span(self.finger_qpos)],
+            finger_velocities=data.qvel[span(self._finger_dof)],
+            servos=data.ctrl[span(self.actuators[:7])],
+            gripper=data.ctrl[span(self.actuators[7:])],
+            tool=data.site_xpos[self.tcp],
+            hand=data.site_xmat[self.tcp].reshape(3, 3),
+            positions=data.xpos[rows],
+            rotations=data.xmat[rows].reshape(-1, 3, 3),
+            velocities=data.qvel[span(self._object_dof.ravel())].reshape(-1, 6),
+        )
 
     def _start_qpos(self) -> Float[np.ndarray, "nq"]:
         qpos = self.model.qpos0.copy()
@@ -157,7 +186,7 @@ class World:
         mujoco.mj_resetData(self.model, self.data)
         self.data.qpos[:] = self._start
         self.data.ctrl[self.actuators] = HOME_CTRL
-        self._commanded = self.data.ctrl[self.actuators[:7]]
+        self._commanded = self.state.servos.copy()
         self._forward()
 
     def step(self, substeps: int) -> None:
@@ -168,21 +197,22 @@ class World:
         """
         import mujoco
 
-        model, data, ctrl, servos = self.model, self.data, self.data.ctrl, self.actuators[:7]
-        wanted, mj_step = ctrl[servos], mujoco.mj_step
-        for command in _ramp(self._commanded, wanted, substeps):
-            ctrl[servos] = command
+        model, data, servos, mj_step = self.model, self.data, self.state.servos, mujoco.mj_step
+        wanted = servos.copy()
+        way = (wanted - self._commanded) / substeps
+        for command in self._commanded + way * _count(substeps):
+            servos[:] = command
             mj_step(model, data)
         self._commanded = wanted
         self._touches.clear()
 
     def place_arm(self, joints: Float[np.ndarray, "7"]) -> None:
         """Put the arm's joints at rest at angles (rad), and have the servos keep them there."""
-        servos = self.actuators[:7]
-        self.data.qpos[self.arm_qpos] = joints
-        self.data.qvel[self.arm_dof] = 0
-        self.data.ctrl[servos] = joints
-        self._commanded = self.data.ctrl[servos]
+        state = self.state
+        state.joints[:] = joints
+        state.joint_velocities[:] = 0
+        state.servos[:] = joints
+        self._commanded = state.servos.copy()
         self._forward()
 
     def teleport(
@@ -197,7 +227,7 @@ class World:
         self.data.qpos[address[:3]] = position
         if quaternion is not None:
             self.data.qpos[address[3:]] = quaternion
-        self.data.qvel[self._object_dof[k]] = 0
+        self.state.velocities[k] = 0
         self._forward()
 
     def _forward(self) -> None:
@@ -221,19 +251,13 @@ class World:
         return digest(self._source)
 
     @cached_property
-    def openings(self) -> Mapping[str, Opening | None]:
-        """The hollow of each object, None where it has none."""
-        return {o.name: opening(o) for o in self.scene.objects}
-
-    @cached_property
-    def plateaus(self) -> Mapping[str, Plateau | None]:
-        """The flat top of each object, None where it has none."""
-        return {o.name: plateau(o) for o in self.scene.objects}
-
-    @cached_property
     def ungraspable(self) -> Mapping[str, str | None]:
         """Why each object cannot be grasped as it rests, None where it can."""
-        return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
+        return {
+            o.name: why_not_liftable(o)
+            or why_not_graspable(o, self.openings[o.name] if is_too_wide(o) else None)
+            for o in self.scene.objects
+        }
 
     def remember(self, key: Hashable, find: Callable[[], T]) -> T:
         """Return what ``find`` does, found once for each ``key`` where all is as ``reset`` puts it.
@@ -269,29 +293,27 @@ class World:
 
     def position(self, name: str) -> Float[np.ndarray, "3"]:
         """Return the centre of an object's box in the world frame."""
-        return self.data.xpos[self.bodies[self.index(name)]].copy()
+        return self.state.positions[self.index(name)].copy()
 
     def rotation(self, name: str) -> Float[np.ndarray, "3 3"]:
         """Return an object's rotation, body to world."""
-        return self.data.xmat[self.bodies[self.index(name)]].reshape(3, 3).copy()
+        return self.state.rotations[self.index(name)].copy()
 
     def velocity(self, name: str) -> Float[np.ndarray, "6"]:
         """Return an object's linear (world frame) and angular (body frame) velocity."""
-        return self.data.qvel[self._object_dof[self.index(name)]]
-
-    def velocities(self) -> Float[np.ndarray, "k 6"]:
-        """Return each object's linear (world frame) and angular (body frame) velocity."""
-        return self.data.qvel[self._object_dof]
+        return self.state.velocities[self.index(name)].copy()
 
     def lowest(self, name: str) -> float:
         """Return the height of an object's lowest point in the world frame."""
         k = self.index(name)
-        up = self.data.xmat[self.bodies[k]].reshape(3, 3)[2]
-        return float(self.data.xpos[self.bodies[k], 2] + (self._points[k] @ up).min())
+        up = self.state.rotations[k, 2]
+        return float(self.state.positions[k, 2] + (self._points[k] @ up).min())
 
     def off_table(self) -> tuple[str, ...]:
         """Return the objects whose centre is below the table's top: those that fell off it."""
-        low = self.data.xpos[self.bodies, 2] < self.scene.table.height
+        low = self.state.positions[:, 2] < self.scene.table.height
+        if not np.count_nonzero(low):
+            return ()
         return tuple(self.names[k] for k in np.flatnonzero(low))
 
     def touches(self, name: str) -> tuple[bool, bool, bool]:
@@ -337,7 +359,7 @@ class World:
     @property
     def hand(self) -> Float[np.ndarray, "3 3"]:
         """The rotation of the hand, that of the tool centre point's site, in the base frame."""
-        return self.base_rotation.T @ self.data.site_xmat[self.tcp].reshape(3, 3)
+        return self.base_rotation.T @ self.state.hand
 
     def to_base(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
         """Carry world points into the base frame."""
@@ -348,29 +370,24 @@ class World:
         return points @ self.base_rotation.T + self.base_position
 
     def show_marker(self, position: Float[np.ndarray, "3"] | None, radius: float) -> None:
-        """Show the goal disc at a world position, or hide it."""
-        import mujoco
-
+        """Show the goal disc at a world position, or hide it; all else stays as it was read."""
+        place = [0, 0, -1] if position is None else position
         self.model.geom_size[self._marker_geom, 0] = radius
         self.model.geom_rgba[self._marker_geom, 3] = 0.0 if position is None else 0.8
-        self.data.mocap_pos[self._marker_mocap] = [0, 0, -1] if position is None else position
-        mujoco.mj_kinematics(self.model, self.data)
+        self.data.mocap_pos[self._marker_mocap] = place
+        self.data.xpos[self.model.geom_bodyid[self._marker_geom]] = place
+        self.data.geom_xpos[self._marker_geom] = place
 
 
-def _ramp(
-    start: Float[np.ndarray, "n"], end: Float[np.ndarray, "n"], steps: int
-) -> Float[np.ndarray, "steps n"]:
-    """Return ``np.linspace(start, end, steps + 1)[1:]``, to the bit, in half the time."""
-    way = end - start
-    share = way / steps
-    at = np.arange(1.0, steps + 1.0)[:, None]
-    rows = at * share if share.all() else at / steps * way
-    rows += start
-    rows[-1] = end
-    return rows
+@cache
+def _count(steps: int) -> Float[np.ndarray, "steps 1"]:
+    """Return the numbers of ``steps`` steps, from 1, as a column."""
+    column = np.arange(1.0, steps + 1.0)[:, None]
+    column.setflags(write=False)
+    return column
 
 
-def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
+def gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
     """Label bodies: 0 not the robot's, 1 robot, 2 left finger, 3 right finger."""
     sides = np.zeros(model.nbody, int)
     for k in range(model.nbody):

@@ -7,7 +7,8 @@ from typing import Any
 import gymnasium as gym
 import numpy as np
 import pytest
-from gymnasium.vector import AutoresetMode, SyncVectorEnv
+from gymnasium.vector import AutoresetMode
+from rollouts import rollout, same
 from toy import toy_objects, toy_scene
 from worlds import two_scenes
 
@@ -20,32 +21,6 @@ from tabletopgen_env.world.worlds import Masters
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 MODES = [mode.value for mode in AutoresetMode]
-
-
-def same(a: Any, b: Any) -> bool:
-    """Whether two nests of dicts, tuples, arrays and values are equal to the bit."""
-    if isinstance(a, dict):
-        return a.keys() == b.keys() and all(same(a[k], b[k]) for k in a)
-    if isinstance(a, tuple | list):
-        return len(a) == len(b) and all(map(same, a, b))
-    if isinstance(a, np.ndarray) and a.dtype == object:
-        return a.shape == b.shape and all(map(same, a.tolist(), b.tolist()))
-    if isinstance(a, np.ndarray):
-        return a.dtype == b.dtype and np.array_equal(a, b)
-    return type(a) is type(b) and a == b
-
-
-def rollout(envs: Any, steps: int = 11, seed: int = 5, masked: bool = False) -> list:
-    rng = np.random.default_rng(0)
-    seen: list[Any] = [envs.reset(seed=seed)]
-    for _ in range(steps):
-        actions = rng.uniform(-1, 1, envs.action_space.shape).astype(np.float32)
-        seen.append(envs.step(actions))
-        ended = seen[-1][2] | seen[-1][3]
-        if masked and ended.any():
-            seen.append(envs.reset(options={"reset_mask": ended}))
-    envs.close()
-    return seen
 
 
 @pytest.mark.slow
@@ -302,6 +277,6 @@ def test_a_program_that_forgets_to_close_it_ends() -> None:
 
 def test_it_is_a_vector_environment_of_the_registered_kind() -> None:
     envs = gym.make_vec(ID, num_envs=2, scenes=toy_scene())
-    assert isinstance(envs, SyncVectorEnv) and envs.spec.id == "TabletopGen/PickPlace-v0"
+    assert isinstance(envs, TabletopVectorEnv) and envs.spec.id == "TabletopGen/PickPlace-v0"
     assert envs.envs[0].get_wrapper_attr("_max_episode_steps") == 200
     envs.close()

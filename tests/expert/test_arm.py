@@ -10,7 +10,9 @@ from toy import toy_object, toy_scene
 from generator.geometry import rotation_yaw
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.arm import (
+    MIDDLE,
     NARROW,
+    ROLL,
     around,
     easiest,
     knuckle_is_free,
@@ -21,7 +23,7 @@ from tabletopgen_env.expert.arm import (
 )
 from tabletopgen_env.expert.planning.grasps import TIP
 from tabletopgen_env.expert.planning.heights import HeightMap, surroundings
-from tabletopgen_env.robot.kinematics import UPPER
+from tabletopgen_env.robot.kinematics import HOME, UPPER, forward
 from tabletopgen_env.world.world import World
 
 TOP = 0.74
@@ -136,3 +138,8 @@ def toy_pole(at: np.ndarray, height: float) -> HeightMap:
     heights = np.zeros((200, 200))
     heights[98:103, 98:103] = height
     return HeightMap(origin, cell, heights)
+
+
+def test_the_hands_yaw_at_home_is_that_of_its_joints() -> None:
+    assert rotation_yaw(forward(HOME)[1]) == pytest.approx(ROLL, abs=1e-12)
+    assert pytest.approx(ROLL + HOME[6]) == MIDDLE

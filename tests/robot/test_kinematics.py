@@ -3,14 +3,13 @@ import numpy as np
 import pytest
 
 from tabletopgen_env.robot import kinematics
+from tabletopgen_env.robot.chain import chain_at
 from tabletopgen_env.robot.kinematics import (
     HOME,
     LOWER,
     UPPER,
     forward,
     ik_step,
-    jacobian,
-    link_frames,
     rotation_vector,
     solve_ik,
 )
@@ -37,7 +36,7 @@ def test_forward_and_jacobian_agree_with_the_simulated_robot() -> None:
         position, rotation = forward(joints)
         np.testing.assert_allclose(position, data.site("tcp").xpos, atol=1e-9)
         np.testing.assert_allclose(rotation, data.site("tcp").xmat.reshape(3, 3), atol=1e-9)
-        np.testing.assert_allclose(jacobian(link_frames(joints)), jac[:, :7], atol=1e-9)
+        np.testing.assert_allclose(chain_at(joints).jacobian(), jac[:, :7], atol=1e-9)
 
 
 @pytest.mark.slow
@@ -97,7 +96,7 @@ def test_an_arm_that_is_stretched_out_comes_back_by_no_longer_steps() -> None:
         position, rotation = forward(joints + rng.normal(0.0, 0.3, 7))
         for _ in range(10):
             new = ik_step(joints, position, rotation)[0]
-            assert np.abs(new - joints).max() <= kinematics._MAX_STEP + 1e-12
+            assert np.abs(new - joints).max() <= kinematics.MAX_STEP + 1e-12
             joints = new
         assert joints[3] <= -0.62, "it comes back"
 

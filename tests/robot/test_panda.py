@@ -4,11 +4,11 @@ import pytest
 
 from generator.errors import BackendError, InputError
 from tabletopgen_env.robot import franka
+from tabletopgen_env.robot.hand import FINGER_JOINTS
 from tabletopgen_env.robot.kinematics import ik_step, solve_ik
 from tabletopgen_env.robot.panda import (
     ACTUATORS,
     ARM_JOINTS,
-    FINGER_JOINTS,
     HOME_CTRL,
     HOME_QPOS,
     Panda,

@@ -9,7 +9,7 @@ from generator.geometry import rotation_z
 
 from ...goals.goal import RAISED, Goal, Raised, at_rest
 from ...world.world import World
-from ..arm import turn_left
+from ..arm import least_turn, turn_left
 from .grasps import TIP, Grasp
 from .placing import Placer, plan_place
 
@@ -57,6 +57,10 @@ class Drop:
 
     def turn(self, world: World) -> float:
         """Return how far the hand has yet to turn, radians."""
+        if self._place.yaw is None:
+            tool = world.data.site_xpos[world.tcp]
+            offset = (world.position(self._target) - tool)[:2]
+            return least_turn(world, np.array([*(self._place.target - offset), tool[2]]))
         return turn_left(world, self._place.yaw, self._place.tool)
 
     def hover(self, world: World) -> float:

@@ -17,6 +17,7 @@ from jaxtyping import Bool, Float, Int
 from scipy.ndimage import maximum_filter1d
 
 from generator.geometry import rotation_yaw, rotation_z
+from generator.scene import ConvexPart, Object
 
 from ...robot import franka
 from ...world.world import World
@@ -60,19 +61,30 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
 
 def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator[Grasp]:
     """Yield grasps of ``target`` where it is now, by the ``angles`` of their fingers' opening."""
+    thing = world.scene.object(target)
     position, rotation = world.position(target), world.rotation(target)
-    own = move_parts(world.scene.object(target).parts, position, rotation)
+    own = move_parts(thing.parts, position, rotation)
     bounds = np.stack([part.bounds[:, :2] for part in own])
-    low, high = bounds[:, 0].min(0), bounds[:, 1].max(0)
-    others = surroundings(world, target, low - _PALM_REACH, high + _PALM_REACH, STEP_V)
-    com = position + rotation @ world.scene.object(target).com
-    floor = world.scene.table.height
-    # Cut in the object's own heading, so that what fits stays so wherever it is moved and turned.
-    heading = rotation_z(rotation_yaw(rotation))
-    shape = solid(move_parts(own, -position * [1, 1, 0] @ heading, heading.T), STEP_U, RISE)
-    seen = _Seen(shape, slabs(shape, floor), position[:2], heading[:2, :2])
+    low, high = bounds[:, 0].min(0) - _PALM_REACH, bounds[:, 1].max(0) + _PALM_REACH
+    others = surroundings(world, target, low, high, STEP_V)
+    com = position + rotation @ thing.com
+    seen = _see(own, position, rotation, world.scene.table.height)
     for angle in angles:
-        yield from _along(seen, others, com, angle, floor)
+        yield from _along(seen, others, com, angle)
+
+
+def grasps_alone(
+    thing: Object, rotation: Float[np.ndarray, "3 3"], angles: Iterable[float]
+) -> Iterator[Grasp]:
+    """Yield top grasps of an object by itself, with nothing under it or beside it.
+
+    ``rotation`` turns it, about the origin of its frame, into the frame of the grasps.
+    """
+    own, origin = move_parts(thing.parts, np.zeros(3), rotation), np.zeros(3)
+    nothing = HeightMap(np.zeros(2), STEP_V, np.full((1, 1), -np.inf))
+    seen = _see(own, origin, rotation, -np.inf)
+    for angle in angles:
+        yield from _along(seen, nothing, rotation @ thing.com, angle)
 
 
 def _demote(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
@@ -91,12 +103,13 @@ def is_like(grasp: Grasp, other: Grasp) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Seen:
-    """An object's voxels; ``center`` is their origin, ``heading`` turns them into the world."""
+    """An object's voxels over a floor; ``center`` is their origin, ``heading`` turns them."""
 
     shape: VoxelSolid
     cut: Slabs
     center: Float[np.ndarray, "2"]
     heading: Float[np.ndarray, "2 2"]
+    floor: float
 
     @property
     def middle(self) -> Float[np.ndarray, "2"]:
@@ -110,11 +123,25 @@ class _Seen:
 
     def columns(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
         """Return the column nearest to each point (x, y, world); see ``VoxelSolid.nearest``."""
-        return self.shape.nearest((points - self.center) @ self.heading)
+        turned = (points - self.center).reshape(-1, 2) @ self.heading  # one product, not many
+        return self.shape.nearest(turned.reshape(points.shape))
+
+
+def _see(
+    own: tuple[ConvexPart, ...],
+    position: Float[np.ndarray, "3"],
+    rotation: Float[np.ndarray, "3 3"],
+    floor: float,
+) -> _Seen:
+    """Return an object's parts, which lie in the world, as voxels over a floor that high."""
+    # Cut in the object's own heading, so that what fits stays so wherever it is moved and turned.
+    heading = rotation_z(rotation_yaw(rotation))
+    shape = solid(move_parts(own, -position * [1, 1, 0] @ heading, heading.T), STEP_U, RISE)
+    return _Seen(shape, slabs(shape, floor), position[:2], heading[:2, :2], floor)
 
 
 def _along(
-    seen: _Seen, others: HeightMap, com: Float[np.ndarray, "3"], angle: float, floor: float
+    seen: _Seen, others: HeightMap, com: Float[np.ndarray, "3"], angle: float
 ) -> Iterator[Grasp]:
     """Yield grasps whose fingers open along ``angle``."""
     across = np.array([np.cos(angle), np.sin(angle)])
@@ -129,7 +156,7 @@ def _along(
     if not len(runs.row):
         return
     own = shape.levels[0] - RISE / 2 + RISE * cut.tops[columns]
-    both = np.maximum(np.maximum(own, others.at(points)), floor)
+    both = np.maximum(np.maximum(own, others.at(points)), seen.floor)
     beside, above, under = (
         maximum_filter1d(both, 2 * int(np.ceil(h / STEP_V)) + 1, axis=0)[runs.row]
         for h in (FINGER_HALF, _PALM_V, _TIGHT_V)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,7 @@ from jaxtyping import Bool, Float, Int
 
 from generator.scene import ConvexPart
 
-from ...affordance import part_span, top_surface
+from ...affordance import cells_under, part_span, scan_surface
 from ...world.world import World
 
 
@@ -46,7 +46,9 @@ def move_parts(
 def parts_of(world: World, name: str) -> tuple[ConvexPart, ...]:
     """Return an object's convex parts where they are now, world frame."""
     parts = world.scene.object(name).parts
-    return move_parts(parts, world.position(name), world.rotation(name))
+    return world.remember(
+        ("parts", name), lambda: move_parts(parts, world.position(name), world.rotation(name))
+    )
 
 
 def height_map(
@@ -57,26 +59,7 @@ def height_map(
 ) -> HeightMap:
     """Scan world-frame ``parts`` from above between the corners ``low`` and ``high``."""
     axes = [np.arange(low[k], high[k] + cell, cell) for k in (0, 1)]
-    heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
-    for part, cells, points in _over(parts, axes):
-        window = heights[cells]
-        np.maximum(window, top_surface((part,), points).reshape(window.shape), out=window)
-    return HeightMap(np.array([axis[0] for axis in axes]), cell, heights)
-
-
-def _over(
-    parts: Iterable[ConvexPart], axes: list[Float[np.ndarray, "_"]]
-) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
-    """Yield each part over a grid with the cells within its bounds, and where they are."""
-    for part in parts:
-        low, high = part.bounds
-        i, j = (
-            slice(int(axis.searchsorted(low[k])), int(axis.searchsorted(high[k], "right")))
-            for k, axis in enumerate(axes)
-        )
-        if i.start < i.stop and j.start < j.stop:
-            x, y = np.meshgrid(axes[0][i], axes[1][j], indexing="ij")
-            yield part, (i, j), np.column_stack([x.ravel(), y.ravel()])
+    return HeightMap(np.array([axis[0] for axis in axes]), cell, scan_surface(parts, axes))
 
 
 def surroundings(
@@ -130,7 +113,7 @@ def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> VoxelSolid
     axes = [np.arange(first[k] - cell, last[k] + 2 * cell, cell) for k in (0, 1)]
     levels = np.arange(first[2] + rise / 2, last[2], rise)
     filled = np.zeros((len(axes[0]), len(axes[1]), len(levels)), bool)
-    for part, cells, points in _over(parts, axes):
+    for part, cells, points in cells_under(parts, axes):
         hit, ground, ceiling = part_span(part, points)
         # A part thinner than a voxel fills the voxel at its middle.
         spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2

@@ -7,7 +7,8 @@ one is low, near the middle and well supported, with the shortest fall.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -32,21 +33,22 @@ _INSIDE = 0.006  # metres that a place keeps from the region's edge
 _LEVEL = 0.005  # metres above a flat place at which a thing lies on something else
 _ABOVE = 0.06
 _TRIED = 10  # places for which the arm is asked
-_PAD, _SHAFT, _SHAFT_Z = 0.0125, 0.0265, 0.017
-_FINGER_HALF = 0.0105
-_PALM, _PALM_Z = (0.106, 0.036), 0.043
+PAD, SHAFT, SHAFT_Z = 0.0125, 0.0265, 0.017
+FINGER_HALF = 0.0105
+PALM, PALM_Z = (0.106, 0.036), 0.043
 
 
 @dataclass(frozen=True, eq=False)
 class Place:
     """Where the tool lets go: its point (m, world), the hand's yaw (base frame, radians).
 
+    A ``yaw`` of None is whichever the hand has, turned only as far as the last joint's range asks.
     ``target`` is where the held thing's centre is then (x, y, world), ``hanging`` how far it
     reached below the tool and ``seen`` where the goal's region was when this was planned.
     """
 
     tool: Float[np.ndarray, "3"]
-    yaw: float
+    yaw: float | None
     target: Float[np.ndarray, "2"]
     hanging: float
     seen: Float[np.ndarray, "3"]
@@ -119,6 +121,24 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     The hand is not turned, or by half a turn where its arm reaches the place only so. It
     takes the height map of all else, and the box of what is held with its lowest point.
     """
+    places = [*_middles(world, goal, yaw, opening, (0.0, np.pi))]
+    reached = (p for p in places if p.yaw is not None and _stretched(world, p.tool, p.yaw))
+    return next(reached, places[0])
+
+
+def unturned_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
+    """Return the middle of a goal's region as ``middle_place``, whichever way the hand is there.
+
+    To follow it takes no memory of how the hand was when this was planned.
+    """
+    (place,) = _middles(world, goal, yaw, opening, (0.0,))
+    return replace(place, yaw=None)
+
+
+def _middles(
+    world: World, goal: Goal, yaw: float, opening: float, turns: tuple[float, ...]
+) -> Iterator[Place]:
+    """Yield the place in the middle of a goal's region for each turn of the hand."""
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
     held, hand = _boxed_underside(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
@@ -126,15 +146,13 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     region = goal.region(world)
     others = _room(world, goal.target, region, held)
     hanging = -float(held.low.min())
-    places = []
-    for turn in (0.0, np.pi):
+    for turn in turns:
         spin = rotation_z(turn)[:2, :2].T
         at = (region.center[:2] - offset @ spin)[None]
         undersides = (Underside(under.at @ spin, under.low) for under in (held, hand))
         height = max(float(_touching(others, at, under).max()) for under in undersides)
         place = np.array([*at[0], height + RELEASE])
-        places.append(Place(place, wrap(yaw + turn), region.center[:2], hanging, region.center))
-    return next((place for place in places if _stretched(world, place.tool, place.yaw)), places[0])
+        yield Place(place, wrap(yaw + turn), region.center[:2], hanging, region.center)
 
 
 def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
@@ -204,9 +222,9 @@ def _hand(opening: float, yaw: float) -> Underside:
     """Return the underside of the hand with its fingers opened; ``yaw`` in the world frame."""
     inner = opening / 2
     boxes = (
-        ((inner, inner + _PAD), _FINGER_HALF, -TIP),
-        ((inner + _PAD, inner + _SHAFT), _FINGER_HALF, -TIP + _SHAFT_Z),
-        ((0.0, _PALM[0]), _PALM[1], -TIP + _PALM_Z),
+        ((inner, inner + PAD), FINGER_HALF, -TIP),
+        ((inner + PAD, inner + SHAFT), FINGER_HALF, -TIP + SHAFT_Z),
+        ((0.0, PALM[0]), PALM[1], -TIP + PALM_Z),
     )
     at, low = [], []
     for (near, far), half, height in boxes:

@@ -1,0 +1,50 @@
+"""Arrays of NumPy or torch: their namespace, and what the array API standard lacks."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from array_api_compat import array_namespace, device
+from jaxtyping import Float
+
+Array = Any
+"""A NumPy array or a torch tensor."""
+
+
+def namespace(array: Array) -> Any:
+    """Return the array API namespace of an array; NumPy's own, whose wrapper takes its time."""
+    return np if isinstance(array, np.ndarray) else array_namespace(array)
+
+
+def like(values: Float[np.ndarray, "..."], other: Array) -> Array:
+    """Return numbers as an array of another's kind and type, on its device."""
+    return namespace(other).asarray(np.array(values), dtype=other.dtype, device=device(other))
+
+
+def take_rows(values: Array, index: Array) -> Array:
+    """Return ``values[w, index[w, g]]``: of (n, k, ...) and (n, g) the (n, g, ...)."""
+    xp = namespace(values)
+    worlds = xp.arange(values.shape[0], device=device(values))
+    return values[worlds[:, None], index]
+
+
+def apply(matrices: Array, vectors: Array) -> Array:
+    """Return the products of (..., 3, 3) matrices with (..., 3) vectors."""
+    return (matrices @ vectors[..., None])[..., 0]
+
+
+def wrap(angles: Array) -> Array:
+    """Return angles (radians) wrapped to [-pi, pi)."""
+    return (angles + math.pi) % (2 * math.pi) - math.pi
+
+
+def yaw_of(rotations: Array) -> Array:
+    """Return the bearings about +z of rotations' x axes, radians in [-pi, pi]."""
+    return namespace(rotations).atan2(rotations[..., 1, 0], rotations[..., 0, 0])
+
+
+def squares(vectors: Array) -> Array:
+    """Return the squared lengths of (..., 3) vectors."""
+    return namespace(vectors).sum(vectors * vectors, axis=-1)

@@ -1,0 +1,43 @@
+"""What can be sent to another process, and how errors come back from there."""
+
+from __future__ import annotations
+
+import pickle
+import traceback
+from typing import Any
+
+import cloudpickle
+
+from generator.errors import InputError, TabletopError
+
+
+def pack(things: Any, what: str) -> bytes:
+    """Return things as bytes for another process; functions and classes of a script too.
+
+    Raises:
+        InputError: they cannot be sent; ``what`` begins the message, "The scenes and settings".
+    """
+    try:
+        return cloudpickle.dumps(things)
+    except Exception as error:  # whatever the things do as they are packed
+        raise InputError(
+            f"{what} cannot be sent between processes: {type(error).__name__}: {error}. Use "
+            "processes=None, which keeps the slots in this process, or things that can be pickled."
+        ) from error
+
+
+def make_portable(error: Exception) -> Exception:
+    """Return an error that can be sent, its traceback noted if it is none of the project's.
+
+    Where it cannot be sent itself, it is a RuntimeError that says the same.
+    """
+    if not isinstance(error, TabletopError):
+        error.add_note("".join(traceback.format_exception(error)))
+    try:
+        pickle.loads(cloudpickle.dumps(error))
+        return error
+    except Exception:
+        other = RuntimeError(f"{type(error).__name__}: {error}")
+        for note in getattr(error, "__notes__", ()):
+            other.add_note(note)
+        return other

@@ -1,0 +1,172 @@
+"""Infos of many slots in Gymnasium's vector format, and how they travel between processes.
+
+An info is a nest of dicts whose *leaves* are numbers and other things, mostly texts. The numbers of
+slot k, in the order of its leaves, are column k of a shared array. Its leaves and the other things
+are sent when they have changed, which between steps is seldom.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from gymnasium.vector import VectorEnv
+from jaxtyping import Float
+
+NUMBERS = 64
+"""Numbers of a slot's info that are in the array; any further ones are sent with each step."""
+
+_KINDS: Mapping[type, type] = {float: float, np.float64: float, int: int, bool: bool}
+_FIXED = (str, bytes, type(None), np.generic, *_KINDS)  # types whose values cannot change
+_LARGEST = 2**53  # up to here floats are exact for whole numbers
+
+Leaf = tuple[tuple[str, ...], type | None]
+"""Where in its info a leaf is, and what kind of number; None for other things."""
+
+
+@dataclass(frozen=True, eq=False)
+class InfoChange:
+    """What is new in a slot's info besides its numbers: all its leaves and other things."""
+
+    slot: int
+    leaves: tuple[Leaf, ...]
+    others: list[Any]
+
+
+def merge(count: int, infos: Iterable[tuple[int, dict[str, Any]]]) -> dict[str, Any]:
+    """Return the infos of some of ``count`` slots as one, as Gymnasium's vectors have it."""
+    vector: VectorEnv = VectorEnv()
+    vector.num_envs = count
+    merged: dict[str, Any] = {}
+    for k, info in infos:
+        merged = vector._add_info(merged, info, k)
+    return merged
+
+
+class InfoWriter:
+    """Writes infos to columns of ``numbers``; ``first`` is the slot of the first column here."""
+
+    def __init__(self, numbers: Float[np.ndarray, "m n"], first: int) -> None:
+        self._numbers = numbers
+        self._first = first
+        self._sent: list[InfoChange | None] = [None] * numbers.shape[1]
+
+    def write(self, k: int, info: dict[str, Any]) -> InfoChange | None:
+        """Write the info of column ``k``; return what is to be sent besides."""
+        leaves: list[Leaf] = []
+        numbers: list[float] = []
+        others: list[Any] = []
+        _take_apart(info, (), leaves, numbers, others)
+        self._numbers[: len(numbers), k] = numbers
+        change, sent = InfoChange(self._first + k, tuple(leaves), others), self._sent[k]
+        if sent is not None and sent.leaves == change.leaves and _same(sent.others, others):
+            return None
+        self._sent[k] = change
+        return change
+
+
+class InfoReader:
+    """Reads what writers have written, and sent."""
+
+    def __init__(self, numbers: Float[np.ndarray, "m n"]) -> None:
+        self._numbers = numbers
+        self._known: list[InfoChange | None] = [None] * numbers.shape[1]
+        self._form: dict[str, Any] | None = None
+
+    def take(self, changes: Iterable[InfoChange]) -> None:
+        """Learn what has changed."""
+        for change in changes:
+            self._known[change.slot] = change
+            self._form = None
+
+    def read(self, slots: Iterable[int]) -> dict[str, Any]:
+        """Return the infos of some slots as one."""
+        return merge(len(self._known), ((k, self._read_one(k)) for k in slots))
+
+    def read_all(self) -> dict[str, Any]:
+        """Return the infos of all slots as one."""
+        if self._form is None:
+            infos = self.read(range(len(self._known)))
+            alike = len({change and change.leaves for change in self._known}) == 1
+            if not alike:
+                return infos
+            self._form = self._form_of(infos)
+        return _fill(self._form, self._numbers)
+
+    def _read_one(self, k: int) -> dict[str, Any]:
+        """Return the info of slot ``k``."""
+        change = self._known[k]
+        assert change is not None
+        numbers, others = iter(self._numbers[:, k].tolist()), iter(change.others)
+        info: dict[str, Any] = {}
+        for path, kind in change.leaves:
+            value = next(others) if kind is None else kind(next(numbers))
+            _inner(info, path)[path[-1]] = value
+        return info
+
+    def _form_of(self, infos: dict[str, Any]) -> dict[str, Any]:
+        """Return infos with, for each array of numbers, its row and type."""
+        change = self._known[0]
+        assert change is not None
+        numbers = [(path, kind) for path, kind in change.leaves if kind is not None]
+        for row, (path, kind) in enumerate(numbers):
+            _inner(infos, path)[path[-1]] = row, kind
+        return infos
+
+
+def _take_apart(
+    info: Mapping[str, Any],
+    path: tuple[str, ...],
+    leaves: list[Leaf],
+    numbers: list[float],
+    others: list[Any],
+) -> None:
+    """Add the leaves of an info below ``path``, its numbers and the other things to lists."""
+    for key, value in info.items():
+        kind = _KINDS.get(type(value))
+        exact = kind is not int or abs(value) <= _LARGEST
+        if kind is not None and exact and len(numbers) < NUMBERS:
+            numbers.append(value)
+        elif isinstance(value, dict) and value and key != "final_obs":
+            _take_apart(value, (*path, key), leaves, numbers, others)
+            continue
+        else:
+            kind = None
+            others.append(value)
+        leaves.append(((*path, key), kind))
+
+
+def _inner(info: dict[str, Any], path: Sequence[str]) -> dict[str, Any]:
+    """Return the dict that holds the leaf at a path; it is made if it is not there."""
+    for key in path[:-1]:
+        info = info.setdefault(key, {})
+    return info
+
+
+def _same(before: Sequence[Any], after: Sequence[Any]) -> bool:
+    """Tell whether things are surely the same, not changed in place either."""
+    return len(before) == len(after) and all(map(_equal, before, after))
+
+
+def _equal(a: Any, b: Any) -> bool:
+    if type(a) is not type(b):
+        return False
+    if isinstance(a, tuple):
+        return _same(a, b)
+    return isinstance(a, _FIXED) and bool(a == b)
+
+
+def _fill(form: dict[str, Any], numbers: Float[np.ndarray, "m n"]) -> dict[str, Any]:
+    """Return a form as new arrays, with the numbers as they are now."""
+    filled: dict[str, Any] = {}
+    for key, part in form.items():
+        if isinstance(part, dict):
+            filled[key] = _fill(part, numbers)
+        elif isinstance(part, tuple):
+            row, kind = part
+            filled[key] = numbers[row].astype(kind)
+        else:
+            filled[key] = part.copy()
+    return filled
