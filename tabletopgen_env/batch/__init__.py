@@ -1,0 +1,1 @@
+"""Thousands of worlds at once, a different table in each, on MuJoCo Warp."""

@@ -1,0 +1,107 @@
+"""MuJoCo Warp as a batch uses it: found or asked for, its version, devices and their memory."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from importlib import import_module, metadata
+from types import ModuleType
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from generator.errors import InputError
+
+PIP = "pip install 'tabletopgen[gpu]'"
+
+_PACKAGES = ("mujoco-warp", "warp-lang")
+
+
+@dataclass(frozen=True)
+class Engine:
+    """The modules ``warp`` and ``mujoco_warp``. They are imported here and nowhere else.
+
+    Warp compiles its kernels on first use, which takes a minute, and keeps them in a folder of the
+    user's cache, or in ``$WARP_CACHE_PATH``.
+    """
+
+    warp: ModuleType
+    physics: ModuleType
+
+    @classmethod
+    def load(cls) -> Engine:
+        """Import them, with Warp's reports of what it compiles turned off.
+
+        Raises:
+            InputError: the extra ``gpu`` is not installed, or not for this version of MuJoCo.
+        """
+        _check_versions()
+        try:
+            warp = import_module("warp")
+            warp.config.log_level = max(warp.config.log_level, warp.LOG_WARNING)
+            return cls(warp, import_module("mujoco_warp"))
+        except ImportError as error:
+            raise InputError(f"MuJoCo Warp cannot be imported ({error}): {PIP}.") from error
+
+
+def _check_versions() -> None:
+    """Check that MuJoCo Warp is there, and made for the MuJoCo that is."""
+    found = {name: _version(name) for name in ("mujoco", *_PACKAGES)}
+    if missing := [name for name in _PACKAGES if found[name] is None]:
+        raise InputError(
+            f"Batched worlds run on MuJoCo Warp, and {' and '.join(missing)} "
+            f"{'is' if len(missing) == 1 else 'are'} not installed: {PIP}."
+        )
+    if found["mujoco"] != found["mujoco-warp"]:
+        raise InputError(
+            f"mujoco {found['mujoco']} and mujoco-warp {found['mujoco-warp']} are installed, and "
+            f"they have to be of one version: {PIP}."
+        )
+
+
+def _version(package: str) -> str | None:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return None
+
+
+def find_device(name: str | torch.device) -> torch.device:
+    """Return the device ``name``: "cuda", "cuda:1", or "cpu".
+
+    Raises:
+        InputError: there is no such device here.
+    """
+    try:
+        device = torch.device(name)
+    except (RuntimeError, TypeError) as error:
+        raise InputError(
+            f"device must be 'cuda', 'cuda:<number>' or 'cpu', got {name!r}."
+        ) from error
+    if device.type == "cpu":
+        return torch.device("cpu")
+    if device.type != "cuda":
+        raise InputError(f"Worlds are simulated on 'cuda' or 'cpu', not on {str(device)!r}.")
+    count = torch.cuda.device_count() if torch.cuda.is_available() else 0
+    number = device.index or 0
+    if number >= count:
+        here = f"only {count} CUDA devices" if count else "no CUDA device that torch can use"
+        raise InputError(
+            f"device={str(device)!r} was asked for, and there is {here}: install a CUDA build of "
+            "torch and a driver, or take device='cpu' (slow, for tests)."
+        )
+    return torch.device("cuda", number)
+
+
+def to_device(array: np.ndarray, device: torch.device) -> Tensor:
+    """Return an array on a device, floats in single precision."""
+    made = torch.as_tensor(array, device=device)
+    return made.float() if made.is_floating_point() else made
+
+
+def free_bytes(device: torch.device) -> int:
+    """Return how much memory of a device is free, bytes."""
+    if device.type == "cuda":
+        return torch.cuda.mem_get_info(device)[0]
+    return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")

@@ -1,0 +1,1 @@
+"""One model that any of many scenes fits into, and a scene as one row of what differs in it."""

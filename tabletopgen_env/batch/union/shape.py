@@ -1,0 +1,81 @@
+"""How many bodies and geoms a union model has room for, and which object goes where."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from .content import GeomKind, SceneContent
+
+Room = Mapping[GeomKind, int]
+"""How many geoms of each kind a body has room for."""
+
+
+@dataclass(frozen=True)
+class UnionShape:
+    """Room of each slot, a free body that takes one object, and of what stands still (``fixed``).
+
+    Models of one shape differ in nothing that kernels are compiled for.
+    """
+
+    slots: tuple[Room, ...]
+    fixed: Room
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return what a copy in another process is made of; read-only mappings cannot be sent."""
+        return _shape_of, ([dict(room) for room in self.slots], dict(self.fixed))
+
+    @classmethod
+    def around(cls, contents: Sequence[SceneContent]) -> UnionShape:
+        """Return a shape that every scene fits, with little room that stays empty.
+
+        Scenes come in turn, the one with the most geoms first: each puts its objects into slots so
+        that the fewest geoms have to be added.
+        """
+        slots = [Counter[GeomKind]() for _ in range(max(len(c.objects) for c in contents))]
+        fixed = Counter[GeomKind]()
+        for content in sorted(contents, key=_geom_count, reverse=True):
+            fixed |= content.fixed.need
+            for thing, slot in enumerate(_cheapest(content, slots)):
+                slots[slot] |= content.objects[thing].geoms.need
+        return cls(tuple(map(_freeze, slots)), _freeze(fixed))
+
+    def assign(self, content: SceneContent) -> tuple[int, ...] | None:
+        """Return the slot of each object of a scene; None if the scene does not fit."""
+        if len(content.objects) > len(self.slots) or _lack(content.fixed.need, self.fixed):
+            return None
+        slots = _cheapest(content, self.slots)
+        pairs = zip(content.objects, slots, strict=True)
+        lacking = any(_lack(thing.geoms.need, self.slots[slot]) for thing, slot in pairs)
+        return None if lacking else slots
+
+
+def _shape_of(slots: list[dict[GeomKind, int]], fixed: dict[GeomKind, int]) -> UnionShape:
+    return UnionShape(tuple(_freeze(Counter(room)) for room in slots), _freeze(Counter(fixed)))
+
+
+def _freeze(room: Counter[GeomKind]) -> Room:
+    return MappingProxyType(dict(sorted(room.items())))
+
+
+def _geom_count(content: SceneContent) -> int:
+    return sum(len(thing.geoms.kinds) for thing in content.objects)
+
+
+def _lack(need: Counter[GeomKind], room: Room) -> int:
+    """Return how many geoms a body has too few."""
+    return sum(max(0, count - room.get(kind, 0)) for kind, count in need.items())
+
+
+def _cheapest(content: SceneContent, slots: Sequence[Room]) -> tuple[int, ...]:
+    """Return different slots for the objects so that the fewest geoms are lacking."""
+    from scipy.optimize import linear_sum_assignment
+
+    lack = [[_lack(thing.geoms.need, room) for room in slots] for thing in content.objects]
+    _, chosen = linear_sum_assignment(np.reshape(lack, (len(lack), len(slots))))
+    return tuple(chosen.tolist())

@@ -1,0 +1,26 @@
+"""Warp's kernels are compiled once for all runs of the tests, into ``build/``."""
+
+import os
+from pathlib import Path
+
+import pytest
+from filelock import FileLock
+from tables import COMPILING, shipped
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="session")
+def kernels() -> Path:
+    """The folder of the compiled kernels, the user's own if one is named.
+
+    One process compiles them; those beside it wait, and load them.
+    """
+    from tabletopgen_env.batch.bank import SceneBank
+    from tabletopgen_env.batch.batch_world import BatchWorld
+
+    folder = Path(os.environ.setdefault("WARP_CACHE_PATH", str(ROOT / "build" / "warp")))
+    folder.mkdir(parents=True, exist_ok=True)
+    with FileLock(folder / "compiling.lock", timeout=COMPILING):
+        BatchWorld(SceneBank(shipped("vanity"), max_parts=None), 1, device="cpu")
+    return folder

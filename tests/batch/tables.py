@@ -1,0 +1,50 @@
+"""Worlds of shipped tables, and batches of them held against MuJoCo itself."""
+
+from functools import cache
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from jaxtyping import Float
+
+from generator.bundle import load
+from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.world.world import World
+
+ROOT = Path(__file__).parents[2]
+COMPILING = 900  # seconds that the kernels may take, on a busy machine
+REASON = "MuJoCo Warp is not installed: pip install 'tabletopgen[gpu]'"
+
+
+def need_warp() -> None:
+    """Skip the module where the extra is missing."""
+    pytest.importorskip("mujoco_warp", reason=REASON)
+
+
+@cache
+def shipped(*names: str) -> tuple[World, ...]:
+    """Return the worlds of shipped tables of these names, or of all; not to be changed."""
+    bundles = sorted(
+        p for p in (ROOT / "assets_cache").glob("*/*/") if (p / "scene.json").is_file()
+    )
+    by_name = {bundle.name.rpartition("-")[0]: bundle for bundle in bundles}
+    return tuple(World(load(by_name[name]), Panda()) for name in names or by_name)
+
+
+def awake(world: World) -> World:
+    """Return a copy of a world, at its start, in which nothing sleeps."""
+    twin = world.twin()
+    twin.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+    return twin
+
+
+def turn(one: Float[np.ndarray, "3 3"], other: Float[np.ndarray, "3 3"]) -> float:
+    """Return the angle between two rotations, degrees, exact for small ones."""
+    between = one.astype(float).T @ other
+    axis = [
+        between[2, 1] - between[1, 2],
+        between[0, 2] - between[2, 0],
+        between[1, 0] - between[0, 1],
+    ]
+    return float(np.degrees(np.arctan2(np.linalg.norm(axis), np.trace(between) - 1)))
