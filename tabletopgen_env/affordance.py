@@ -7,7 +7,9 @@ expert's affair.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +17,7 @@ from jaxtyping import Bool, Float, Int
 from scipy import ndimage
 from scipy.spatial import ConvexHull
 
-from generator.geometry import convex_outline, quaternion_matrix
+from generator.geometry import convex_outline, hull_points, quaternion_matrix
 from generator.scene import ConvexPart, Object
 
 GRIPPER_OPENING = 0.08
@@ -23,6 +25,9 @@ GRIPPER_OPENING = 0.08
 
 FINGER_CLEARANCE = 0.006
 """Opening that must be left over on both sides together, metres."""
+
+WIDEST = GRIPPER_OPENING - FINGER_CLEARANCE
+"""Widest thing that the fingers span, metres."""
 
 MAX_MASS = 1.5
 """Heaviest object worth grasping by friction, kg (the arm's payload is 3 kg)."""
@@ -79,6 +84,21 @@ def collision_points(obj: Object) -> Float[np.ndarray, "n 3"]:
     return np.concatenate([part.vertices for part in obj.parts])
 
 
+def outer_points(obj: Object, most: int) -> Float[np.ndarray, "n 3"]:
+    """Return the vertices of the convex hull of an object's collision parts, in the body frame.
+
+    Of more than ``most`` those are left that reach farthest in as many directions.
+    """
+    points = hull_points(collision_points(obj))
+    if len(points) <= most:
+        return points
+    number = np.arange(most) + 0.5
+    height, bearing = 1 - 2 * number / most, number * np.pi * (1 + np.sqrt(5))
+    across = np.sqrt(1 - height**2)
+    directions = np.stack([across * np.cos(bearing), across * np.sin(bearing), height])
+    return points[np.unique((points @ directions).argmax(0))]
+
+
 def grasp_width(obj: Object) -> float:
     """Return the smallest horizontal width of the object as it rests, over all yaw angles."""
     points = (collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T)[:, :2]
@@ -103,17 +123,28 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
 
     ``hollow`` is its ``opening``: things too wide to be spanned can be taken by a thin wall.
     """
+    if (reason := why_not_liftable(obj)) is not None:
+        return reason
+    if not is_too_wide(obj):
+        return None
+    if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
+        return None if hollow.flare <= WIDEST_FLARE else "its walls lean too far to be gripped"
+    return f"{100 * grasp_width(obj):.1f} cm is wider than the gripper's {100 * WIDEST:.1f} cm"
+
+
+def why_not_liftable(obj: Object) -> str | None:
+    """Return why no grasp of whatever kind would lift the object, or None."""
     if obj.mass > MAX_MASS:
         return f"{obj.mass:.3g} kg is heavier than {MAX_MASS} kg"
     height = resting_height(obj)
     if height < MIN_HEIGHT:
         return f"{1000 * height:.0f} mm is flatter than {1000 * MIN_HEIGHT:.0f} mm"
-    limit, width = GRIPPER_OPENING - FINGER_CLEARANCE, grasp_width(obj)
-    if width <= limit:
-        return None
-    if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
-        return None if hollow.flare <= WIDEST_FLARE else "its walls lean too far to be gripped"
-    return f"{100 * width:.1f} cm is wider than the gripper's {100 * limit:.1f} cm"
+    return None
+
+
+def is_too_wide(obj: Object) -> bool:
+    """Return whether the fingers cannot span the object as it rests, from whatever side."""
+    return grasp_width(obj) > WIDEST
 
 
 def is_upright(obj: Object) -> bool:
@@ -163,8 +194,7 @@ def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
     cell = (high - low)[:2] / count
     middles = [low[k] + cell[k] * (np.arange(count[k]) + 0.5) for k in (0, 1)]
     x, y = np.meshgrid(*middles, indexing="ij")
-    top = top_surface(obj.parts, np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
-    return _Scan(low, high, x, y, top)
+    return _Scan(low, high, x, y, scan_surface(obj.parts, middles))
 
 
 def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Opening | None:
@@ -208,7 +238,7 @@ def plateau(obj: Object) -> Plateau | None:
     cell = float((high - low)[:2].max()) / _GRID
     axes = [np.arange(low[k] + cell / 2, high[k], cell) for k in (0, 1)]
     x, y = np.meshgrid(*axes, indexing="ij")
-    top = top_surface(parts, np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
+    top = scan_surface(parts, axes)
     flat = np.pad(top >= top.max() - LEVEL, 1)
     depth = np.asarray(ndimage.distance_transform_edt(flat))[1:-1, 1:-1]
     row, column = np.unravel_index(int(depth.argmax()), depth.shape)
@@ -238,6 +268,32 @@ def _hollow(
     return (labels == best) & (sizes[best] > _LEAST_HOLLOW * top.size)
 
 
+def scan_surface(
+    parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
+) -> Float[np.ndarray, "nx ny"]:
+    """Return the height of the highest surface over a grid of x and y, -inf where there is none."""
+    heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
+    for part, cells, points in cells_under(parts, axes):
+        window = heights[cells]
+        np.maximum(window, top_surface((part,), points).reshape(window.shape), out=window)
+    return heights
+
+
+def cells_under(
+    parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
+) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
+    """Yield each part over a grid with the cells within its bounds, and where they are."""
+    for part in parts:
+        low, high = part.bounds
+        i, j = (
+            slice(int(axis.searchsorted(low[k])), int(axis.searchsorted(high[k], "right")))
+            for k, axis in enumerate(axes)
+        )
+        if i.start < i.stop and j.start < j.stop:
+            x, y = np.meshgrid(axes[0][i], axes[1][j], indexing="ij")
+            yield part, (i, j), np.column_stack([x.ravel(), y.ravel()])
+
+
 def top_surface(
     parts: tuple[ConvexPart, ...], points: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n"]:
@@ -260,21 +316,33 @@ def part_span(
     near = np.flatnonzero(((points >= low) & (points <= high)).all(1))
     if not len(near):
         return near, np.empty(0), np.empty(0)
-    planes = ConvexHull(part.vertices, qhull_options="QJ").equations
+    planes = _planes(part)
     block = max(_BLOCK // len(planes), 1)
     spans = [_span(planes, points[near[k : k + block]]) for k in range(0, len(near), block)]
     hit, ground, ceiling = (np.concatenate(values) for values in zip(*spans, strict=True))
     return near[hit], ground[hit], ceiling[hit]
 
 
+@lru_cache(maxsize=1024)
+def _planes(part: ConvexPart) -> Float[np.ndarray, "p 4"]:
+    """Return the planes of a hull's faces: outward normal and offset, metres."""
+    return ConvexHull(part.vertices, qhull_options="QJ").equations
+
+
 def _span(
     planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
 ) -> tuple[Bool[np.ndarray, "n"], Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
     """Return whether half-spaces meet over each point, and from where to where they do there."""
-    nz = planes[:, 2]
-    upper, lower, wall = nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9
     # No matrix product: one of this size wakes BLAS's threads, which then spin for 80 ms.
-    side = planes[:, :1] * points[:, 0] + planes[:, 1:2] * points[:, 1] + planes[:, 3:]
-    ceiling = (side[upper] / -nz[upper, None]).min(0, initial=np.inf)
-    ground = (side[lower] / -nz[lower, None]).max(0, initial=-np.inf)
-    return (ceiling >= ground) & (side[wall] <= 0).all(0), ground, ceiling
+    nz = planes[:, 2]
+    upper, lower, wall = (planes[k] for k in (nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9))
+    ceiling = (_over(upper, points) / -upper[:, 2:3]).min(0, initial=np.inf)
+    ground = (_over(lower, points) / -lower[:, 2:3]).max(0, initial=-np.inf)
+    return (ceiling >= ground) & (_over(wall, points) <= 0).all(0), ground, ceiling
+
+
+def _over(
+    planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
+) -> Float[np.ndarray, "p n"]:
+    """Return how far outside of each plane its points at height 0 are, over each (x, y)."""
+    return planes[:, :1] * points[:, 0] + planes[:, 1:2] * points[:, 1] + planes[:, 3:]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from functools import partial
 from typing import Any, Unpack
 
 import gymnasium as gym
 import numpy as np
+from jaxtyping import UInt8
 from numpy.typing import ArrayLike
 
 from generator.errors import (
@@ -20,25 +20,31 @@ from generator.errors import (
     require_seed,
 )
 
-from .actions import check_action
+from .actions import ActionMode, check_action
 from .certificates.instances import sample_episode
+from .core.vectors import agreement, goal_terms
 from .goals.goal import SPOT, Goal
+from .observations.flat_state import FlatState
 from .observations.grasp_hint import grasp_hint_of
-from .observations.modes import flat_state, observation_space, slot_order
+from .observations.height_map import HeightLook
+from .observations.instructions import show_instruction
+from .observations.modes import observation_space, slot_order
+from .observations.noise import Noise
+from .observations.proprioception import feel
 from .randomization import Randomizer
-from .rendering.config import RENDER_MODES
+from .rendering.config import RENDER_MODES, CameraName
 from .rendering.drawer import drawer
-from .rendering.kinds import Drawer
+from .rendering.kinds import Drawer, Profile
 from .rendering.point_cloud import point_cloud
-from .rendering.views import pictures
+from .rendering.views import CAMERAS, camera_calibration, pictures
 from .rendering.window import Window
-from .scenes import STARTER, SceneChoice, resolve
+from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
 from .settings import Settings, read_settings
 from .tasks.pick_place import PickPlace
 from .tasks.registry import task_named
-from .tasks.task import GOAL_WEIGHTS, Episode, Task
+from .tasks.task import GOAL_WEIGHTS, Episode, Task, first_open
 from .world.composition import FRONT_CAMERA
 from .world.world import World
 
@@ -60,7 +66,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             image_size=64)``) or by its fields as keywords of their own:
 
             - ``observation`` (the mode; of "goal" it takes a ``GoalTabletopEnv``, see
-              ``make_env``), ``cameras``, ``kinds``, ``image_size``, ``points``, ``grasp_hint``;
+              ``make_env``), ``cameras``, ``kinds``, ``image_size``, ``points``, ``grasp_hint``,
+              ``geometry``, ``instruction``, ``target_mark``, ``calibration``;
             - ``action`` (the mode), ``gripper``, ``control_hz``;
             - ``render`` (a ``RenderConfig``): ``render_mode``, ``render_size``, ``renderer``;
             - ``worlds`` (a ``WorldConfig``): ``robot``, ``cache``, ``masters``.
@@ -81,9 +88,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     "instruction", "scene", "target" (of the active goal; None for the tool), "goal" (the object
     that carries the active goal, "spot" for a marked spot on the table, else None), "goals" (the
     active goal's index and how many there are), "certified" (whether the episode was drawn among
-    certified instances) and "off_table" (the objects that fell off the table); that of ``reset``
-    also "randomization", what was drawn. An episode never terminates by itself, since the dense
-    reward stays highest where the task stays done; the time limit truncates it.
+    certified instances), "off_table" (the objects that fell off the table) and, where observations
+    have pictures or points, "cameras" (of each its "intrinsics" and "extrinsics", see
+    ``rendering.views.camera_calibration``); that of ``reset`` also "randomization", what was drawn.
+    An episode never terminates by itself, since the dense reward stays highest where the task stays
+    done; the time limit truncates it.
 
     A copy (``pickle``, ``copy.deepcopy``) has the same settings and random state, so the same next
     ``reset``, but no episode, compiled world or window: it has to be reset first.
@@ -103,8 +112,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._randomizer = Randomizer(config.randomization)
         self._views = config.observation
         self.hint = grasp_hint_of(config.observation.grasp_hint)
+        self._heights = HeightLook() if config.observation.looks else None
         self.observation_space = observation_space(config.observation, self.task.most)
-        self.action_mode = config.action.mode
+        self.action_mode: ActionMode = config.action.mode
         self.controller = config.action.controller()
         self.action_space = self.controller.space
         rate = config.action.control_hz
@@ -112,16 +122,17 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self.reward = config.reward
         self.render_mode = config.render.mode
         self._worlds = config.worlds.worlds()
-        self._drawers: dict[tuple[str, int], Drawer] = {}
+        self._drawers: dict[tuple[Profile, tuple[int, int], int], Drawer] = {}
         self._window = Window(1 / rate)
         self._world: World | None = None
         self._episode: Episode | None = None
         self._certified = False
         self._instruction = ""
         self._active = 0
-        self._from_source = False
+        self._ref: SceneRef | None = None  # of the episode, if the source drew its scene
         self._succeeded: bool | None = None  # None before the first step of an episode
         self._order: list[str] = []
+        self._state: FlatState | None = None
 
     # ---------------------------------------------------------------------------------- gymnasium
 
@@ -190,9 +201,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             return None
         if self.render_mode == "human":
             return self._window.show(self.world)
-        picture = self._drawer("render")
-        draw = picture.rgb if self.render_mode == "rgb_array" else picture.depth
-        return draw(self.world, FRONT_CAMERA)
+        if self.render_mode == "rgb_array":
+            return self.picture("front")
+        return self._drawer("full", self._config.render.shape).depth(self.world, FRONT_CAMERA)
+
+    def picture(self, camera: CameraName) -> UInt8[np.ndarray, "h w 3"]:
+        """Return what a camera sees now, drawn for people, of the size of ``render``."""
+        require_known(camera, CAMERAS, "Unknown camera")
+        return self._drawer("full", self._config.render.shape).rgb(self.world, CAMERAS[camera])
 
     def close(self) -> None:
         """Free renderers and windows, and what ``scenes`` has running. May be called twice.
@@ -214,6 +230,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "_window": Window(1 / self.controller.servos.hz),
             "_world": None,
             "_episode": None,
+            "_state": None,
+            "_ref": None,
             "_succeeded": None,
         }
 
@@ -238,16 +256,41 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """The goal that the state shows: the first of the episode's that is not met."""
         return self.episode.goals[self._active]
 
+    @property
+    def active(self) -> int:
+        """The index of that goal in the episode."""
+        return self._active
+
+    @property
+    def order(self) -> list[str]:
+        """The objects by their slot in the state."""
+        return self._order
+
+    @property
+    def shows_goals(self) -> bool:
+        """Whether observations are dicts with goal vectors."""
+        return self._views.mode == "goal"
+
+    def follow(self, active: int, terms: Mapping[str, float]) -> dict[str, Any]:
+        """Take over a step that was made and judged elsewhere; return its info.
+
+        ``active`` is the index of the first goal that is not met, ``terms`` are the reward's.
+        """
+        if active != self._active:
+            self._activate(active)
+        self._succeeded = bool(terms["success"])
+        return self._info(terms)
+
     def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
         """Start an episode; return what ``reset`` does."""
         for key in options:
             require_known(key, OPTIONS, "Unknown reset option")
-        if self._from_source and self._succeeded is not None:  # it drew the episode that is over
-            record(self.source, self._succeeded)
-        self._succeeded = None
-        self._world, self._episode, self._certified = self._draw(options)
+        if self._ref is not None and self._succeeded is not None:  # the source drew what is over
+            record(self.source, self._ref, self._succeeded)
+        self._ref = self._succeeded = None
+        ref, self._world, self._episode, self._certified = self._draw(options)
         self._instruction = self.task.instruction(self._world, self._episode.goals)
-        self._from_source = "scene" not in options
+        self._ref = None if "scene" in options else ref
         self._active = -1
         self.controller.reset(self._world)
         achieved, desired, terms = self._look()
@@ -261,16 +304,22 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         world, episode = self.world, self.episode
         desired = self.task.desired_goal(world, episode)
         achieved = self.task.achieved_goal(world, episode, desired)
-        agreement = self.task.agreement(achieved, desired)
-        if agreement.active != self._active:
-            self._active = agreement.active
-            self._order = slot_order(world, self.goal)
-            if self.hint is not None:
-                self.hint.begin(world, self.goal)
-            world.show_marker(self.goal.spot, self.task.marker_radius)
-        return achieved, desired, self.task.terms(world, episode, agreement)
+        gaps = self.task.gaps(achieved, desired)
+        if (active := first_open(gaps)) != self._active:
+            self._activate(active)
+        return achieved, desired, self.task.terms(world, episode, gaps)
 
-    def _draw(self, options: dict[str, Any]) -> tuple[World, Episode, bool]:
+    def _activate(self, index: int) -> None:
+        """Show a goal of the episode from now on."""
+        self._active, world, goal = index, self.world, self.episode.goals[index]
+        self._order = slot_order(world, goal)
+        bare, hinted = self._views.mode == "goal", self.hint is not None
+        self._state = FlatState(world, goal, self._order, bare, hinted)
+        if self.hint is not None:
+            self.hint.begin(world, goal)
+        world.show_marker(goal.spot, self.task.marker_radius)
+
+    def _draw(self, options: dict[str, Any]) -> tuple[SceneRef, World, Episode, bool]:
         """Draw scenes until one can be made and offers something; tell whether it is certified."""
         source = self.source
         if "scene" in options:
@@ -288,7 +337,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 episode, known = sample_episode(
                     self.task, world, self.np_random, options, certified
                 )
-                return world, self._randomizer.finish(world, episode), known
+                return ref, world, self._randomizer.finish(world, episode), known
             except (SceneError, BundleError) as error:
                 if isinstance(error, BundleError) and is_there(ref):
                     raise  # else a pool dropped it between its draw and its loading
@@ -301,35 +350,59 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             held.forget(world)
 
     @property
-    def _weights(self) -> Mapping[str, float]:
+    def weights(self) -> Mapping[str, float]:
+        """Weights of the reward's terms, if it is dense."""
         return self.task.weights
 
     def _weigh(self, terms: Mapping[str, Any]) -> Any:
         """Return the reward of terms, numbers or arrays."""
         if self.reward == "sparse":
             return terms["success"] - 1.0
-        return sum(weight * terms[name] for name, weight in self._weights.items())
+        return sum(weight * terms[name] for name, weight in self.weights.items())
 
     def _observe(self, achieved: np.ndarray, desired: np.ndarray) -> Any:
-        world, views = self.world, self._views
-        noise = self._randomizer.noise()
-        hint = None if self.hint is None else self.hint.entries(world, self.goal)
-        bare = views.mode == "goal"
-        state = partial(flat_state, world, self._order, self.goal, bare, noise, hint)
-        if views.mode == "state":
-            return state()
-        if bare:
-            return {"observation": state(), "achieved_goal": achieved, "desired_goal": desired}
-        look = pictures if views.mode.startswith("pixels") else point_cloud
-        seen = look(views, world, self._drawer("pixels"), self._order)
-        if views.mode.endswith("+state"):
-            seen["state"] = state()
+        mode, noise = self._views.mode, self._randomizer.noise()
+        if mode == "goal":
+            vectors = {"achieved_goal": achieved, "desired_goal": desired}
+            return {"observation": self._read_state(noise), **vectors}
+        shapes: dict[str, Any] = {}
+        if self._heights is not None:
+            shapes["height_map"] = self._heights.maps(self.world, self.goal, noise)
+        if mode == "state":
+            state = self._read_state(noise)
+            return {"state": state, **shapes} if shapes else state
+        seen = {**self._see(), **shapes}
+        if mode.endswith("+state"):
+            seen["state"] = self._read_state(noise)
+        elif mode.endswith("+proprio"):
+            seen["proprio"] = feel(self.world, noise)
         return seen
 
-    def _info(self, terms: dict[str, float]) -> dict[str, Any]:
+    def _see(self) -> dict[str, Any]:
+        """Return what the cameras show, and what is to be done."""
+        views, world, drawers = self._views, self.world, self._observer
+        if views.mode.startswith("pixels"):
+            seen: dict[str, Any] = pictures(views, world, drawers, self._order, self.goal.target)
+        else:
+            seen = point_cloud(views, world, drawers, self._order)
+        assert views.instruction is not None
+        if views.instruction != "none":
+            seen["instruction"] = show_instruction(views.instruction, self._instruction)
+        return seen
+
+    def _read_state(self, noise: Noise | None) -> np.ndarray:
+        """Return the flat state as it is now, with its hint."""
+        assert self._state is not None
+        hint = None if self.hint is None else self.hint.entries(self.world, self.goal)
+        return self._state.read(noise, hint)
+
+    def _info(self, terms: Mapping[str, float]) -> dict[str, Any]:
         goal, success = self.goal, bool(terms["success"])
         marked = goal.spot is not None and goal.target is not None
+        views = self._views
+        cameras = {} if views.is_flat else {"cameras": camera_calibration(views, self.world)}
         return {
+            **cameras,
             "reward_terms": terms,
             "success": success,
             "is_success": success,
@@ -342,13 +415,15 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "off_table": self.world.off_table(),
         }
 
-    def _drawer(self, purpose: str) -> Drawer:
-        """Return the drawer for "pixels" or "render", made on first use, anew in a fork."""
-        key = purpose, os.getpid()
+    def _observer(self, size: tuple[int, int]) -> Drawer:
+        """Return what draws observations of a size."""
+        return self._drawer("fast", size)
+
+    def _drawer(self, profile: Profile, size: tuple[int, int]) -> Drawer:
+        """Return what draws pictures of a profile and size, made on first use, anew in a fork."""
+        key = profile, size, os.getpid()
         if key not in self._drawers:
-            render, pixels = self._config.render, purpose == "pixels"
-            size = self._views.size if pixels else render.shape
-            self._drawers[key] = drawer(render.renderer, *size, "fast" if pixels else "full")
+            self._drawers[key] = drawer(self._config.render.renderer, *size, profile)
         return self._drawers[key]
 
 
@@ -359,7 +434,8 @@ class GoalTabletopEnv(TabletopEnv):
     """
 
     @property
-    def _weights(self) -> Mapping[str, float]:
+    def weights(self) -> Mapping[str, float]:
+        """Weights of the terms that follow from goals."""
         return GOAL_WEIGHTS
 
     def compute_reward(self, achieved_goal: np.ndarray, desired_goal: np.ndarray, info: Any) -> Any:
@@ -367,8 +443,13 @@ class GoalTabletopEnv(TabletopEnv):
 
         Vectorised: goals of shape (8,) or (n, 8) give a float or (n,). ``info`` is not used.
         """
-        reward = self._weigh(self.task.goal_terms(self.task.agreement(achieved_goal, desired_goal)))
-        return float(reward) if np.ndim(reward) == 0 else reward
+        if np.ndim(achieved_goal) == 1 == np.ndim(desired_goal):
+            gaps = self.task.gaps(np.asarray(achieved_goal), np.asarray(desired_goal))
+            return float(self._weigh(self.task.goal_terms(gaps)))
+        both = np.broadcast_arrays(achieved_goal, desired_goal)
+        achieved, desired = (goal.astype(np.float64) for goal in both)
+        aside = self.task.aside
+        return self._weigh(goal_terms(agreement(achieved, desired, aside), aside))
 
 
 def as_options(options: Any) -> dict[str, Any]:

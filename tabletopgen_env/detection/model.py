@@ -1,12 +1,20 @@
-"""The grasp network in torch, to be trained."""
+"""The grasp network in torch, to be trained, and by what."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import torch
 from jaxtyping import Float
 from torch import Tensor, nn
+from torch.nn import functional
 
-from .network import LAYERS, MIDDLES, Rated, rate_output
+from .network import LAYERS, MIDDLES, UNITS, Rated, rate_output
+
+SHARPNESS = 0.12
+"""Of the planner's score, by which a grasp is e times as good."""
+
+_RARE = 50.0  # weight of telling whether there is a grasp: almost nowhere there is
 
 
 class GraspNetwork(nn.Module):
@@ -27,3 +35,26 @@ class GraspNetwork(nn.Module):
         """Return the weights by the names that the network has them by."""
         named = self.layers.state_dict().items()
         return {key: value.detach().half().contiguous() for key, value in named}
+
+
+class GraspBatch(NamedTuple):
+    """Objects as the network sees them, and the targets at p = TURNS * PLACES**2 places.
+
+    ``share`` is the share of the best grasps that a place has, ``possible`` whether it has any,
+    ``grasp`` its best one: where (along, across, height), width and room (metres).
+    """
+
+    seen: Float[Tensor, "b t 3 n n"]
+    share: Float[Tensor, "b p"]
+    possible: Float[Tensor, "b p"]
+    grasp: Float[Tensor, "b p 5"]
+
+
+def loss_of(rated: Rated, batch: GraspBatch) -> Float[Tensor, ""]:
+    """Return how far ratings are from what they are to be."""
+    best, possible, *grasp = (part.flatten(1) for part in rated)
+    share = -(batch.share * functional.log_softmax(best, 1)).sum(1).mean()
+    there = functional.binary_cross_entropy_with_logits(possible, batch.possible)
+    off = ((torch.stack(grasp, 2) - batch.grasp).abs() / torch.tensor(UNITS)).sum(2)
+    every = batch.possible / batch.possible.sum(1, keepdim=True).clamp(min=1)
+    return share + _RARE * there + ((batch.share + every) / 2 * off).sum(1).mean()

@@ -54,11 +54,11 @@ LAYERS = (
 )
 """The network, a rectifier between each two. What its last channels mean: ``rate_output``."""
 
-_HEIGHT = 0.05  # metres that are 1 to the network
-UNITS = (PLACE, PLACE, _HEIGHT, 0.04, 0.02)
+HEIGHT = 0.05  # metres that are 1 to the network
+UNITS = (PLACE, PLACE, HEIGHT, 0.04, 0.02)
 """Metres that are 1 in its answers: along, across, height, width and room of ``Rated``."""
 
-_DEEPEST = 2.0  # of these heights below the object's top that are told apart
+DEEPEST = 2.0  # of these heights below the object's top that are told apart
 
 
 class Rated(NamedTuple):
@@ -97,10 +97,10 @@ def turn_views(
     axis = (np.arange(SEEN) - (SEEN - 1) / 2) * PLACE / 2
     u, v = axis[:, None], axis
     x, y = u * np.cos(angles) - v * np.sin(angles), u * np.sin(angles) + v * np.cos(angles)
-    maps = np.pad(heights.astype(np.float32) * (STEP / _HEIGHT), ((0, 0), (1, 1), (1, 1)))
+    maps = np.pad(heights.astype(np.float32) * (STEP / HEIGHT), ((0, 0), (1, 1), (1, 1)))
     i, j = (np.clip(at / CELL + (CELLS + 1) / 2, 0, CELLS + 0.999) for at in (x, y))
     seen = _between(maps, i, j)
-    below = np.maximum(seen[0] - maps[0].max(), -_DEEPEST)
+    below = np.maximum(seen[0] - maps[0].max(), -DEEPEST)
     return np.stack([seen[0], seen[1], 2 * below], 1).astype(np.float32)
 
 

@@ -109,12 +109,14 @@ class GraspHint:
 
     A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
     was lost. ``planned`` is the grasp as it was planned, ``drop`` the place while there is one,
-    ``choose`` who is asked for a grasp.
+    ``choose`` who is asked for a grasp, and ``place``, if given, who for a place.
     """
 
-    def __init__(self, kind: HintKind = "planned") -> None:
+    def __init__(self, kind: HintKind = "planned", place: Placer | None = None) -> None:
         self.kind: HintKind = kind
         self.choose, self._place = _ANSWERS[kind]()
+        self._given = place
+        self._place = place or self._place
         self.planned: GraspPlan | None = None
         self.drop: Drop | None = None
         self._target: str | None = None
@@ -125,9 +127,9 @@ class GraspHint:
         self._seen: Float[np.ndarray, "3"] = np.zeros(3)
         self._low = 0.0
 
-    def __reduce__(self) -> tuple[type[GraspHint], tuple[HintKind]]:
+    def __reduce__(self) -> tuple[type[GraspHint], tuple[HintKind, Placer | None]]:
         """Return what a copy is made of: a hint of the same kind, without an episode."""
-        return GraspHint, (self.kind,)
+        return GraspHint, (self.kind, self._given)
 
     def begin(self, world: World, goal: Goal) -> None:
         """Plan for a goal that has just become active."""

@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..goals.goal import begin_goals, named_by
-from ..observations.modes import Noise
+from ..observations.noise import Noise
 from ..rendering.views import SLOTS
 from ..tasks.task import Episode
 from ..tasks.task import episode as begin

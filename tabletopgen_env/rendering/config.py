@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from types import MappingProxyType
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -12,20 +14,39 @@ from generator.errors import InputError, choices
 
 from .kinds import RENDERERS, Kind, RendererChoice
 
-CameraName = Literal["front", "wrist", "top"]
+CameraName = Literal["front", "wrist", "top", "side"]
+CameraPreset = Literal["maniskill", "droid"]
+PictureSize = int | tuple[int, int]
+"""Height and width in pixels, or one number for both."""
+
+PRESETS: Mapping[str, Mapping[CameraName, tuple[int, int]]] = MappingProxyType({
+    "maniskill": {"front": (128, 128), "wrist": (128, 128)},
+    "droid": {"front": (180, 320), "side": (180, 320), "wrist": (180, 320)},
+})  # fmt: skip
+"""Cameras and sizes of pictures as in others' datasets; poses and lenses are our own."""
 
 ObservationMode = Literal[
-    "state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state"
+    "state", "goal", "pixels", "pixels+proprio", "pixels+state", "point_cloud", "point_cloud+state"
 ]
 MODES: tuple[ObservationMode, ...] = get_args(ObservationMode)
+
+InstructionKind = Literal["none", "text", "tokens", "embedding"]
+"""How an observation says what is to be done."""
+
+TargetMark = Literal["none", "overlay", "mask"]
+"""How pictures show which object is the target."""
 
 HintKind = Literal["planned", "detected"]
 """Who says where to grasp and where to let go."""
 
+GeometryKind = Literal["none", "height_map"]
+"""How the shapes of what stands on the table are shown."""
+
 RenderMode = Literal["rgb_array", "depth_array", "human"]
 RENDER_MODES: tuple[RenderMode, ...] = get_args(RenderMode)
 
-_SMALLEST, _LARGEST, _LARGEST_SHOWN = 8, 2048, 4096  # pixels along a side
+_CAMERAS: tuple[CameraName, ...] = get_args(CameraName)
+_SMALLEST, _USUAL, _LARGEST, _LARGEST_SHOWN = 8, 128, 2048, 4096  # pixels along a side
 _MOST_POINTS = 1 << 16
 
 
@@ -34,47 +55,113 @@ class ObservationConfig:
     """What a policy sees.
 
     Args:
-        mode: "state", "goal", "pixels", "pixels+state", "point_cloud" or "point_cloud+state"; see
-            ``observations.modes``.
-        cameras: what pictures and point clouds are taken with: some of "front", "wrist" and "top".
+        mode: "state", "goal", "pixels", "pixels+proprio", "pixels+state", "point_cloud" or
+            "point_cloud+state"; see ``observations.modes``.
+        cameras: what pictures and point clouds are taken with: some of "front", "wrist", "top" and
+            "side"; or a preset of cameras and sizes, "maniskill" or "droid" (``PRESETS``).
         kinds: what pixel observations hold of each: some of "rgb", "depth" and "segmentation".
-        image_size: height and width of the pictures in pixels, or one number for both.
+        image_size: height and width of the pictures in pixels, or one number for both; or a mapping
+            with the size of each camera. None is the preset's, else 128.
         points: points of a point cloud.
         grasp_hint: whether the state ends with a grasp of the target, or its place: "planned" (or
             True) by the expert's planners, "detected" by a network that sees height maps; see
             ``observations.grasp_hint``. Not for "pixels" and "point_cloud" alone.
+        geometry: "height_map" for an entry with the heights of what stands around the target and
+            its goal (see ``observations.height_map``), which makes "state" a dict; "none" for
+            none. Not for "goal", whose goals hindsight replaces.
+        instruction: how a dict of pictures or points says what is to be done: as "text", "tokens"
+            or an "embedding" (``observations.instructions``), or not at all ("none"). None is
+            "text" with "pixels+proprio", else "none".
+        target_mark: how pictures show which object is the target: an "overlay" in the colours, a
+            "mask" as an entry of its own, or not at all ("none"); see ``views``.
+        calibration: whether there is an entry with each camera's calibration; see ``views``.
 
     Raises:
         InputError: an unknown mode; an unknown or repeated camera or kind, or none at all; a size
-            out of range; a hint in a mode without the state.
+            out of range, or of a camera that is not chosen; a hint in a mode without the state; a
+            geometry that there is not, or with "goal" or "pixels+proprio"; an instruction, a mark
+            or a calibration that there is not, or in a mode that cannot show it.
     """
 
     mode: ObservationMode = "state"
-    cameras: Sequence[CameraName] = ("front", "wrist")
+    cameras: Sequence[CameraName] | CameraPreset = ("front", "wrist")
     kinds: Sequence[Kind] = ("rgb",)
-    image_size: int | tuple[int, int] = 128
+    image_size: PictureSize | Mapping[CameraName, PictureSize] | None = None
     points: int = 1024
     grasp_hint: bool | HintKind = False
+    geometry: GeometryKind = "none"
+    instruction: InstructionKind | None = None
+    target_mark: TargetMark = "none"
+    calibration: bool = False
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "cameras", _some("camera", self.cameras, get_args(CameraName)))
+        cameras, sizes = _read_cameras(self.cameras, self.image_size)
+        object.__setattr__(self, "cameras", cameras)
+        alike = len(set(sizes.values())) == 1
+        object.__setattr__(self, "image_size", sizes[cameras[0]] if alike else sizes)
         object.__setattr__(self, "kinds", _some("kind", self.kinds, get_args(Kind)))
-        size = _picture_size("image_size", self.image_size, _LARGEST)
-        object.__setattr__(self, "image_size", size)
         if not _is_whole(self.points, 1, _MOST_POINTS):
             raise InputError(f"points must be between 1 and {_MOST_POINTS}, got {self.points!r}.")
         _check_name("observation mode", self.mode, MODES)
-        if self.grasp_hint and self.mode in ("pixels", "point_cloud"):
+        _check_name("geometry", self.geometry, get_args(GeometryKind))
+        if self.looks and self.mode == "goal":
+            raise InputError(
+                "geometry='height_map' shows what is around the goal, and hindsight replaces the "
+                "goals of 'goal'; use observation='state'."
+            )
+        if self.looks and self.mode == "pixels+proprio":
+            raise InputError(
+                "geometry='height_map' shows what no camera sees, and 'pixels+proprio' has nothing "
+                "of the kind; use 'pixels+state', or kinds with 'depth'."
+            )
+        if self.grasp_hint and self.mode in ("pixels", "pixels+proprio", "point_cloud"):
             raise InputError(
                 f"The grasp hint is part of the state, and {self.mode!r} has none; use "
-                f"'{self.mode}+state'."
+                f"'{self.mode.partition('+')[0]}+state'."
+            )
+        self._check_telling()
+
+    def _check_telling(self) -> None:
+        """Check how the task and its target are shown; settle what None stands for."""
+        if self.instruction is None:
+            told: InstructionKind = "text" if self.mode == "pixels+proprio" else "none"
+            object.__setattr__(self, "instruction", told)
+        _check_name("instruction", self.instruction, get_args(InstructionKind))
+        _check_name("target_mark", self.target_mark, get_args(TargetMark))
+        if self.instruction != "none" and self.is_flat:
+            raise InputError(
+                f"instruction={self.instruction!r} is an entry of pictures and points, and "
+                f"{self.mode!r} is made of numbers alone; info['instruction'] has the text."
+            )
+        if self.target_mark != "none" and not self.mode.startswith("pixels"):
+            raise InputError(
+                f"target_mark={self.target_mark!r} is drawn into pictures, and {self.mode!r} has "
+                "none; use a mode with pixels."
+            )
+        if self.target_mark == "overlay" and "rgb" not in self.kinds:
+            raise InputError("target_mark='overlay' is drawn into the colours; add 'rgb' to kinds.")
+        if not isinstance(self.calibration, bool | np.bool_):
+            raise InputError(f"calibration must be True or False, got {self.calibration!r}.")
+        if self.calibration and not self.mode.startswith("pixels"):
+            raise InputError(
+                f"calibration=True is of cameras, and {self.mode!r} has no pictures; use a mode "
+                "with pixels."
             )
 
     @property
-    def size(self) -> tuple[int, int]:
-        """Height and width of the pictures, pixels."""
-        assert isinstance(self.image_size, tuple)
-        return self.image_size
+    def looks(self) -> bool:
+        """Whether there are height maps."""
+        return self.geometry != "none"
+
+    @property
+    def is_flat(self) -> bool:
+        """Whether there are neither pictures nor points."""
+        return self.mode in ("state", "goal")
+
+    @cached_property
+    def sizes(self) -> dict[CameraName, tuple[int, int]]:
+        """Height and width of the pictures of each camera, pixels."""
+        return _read_cameras(self.cameras, self.image_size)[1]
 
     def key(self, camera: CameraName, kind: Kind) -> str:
         """Return the key of what ``camera`` shows."""
@@ -139,6 +226,26 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
             f"An observation needs one {what} or more, each once, got {names}." + choices("", known)
         )
     return names
+
+
+def _read_cameras(
+    wanted: Any, size: Any
+) -> tuple[tuple[CameraName, ...], dict[CameraName, tuple[int, int]]]:
+    """Return the cameras that are meant, and the size of each one's pictures, pixels."""
+    preset = PRESETS.get(wanted) if isinstance(wanted, str) else None
+    names: Any = _some("camera", wanted if preset is None else tuple(preset), _CAMERAS)
+    if isinstance(size, Mapping):
+        for name in size:
+            _check_name("camera", name, _CAMERAS)
+        if set(size) != set(names):
+            raise InputError(
+                f"image_size needs a size for each of the cameras, which are {', '.join(names)}; "
+                f"got {', '.join(map(str, size)) or 'none'}."
+            )
+        return names, {n: _picture_size("image_size", size[n], _LARGEST) for n in names}
+    if size is None:
+        return names, {n: (_USUAL, _USUAL) if preset is None else preset[n] for n in names}
+    return names, dict.fromkeys(names, _picture_size("image_size", size, _LARGEST))
 
 
 def _is_whole(value: Any, low: int, high: int) -> bool:

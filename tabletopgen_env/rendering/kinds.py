@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
 import numpy as np
@@ -44,3 +44,7 @@ class Drawer(Protocol):
     def close(self) -> None:
         """Free everything."""
         ...
+
+
+DrawerOf = Callable[[tuple[int, int]], Drawer]
+"""Returns what draws pictures of a height and width, pixels."""

@@ -23,13 +23,14 @@ from jaxtyping import Float, Shaped
 
 from ..actions import WORKSPACE
 from .config import ObservationConfig
+from .model_camera import model_camera
 from .views import CAMERAS, LAST_LABEL, geom_labels
 
 if TYPE_CHECKING:
     from generator.geometry import Camera
 
     from ..world.world import World
-    from .kinds import Drawer
+    from .kinds import DrawerOf
 
 ABOVE = 0.003
 """How far above the table top points begin, metres."""
@@ -46,17 +47,15 @@ def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:
 
 
 def point_cloud(
-    config: ObservationConfig, world: World, drawer: Drawer, order: Sequence[str]
+    config: ObservationConfig, world: World, drawers: DrawerOf, order: Sequence[str]
 ) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
     """Return the cloud that the cameras of ``config`` see; arguments as for ``views.pictures``."""
-    from .software import model_camera
-
     labels, points, ids = geom_labels(world, order), [], []
     low, high = np.array(WORKSPACE)
     low[2] = max(low[2], world.scene.table.height + ABOVE - world.base_position[2])
-    for name in config.cameras:
-        drawn = drawer.draw(world, CAMERAS[name], ("depth", "segmentation"))
-        camera = model_camera(world, CAMERAS[name], *config.size)
+    for name, size in config.sizes.items():
+        drawn = drawers(size).draw(world, CAMERAS[name], ("depth", "segmentation"))
+        camera = model_camera(world, CAMERAS[name], *size)
         seen = world.to_base(unproject(camera, drawn["depth"]))
         inside = ((seen >= low) & (seen <= high)).all(1)
         points.append(seen[inside])

@@ -10,12 +10,12 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from jaxtyping import Float, Int, Shaped, UInt8
 
-from generator.geometry import Camera
 from generator.scene.triangles import scaled_normals
 
 from ..world.composition import MARKER
 from ..world.room import backdrop
 from .kinds import Drawer, Kind
+from .model_camera import model_camera
 
 if TYPE_CHECKING:
     import mujoco
@@ -114,15 +114,6 @@ def _item(world: World, shape: VisibleGeom) -> Item | None:
         vertices = vertices * model.geom_size[k][[0, 0, 1]]
     placed = vertices @ data.geom_xmat[k].reshape(3, 3).T + data.geom_xpos[k]
     return Item(placed, shape.faces, shape.uv, shape.texture, k, float(rgba[3]))
-
-
-def model_camera(world: World, name: str, height: int, width: int) -> Camera:
-    """Return a camera of the model at its present pose."""
-    index = world.model.camera(name).id
-    axes = world.data.cam_xmat[index].reshape(3, 3)
-    rotation = np.stack([axes[:, 0], -axes[:, 1], -axes[:, 2]])
-    fov = float(np.deg2rad(world.model.cam_fovy[index]))
-    return Camera(world.data.cam_xpos[index].copy(), rotation, fov, width, height)
 
 
 # ---------------------------------------------------------------------------------- tessellation

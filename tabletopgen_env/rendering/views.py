@@ -1,6 +1,6 @@
 """What cameras show: pictures, depth and which slot each pixel belongs to.
 
-Keys of the observation, by camera (``front``, ``wrist``, ``top``) and kind:
+Keys of the observation, by camera (``front``, ``wrist``, ``top``, ``side``) and kind:
 
 ======================  ====================================================================
 ``front``               rgb: the picture, ``uint8`` (height, width, 3)
@@ -10,11 +10,19 @@ Keys of the observation, by camera (``front``, ``wrist``, ``top``) and kind:
                         background, 1 the robot with its pedestal, 2 the table with the marked
                         spot, 3 and up the objects in slot order (3 is slot 0, the target);
                         objects without a slot are background
+``front_target``        with ``target_mark="mask"``: where the target is seen, ``uint8``
+                        (height, width) of 0 and 1
+``front_calibration``   with ``calibration``: ``float32`` (16,), the first three rows of the
+                        camera's extrinsics, one after the other, then fx, fy, cx and cy of its
+                        intrinsics in heights of the picture; see ``camera_calibration``
 ======================  ====================================================================
 
-``front`` looks at table and robot from across the table, ``wrist`` sits on the hand, and ``top``
-looks straight down at the table, the robot's side below; it shows the whole top in pictures at
-least as wide as high.
+``front`` looks at table and robot from across the table, ``side`` from the robot's left, ``wrist``
+sits on the hand, and ``top`` looks straight down at the table, the robot's side below; all but
+``wrist`` show the whole top in pictures at least as wide as high.
+
+With ``target_mark="overlay"`` colours show the target outlined and tinted in magenta, as a person
+would point it out to a policy. Where the tool itself is the target (Reach), nothing is marked.
 """
 
 from __future__ import annotations
@@ -25,21 +33,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from gymnasium import spaces
-from jaxtyping import Shaped, UInt8
+from jaxtyping import Bool, Float, Shaped, UInt8
 
 from generator.scene import TABLE
 
 from ..robot.mount import PEDESTAL
-from ..world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA, WRIST_CAMERA
+from ..world.composition import FRONT_CAMERA, MARKER, SIDE_CAMERA, TOP_CAMERA, WRIST_CAMERA
 from ..world.world import World
-from .config import ObservationConfig
-from .kinds import Drawer, Kind
+from .config import CameraName, ObservationConfig
+from .kinds import DrawerOf, Kind
+from .model_camera import model_camera
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
 CAMERAS: Mapping[str, str] = MappingProxyType(
-    {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA, "top": TOP_CAMERA}
+    {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA, "top": TOP_CAMERA, "side": SIDE_CAMERA}
 )
 """The model's cameras by their name in observations."""
 
@@ -54,32 +63,110 @@ BACKGROUND, ROBOT, TABLETOP, FIRST_SLOT = 0, 1, 2, 3
 
 LAST_LABEL = FIRST_SLOT + SLOTS - 1
 
+_TINT, _TINTED = np.array([255.0, 0.0, 200.0]), 0.35  # the overlay's colour, and its share inside
+_TINT.setflags(write=False)
+_FARTHEST = 10.0  # metres from the base, and heights of a picture, that a calibration may have
+
 
 def picture_spaces(config: ObservationConfig) -> dict[str, spaces.Space[Any]]:
     """Return the space of each picture by its key."""
-    made: dict[Kind, spaces.Space[Any]] = {
-        "rgb": spaces.Box(0, 255, (*config.size, 3), np.uint8),
-        "depth": spaces.Box(0.0, DEPTH_FAR, config.size, np.float32),
-        "segmentation": spaces.Box(0, LAST_LABEL, config.size, np.uint8),
-    }
-    return {config.key(c, kind): made[kind] for c in config.cameras for kind in config.kinds}
+    made: dict[str, spaces.Space[Any]] = {}
+    for camera, size in config.sizes.items():
+        for kind in config.kinds:
+            made[config.key(camera, kind)] = _picture_space(kind, size)
+        if config.target_mark == "mask":
+            made[mask_key(camera)] = spaces.Box(0, 1, size, np.uint8)
+        if config.calibration:
+            made[calibration_key(camera)] = spaces.Box(-_FARTHEST, _FARTHEST, (16,), np.float32)
+    return made
+
+
+def _picture_space(kind: Kind, size: tuple[int, int]) -> spaces.Space[Any]:
+    if kind == "rgb":
+        return spaces.Box(0, 255, (*size, 3), np.uint8)
+    if kind == "depth":
+        return spaces.Box(0.0, DEPTH_FAR, size, np.float32)
+    return spaces.Box(0, LAST_LABEL, size, np.uint8)
+
+
+def mask_key(camera: CameraName) -> str:
+    """Return the key of where a camera sees the target."""
+    return f"{camera}_target"
+
+
+def calibration_key(camera: CameraName) -> str:
+    """Return the key of a camera's calibration."""
+    return f"{camera}_calibration"
 
 
 def pictures(
-    config: ObservationConfig, world: World, drawer: Drawer, order: Sequence[str]
-) -> dict[str, Shaped[np.ndarray, "h w *_c"]]:
-    """Return the pictures of ``config`` by their key, objects in the slots' ``order``."""
+    config: ObservationConfig,
+    world: World,
+    drawers: DrawerOf,
+    order: Sequence[str],
+    target: str | None,
+) -> dict[str, Shaped[np.ndarray, "..."]]:
+    """Return the pictures of ``config`` by their key, objects in the slots' ``order``.
+
+    ``target`` is the object that a mark shows, None for none.
+    """
     labels = geom_labels(world, order)
-    seen: dict[str, Shaped[np.ndarray, "h w *_c"]] = {}
-    for camera in config.cameras:
-        drawn = drawer.draw(world, CAMERAS[camera], config.kinds)
-        for kind, picture in drawn.items():
-            if kind == "depth":
-                picture = np.minimum(picture, np.float32(DEPTH_FAR))
-            elif kind == "segmentation":
-                picture = labels[picture]
-            seen[config.key(camera, kind)] = picture
+    marked = config.target_mark != "none"
+    kinds = tuple(dict.fromkeys((*config.kinds, *(("segmentation",) if marked else ()))))
+    seen: dict[str, Shaped[np.ndarray, "..."]] = {}
+    for camera, size in config.sizes.items():
+        drawn = drawers(size).draw(world, CAMERAS[camera], kinds)
+        if "segmentation" in drawn:
+            drawn["segmentation"] = labels[drawn["segmentation"]]
+        if "depth" in drawn:
+            drawn["depth"] = np.minimum(drawn["depth"], np.float32(DEPTH_FAR))
+        if marked:
+            mask = (drawn["segmentation"] == FIRST_SLOT) & (target is not None)
+            if config.target_mark == "mask":
+                seen[mask_key(camera)] = mask.astype(np.uint8)
+            else:
+                drawn["rgb"] = _tint(drawn["rgb"], mask)
+        seen |= {config.key(camera, kind): drawn[kind] for kind in config.kinds}
+    if config.calibration:
+        for camera, found in camera_calibration(config, world).items():
+            lens = found["intrinsics"] / config.sizes[camera][0]
+            entries = [*found["extrinsics"][:3].ravel(), lens[0, 0], lens[1, 1], *lens[:2, 2]]
+            seen[calibration_key(camera)] = np.array(entries, np.float32)
     return seen
+
+
+def _tint(picture: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]) -> np.ndarray:
+    """Return a picture with a region tinted, its edge in the full colour."""
+    inside = mask.copy()
+    inside[:-1] &= mask[1:]
+    inside[1:] &= mask[:-1]
+    inside[:, :-1] &= mask[:, 1:]
+    inside[:, 1:] &= mask[:, :-1]
+    share = np.where(inside, _TINTED, 1.0)[mask, None]
+    tinted = picture.copy()
+    tinted[mask] = np.rint((1 - share) * picture[mask] + share * _TINT)
+    return tinted
+
+
+def camera_calibration(
+    config: ObservationConfig, world: World
+) -> dict[CameraName, dict[str, Float[np.ndarray, "n n"]]]:
+    """Return what a calibration would tell of each camera of ``config``, as it is now.
+
+    ``intrinsics`` (3, 3) in pixels, with the *centre* of the top-left pixel at (0, 0), and
+    ``extrinsics`` (4, 4), which takes points of the camera's frame (x right, y down, z forward,
+    metres) to the base frame: both as OpenCV and ROS have them.
+    """
+    found = {}
+    for name, size in config.sizes.items():
+        camera = model_camera(world, CAMERAS[name], *size)
+        pose = np.eye(4)
+        pose[:3, :3] = world.base_rotation.T @ camera.rotation.T
+        pose[:3, 3] = world.to_base(camera.position)
+        lens = np.diag([camera.focal, camera.focal, 1.0])
+        lens[:2, 2] = camera.center - 0.5
+        found[name] = {"intrinsics": lens, "extrinsics": pose}
+    return found
 
 
 def geom_labels(world: World, order: Sequence[str]) -> UInt8[np.ndarray, "geoms"]:

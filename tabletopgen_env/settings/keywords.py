@@ -13,11 +13,16 @@ from ..actions import ActionConfig, ActionMode, GripperMode
 from ..randomization import Randomization
 from ..rendering.config import (
     CameraName,
+    CameraPreset,
+    GeometryKind,
     HintKind,
+    InstructionKind,
     ObservationConfig,
     ObservationMode,
+    PictureSize,
     RenderConfig,
     RenderMode,
+    TargetMark,
 )
 from ..rendering.kinds import Kind, RendererChoice
 from ..robot.panda import Panda
@@ -33,11 +38,15 @@ class Settings(TypedDict, total=False):
     """
 
     observation: ObservationMode | ObservationConfig
-    cameras: Sequence[CameraName]
+    cameras: Sequence[CameraName] | CameraPreset
     kinds: Sequence[Kind]
-    image_size: int | tuple[int, int]
+    image_size: PictureSize | Mapping[CameraName, PictureSize] | None
     points: int
     grasp_hint: bool | HintKind
+    geometry: GeometryKind
+    instruction: InstructionKind | None
+    target_mark: TargetMark
+    calibration: bool
     action: ActionMode | ActionConfig
     gripper: GripperMode
     control_hz: int

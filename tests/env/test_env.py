@@ -182,7 +182,7 @@ def test_scenes_with_nothing_to_do_are_passed_over() -> None:
         ({"scenes": 7}, "scenes is of type int"),
         ({"action": ["ee_delta"]}, r"Unknown action mode \['ee_delta'\].*Available: ee_absolute"),
         ({"observation": ["state"]}, "Available: goal, pixels"),
-        ({"cameras": [["front"]]}, "Unknown camera.*Available: front, top, wrist"),
+        ({"cameras": [["front"]]}, "Unknown camera.*Available: front, side, top, wrist"),
         ({"cache": 0}, "needs cache to be a whole number >= 1, got 0"),
         ({"cache": "all"}, "needs cache to be a whole number >= 1, got 'all'"),
         ({"render_size": (0, 0)}, r"render_size must be between 8 and 4096 pixels.*\(0, 0\)"),

@@ -5,30 +5,33 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene
 
+from tabletopgen_env.core import vectors
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.planning.grasps import plan_grasps
 from tabletopgen_env.expert.planning.plans import has_grasp
 from tabletopgen_env.robot import kinematics
+from tabletopgen_env.robot.chain import chain_at
 from tabletopgen_env.robot.kinematics import (
     HOME,
     LOWER,
     UPPER,
+    forward,
     ik_step,
-    jacobian,
     link_frames,
     solve_ik,
 )
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks.registry import task_named
+from tabletopgen_env.tasks.task import first_open
 from tabletopgen_env.world.world import World
 
 
 def plain_step(world: World, substeps: int, before: np.ndarray) -> np.ndarray:
     """Interpolate and step as the docstring of ``World.step`` says; return the commands reached."""
     wanted = world.data.ctrl[world.actuators[:7]].copy()
-    commands = np.linspace(before, wanted, substeps + 1)
     for k in range(1, substeps + 1):
-        for servo, command in zip(world.actuators[:7], commands[k], strict=True):
+        commands = before + (wanted - before) / substeps * k
+        for servo, command in zip(world.actuators[:7], commands, strict=True):
             world.data.ctrl[servo] = command
         mujoco.mj_step(world.model, world.data)
     return wanted
@@ -100,10 +103,9 @@ def plain_ik_step(joints: np.ndarray, position: np.ndarray, rotation: np.ndarray
 
     Joints that would leave their range go to its end, and the others make up for it.
     """
-    frames = link_frames(joints)
-    turn = kinematics.rotation_vector(rotation @ frames[7, :3, :3].T)
-    error = np.concatenate([position - frames[7, :3, 3], turn])
-    full = jacobian(frames)
+    point, hand = forward(joints)
+    error = np.concatenate([position - point, kinematics.rotation_vector(rotation @ hand.T)])
+    full = chain_at(joints).jacobian()
     damping = 1e-5 + 1e-2 * min(1.0, float(error @ error))
     highest = UPPER - 0.02
     highest[3] = -0.62
@@ -129,12 +131,12 @@ def test_inverse_kinematics_follows_its_formula() -> None:
     rng = np.random.default_rng(0)
     for _ in range(200):
         joints = rng.uniform(LOWER, UPPER)
-        assert np.array_equal(link_frames(joints)[:7], plain_frames(joints))
+        np.testing.assert_allclose(link_frames(joints), plain_frames(joints), atol=1e-14)
         tool, rotation = kinematics.forward(rng.uniform(LOWER, UPPER))
         found = ik_step(joints, tool, rotation)
         wanted = plain_ik_step(joints, tool, rotation)
         np.testing.assert_allclose(found[0], wanted, rtol=0, atol=1e-10)
-        assert found[1] == np.linalg.norm(tool - link_frames(joints)[7, :3, 3])
+        assert found[1] == np.linalg.norm(tool - forward(joints)[0])
 
 
 @pytest.mark.slow
@@ -152,10 +154,18 @@ def test_goals_agree_as_their_definition_says(name) -> None:
         met = [plain_met(a, d) for a, d in zip(goals, desired.reshape(-1, 8), strict=True)]
         for first, second in task.aside.items():
             met[first] |= met[second]
-        agreement = task.agreement(achieved, desired)
-        assert agreement.met.tolist() == met
         used = [k for k, d in enumerate(desired.reshape(-1, 8)) if d[3] > 0]
-        assert agreement.active == next((k for k in used if not met[k]), used[-1])
+        gaps = task.gaps(achieved, desired)
+        assert [gap.met for gap in gaps] == [met[k] for k in used]
+        assert first_open(gaps) == next((k for k in used if not met[k]), used[-1])
+        rows = (v.astype(np.float64)[None] for v in (achieved, desired))
+        agreement = vectors.agreement(*rows, task.aside)
+        assert agreement.met[0].tolist() == met and agreement.active.tolist() == [first_open(gaps)]
+        across, up = agreement.across[0, used], agreement.up[0, used]
+        np.testing.assert_allclose(across, [gap.across for gap in gaps], atol=1e-15)
+        np.testing.assert_allclose(up, [gap.up for gap in gaps], atol=1e-15)
+        for name, value in vectors.goal_terms(agreement, task.aside).items():
+            assert value.item() == pytest.approx(task.goal_terms(gaps)[name], abs=1e-14)
 
 
 def plain_met(achieved: np.ndarray, desired: np.ndarray) -> bool:

@@ -29,13 +29,26 @@ ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 
 FLAT: dict[str, dict[str, Any]] = {
     "observation": {"observation": "pixels+state", "cameras": ("top",), "kinds": ("depth",),
-                    "image_size": 16, "points": 64, "grasp_hint": "planned"},
+                    "image_size": 16, "points": 64, "grasp_hint": "planned",
+                    "geometry": "height_map", "instruction": "tokens", "target_mark": "mask",
+                    "calibration": True},
     "action": {"action": "joint_delta", "gripper": "binary", "control_hz": 50},
     "render": {"render_mode": "rgb_array", "render_size": (24, 32), "renderer": "software"},
     "worlds": {"robot": None, "cache": 2, "masters": None},
 }  # fmt: skip
 WHOLE: dict[str, Any] = {
-    "observation": ObservationConfig("pixels+state", ("top",), ("depth",), 16, 64, "planned"),
+    "observation": ObservationConfig(
+        "pixels+state",
+        ("top",),
+        ("depth",),
+        16,
+        64,
+        "planned",
+        "height_map",
+        "tokens",
+        "mask",
+        True,
+    ),
     "action": ActionConfig("joint_delta", "binary", 50),
     "render": RenderConfig("rgb_array", (24, 32), "software"),
     "worlds": WorldConfig(cache=2),

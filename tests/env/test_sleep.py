@@ -83,7 +83,7 @@ def test_a_thing_at_rest_against_a_finger_is_touched_for_as_long_as_it_is(world)
         world.step(100)
         left, right, robot = world.touches("cube_1")
         assert robot and left != right and not asleep(world, "cube_1")
-    assert np.linalg.norm(world.velocities()[0]) < 0.01, "it is at rest all the same"
+    assert np.linalg.norm(world.state.velocities[0]) < 0.01, "it is at rest all the same"
 
 
 def test_a_thing_asleep_against_the_base_is_touched() -> None:

@@ -72,8 +72,8 @@ def test_moving_through_the_spot_is_no_success() -> None:
     world.data.qvel[world._object_dof[world.index("cube_1")][0]] = 0.1
     desired = env.task.desired_goal(world, env.episode)
     achieved = env.task.achieved_goal(world, env.episode, desired)
-    agreement = env.task.agreement(achieved, desired)
-    assert env.task.terms(world, env.episode, agreement)["success"] == 0.0
+    gaps = env.task.gaps(achieved, desired)
+    assert env.task.terms(world, env.episode, gaps)["success"] == 0.0
 
 
 def test_being_held_on_the_spot_is_no_success() -> None:
@@ -115,7 +115,7 @@ def test_reward_rises_along_the_way() -> None:
                 (0.2, 0.1, 0.78), (0.2, 0.1, 0.763)]:  # fmt: skip
         world.teleport("cube_1", np.array(xyz))
         achieved = env.task.achieved_goal(world, env.episode, desired)
-        terms = env.task.terms(world, env.episode, env.task.agreement(achieved, desired))
+        terms = env.task.terms(world, env.episode, env.task.gaps(achieved, desired))
         assert all(0 <= v <= 1 for v in terms.values())
         rewards.append(sum(PickPlace.weights[k] * terms[k] for k in ("lift", "place", "success")))
     assert rewards == sorted(rewards) and rewards[-1] == pytest.approx(0.75)

@@ -10,8 +10,8 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.observations.modes import slot_order
 from tabletopgen_env.rendering.config import ObservationConfig
 from tabletopgen_env.rendering.drawer import drawer
+from tabletopgen_env.rendering.model_camera import model_camera
 from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unproject
-from tabletopgen_env.rendering.software import model_camera
 from tabletopgen_env.rendering.views import DEPTH_FAR, SLOTS, TABLETOP, geom_labels, pictures
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks.sampling import into
@@ -62,10 +62,10 @@ def test_every_camera_gives_every_kind(renderer) -> None:
 def test_a_segmentation_shows_each_object_where_it_is(world, renderer) -> None:
     order = order_of(world)
     config = ObservationConfig("pixels", ("front",), ("segmentation",), (200, 240))
-    eyes = drawer(renderer, *config.size)
-    labels = pictures(config, world, eyes, order)["front_segmentation"]
+    eyes = drawer(renderer, 200, 240)
+    labels = pictures(config, world, lambda _: eyes, order, None)["front_segmentation"]
     eyes.close()
-    camera = model_camera(world, FRONT_CAMERA, *config.size)
+    camera = model_camera(world, FRONT_CAMERA, 200, 240)
     for slot, name in enumerate(order):
         rows, columns = np.nonzero(labels == 3 + slot)
         assert len(rows) > 10, name
@@ -116,10 +116,14 @@ def test_one_spot_is_marked_at_a_time_and_is_the_table_s(renderer) -> None:
     eyes.close()
 
 
+def seen_by(renderer: str, config: ObservationConfig, world: World, order: list[str]) -> dict:
+    return pictures(config, world, lambda size: drawer(renderer, *size), order, None)
+
+
 def test_gl_and_software_agree_on_depth_and_segmentation(world) -> None:
     config = ObservationConfig("pixels", ("front", "wrist", "top"), KINDS[1:], (60, 80))
     order = order_of(world)
-    a, b = (pictures(config, world, drawer(r, 60, 80), order) for r in ("gl", "software"))
+    a, b = (seen_by(r, config, world, order) for r in ("gl", "software"))
     for camera in config.cameras:
         labels = a[f"{camera}_segmentation"], b[f"{camera}_segmentation"]
         same = labels[0] == labels[1]
@@ -162,7 +166,7 @@ def test_depth_says_ten_metres_where_nothing_is() -> None:
                    image_size=16, renderer="software")  # fmt: skip
     env.reset(seed=0)
     env.world.data.cam_xpos[:] += [0, 0, 30]  # above everything
-    seen = pictures(env._views, env.world, env._drawer("pixels"), [])
+    seen = pictures(env._views, env.world, env._observer, [], None)
     assert (seen["front_depth"] == DEPTH_FAR).all()
 
 
@@ -191,7 +195,8 @@ def test_wrong_configurations_are_explained(settings, message) -> None:
 def test_lists_and_single_names_are_taken_too() -> None:
     config = ObservationConfig("pixels", ["top", "front"], "depth", [32, 48])  # type: ignore[arg-type]
     assert config == ObservationConfig("pixels", ("top", "front"), ("depth",), (32, 48))
-    assert config.size == (32, 48) and ObservationConfig(image_size=64).size == (64, 64)
+    assert config.sizes == {"top": (32, 48), "front": (32, 48)}
+    assert ObservationConfig(image_size=64).sizes == {"front": (64, 64), "wrist": (64, 64)}
 
 
 # ------------------------------------------------------------------------------ point clouds
@@ -230,7 +235,7 @@ def test_a_crowded_cloud_is_thinned_evenly_and_always_alike() -> None:
     first, world = few.step(np.zeros(5))[0], few.world
     assert first["point_mask"].all()
     config = ObservationConfig("pixels", ("front", "top"), image_size=64, points=1 << 14)
-    every = point_cloud(config, world, drawer("software", 64, 64), order_of(world))
+    every = point_cloud(config, world, lambda size: drawer("software", *size), order_of(world))
     count = int(every["point_mask"].sum())
     kept = np.arange(100) * count // 100
     assert np.array_equal(first["points"], every["points"][kept])
@@ -242,7 +247,7 @@ def test_a_crowded_cloud_is_thinned_evenly_and_always_alike() -> None:
 def test_a_cloud_of_nothing_is_all_padding() -> None:
     env = clouded(cameras=("wrist",))
     env.world.data.cam_xpos[:] += [0, 0, 30]
-    cloud = point_cloud(env._views, env.world, env._drawer("pixels"), ORDER)
+    cloud = point_cloud(env._views, env.world, env._observer, ORDER)
     assert not any(part.any() for part in cloud.values())
     assert env.observation_space.contains(cloud)
 

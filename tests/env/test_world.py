@@ -31,6 +31,28 @@ def test_reset_is_home_and_the_settled_poses(world) -> None:
     assert not any(world.touches(name)[2] for name in world.names)
 
 
+def test_the_state_is_live_views_of_a_world_and_a_twin_has_its_own(world) -> None:
+    twin = world.twin()
+    state, data = world.state, world.data
+    world.data.ctrl[world.actuators] = [*HOME_QPOS[:6], 1.0, 0.0]
+    world.teleport("cube_1", world.position("cube_1") + np.array([0.0, 0.0, 0.1]))
+    world.step(50)
+    bodies, k = world.bodies, world.index("cube_1")
+    assert np.array_equal(state.joints, data.qpos[world.arm_qpos])
+    assert np.array_equal(state.joint_velocities, data.qvel[world.arm_dof])
+    assert np.array_equal(state.fingers, data.qpos[world.finger_qpos])
+    assert np.array_equal([*state.servos, *state.gripper], data.ctrl[world.actuators])
+    assert np.array_equal(state.tool, data.site("panda/tcp").xpos)
+    assert np.array_equal(state.hand.ravel(), data.site("panda/tcp").xmat)
+    assert np.array_equal(state.positions, data.xpos[bodies])
+    assert np.array_equal(state.rotations.reshape(-1, 9), data.xmat[bodies])
+    joint = world.model.body_jntadr[bodies[k]]
+    first = world.model.jnt_dofadr[joint]
+    assert np.array_equal(state.velocities[k], data.qvel[first : first + 6])
+    assert np.abs(twin.state.joints - HOME_QPOS[:7]).max() == 0.0
+    assert np.abs(state.joints - HOME_QPOS[:7]).max() > 0.01
+
+
 def test_the_base_stands_at_the_mount(world) -> None:
     base = world.model.body("panda/link0").id
     assert np.allclose(world.data.xpos[base], world.mount.position)

@@ -1,0 +1,27 @@
+"""Largest magnitudes of the entries of an observation; what they are says ``modes``."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..rendering.views import SLOTS
+from .grasp_hint import HINT_BOUNDS
+
+ROBOT_BOUNDS = np.array(
+    [4.0] * 7 + [10.0] * 7 + [0.1] + [3.0] * 3 + [1.0] * 6 + [4.0] * 7 + [1.0] * 3 + [3.0] * 6
+)
+SLOT_BOUNDS = np.array([3.0] * 3 + [1.0] * 6 + [3.0] * 3 + [10.0] * 3 + [50.0] * 3 + [1.0])
+GOAL_BOUNDS = np.array([1.0] + [3.0] * 3 + [4.0] * 4 + [3.0] * 3)
+GOAL_VECTOR_BOUNDS = np.array([3.0] * 3 + [4.0] * 4 + [1.0])
+
+BARE_BOUNDS = np.concatenate([ROBOT_BOUNDS, np.tile(SLOT_BOUNDS, SLOTS)])
+_NONE = np.empty(0)
+BOUNDS = {  # of the flat state's entries, by whether there is a hint and whether the goal is out
+    (hinted, bare): np.concatenate(
+        [BARE_BOUNDS, _NONE if bare else GOAL_BOUNDS, HINT_BOUNDS if hinted else _NONE]
+    )
+    for hinted in (False, True)
+    for bare in (False, True)
+}
+for _constant in (ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, GOAL_VECTOR_BOUNDS, *BOUNDS.values()):
+    _constant.setflags(write=False)

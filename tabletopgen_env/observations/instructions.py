@@ -1,0 +1,78 @@
+"""What is to be done, as an entry of the observation: a text, tokens, or an embedding.
+
+==============  =================================================================================
+``"text"``      a ``spaces.Text`` of at most 256 printable ASCII characters, the rest cut off and
+                other characters as "?"
+``"tokens"``    ``int32`` of 32 entries: a number from 1 to 4095 for each word, then zeros
+``"embedding"`` ``float32`` of 64 entries, of length 1 (0 where there is no word): words and their
+                parts of three letters, hashed to signed entries and added up
+==============  =================================================================================
+
+Numbers of words and entries are hashes (CRC-32 of the word in lower case), so they need no
+vocabulary and are the same everywhere; two words may share one. Similar texts have similar
+embeddings, but nothing in them was learned.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import string
+import zlib
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from jaxtyping import Float, Int
+
+from ..rendering.config import InstructionKind
+
+MOST_CHARACTERS, MOST_TOKENS, VOCABULARY, EMBEDDING_SIZE = 256, 32, 4096, 64
+"""Characters of a text, tokens of a row, numbers that a token may have, and entries of a vector."""
+
+CHARACTERS = string.ascii_letters + string.digits + string.punctuation + " "
+"""Characters of a text."""
+
+_WORDS = re.compile(r"[a-z0-9]+")
+_PART = 3  # letters
+
+
+def instruction_space(kind: InstructionKind) -> spaces.Space[Any]:
+    """Return the space of an instruction."""
+    if kind == "text":
+        return spaces.Text(MOST_CHARACTERS, min_length=0, charset=CHARACTERS)
+    if kind == "tokens":
+        return spaces.Box(0, VOCABULARY - 1, (MOST_TOKENS,), np.int32)
+    return spaces.Box(-1.0, 1.0, (EMBEDDING_SIZE,), np.float32)
+
+
+def show_instruction(kind: InstructionKind, text: str) -> str | np.ndarray:
+    """Return an instruction as an element of its space."""
+    if kind == "text":
+        return "".join(c if c in CHARACTERS else "?" for c in text[:MOST_CHARACTERS])
+    return tokens(text) if kind == "tokens" else embed(text)
+
+
+def tokens(text: str) -> Int[np.ndarray, "32"]:
+    """Return the numbers of the first 32 words, padded with zeros."""
+    row = np.zeros(MOST_TOKENS, np.int32)
+    words = _WORDS.findall(text.lower())[:MOST_TOKENS]
+    row[: len(words)] = [1 + _hash(word) % (VOCABULARY - 1) for word in words]
+    return row
+
+
+def embed(text: str) -> Float[np.ndarray, "64"]:
+    """Return the sum of the signed hashes of words and of their parts, scaled to length 1."""
+    entries = np.zeros(EMBEDDING_SIZE)
+    for word in _WORDS.findall(text.lower()):
+        edged = f" {word} "
+        parts = [edged[k : k + _PART] for k in range(len(edged) - _PART + 1)]
+        for part, weight in ((word, 1.0), *((part, 1 / len(parts)) for part in parts)):
+            code = _hash(part)
+            entries[code % EMBEDDING_SIZE] += weight if code >> 31 else -weight
+    length = math.sqrt(float(entries @ entries))
+    return (entries / length if length else entries).astype(np.float32)
+
+
+def _hash(part: str) -> int:
+    return zlib.crc32(part.encode())
