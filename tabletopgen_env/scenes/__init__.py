@@ -8,7 +8,7 @@ that a seeded environment sees the same tables again; only what is renewed by th
 ``FixedScenes``       bundles and scenes in memory, all equally likely
 ``FreshScenes``       a new one for each draw: of texts, or of a ``SceneDistribution``
 ``RefreshingScenes``  a pool that processes keep renewing in the background
-``CurriculumScenes``  those of another source, harder as the policy succeeds
+``CurriculumScenes``  those of another source at which the policy learns most now
 ``SharedScenes``      those of another source, for several threads, as ``TabletopVectorEnv`` has it
 ``split``             the scenes of any source to train on, or those held out
 ====================  =============================================================================
@@ -26,6 +26,7 @@ from .choosing import split as split
 from .curriculum import CurriculumScenes as CurriculumScenes
 from .difficulty import difficulty as difficulty
 from .difficulty import difficulty_terms as difficulty_terms
+from .finding import CURRICULUM as CURRICULUM
 from .finding import FRESH as FRESH
 from .finding import REFRESHING as REFRESHING
 from .finding import STARTER as STARTER
@@ -33,6 +34,7 @@ from .fixed import FixedScenes as FixedScenes
 from .fresh import FreshScenes as FreshScenes
 from .making.recipe import SceneRecipe as SceneRecipe
 from .refreshing import RefreshingScenes as RefreshingScenes
+from .sampler import DifficultySampler as DifficultySampler
 from .sharing import SharedScenes as SharedScenes
 from .source import SceneRef as SceneRef
 from .source import SceneSource as SceneSource

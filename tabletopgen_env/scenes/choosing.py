@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from generator.errors import InputError
 from generator.language.distribution import Needs, SceneDistribution
 
-from .finding import FRESH, STARTER, FixedChoice, fixed_scenes, on_demand
+from .curriculum import CurriculumScenes
+from .finding import FRESH, STARTER, FixedChoice, fixed_scenes, graded_of, on_demand
 from .fresh import FreshScenes
 from .refreshing import RefreshingScenes
 from .source import SceneSource
@@ -31,6 +32,10 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
             - "refreshing": a pool that begins with ``start`` and is renewed in the background, of
               every theme; "refreshing:PROMPT": of a text from the start, which takes about a second
               a scene at the first reset;
+            - "curriculum": new tables as of "fresh", of a difficulty at which most is learned;
+              "curriculum:SCENES": of those that any other text here means, such as
+              "curriculum:starter:train" or "curriculum:fresh:an office desk". See
+              ``CurriculumScenes``;
             - a ``Scene``, or a sequence of scenes, names, paths and globs;
             - a ``SceneSource``, which is returned as it is.
 
@@ -43,6 +48,8 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
     """
     if isinstance(scenes, SceneSource):
         return scenes
+    if isinstance(scenes, str) and (graded := graded_of(scenes)) is not None:
+        return CurriculumScenes(resolve(graded, needs, start))
     return _make(str(scenes), needs, start) if on_demand(scenes) else fixed_scenes(scenes)
 
 

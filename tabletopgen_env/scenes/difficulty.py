@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from jaxtyping import Float
@@ -20,6 +20,15 @@ from ..affordance import (
     why_not_graspable,
 )
 from ..robot.mount import Mount
+
+TERMS = ("objects", "clutter", "clearance", "distance", "stacking", "size")
+"""What difficulty is made of; see ``difficulty_terms``."""
+
+MANY = 20
+"""Number of objects from which on it gets no harder."""
+
+DEEP = 2
+"""So many things below a thing, or more, are the worst."""
 
 FULL = 0.35
 """Share of a tabletop that is covered where clutter is at its worst."""
@@ -44,45 +53,85 @@ RIM = 0.5
 """How hard it is to take a vessel by its wall."""
 
 
-def difficulty(scene: Scene) -> float:
+def difficulty(scene: Scene, target: str | None = None) -> float:
     """Return how hard a scene is to work at, in [0, 1]: the mean of ``difficulty_terms``.
 
-    It knows the scene alone, no task: the same scene has the same difficulty for every robot of
-    the Panda's size that stands where ``Mount.beside`` puts it. A bare table has 0.
+    Of a ``target`` (an object's name) it is how hard that object is to work with. Else it knows the
+    scene alone: the same scene has the same difficulty for every robot of the Panda's size that
+    stands where ``Mount.beside`` puts it, whatever the task. A bare table has 0.
+
+    Raises:
+        InputError: there is no such object.
     """
-    return float(np.mean(list(difficulty_terms(scene).values())))
+    return float(np.mean(list(difficulty_terms(scene, target).values())))
 
 
-def difficulty_terms(scene: Scene) -> Mapping[str, float]:
+def difficulty_terms(scene: Scene, target: str | None = None) -> Mapping[str, float]:
     """Return what makes a scene hard, each in [0, 1] and 0 for a bare table.
 
+    Where there is a mean over things, it is of ``target`` alone if one is given.
+
     ==========  ==============================================================================
+    objects     how many there are, over ``MANY``
     clutter     share of the tabletop that is covered by what stands on it, over ``FULL``
     clearance   how little room there is: 1 for things that touch, 0 from a gap of ``FREE`` to
-                the nearest neighbour on the table; the mean over things that stand on the table
+                the nearest neighbour on the table; the mean over things that stand on the table.
+                Of a target on another thing the neighbours are all but what it stands on
     distance    how far from the robot's base: 0 up to ``NEAR``, 1 at ``FAR`` and wherever the
                 hand does not reach; the mean over all things
+    stacking    how many things lie between a thing and the table, over ``DEEP``; the mean over
+                all things
     size        how badly a thing's size suits the hand, as it rests: narrower than ``SMALL`` (1 at
                 ``TINY``), wider than ``WIDE`` (1 where the fingers no longer open), lower than
                 ``LOW`` (1 at the lowest the fingers take), the worst of these; ``RIM`` for what is
                 only taken by its wall; the mean over what can be grasped at all, 1 if nothing can
     ==========  ==============================================================================
+
+    Raises:
+        InputError: there is no such object.
     """
-    if not scene.objects:
-        return dict.fromkeys(("clutter", "clearance", "distance", "size"), 0.0)
-    misfits = [misfit for o in scene.objects if (misfit := _misfit(o)) is not None]
+    if not scene.objects and target is None:
+        return dict.fromkeys(TERMS, 0.0)
+    held = hold_supports(scene)
+    asked = held.objects if target is None else (held.object(target),)
+    misfits = [misfit for o in asked if (misfit := _misfit(o)) is not None]
+    crowding = _crowding(held)
+    if target is not None:
+        crowding["clearance"] = _tightness(held, asked[0])
     return {
-        **_crowding(scene),
-        "distance": float(_distances(scene).mean()),
+        "objects": min(len(held.objects) / MANY, 1.0),
+        **crowding,
+        "distance": float(_distances(scene, asked).mean()),
+        "stacking": float(np.mean([min(len(_below(held, o)) / DEEP, 1.0) for o in asked])),
         "size": float(np.mean(misfits or [1.0])),
     }
+
+
+def _below(scene: Scene, thing: Object) -> list[str]:
+    """Return what lies between an object and the table, the nearest first."""
+    found: list[str] = []
+    while (support := thing.placement.on) != TABLE and support not in found:
+        found.append(support)
+        thing = scene.object(support)
+    return found
+
+
+def _tightness(scene: Scene, target: Object) -> float:
+    """Return the clearance term of one object, from the outlines of all but what carries it."""
+    import shapely
+
+    carrying = {target.name, *_below(scene, target)}
+    others = [o for o in scene.objects if o.name not in carrying]
+    outlines = np.array([shapely.Polygon(footprint(o)) for o in (target, *others)])
+    gaps = np.asarray(shapely.distance(outlines[1:], outlines[0]))
+    return float(1 - np.clip(gaps.min(initial=np.inf) / FREE, 0, 1))
 
 
 def _crowding(scene: Scene) -> dict[str, float]:
     """Return clutter and clearance, from the outlines of what stands on the table."""
     import shapely
 
-    standing = [o for o in hold_supports(scene).objects if o.placement.on == TABLE]
+    standing = [o for o in scene.objects if o.placement.on == TABLE]
     if not standing:
         return {"clutter": 0.0, "clearance": 0.0}
     outlines = np.array([shapely.Polygon(footprint(o)) for o in standing])
@@ -96,8 +145,8 @@ def _crowding(scene: Scene) -> dict[str, float]:
     }
 
 
-def _distances(scene: Scene) -> Float[np.ndarray, "k"]:
-    mount, places = Mount.beside(scene), np.array([o.pose.position for o in scene.objects])
+def _distances(scene: Scene, things: Sequence[Object]) -> Float[np.ndarray, "k"]:
+    mount, places = Mount.beside(scene), np.array([o.pose.position for o in things])
     away = np.hypot(*(places - mount.position)[:, :2].T)
     far = np.clip((away - NEAR) / (FAR - NEAR), 0, 1)
     return np.where(mount.reaches(places), far, 1.0)

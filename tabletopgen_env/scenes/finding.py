@@ -23,8 +23,14 @@ FRESH = "fresh"
 REFRESHING = "refreshing"
 """Means a pool that is renewed in the background; after a colon comes what it is of."""
 
+CURRICULUM = "curriculum"
+"""Means scenes of the difficulty at which most is learned now; after a colon comes of which."""
+
 _SIDES: dict[str, Side] = {f"{STARTER}:{side}": side for side in get_args(Side)}
-FORMS = (STARTER, *_SIDES, FRESH, f"{FRESH}:PROMPT", REFRESHING, f"{REFRESHING}:PROMPT")
+FORMS = (
+    STARTER, *_SIDES, FRESH, f"{FRESH}:PROMPT", REFRESHING, f"{REFRESHING}:PROMPT",
+    CURRICULUM, f"{CURRICULUM}:SCENES",
+)  # fmt: skip
 """What ``scenes`` may say besides bundles."""
 
 FixedChoice = str | Path | Scene | Sequence["str | Path | Scene"]
@@ -49,8 +55,33 @@ def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
 
 
 def on_demand(scenes: object) -> bool:
-    """Return whether tables are made: ``scenes`` is a form of ``FRESH`` or ``REFRESHING``."""
-    return isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING)
+    """Return whether tables are made: ``scenes`` is a form of ``FRESH`` or ``REFRESHING``.
+
+    Or a curriculum of one, as ``CURRICULUM`` alone is.
+    """
+    if not isinstance(scenes, str):
+        return False
+    return (graded_of(scenes) or scenes).partition(":")[0] in (FRESH, REFRESHING)
+
+
+def graded_of(scenes: str) -> str | None:
+    """Return of which scenes a form of ``CURRICULUM`` is one, None for what is none.
+
+    Raises:
+        InputError: nothing follows the colon, or another curriculum.
+    """
+    head, colon, inner = scenes.partition(":")
+    if head != CURRICULUM:
+        return None
+    if not colon:
+        return FRESH
+    if not inner.strip() or inner.strip().partition(":")[0] == CURRICULUM:
+        raise InputError(
+            f"scenes={scenes!r} does not say of which scenes it is a curriculum. Pass for example "
+            f"'{CURRICULUM}:{STARTER}:train', '{CURRICULUM}:{FRESH}:an office desk', or just "
+            f"{CURRICULUM!r}."
+        )
+    return inner.strip()
 
 
 def _find(item: str | Path | Scene) -> list[SceneRef]:
@@ -59,7 +90,7 @@ def _find(item: str | Path | Scene) -> list[SceneRef]:
         return [HeldRef(item)]
     if not isinstance(item, str | Path):
         raise InputError(f"A list of scenes holds a {type(item).__name__}: {item!r}.")
-    if on_demand(item):
+    if on_demand(item) or (isinstance(item, str) and graded_of(item)):
         raise InputError(
             f"{item!r} is no fixed scene, and cannot be one of a list; for several prompts pass "
             "scenes=FreshScenes([prompt, ...])."

@@ -26,10 +26,10 @@ class SharedScenes:
         with self._lock:
             return self._source.draw(rng)
 
-    def record(self, success: bool) -> None:
-        """Pass on how an episode ended."""
+    def record(self, ref: SceneRef, success: bool) -> None:
+        """Pass on how an episode at a scene ended."""
         with self._lock:
-            record(self._source, success)
+            record(self._source, ref, success)
 
     def close(self) -> None:
         """Close the source."""

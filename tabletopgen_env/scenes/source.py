@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar, runtime_checkable
 
 import numpy as np
@@ -27,15 +27,23 @@ class SceneRef:
     load: Callable[[], Scene]
     difficulty: float | None = None
 
+    def rate(self, difficulty: float) -> SceneRef:
+        """Return the reference with how hard the scene is."""
+        return replace(self, difficulty=difficulty)
+
 
 class HeldRef(SceneRef):
     """A scene in memory, known by being the very same one; a copy elsewhere is another."""
 
-    def __init__(self, scene: Scene) -> None:
-        super().__init__(f"scene:{id(scene)}", lambda: scene)
+    def __init__(self, scene: Scene, difficulty: float | None = None) -> None:
+        super().__init__(f"scene:{id(scene)}", lambda: scene, difficulty)
 
-    def __reduce__(self) -> tuple[type[HeldRef], tuple[Scene]]:
-        return HeldRef, (self.load(),)
+    def rate(self, difficulty: float) -> HeldRef:
+        """Return the reference with how hard the scene is."""
+        return HeldRef(self.load(), difficulty)
+
+    def __reduce__(self) -> tuple[type[HeldRef], tuple[Scene, float | None]]:
+        return HeldRef, (self.load(), self.difficulty)
 
 
 class Remembered(Generic[T]):
@@ -70,7 +78,8 @@ class SceneSource(Protocol):
 
     - ``refs``: a sequence of the scenes at hand, any of which it could draw now;
     - ``admitting(rule)``: returns the source of only those of its scenes that a ``Rule`` admits;
-    - ``record(success)``: is told at the end of an episode whether the task succeeded;
+    - ``record(ref, success)``: is told at the end of an episode whether the task succeeded, and
+      the reference that ``draw`` gave for it: several episodes may be under way at the same time;
     - ``close()``: ends what it has running. May be called twice; the next draw starts it anew.
     """
 
@@ -79,10 +88,10 @@ class SceneSource(Protocol):
         ...
 
 
-def record(source: SceneSource, success: bool) -> None:
-    """Tell a source how an episode ended, if it wants to know."""
+def record(source: SceneSource, ref: SceneRef, success: bool) -> None:
+    """Tell a source how an episode at a scene of its ended, if it wants to know."""
     if (told := getattr(source, "record", None)) is not None:
-        told(success)
+        told(ref, success)
 
 
 def close(source: SceneSource) -> None:

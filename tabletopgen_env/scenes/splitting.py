@@ -181,9 +181,9 @@ class AdmittedScenes:
             "categories, or give the source more scenes."
         )
 
-    def record(self, success: bool) -> None:
-        """Pass on how an episode ended."""
-        record(self.source, success)
+    def record(self, ref: SceneRef, success: bool) -> None:
+        """Pass on how an episode at a scene ended."""
+        record(self.source, ref, success)
 
     def close(self) -> None:
         """Close the source."""

@@ -1,4 +1,4 @@
-"""Scenes that become harder as the policy succeeds."""
+"""Scenes of the difficulty at which the policy learns most."""
 
 import pickle
 
@@ -11,75 +11,137 @@ from generator.scene import Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.scenes import (
     CurriculumScenes,
+    DifficultySampler,
     FixedScenes,
     FreshScenes,
     RefreshingScenes,
     SceneRef,
+    SharedScenes,
     difficulty,
+    resolve,
 )
+from tabletopgen_env.vector import TabletopVectorEnv
 
 
 def unread() -> Scene:
     raise AssertionError("a scene was loaded whose difficulty is known")
 
 
-def graded(count: int = 10) -> FixedScenes:
+EDGES = (0.0, 0.25, 0.5, 0.75, 1.0)
+
+
+def graded(count: int = 8) -> FixedScenes:
     """Scenes whose difficulty is known, given in no order: number k has difficulty k / count."""
     order = np.random.default_rng(0).permutation(count)
     return FixedScenes(tuple(SceneRef(str(k), unread, k / count) for k in order))
 
 
-def seen(source: CurriculumScenes, draws: int = 200) -> list[int]:
+def quarters(source: CurriculumScenes, draws: int = 2000) -> list[float]:
+    """How often each bin is drawn, once every scene has been met."""
     rng = np.random.default_rng(0)
-    return sorted({int(source.draw(rng).key) for _ in range(draws)})
+    drawn = [source.draw(rng).difficulty for _ in range(200 + draws)][200:]
+    return (np.bincount(source.sampler.bins(drawn), minlength=4) / draws).tolist()
 
 
-def tell(source: CurriculumScenes, results: str) -> None:
-    for result in results:
-        source.record(result == "+")
+def of_quarters(explore: float = 0.2, **more) -> CurriculumScenes:
+    return CurriculumScenes(graded(), DifficultySampler(EDGES, explore=explore), **more)
+
+
+# --------------------------------------------------------------------------------- the sampler
+def test_what_half_succeeds_at_is_drawn_most_and_nothing_never() -> None:
+    sampler = DifficultySampler(EDGES, explore=0.2)
+    assert sampler.probabilities() == pytest.approx([0.25] * 4)  # nothing is known
+    for _ in range(100):
+        sampler.record([0, 1, 3], [True, _ % 2 == 0, False])
+    chances = sampler.probabilities()
+    assert chances.sum() == pytest.approx(1.0)
+    assert chances[1] > 4 * chances[0] and chances[1] > 4 * chances[3]
+    assert chances.min() >= 0.05  # a fifth is uniform
+    assert chances[2] == pytest.approx(chances[1], rel=0.05)  # not met yet: may be worth it
+
+
+def test_only_what_is_present_is_drawn() -> None:
+    sampler = DifficultySampler(EDGES)
+    present = np.array([True, False, False, True])
+    assert set(sampler.sample(np.random.default_rng(0), 200, present).tolist()) == {0, 3}
+    assert set(sampler.sample(np.random.default_rng(0), 200).tolist()) == {0, 1, 2, 3}
+
+
+def test_episodes_are_forgotten_by_halves() -> None:
+    sampler = DifficultySampler(EDGES, halflife=10.0)
+    sampler.record(2, True)
+    sampler.record([2] * 10, [False] * 10)
+    assert sampler.counts[2, 1] == pytest.approx(0.5)
+    assert sampler.counts[[0, 1, 3]].sum() == 0.0  # others keep what they know
+
+
+def test_many_episodes_at_once_count_as_one_after_the_other() -> None:
+    together, apart = DifficultySampler(EDGES), DifficultySampler(EDGES)
+    together.record([1] * 6 + [3], [True] * 6 + [False])
+    for _ in range(6):
+        apart.record(1, True)
+    apart.record(3, False)
+    assert together.counts == pytest.approx(apart.counts)
+    mixed = DifficultySampler(EDGES)
+    mixed.record([3, 1, 1], [False, True, False])
+    other = DifficultySampler(EDGES)
+    other.record([1, 3, 1], [False, False, True])
+    assert mixed.counts == pytest.approx(other.counts)  # their order is no matter
+
+
+def test_what_lies_outside_the_edges_is_in_the_outer_bins() -> None:
+    sampler = DifficultySampler((0.2, 0.4, 0.6))
+    assert sampler.bins([0.0, 0.2, 0.399, 0.4, 0.9]).tolist() == [0, 0, 0, 1, 1]
 
 
 @pytest.mark.parametrize(
-    ("level", "expected"),
-    [(0.0, [0, 1, 2]), (0.5, [3, 4, 5, 6]), (1.0, [7, 8, 9]), (2 / 7, [2, 3, 4])],
-)
-def test_scenes_are_drawn_from_the_window_and_all_of_it(level, expected) -> None:
-    assert seen(CurriculumScenes(graded(), width=0.3, level=level)) == expected
+    "settings",
+    [{"edges": (0.5,)}, {"edges": (0.5, 0.2)}, {"explore": 0.0}, {"explore": 1.1},
+     {"halflife": 0.0}],
+)  # fmt: skip
+def test_wrong_settings_of_a_sampler_are_explained(settings) -> None:
+    with pytest.raises(InputError, match="A curriculum needs"):
+        DifficultySampler(**settings)
 
 
-def test_the_window_slides_from_the_easiest_to_the_hardest() -> None:
-    source = CurriculumScenes(graded(), width=0.4)
-    assert source.window == (0.0, 0.4)
-    source.level = 1.0
-    assert source.window == pytest.approx((0.6, 1.0))
-    assert seen(CurriculumScenes(graded(), width=1.0, level=0.3)) == list(range(10))
-    assert seen(CurriculumScenes(graded(1), level=1.0)) == [0]
+# ---------------------------------------------------------------------------------- the scenes
+def test_scenes_follow_how_episodes_at_their_difficulty_end() -> None:
+    source = of_quarters()
+    assert quarters(source) == pytest.approx([0.25] * 4, abs=0.05)
+    ends = {0: (True, True), 1: (True, False), 2: (False, False), 3: (False, False)}
+    refs = [source.draw(np.random.default_rng(k)) for k in range(200)]
+    for ref in refs:
+        for success in ends[int(source.sampler.bins(ref.difficulty))]:
+            source.record(ref, success)
+    shares = quarters(source)
+    assert shares[1] > 0.5 and min(shares) > 0.03
 
 
-def test_success_raises_the_level_and_failure_lowers_it() -> None:
-    source = CurriculumScenes(graded(), level=0.5, step=0.1, episodes=4)
-    tell(source, "+++")
-    assert source.level == 0.5  # too few to say
-    tell(source, "-")
-    assert source.level == pytest.approx(0.6)  # three of four
-    tell(source, "+-+")
-    assert source.level == pytest.approx(0.6)  # what came before the change does not count
-    tell(source, "-")
-    assert source.level == pytest.approx(0.6)  # half: neither
-    tell(source, "--")
-    assert source.level == pytest.approx(0.5)  # of the last four, one
-    tell(source, "-" * 100)
-    assert source.level == 0.0
-    tell(source, "+" * 100)
-    assert source.level == 1.0
+def test_an_episode_counts_where_it_was_played_though_another_has_begun_since() -> None:
+    source = SharedScenes(of_quarters())
+    rng = np.random.default_rng(1)
+    refs = {float(ref.difficulty or 0): ref for ref in (source.draw(rng) for _ in range(100))}
+    hard, easy = refs[max(refs)], refs[min(refs)]
+    source.record(hard, False)
+    source.record(easy, True)
+    counts = source._source.sampler.counts  # type: ignore[attr-defined]
+    assert counts[[0, 3]].tolist() == [[1.0, 1.0], [1.0, 0.0]]
 
 
 def test_drawing_follows_the_generator() -> None:
     def drawn(seed: int) -> list[str]:
-        source, rng = CurriculumScenes(graded(), width=0.6), np.random.default_rng(seed)
+        source, rng = of_quarters(), np.random.default_rng(seed)
         return [source.draw(rng).key for _ in range(20)]
 
     assert drawn(0) == drawn(0) != drawn(1)
+
+
+def test_so_many_scenes_are_held_those_met_last() -> None:
+    source, rng = of_quarters(size=3), np.random.default_rng(0)
+    for _ in range(50):
+        source.draw(rng)
+    assert len({ref.key for ref in source._held}) == len(source._held) == 3
+    assert len(of_quarters(size=1).draw(rng).key) == 1
 
 
 def test_a_difficulty_that_is_not_known_is_found_once() -> None:
@@ -97,16 +159,14 @@ def test_a_difficulty_that_is_not_known_is_found_once() -> None:
 
         return SceneRef(scene.name, load)
 
-    source = CurriculumScenes(FixedScenes((ref(hard), ref(easy))), width=0.5)
+    source = CurriculumScenes(FixedScenes((ref(hard), ref(easy))))
     rng = np.random.default_rng(0)
-    assert {source.draw(rng).key for _ in range(10)} == {"easy"}
-    source.level = 1.0
-    assert {source.draw(rng).key for _ in range(10)} == {"hard"}
+    found = {ref.key: ref.difficulty for ref in (source.draw(rng) for _ in range(20))}
+    assert found == {"easy": difficulty(easy), "hard": difficulty(hard)}
     assert sorted(loads) == ["easy", "hard"]
 
 
-@pytest.mark.slow
-def test_scenes_made_on_demand_are_made_once_and_compared() -> None:
+def test_a_draw_makes_one_scene_at_most_and_each_once() -> None:
     made: list[int] = []
 
     class Own:
@@ -122,12 +182,13 @@ def test_scenes_made_on_demand_are_made_once_and_compared() -> None:
 
             return SceneRef(str(number), load)
 
-    source = CurriculumScenes(Own(), width=0.25)
-    rng = np.random.default_rng(0)
-    drawn = [source.draw(rng) for _ in range(5)]
-    assert len(made) == 20
+    source, rng = CurriculumScenes(Own()), np.random.default_rng(0)
+    drawn = []
+    for k in range(5):
+        drawn.append(source.draw(rng))
+        assert len(made) == k + 1
     assert [ref.load().name for ref in drawn] == [ref.key for ref in drawn]
-    assert len(made) == 20
+    assert len(made) == 5
 
 
 def test_a_pool_is_drawn_from_once_for_each_scene() -> None:
@@ -136,7 +197,7 @@ def test_a_pool_is_drawn_from_once_for_each_scene() -> None:
     )
     source, rng = CurriculumScenes(pool), np.random.default_rng(0)
     for _ in range(7):
-        assert source.draw(rng).key in {ref.key for ref in pool.refs}
+        source.draw(rng)
     assert pool.renewals == 3
     source.close()
     assert pool.refs == ()
@@ -149,27 +210,53 @@ def test_a_bundle_that_is_gone_is_not_drawn(tmp_path, monkeypatch) -> None:
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path))
     for k in range(3):
         assets_cache.add(toy_scene(toy_objects()[: k + 1], name=f"desk_{k}"), allow_failed=True)
-    source, rng = CurriculumScenes("desk_*", width=1.0), np.random.default_rng(0)
-    source.draw(rng)
+    source, rng = CurriculumScenes("desk_*"), np.random.default_rng(0)
+    for _ in range(30):
+        source.draw(rng)
     assets_cache.remove("desk_1")
     with pytest.warns(RuntimeWarning, match="desk_1"):
         assert {source.draw(rng).load().name for _ in range(30)} == {"desk_0", "desk_2"}
 
 
-def test_it_can_be_pickled_where_it_is() -> None:
-    source = CurriculumScenes(toy_scene(), level=0.3)
+def test_a_copy_draws_and_learns_alike() -> None:
+    source = CurriculumScenes([toy_scene(), toy_scene(toy_objects()[:1], name="one")])
+    rng = np.random.default_rng(0)
+    for _ in range(4):
+        source.record(source.draw(rng), True)
     again = pickle.loads(pickle.dumps(source))
-    assert again.level == 0.3 and again.draw(np.random.default_rng(0)).load().name == "toy"
+    assert again.sampler.counts.tolist() == source.sampler.counts.tolist() != 0
+    assert again.draw(np.random.default_rng(5)).load().name in {"toy", "one"}
+    made = CurriculumScenes(FreshScenes("x", making="makers:toy"))
+    made.draw(rng)
+    copies = made, pickle.loads(pickle.dumps(made))
+    names = [
+        [each.draw(r).load().name for _ in range(5)]
+        for each, r in zip(
+            copies, (np.random.default_rng(1), np.random.default_rng(1)), strict=True
+        )
+    ]
+    assert names[0] == names[1]
 
 
-@pytest.mark.parametrize(
-    "settings",
-    [{"width": 0.0}, {"width": 1.1}, {"level": -0.1}, {"step": 0.0}, {"episodes": 0},
-     {"lower_at": 0.7}, {"raise_at": 1.2}],
-)  # fmt: skip
-def test_wrong_settings_are_explained(settings) -> None:
-    with pytest.raises(InputError, match="A curriculum needs"):
-        CurriculumScenes(graded(), **settings)
+def test_wrong_settings_are_explained() -> None:
+    with pytest.raises(InputError, match="size"):
+        CurriculumScenes(graded(), size=0)
+    with pytest.raises(InputError, match="scenes='curriculum:fresh:a desk'"):
+        CurriculumScenes("fresh:a desk")
+
+
+def test_scenes_can_be_a_curriculum_of_any_others() -> None:
+    assert resolve("curriculum").source == FreshScenes()  # type: ignore[attr-defined]
+    prompted = resolve("curriculum: fresh:a desk")
+    assert isinstance(prompted, CurriculumScenes) and prompted.source == FreshScenes("a desk")
+    starters = resolve("curriculum:starter:train")
+    assert isinstance(starters, CurriculumScenes) and isinstance(starters.source, FixedScenes)
+    assert make_env("curriculum", task="Tidy").source.source.prompts.needs  # type: ignore
+    for wrong in ("curriculum:", "curriculum: ", "curriculum:curriculum:fresh"):
+        with pytest.raises(InputError, match="of which scenes it is a curriculum"):
+            resolve(wrong)
+    with pytest.raises(InputError, match="no fixed scene"):
+        resolve(["curriculum:starter"])
 
 
 # ------------------------------------------------------------------------------ the environment
@@ -182,7 +269,8 @@ class Told:
     def draw(self, rng: np.random.Generator) -> SceneRef:
         return SceneRef("toy", toy_scene)
 
-    def record(self, success: bool) -> None:
+    def record(self, ref: SceneRef, success: bool) -> None:
+        assert ref.key == "toy"
         self.results.append(success)
 
 
@@ -213,9 +301,19 @@ def test_the_environment_tells_how_each_episode_ended() -> None:
 
 
 def test_a_curriculum_follows_an_environment() -> None:
-    source = CurriculumScenes([toy_scene()], level=0.5, episodes=2)
+    source = CurriculumScenes([toy_scene()])
     env = make_env(source)
     for seed in range(3):
         env.reset(seed=seed)
         env.step(env.action_space.sample())
-    assert source.level == pytest.approx(0.45)
+    assert source.sampler.counts.sum(0) == pytest.approx([1 + 0.5 ** (1 / 30), 0.0])
+
+
+def test_every_slot_of_a_vector_environment_is_heard() -> None:
+    source = CurriculumScenes([toy_scene(), toy_scene(toy_objects()[:1], name="one")])
+    envs = TabletopVectorEnv(3, scenes=source, task="Reach", max_episode_steps=2)
+    envs.reset(seed=0)
+    for _ in range(6):
+        envs.step(envs.action_space.sample())
+    assert round(source.sampler.counts[:, 0].sum()) == 6  # two of each slot have ended
+    envs.close()

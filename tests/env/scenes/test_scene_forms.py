@@ -119,7 +119,7 @@ def test_one_scene_in_memory_is_one_scene() -> None:
         ("starter:trian", "Did you mean 'starter:train'"),
         ("frsh:a desk", "Did you mean 'fresh:PROMPT'"),
         ("refreshng: a desk", "Did you mean 'refreshing:PROMPT'"),
-        ("kitchens:a desk", "Available: fresh, fresh:PROMPT.*starter:train"),
+        ("kitchens:a desk", "Available: curriculum, .*fresh:PROMPT.*starter:train"),
         ("no_such_desk", "Besides bundles, scenes can be 'starter', .*'refreshing:PROMPT'"),
         ("fresh:", "lacks a prompt.*'fresh:an office desk', or just 'fresh'"),
         ("refreshing: ", "lacks a prompt"),

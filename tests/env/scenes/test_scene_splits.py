@@ -226,8 +226,8 @@ def test_a_pool_is_split_at_first_and_later_on(bundles) -> None:
 
 @pytest.mark.slow
 def test_a_curriculum_is_split_by_its_source(bundles) -> None:
-    kept = split(CurriculumScenes("desk_*", width=0.5), "held_out")
-    assert isinstance(kept, CurriculumScenes) and kept.width == 0.5
+    kept = split(CurriculumScenes("desk_*", size=5), "held_out")
+    assert isinstance(kept, CurriculumScenes) and kept.size == 5
     assert keys(kept) <= {ref.key for ref in split("desk_*", "held_out").refs}  # type: ignore
 
 
@@ -242,7 +242,7 @@ class Endless:
         k = int(rng.integers(12))
         return SceneRef(str(k), lambda: desk(k, "mug_1" if k % 3 else "book_1"))
 
-    def record(self, success: bool) -> None:
+    def record(self, ref: SceneRef, success: bool) -> None:
         self.told.append(success)
 
     def close(self) -> None:
@@ -255,7 +255,7 @@ def test_any_other_source_is_split_by_looking_at_its_scenes() -> None:
     assert sides[0] | sides[1] == {str(k) for k in range(12)} and sides[0].isdisjoint(sides[1])
     books = split(own, "train", by="category", categories=("mug",))
     assert keys(books) == {"0", "3", "6", "9"}
-    books.record(True)  # type: ignore[attr-defined]
+    books.record(books.draw(np.random.default_rng(0)), True)  # type: ignore[attr-defined]
     books.close()  # type: ignore[attr-defined]
     assert own.told == [True] and own.closed == 1
     with pytest.raises(SceneError, match="None of 200 drawn scenes is for 'held_out' by category"):

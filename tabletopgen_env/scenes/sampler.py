@@ -1,0 +1,89 @@
+"""Which difficulty to practise next: there is most to learn where only some episodes succeed.
+
+Arrays alone, so that whatever plays many episodes at once can use it: ``CurriculumScenes`` draws
+one scene at a time by it, a batched environment the bins of all its episodes together.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+from numpy.typing import ArrayLike
+
+from generator.errors import InputError
+
+EDGES = (0.0, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 1.0)
+"""Edges of the bins of difficulty: nine in ten composed tables lie from 0.19 to 0.42."""
+
+
+@dataclass(eq=False)
+class DifficultySampler:
+    """Draws bins of difficulty by their learning potential, from a running success rate of each.
+
+    A bin's rate is p = (s + 1) / (n + 2) of s successes in n episodes, older episodes counting
+    less: half after ``halflife`` others of the same bin. Its potential is p (1 - p), which is
+    highest where half of the episodes succeed, and for bins without any yet (S. Tzannetos et al.,
+    "Proximal curriculum for reinforcement learning agents", TMLR 2023). A bin is drawn with
+    probability ``explore`` / bins + (1 - ``explore``) potential / sum of potentials.
+
+    Attributes:
+        edges: of the bins, b + 1 rising numbers; what lies outside is in the first or last bin.
+        explore: share of draws that are uniform over the bins, in (0, 1]; 1 draws uniformly.
+        halflife: episodes of a bin after which one counts half.
+        counts: episodes and successes of each bin, decayed.
+
+    Raises:
+        InputError: settings out of their range.
+    """
+
+    edges: tuple[float, ...] = EDGES
+    explore: float = 0.2
+    halflife: float = 30.0
+    counts: Float[np.ndarray, "b 2"] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self.edges = tuple(float(edge) for edge in self.edges)
+        if len(self.edges) < 2 or not (np.diff(self.edges) > 0).all():
+            raise InputError(f"A curriculum needs at least two rising edges, got {self.edges}.")
+        if not 0 < self.explore <= 1 or not self.halflife > 0:
+            raise InputError(
+                "A curriculum needs explore in (0, 1] and a positive halflife, got "
+                f"{self.explore} and {self.halflife}."
+            )
+        self.counts = np.zeros((len(self.edges) - 1, 2))
+
+    @property
+    def rates(self) -> Float[np.ndarray, "b"]:
+        """The success rate of each bin; a half where nothing is known."""
+        return (self.counts[:, 1] + 1) / (self.counts[:, 0] + 2)
+
+    def bins(self, difficulties: ArrayLike) -> Int[np.ndarray, "*n"]:
+        """Return the bin of each difficulty."""
+        found = np.searchsorted(self.edges[1:-1], np.asarray(difficulties, float), side="right")
+        return np.asarray(found)
+
+    def probabilities(self, present: Bool[np.ndarray, "b"] | None = None) -> Float[np.ndarray, "b"]:
+        """Return how likely each bin is drawn, of those ``present``; None for all."""
+        there = np.ones(len(self.counts), bool) if present is None else np.asarray(present, bool)
+        potential = np.where(there, self.rates * (1 - self.rates), 0.0)
+        return self.explore * there / there.sum() + (1 - self.explore) * potential / potential.sum()
+
+    def sample(
+        self, rng: np.random.Generator, n: int, present: Bool[np.ndarray, "b"] | None = None
+    ) -> Int[np.ndarray, "n"]:
+        """Draw ``n`` bins, of those ``present``."""
+        return rng.choice(len(self.counts), size=n, p=self.probabilities(present))
+
+    def record(self, bins: ArrayLike, successes: ArrayLike) -> None:
+        """Take episodes that ended together into account, in whatever order they are given."""
+        which = np.atleast_1d(np.asarray(bins, int))
+        won = np.atleast_1d(np.asarray(successes, float))
+        ended = np.bincount(which, minlength=len(self.counts))
+        share = np.bincount(which, won, minlength=len(self.counts)) / np.maximum(ended, 1)
+        kept = 0.5 ** (1 / self.halflife)
+        fresh = (1 - kept**ended) / (1 - kept)  # 1 + kept + kept² ..., as many as ended
+        self.counts = self.counts * (kept**ended)[:, None] + (
+            fresh[:, None] * np.stack([np.ones_like(share), share], axis=1)
+        )
