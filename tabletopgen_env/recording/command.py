@@ -8,8 +8,13 @@ from typing import Annotated
 
 from tyro.conf import OmitArgPrefixes
 
-from .config import Format, RecordConfig
+from generator.jobs.pools import PoolOptions
+
+from .config import Format, LeRobotConfig, RecordConfig
 from .recorder import record as run
+
+_POOL = PoolOptions()
+_LEROBOT = LeRobotConfig()
 
 
 def record(
@@ -17,36 +22,40 @@ def record(
     *,
     out: Path | None = None,
     format: Format = "minari",
-    workers: int = 1,
+    resume: bool = False,
+    lerobot: OmitArgPrefixes[LeRobotConfig] = _LEROBOT,
+    pool: OmitArgPrefixes[PoolOptions] = _POOL,
 ) -> None:
     """Record the scripted expert's demonstrations of a task as a dataset.
 
     Args:
         config: What to record.
-        out: The dataset's own folder, or file (hdf5). A Minari dataset's name ends with its
-            version: data/lift-v0. Left out, it goes into your Minari store.
+        out: The dataset's own folder, or file (hdf5, robomimic). A Minari dataset's name ends with
+            its version: data/lift-v0. Left out, it goes into your Minari store.
         format: Its format.
-        workers: Processes; the result does not depend on them.
+        resume: Resume after the episodes that an interrupted recording left beside OUT (lerobot).
+        lerobot: How a LeRobot dataset holds it.
+        pool: Who plays.
     """
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
                TimeElapsedColumn(), TextColumn("{task.fields[note]}"))  # fmt: skip
-    played = 0
+    played: int | None = None
     progress = Progress(*columns, console=Console(stderr=True))
     shown = progress.add_task(config.name, total=config.episodes, note="")
     with ExitStack() as running:
 
         def report(kept: int, tried: int) -> None:
             nonlocal played
-            if not tried:  # what is wrong is told before, without a bar
+            if played is None:  # what is wrong is told before, without a bar
                 running.enter_context(progress)
             played = tried
             note = f"of {tried} played" if tried > kept else ""
             progress.update(shown, completed=kept, note=note)
 
-        path = run(config, out, format, workers, report)
+        path = run(config, out, format, pool.workers, report, pool.ray, resume, lerobot)
     print(f"{path}: {config.episodes} episodes of {played} played")
     if format == "minari":
         print(f'  MINARI_DATASETS_PATH={path.parent}  minari.load_dataset("{path.name}")')

@@ -7,38 +7,61 @@ from collections import deque
 from collections.abc import Generator, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import closing
-from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
 from typing import Any
 
+import cloudpickle
 import gymnasium as gym
 import numpy as np
 from jaxtyping import Float, Shaped
 
 from generator.errors import SceneError
-from generator.jobs.workers import WorkerPool
+from generator.jobs.pools import pool_of
+from generator.jobs.task_pool import call_once
 
-from ..learning.demonstrations.recorded import demonstrate
+from ..learning.demonstrations.recorded import Demonstration, demonstrate
+from ..observations.proprioception import SHARED, feel
 from .config import RecordConfig
+from .summaries import RowSummary, summarize, summarize_colors, summarize_depth
 
 CHUNK = 4
 """Most episodes that a process plays before it hands them over."""
 
-Columns = dict[str, "Shaped[np.ndarray, 't1'] | list[str] | Columns"]
-"""Arrays or texts of one row a step, by name, nested."""
+Column = Shaped[np.ndarray, "t1 ..."] | list[str]
+Columns = dict[str, Column | dict[str, Column | dict[str, Column]]]
+"""Arrays or texts of one row a step, by name, nested at most twice."""
 
 
 @dataclass(frozen=True, eq=False)
 class RecordedEpisode:
-    """One episode of ``t`` steps; see the package's page."""
+    """One episode of ``t`` steps, the ``number``-th that was played; see the package's page."""
 
-    observations: Shaped[np.ndarray, "t1 ..."] | dict[str, Shaped[np.ndarray, "t1 ..."]]
+    number: int
+    observations: Shaped[np.ndarray, "t1 ..."] | dict[str, Shaped[np.ndarray, "t1 ..."] | list[str]]
     actions: Float[np.ndarray, "t a"]
     rewards: Float[np.ndarray, "t"]
+    proprio: Float[np.ndarray, "t1 p"]
     infos: Columns
     facts: Mapping[str, str | int | bool]
+
+    @property
+    def state(self) -> Float[np.ndarray, "t1 s"] | None:
+        """The flat state before each step and after the last, if it was observed."""
+        seen = self.observations
+        return seen.get("state") if isinstance(seen, dict) else seen  # type: ignore[return-value]
+
+    @property
+    def pictures(self) -> dict[str, Shaped[np.ndarray, "t1 h w *c"]]:
+        """The pictures by their key in the observations."""
+        seen = self.observations if isinstance(self.observations, dict) else {}
+        return {n: rows for n, rows in seen.items() if not isinstance(rows, list) and rows.ndim > 2}
+
+    @property
+    def cameras(self) -> dict[str, dict[str, Float[np.ndarray, "t1 _ _"]]]:
+        """``intrinsics`` and ``extrinsics`` of each camera."""
+        return self.infos.get("cameras", {})  # type: ignore[return-value]
 
     @property
     def arrays(self) -> dict[str, Any]:
@@ -50,47 +73,71 @@ class RecordedEpisode:
             "rewards": self.rewards,
             "terminations": np.zeros(steps, bool),
             "truncations": np.arange(1, steps + 1) == steps,
-            "infos": self.infos,
+            "infos": {**self.infos, "proprio": self.proprio},
         }
+
+    def summaries(self) -> dict[str, RowSummary]:
+        """Return summaries of actions, rewards, robot and observations by their name.
+
+        Colours are in [0, 1], depth is in metres, and labels have no summary.
+        """
+        rows = {"actions": self.actions, "rewards": self.rewards, "proprio": self.proprio}
+        found = {name: summarize(values) for name, values in rows.items()}
+        if self.state is not None:
+            nested = isinstance(self.observations, dict)
+            found["observations/state" if nested else "observations"] = summarize(self.state)
+        for name, pictures in self.pictures.items():
+            if pictures.ndim == 4:
+                found[f"observations/{name}"] = summarize_colors(pictures)
+            elif pictures.dtype == np.float32:
+                found[f"observations/{name}"] = summarize_depth(pictures)
+        return found
 
 
 def play_episodes(
-    config: RecordConfig, env: gym.Env[Any, Any], workers: int
+    config: RecordConfig,
+    env: gym.Env[Any, Any],
+    workers: int,
+    ray: str | None = None,
+    first: int = 0,
 ) -> Generator[RecordedEpisode | SceneError, None, None]:
     """Yield one episode after the other without end, or why there is none to keep.
 
-    They do not depend on the number of ``workers``; a single one plays in ``env``. Close it in the
-    end.
+    The first is that of the number ``first``.
+    They do not depend on the number of ``workers``, nor on whether these are of the Ray cluster at
+    the address ``ray``; a single one of this machine plays in ``env``. Close it in the end.
 
     Raises:
+        BackendError: no Ray.
         SceneError: a process has ended abruptly.
     """
-    if workers == 1:
-        yield from (_attempt(config, env, number) for number in count())
+    if workers == 1 and ray is None:
+        yield from (_attempt(config, env, number) for number in count(first))
+    make = cloudpickle.dumps(partial(_environment, config))
     few = min(CHUNK, -(-config.episodes // workers))
-    with closing(WorkerPool(workers, begin=partial(_begin, config))) as pool:
-        numbers, begun = count(0, few), count(0, few)
+    with closing(pool_of(workers, ray)) as pool:
+        numbers, begun = count(first, few), count(first, few)
         ahead: deque[Future[list[RecordedEpisode | SceneError]]] = deque()
         for done in numbers:
-            wanted = max(-(-(config.episodes - done) // few), 1)  # if all of them are kept
+            wanted = max(-(-(config.episodes + first - done) // few), 1)  # if all of them are kept
             while len(ahead) < min(2 * workers, wanted):
-                ahead.append(pool.submit(_chunk, config, next(begun), few))
+                ahead.append(pool.submit(_chunk, config, make, next(begun), few))
             yield from ahead.popleft().result()
 
 
-_environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")  # of this process
-
-
-def _begin(config: RecordConfig) -> None:
-    """Make the environment of a process, kept until the process ends."""
+def _environment(config: RecordConfig) -> gym.Env[Any, Any]:
+    """Return the environment of a worker process, open until the process ends."""
     env = config.environment()
     atexit.register(env.close)
-    _environment.set(env)
+    return env
 
 
-def _chunk(config: RecordConfig, first: int, few: int) -> list[RecordedEpisode | SceneError]:
-    """Play the episodes of a process's turn."""
-    return [_attempt(config, _environment.get(), first + k) for k in range(few)]
+def _chunk(
+    config: RecordConfig, make: bytes, first: int, few: int
+) -> list[RecordedEpisode | SceneError]:
+    """Play the episodes of a process's turn in the environment that ``make`` makes, pickled."""
+    env = call_once(make)
+    return [_attempt(config, env, first + k) for k in range(few)]
 
 
 def _attempt(
@@ -99,36 +146,89 @@ def _attempt(
     """Play one episode; return it, or why it is not kept."""
     seed = int(np.random.default_rng((config.seed, number)).integers(2**31))
     infos: list[dict[str, Any]] = []
+    felt: list[np.ndarray] = []
+
+    def watch(info: dict[str, Any]) -> None:
+        infos.append(info)
+        felt.append(feel(env.get_wrapper_attr("world")))
+
     try:
-        shown = demonstrate(env, seed, noise=config.noise, report=infos.append)
+        shown = demonstrate(env, seed, noise=config.noise, report=watch)
     except SceneError as error:
         return error
     if shown is None:
         return SceneError(f"the expert knows no way to {infos[0]['instruction']!r}")
     if not (shown.solved or config.keep_failures):
         return SceneError(f"the expert did not {shown.instruction!r}")
-    world = env.get_wrapper_attr("world")
+    digest = env.get_wrapper_attr("world").digest
+    return recorded_episode(number, seed, shown, infos, felt, digest)
+
+
+def recorded_episode(
+    number: int,
+    seed: int,
+    shown: Demonstration,
+    infos: Sequence[Mapping[str, Any]],
+    felt: Sequence[np.ndarray],
+    digest: str,
+) -> RecordedEpisode:
+    """Return an episode as datasets keep it.
+
+    Args:
+        number: of the episode among those played.
+        seed: of its reset.
+        shown: what was seen and done in it.
+        infos: of its reset and of each step.
+        felt: what the robot felt, likewise (``observations.proprioception``).
+        digest: of the table and its objects.
+    """
     facts = {
         "seed": seed,
         "instruction": shown.instruction,
         "scene": infos[0]["scene"],
-        "digest": world.digest,
+        "digest": digest,
         "target": infos[0]["target"] or "",
         "goal": infos[0]["goal"] or "",
         "certified": infos[0]["certified"],
         "success": shown.solved,
         "steps": len(shown.actions),
     }
-    return RecordedEpisode(shown.observations, shown.actions, shown.rewards, _columns(infos), facts)
+    seen = _plain(shown.observations)
+    proprio = _proprio(seen, np.stack(felt))
+    return RecordedEpisode(
+        number, seen, shown.actions, shown.rewards, proprio, _columns(infos), facts
+    )
+
+
+def _proprio(seen: Any, felt: Float[np.ndarray, "t1 p"]) -> Float[np.ndarray, "t1 p"]:
+    """Return what the robot felt, misread as in what was observed."""
+    if isinstance(seen, dict) and "proprio" in seen:
+        return seen["proprio"]
+    state = seen["state"] if isinstance(seen, dict) else seen
+    return np.hstack([state[:, :SHARED], felt[:, SHARED:]])
+
+
+def _plain(observations: Any) -> Any:
+    """Return observations with texts as lists."""
+    if not isinstance(observations, dict):
+        return observations
+    return {
+        n: rows.tolist() if rows.dtype.kind == "U" else rows for n, rows in observations.items()
+    }
 
 
 def _columns(infos: Sequence[Mapping[str, Any]]) -> Columns:
-    """Return what is kept of the infos of an episode."""
+    """Return what is kept of the infos of an episode, but for the proprioception."""
     terms = {
         name: np.array([info["reward_terms"][name] for info in infos], np.float32)
         for name in infos[0]["reward_terms"]
     }
-    return {
+    cameras: dict[str, Column | dict[str, Column]] = {
+        name: {part: np.stack([info["cameras"][name][part] for info in infos]) for part in parts}
+        for name, parts in infos[0].get("cameras", {}).items()
+    }
+    seen: Columns = {"cameras": cameras} if cameras else {}
+    return seen | {
         "success": np.array([info["success"] for info in infos], bool),
         "goal_index": np.array([info["goals"][0] for info in infos], np.int64),
         "target": [info["target"] or "" for info in infos],

@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import os
-import shutil
-import tempfile
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import closing, contextmanager
+from collections.abc import Callable, Iterable
+from contextlib import AbstractContextManager, closing
+from dataclasses import asdict, replace
 from pathlib import Path
+from typing import Any
 
-from generator.errors import (
-    InputError,
-    SceneError,
-    StorageError,
-    TabletopError,
-    choices,
-    require_number,
-)
+import gymnasium as gym
+
+from generator.errors import InputError, SceneError, choices, require_number
 from generator.io.files import check_folder
+from generator.scene.provenance import versions
 
-from .config import FORMATS, Format, RecordConfig
+from .config import FORMATS, Format, LeRobotConfig, RecordConfig
+from .formats import RESUMABLE, Writer, check_installed, writer
 from .playing import RecordedEpisode, play_episodes
-from .writers import Writer, check_installed, writer
+from .publishing import publish, publish_in_parts
 
+_LEROBOT = LeRobotConfig()
+_DECISIVE = ("tabletopgen", "mujoco", "numpy", "pyarrow")  # versions that decide the bytes
 _MOST_MISSES = 50  # episodes in a row that may give nothing to keep
 
 
@@ -32,40 +31,125 @@ def record(
     format: Format = "minari",
     workers: int = 1,
     report: Callable[[int, int], None] | None = None,
+    ray: str | None = None,
+    resume: bool = False,
+    lerobot: LeRobotConfig = _LEROBOT,
 ) -> Path:
     """Record the expert's demonstrations; return where the dataset is.
 
-    It is there once it is whole: whatever goes wrong before leaves nothing behind. ``out`` is its
-    own folder, or file ("hdf5"), which must not be there yet. The name of a Minari dataset is its
-    id and ends with a version ("data/lift-v0"); None is ``TabletopGen-<task>-v0`` in the user's
-    Minari store. ``workers`` are processes that play; they change what is recorded only where the
-    clock renews the scenes ("refreshing"). ``report`` is called with how many episodes are kept and
-    how many were played: before any is, once nothing is found wrong, and after each.
+    It is there once it is whole: whatever goes wrong before leaves nothing behind, but for the
+    format "lerobot" the episodes that are done, in ``.<name>.part`` beside ``out``. ``resume``
+    continues after these, if there are any, with the same settings (``episodes`` may differ), to
+    the same bytes as without the interruption. ``lerobot`` says how that format keeps pictures.
+
+    ``out`` is the dataset's own folder, or file ("hdf5", "robomimic"), which must not be there yet.
+    The name of a Minari dataset is its id and ends with a version ("data/lift-v0"); None is
+    ``TabletopGen-<task>-v0`` in the user's Minari store. ``workers`` are processes that play; they
+    change what is recorded only where the clock renews the scenes ("refreshing"). They are of this
+    machine or, with its address, of a ``ray`` cluster, whose machines have to share the folders of
+    scenes that are paths; ``out`` is written here alone. ``report`` is called with how many
+    episodes are kept and how many were played: once nothing is found wrong, and after each.
 
     Raises:
-        InputError: a setting is wrong, a package is missing, or ``out`` is there already.
+        InputError: a setting is wrong, a package or a codec is missing, ``out`` is there already,
+            or what is to be resumed is another recording.
+        BackendError: no Ray.
         BundleError: no bundle fits the scenes, or one is damaged.
         SceneError: the expert solved none of 50 episodes in a row, or a process that played has
             ended abruptly.
         StorageError: the disk refused.
     """
-    if format not in FORMATS:
-        raise InputError(f"Unknown format {format!r}." + choices(str(format), FORMATS))
     require_number("record needs workers", workers, minimum=1, integer=True)
-    config.check()
-    check_installed(format)
-    target = _target(config, out, format)
+    target = _check(config, out, format, resume, lerobot)
     env = config.environment()
     try:
         with (
-            _publish(target) as part,
-            closing(writer(format, part, config, env)) as dataset,
-            closing(play_episodes(config, env, workers)) as episodes,
+            _publish(target, config, format, resume, lerobot) as place,
+            closing(writer(format, place, config, env, lerobot)) as dataset,
         ):
-            _write(config, episodes, dataset, report or (lambda kept, played: None))
+            _play(config, env, dataset, workers, ray, report or (lambda kept, played: None))
+            dataset.finish()
     finally:
         env.close()
     return target
+
+
+def write_dataset(
+    config: RecordConfig,
+    env: gym.Env[Any, Any],
+    episodes: Callable[[int], Iterable[RecordedEpisode]],
+    out: str | Path | None = None,
+    format: Format = "minari",
+    resume: bool = False,
+    lerobot: LeRobotConfig = _LEROBOT,
+) -> Path:
+    """Write episodes that are played elsewhere, as ``record`` does those of the expert.
+
+    ``episodes`` returns them; it is called with the number of the first, 0 unless an interrupted
+    recording is resumed. ``env`` is where they are played, and stays open.
+
+    Raises:
+        InputError: as ``record``, or there was not one episode.
+        StorageError: the disk refused.
+    """
+    target = _check(config, out, format, resume, lerobot)
+    with (
+        _publish(target, config, format, resume, lerobot) as place,
+        closing(writer(format, place, config, env, lerobot)) as dataset,
+    ):
+        for episode in episodes(dataset.resumed_at):
+            dataset.add(episode)
+        if dataset.kept == 0:
+            raise InputError("No episode was kept, so there is no dataset.")
+        dataset.finish()
+    return target
+
+
+def _check(
+    config: RecordConfig,
+    out: str | Path | None,
+    format: Format,
+    resume: bool,
+    lerobot: LeRobotConfig,
+) -> Path:
+    """Check what can be checked before anything is played; return where the dataset goes."""
+    if format not in FORMATS:
+        raise InputError(f"Unknown format {format!r}." + choices(str(format), FORMATS))
+    config.check()
+    lerobot.check()
+    check_installed(format, lerobot)
+    if resume and format not in RESUMABLE:
+        raise InputError(f"The format {format!r} cannot be resumed; {', '.join(RESUMABLE)} can.")
+    return _target(config, out, format)
+
+
+def _publish(
+    target: Path, config: RecordConfig, format: Format, resume: bool, lerobot: LeRobotConfig
+) -> AbstractContextManager[Path]:
+    """Return what gives the place to write to."""
+    if format not in RESUMABLE:
+        return publish(target)
+    settings = {n: v for n, v in asdict(config).items() if n != "episodes"}
+    used = [*_DECISIVE, *(["av"] if lerobot.video != "none" else [])]
+    key = {**settings, **asdict(lerobot), "format": format, "versions": versions(used)}
+    return publish_in_parts(target, key, resume)
+
+
+def _play(
+    config: RecordConfig,
+    env: gym.Env[Any, Any],
+    dataset: Writer,
+    workers: int,
+    ray: str | None,
+    report: Callable[[int, int], None],
+) -> None:
+    """Play what the dataset lacks, and write it."""
+    report(dataset.kept, dataset.resumed_at)
+    missing = config.episodes - dataset.kept
+    if missing > 0:
+        rest = replace(config, episodes=missing)
+        with closing(play_episodes(rest, env, workers, ray, dataset.resumed_at)) as episodes:
+            _write(config, episodes, dataset, report)
 
 
 def _write(
@@ -75,9 +159,8 @@ def _write(
     report: Callable[[int, int], None],
 ) -> None:
     """Write as many episodes as are asked for."""
-    kept = missed = 0
-    report(0, 0)
-    for number, episode in enumerate(episodes, 1):
+    missed = 0
+    for number, episode in enumerate(episodes, dataset.resumed_at + 1):
         if isinstance(episode, SceneError):
             missed += 1
             if missed == _MOST_MISSES:
@@ -87,10 +170,9 @@ def _write(
                 )
         else:
             missed = 0
-            kept += 1
             dataset.add(episode)
-        report(kept, number)
-        if kept == config.episodes:
+        report(dataset.kept, number)
+        if dataset.kept == config.episodes:
             return
 
 
@@ -118,25 +200,3 @@ def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Pat
         raise InputError(f"{target} is there already. Remove it, or choose another place.")
     check_folder(target.parent)
     return target
-
-
-@contextmanager
-def _publish(target: Path) -> Iterator[Path]:
-    """Give a place beside ``target``, and move what was made there to it if nothing goes wrong."""
-    part = None
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        part = Path(tempfile.mkdtemp(".part", f".{target.name}-", target.parent))
-        yield part / target.name
-        if os.path.lexists(target):
-            raise InputError(f"{target} has come to be there meanwhile. Choose another place.")
-        (part / target.name).rename(target)
-    except OSError as error:
-        if isinstance(error, TabletopError):
-            raise
-        raise StorageError(
-            f"The dataset cannot be written to {target}: {error.strerror or error}."
-        ) from error
-    finally:
-        if part is not None:
-            shutil.rmtree(part, ignore_errors=True)

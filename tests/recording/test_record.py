@@ -221,7 +221,7 @@ def test_failures_are_kept_if_asked_and_else_passed_over(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("format", ["minari", "hdf5", "npz"])
+@pytest.mark.parametrize("format", ["minari", "hdf5", "npz", "robomimic"])
 @pytest.mark.parametrize("failure", [KeyboardInterrupt, OSError("full")])
 def test_what_goes_wrong_leaves_nothing_behind(
     format: Any, failure: Any, tmp_path: Path, first: Any, monkeypatch: pytest.MonkeyPatch
@@ -261,6 +261,7 @@ def test_wrong_requests_are_explained(tmp_path: Path, lift: Path) -> None:
         (LIFT, {"out": lift}, "is there already"),
         (LIFT, {"out": tmp_path / "lift"}, "no name of a Minari dataset.*'lift-v0'"),
         (replace(LIFT, cameras=("back",)), {}, "Unknown camera 'back'"),  # type: ignore[arg-type]
+        (replace(LIFT, observation="pixels"), {}, "Unknown observation 'pixels'"),  # type: ignore[arg-type]
         (replace(LIFT, randomization="lihgt"), {}, "Did you mean 'light'"),
     ]
     for config, settings, reason in cases:
@@ -317,7 +318,7 @@ def test_the_command_records_and_says_where(
 @pytest.mark.slow
 def test_the_command_line_loads_no_formats() -> None:
     code = "import sys; from generator import cli; cli.app('record'); "
-    code += "print({'minari', 'h5py'} & set(sys.modules))"
+    code += "print({'minari', 'h5py', 'av', 'pyarrow'} & set(sys.modules))"
     done = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
     )

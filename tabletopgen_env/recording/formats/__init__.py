@@ -1,0 +1,106 @@
+"""The formats of a dataset: what writes episodes into a place, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Protocol
+
+import gymnasium as gym
+
+from generator.errors import InputError
+
+from ..config import Format, LeRobotConfig, RecordConfig
+from ..playing import RecordedEpisode
+
+__all__ = ["RESUMABLE", "Writer", "check_installed", "writer"]
+
+RESUMABLE: tuple[Format, ...] = ("lerobot",)
+"""The formats whose recordings can be resumed."""
+
+_PACKAGES: Mapping[Format, tuple[str, ...]] = MappingProxyType(
+    {
+        "minari": ("minari", "h5py"),
+        "hdf5": ("h5py",),
+        "npz": (),
+        "robomimic": ("h5py",),
+        "lerobot": ("pyarrow", "av"),
+    }
+)
+
+
+class Writer(Protocol):
+    """Writes episodes; the dataset is whole once it is finished.
+
+    Attributes:
+        kept: How many episodes are written.
+        resumed_at: The number of the episode that is to be played first.
+    """
+
+    kept: int
+    resumed_at: int
+
+    def add(self, episode: RecordedEpisode) -> None:
+        """Write one more."""
+        ...
+
+    def finish(self) -> None:
+        """Write what is known once all episodes are there."""
+        ...
+
+    def close(self) -> None:
+        """Free what is open, whether the dataset is finished or not."""
+        ...
+
+
+def writer(
+    format: Format,
+    place: Path,
+    config: RecordConfig,
+    env: gym.Env[Any, Any],
+    lerobot: LeRobotConfig,
+) -> Writer:
+    """Return what writes a dataset of a format to ``place``, which is in a folder of its own."""
+    if format == "minari":
+        from .minari_writer import MinariWriter
+
+        return MinariWriter(place, config, env)
+    if format == "hdf5":
+        from .hdf5_writer import Hdf5Writer
+
+        return Hdf5Writer(place, config, env)
+    if format == "robomimic":
+        from .robomimic_writer import RobomimicWriter
+
+        return RobomimicWriter(place, config, env)
+    if format == "lerobot":
+        from ..lerobot.writer import LeRobotWriter
+
+        return LeRobotWriter(place, config, env, lerobot)
+    from .npz_writer import NpzWriter
+
+    return NpzWriter(place, config, env)
+
+
+def check_installed(format: Format, lerobot: LeRobotConfig) -> None:
+    """Check that the packages of a format are there, and the codecs that it needs.
+
+    Raises:
+        InputError: one is missing.
+    """
+    extra = "lerobot" if format == "lerobot" else "record"
+    for needed in _PACKAGES[format]:
+        if needed == "av" and lerobot.video == "none":
+            continue
+        try:
+            __import__(needed)
+        except ImportError as error:
+            raise InputError(
+                f"The format {format!r} needs the package {needed}, which is not installed: "
+                f"pip install 'tabletopgen[{extra}]'. The format 'npz' needs none."
+            ) from error
+    if format == "lerobot" and lerobot.video != "none":
+        from ..lerobot.videos import check_codec
+
+        check_codec(lerobot.video)

@@ -1,0 +1,97 @@
+"""A dataset in the layout of robomimic: one HDF5 file with a group for each demonstration.
+
+The layout is https://robomimic.github.io/docs/datasets/overview.html.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+
+from generator.scene.provenance import versions
+
+from ..config import RecordConfig
+from ..playing import RecordedEpisode
+from ..summaries import Summaries
+from .about import describe_dataset
+from .hdf5_writer import fill_group
+
+_GYM_TYPE = 2  # of robomimic's EnvType
+_VALID_EVERY = 10  # of so many demonstrations the last is for validation
+
+
+class RobomimicWriter:
+    """One HDF5 file, which is not there yet; see the package's page."""
+
+    resumed_at = 0
+
+    def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
+        import h5py
+
+        assert env.spec is not None
+        self._file = h5py.File(place, "x")
+        self._data = self._file.create_group("data")
+        about = describe_dataset(config, env)
+        arguments = {
+            "env_name": env.spec.id,
+            "env_version": versions(["mujoco"])["mujoco"],
+            "type": _GYM_TYPE,
+            "env_kwargs": about["environment"]["kwargs"],
+        }
+        self._data.attrs["env_args"] = json.dumps(arguments)
+        self._data.attrs["tabletopgen"] = json.dumps(about)
+        self.kept = self._total = 0
+        self._summaries = Summaries()
+
+    def add(self, episode: RecordedEpisode) -> None:
+        """Write one more episode."""
+        group = self._data.create_group(f"demo_{self.kept}")
+        steps = len(episode.rewards)
+        group.attrs.update(episode.facts)
+        group.attrs["num_samples"] = steps
+        arrays = {
+            "actions": episode.actions,
+            "rewards": episode.rewards,
+            "dones": (np.arange(1, steps + 1) == steps).astype(np.int64),
+            "obs": {name: rows[:-1] for name, rows in _observations(episode).items()},
+        }
+        fill_group(group, arrays)
+        self.kept += 1
+        self._total += steps
+        self._summaries.add(episode.summaries())
+
+    def finish(self) -> None:
+        """Write the total, the split and the statistics."""
+        self._data.attrs["total"] = self._total
+        names = np.array([f"demo_{k}" for k in range(self.kept)], np.bytes_)
+        valid = np.arange(1, len(names) + 1) % _VALID_EVERY == 0
+        if len(names) > 1 and not valid.any():
+            valid[-1] = True
+        fill_group(
+            self._file, {"mask": {"train": names[~valid], "valid": names[valid]},
+                         "statistics": self._summaries.figures()},
+        )  # fmt: skip
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+
+def _observations(episode: RecordedEpisode) -> dict[str, np.ndarray]:
+    """Return what robomimic calls observations, a row more than there are steps."""
+    found = {"proprio": episode.proprio}
+    if episode.state is not None:
+        found["state"] = episode.state
+    for name, pictures in episode.pictures.items():
+        if pictures.ndim == 3:  # depth or labels: robomimic wants a channel
+            found[name] = pictures[..., None]
+        else:
+            found[f"{name}_image"] = pictures
+    for name, views in episode.cameras.items():
+        found[f"{name}_intrinsics"] = views["intrinsics"]
+        found[f"{name}_extrinsics"] = views["extrinsics"]
+    return found
