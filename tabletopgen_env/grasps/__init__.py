@@ -1,0 +1,22 @@
+"""Grasp labels: where a parallel gripper can hold each object of a bundle, and how well.
+
+A label is the pose of the tool centre point in the object's frame (the canonical frame scaled to
+metres, origin at the centre of its box): a position, metres, and a unit quaternion wxyz. The hand's
++z is the way of approach, out of the hand, and +y the direction in which it opens; a grasp turned
+by half a turn about z is the same. Labels are of the object by itself: what stands around it, and
+whether an arm reaches, is for the reader to check.
+
+    from tabletopgen_env.grasps import read_grasps
+
+    labels = read_grasps(bundle)["mug_1"]
+    best = labels.quality.argmax()
+    labels.position[best], labels.quaternion[best], labels.width[best]
+"""
+
+from .candidates import GraspCandidate as GraspCandidate
+from .labels import GraspLabels as GraspLabels
+from .labels import GraspTerms as GraspTerms
+from .labels import read_grasps as read_grasps
+from .sampling import label_bundle as label_bundle
+from .sampling import rate_grasps as rate_grasps
+from .sampling import sample_grasps as sample_grasps

@@ -1,0 +1,248 @@
+"""The grasp labels of a bundle: values, and the file, checked when it is read."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from generator.bundle import BOUNDS, load_fingerprint, read_inside
+from generator.errors import BundleError, InputError, require, require_seed
+from generator.geometry import quaternion_matrix
+from generator.io.files import write_whole
+from generator.io.reading import parse_object, printable
+from generator.scene import Pose
+
+from ..files import check_type
+from ..robot import franka
+
+FILE = "grasps.json"
+"""The labels' name in a bundle's folder."""
+
+SCHEMA = 1
+"""Version of the file; other versions are refused."""
+
+MOST_GRASPS, MOST_TRIALS = 1000, 1000
+"""An object has no more labels, and a label no more trials."""
+
+_MOST_FILE, _DEPTH = 64 * 2**20, 6
+_FARTHEST = 10.0  # metres that a grasp may be from an object's centre
+_COLUMNS = {"position": 3, "quaternion": 4, "width": 0, "opening": 0, "quality": 0, "lifted": 0}
+_DIGITS = {"position": 6, "quaternion": 8, "width": 5, "opening": 5, "quality": 6, "lifted": 6}
+
+
+@dataclass(frozen=True)
+class GraspTerms:
+    """What labels are made with; the same terms give the same labels of a scene.
+
+    Args:
+        count: labels of an object, at most ``MOST_GRASPS``; fewer where fewer are found.
+        trials: of each label, at most ``MOST_TRIALS``. Quality is a share of them.
+        directions: of approach that are searched beside the six along the object's axes, spread
+            evenly over the sphere.
+        seed: draws the directions' turn, and the errors and the friction of every trial.
+
+    Raises:
+        InputError: a number out of range.
+    """
+
+    count: int = 24
+    trials: int = 8
+    directions: int = 12
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        require(self, "count", minimum=1, maximum=MOST_GRASPS, integer=True)
+        require(self, "trials", minimum=1, maximum=MOST_TRIALS, integer=True)
+        require(self, "directions", minimum=0, maximum=1000, integer=True)
+        require_seed(self.seed)
+        for name in ("count", "trials", "directions", "seed"):  # NumPy's integers are no JSON
+            object.__setattr__(self, name, int(getattr(self, name)))
+
+
+@dataclass(frozen=True, eq=False)
+class GraspLabels:
+    """The grasps of one object, the best first.
+
+    Attributes:
+        position: the tool centre point in the object's frame, metres.
+        quaternion: the hand's rotation in the object's frame, unit wxyz: +z approaches, +y opens.
+        width: what was between the closed fingers, metres; where no trial held, as planned.
+        opening: how far the fingers open before they approach, metres.
+        quality: share of the trials in which the object stayed in the hand to the end: closed on,
+            lifted, turned all around and shaken; in [0, 1].
+        lifted: share of the trials in which it was lifted; in [0, 1], at least ``quality``.
+
+    Raises:
+        InputError: arrays that do not fit together, or numbers out of range.
+    """
+
+    position: Float[np.ndarray, "n 3"]
+    quaternion: Float[np.ndarray, "n 4"]
+    width: Float[np.ndarray, "n"]
+    opening: Float[np.ndarray, "n"]
+    quality: Float[np.ndarray, "n"]
+    lifted: Float[np.ndarray, "n"]
+
+    def __post_init__(self) -> None:
+        for name, side in _COLUMNS.items():
+            array = np.array(getattr(self, name), np.float64)
+            array.setflags(write=False)
+            object.__setattr__(self, name, array)
+            if array.shape != ((len(self), side) if side else (len(self),)):
+                raise InputError(f"GraspLabels.{name} has the shape {array.shape}.")
+            if not np.isfinite(array).all():
+                raise InputError(f"GraspLabels.{name} must be finite.")
+        stroke = 2 * franka.FINGER_STROKE + 1e-6
+        ranges = {"width": stroke, "opening": stroke, "quality": 1.0, "lifted": 1.0}
+        for name, most in ranges.items():
+            array = getattr(self, name)
+            if ((array < 0) | (array > most)).any():
+                raise InputError(f"GraspLabels.{name} must be in [0, {most:g}].")
+        if (np.abs(self.position) > _FARTHEST).any():
+            raise InputError(f"GraspLabels.position must be within {_FARTHEST:g} m.")
+        if (np.abs(np.linalg.norm(self.quaternion, axis=1) - 1) > 1e-4).any():
+            raise InputError("GraspLabels.quaternion must have length 1.")
+
+    def __len__(self) -> int:
+        return len(self.position)
+
+    def pick(self, which: Int[np.ndarray, "k"] | Bool[np.ndarray, "n"]) -> GraspLabels:
+        """Return some of the grasps, by number or by a mask."""
+        return GraspLabels(**{name: getattr(self, name)[which] for name in _COLUMNS})
+
+    def poses_at(self, pose: Pose) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3 3"]]:
+        """Return position (m) and rotation of the hand in the world, the object being at ``pose``.
+
+        Column 2 of a rotation is the way of approach, column 1 the direction of opening.
+        """
+        turn = quaternion_matrix(pose.quaternion)
+        hands = np.stack([quaternion_matrix(q) for q in self.quaternion] or [np.eye(3)])
+        return self.position @ turn.T + pose.position, turn @ hands[: len(self)]
+
+
+@dataclass(frozen=True)
+class GraspFile:
+    """What a bundle's file holds: the labels by object name, and what they were made with.
+
+    ``scene`` is the sha256 of the bundle's ``scene.json``.
+    """
+
+    scene: str
+    terms: GraspTerms
+    versions: Mapping[str, str]
+    labels: Mapping[str, GraspLabels]
+
+
+def read_grasps(path: str | Path) -> Mapping[str, GraspLabels]:
+    """Return the grasp labels of a bundle by object name; empty if it has none.
+
+    Raises:
+        BundleError: there is no bundle, or its labels are damaged, too large, or another scene's.
+    """
+    found = read_file(path)
+    return found.labels if found else {}
+
+
+def read_file(path: str | Path) -> GraspFile | None:
+    """Return a bundle's labels and what they were made with, checked; None if it has none.
+
+    Raises:
+        BundleError: see ``read_grasps``.
+    """
+    folder = Path(path)
+    scene = load_fingerprint(folder)
+    if not os.path.lexists(folder / FILE):
+        return None
+    raw = read_inside(folder, FILE, _MOST_FILE)
+    advice = "Remove it, or label the bundle again (tabletopgen grasps --again)."
+    try:
+        payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE, max_depth=_DEPTH)
+        if check_type(payload.get("schema"), int) != SCHEMA:
+            raise ValueError(f"it is of schema {payload['schema']}, not {SCHEMA}")
+        found = _decode_file(payload)
+    except (ValueError, TypeError, KeyError, BundleError, InputError) as error:
+        raise BundleError(
+            f"{folder}: {FILE} holds no sound labels ({type(error).__name__}: {error}). {advice}"
+        ) from error
+    if found.scene != scene:
+        raise BundleError(f"{folder}: {FILE} was made for another scene. {advice}")
+    return found
+
+
+def write_file(folder: Path, file: GraspFile) -> None:
+    """Write the labels of a bundle, whole or not at all.
+
+    Raises:
+        StorageError: the folder cannot be written.
+    """
+    head = {
+        "schema": SCHEMA,
+        "scene": file.scene,
+        "terms": asdict(file.terms),
+        "versions": dict(file.versions),
+    }
+    lines = [f" {json.dumps(key)}: {json.dumps(head[key], sort_keys=True)}" for key in head]
+    rows = [
+        f"  {json.dumps(name)}: {json.dumps(encode_labels(labels), allow_nan=False)}"
+        for name, labels in sorted(file.labels.items())
+    ]
+    lines.append(' "objects": {\n' + ",\n".join(rows) + "\n }")
+    text = "{\n" + ",\n".join(lines) + "\n}\n"
+    write_whole(folder / FILE, text, "The grasp labels", "Label a copy of the bundle.")
+
+
+def encode_labels(labels: GraspLabels) -> dict[str, Any]:
+    """Return the labels of an object as JSON values, rounded: lengths to a micrometre."""
+    return {name: (getattr(labels, name).round(_DIGITS[name]) + 0.0).tolist() for name in _COLUMNS}
+
+
+def decode_labels(entry: object) -> GraspLabels:
+    """Return the labels of ``encode_labels``.
+
+    Raises:
+        ValueError, TypeError, KeyError, InputError: they are not as written.
+    """
+    columns = check_type(entry, dict)
+    if {*columns} != {*_COLUMNS}:
+        raise ValueError(f"an object has the columns {sorted(columns)[:8]}")
+    if len(check_type(columns["width"], list)) > MOST_GRASPS:
+        raise ValueError(f"an object has more than {MOST_GRASPS} grasps")
+    return GraspLabels(**{name: _decode_column(columns[name], _COLUMNS[name]) for name in columns})
+
+
+def _decode_column(values: object, side: int) -> Float[np.ndarray, "n *k"]:
+    rows = check_type(values, list)
+    if not side:
+        return np.array([_number(value) for value in rows], np.float64)
+    if any(len(check_type(row, list)) != side for row in rows):
+        raise ValueError(f"a row should have {side} numbers")
+    return np.array([[_number(v) for v in row] for row in rows], np.float64).reshape(-1, side)
+
+
+def _number(value: object) -> float:
+    return value if type(value) is float else float(check_type(value, int))
+
+
+def _decode_file(payload: dict[str, Any]) -> GraspFile:
+    terms = check_type(payload["terms"], dict)
+    names = ("count", "trials", "directions", "seed")
+    asked = GraspTerms(**{name: check_type(terms[name], int) for name in names})
+    known = {
+        printable(k, "A package", BundleError): printable(v, "A version", BundleError)
+        for k, v in check_type(payload["versions"], dict).items()
+    }
+    objects = check_type(payload["objects"], dict)
+    if len(objects) > BOUNDS.objects:
+        raise ValueError(f"it lists more than {BOUNDS.objects} objects")
+    labels = {
+        printable(name, "An object", BundleError): decode_labels(entry)
+        for name, entry in objects.items()
+    }
+    return GraspFile(check_type(payload["scene"], str), asked, known, labels)

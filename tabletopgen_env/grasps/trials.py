@@ -1,0 +1,189 @@
+"""Trials of a grasp in MuJoCo: the Panda's hand closes on the object alone, lifts and shakes it.
+
+The hand stands still and gravity moves: a hand that accelerates by a feels gravity g - a, and one
+that turns slowly feels it turn. The object floats while the fingers close, so that it gives way, as
+in C. Eppner, A. Mousavian, D. Fox, "ACRONYM: a large-scale grasp dataset based on simulation",
+ICRA 2021. Then comes, each stage after the one before:
+
+======  ============================================================================
+lift    gravity rises along the object's own -z: it hangs from the hand as it stands
+turn    gravity turns once about the object's x axis, then once about its y axis
+shake   the hand swings along the object's x, y and z in turn
+======  ============================================================================
+
+A stage is passed if both fingers still touch the object, and it has moved in the hand by less than
+``SLIP`` and turned by less than ``TWIST`` since they closed. Every trial draws an error of the
+hand's pose and the friction of its pads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+from jaxtyping import Float
+from scipy.spatial.transform import Rotation
+
+from generator.physics.mjcf import object_document
+from generator.physics.spec import compile_spec, spec_of
+from generator.scene import Object
+
+from ..robot import franka
+from ..robot.hand import FINGER_JOINTS, FINGERS, hand_spec
+from ..robot.tool import TCP_SITE
+from .candidates import GraspCandidate
+
+SLIP, TWIST = 0.02, float(np.deg2rad(30.0))
+"""How far an object may move and turn in the hand, metres and radians."""
+
+STAGES = ("close", "lift", "turn", "shake")
+"""What an object goes through in a trial."""
+
+ERROR = (0.0025, float(np.deg2rad(3.0)))
+"""Standard deviations of the hand's position along each axis (m) and turn about each (rad)."""
+
+FRICTION = (0.5, 1.0)
+"""Range of what the friction of the finger's pads, 1.3, is multiplied with."""
+
+GRAVITY, SWING = 9.81, 5.0
+"""Of the lift, and of the shake, m/s²."""
+
+_HAND = "hand/"
+_STEP = 0.004  # seconds; half of it gives the same results
+_CLOSE, _RAMP, _HOLD, _TURN, _SWING_TIME = 0.4, 0.1, 0.16, 0.4, 0.2  # seconds
+_EVERY = 5  # steps for which gravity stays the same
+_LOOK = 25  # steps between two looks at what is held
+_DEEP = 1e-3  # metres by which the open hand may overlap the object
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What came of a trial: how many of ``STAGES`` were passed, and the closed fingers' width."""
+
+    passed: int
+    width: float
+
+
+class GraspBench:
+    """An object and a hand, compiled once for all trials."""
+
+    def __init__(self, thing: Object) -> None:
+        spec = spec_of(object_document(thing), thing.name)
+        spec.option.timestep = _STEP
+        spec.option.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+        hand = hand_spec()
+        hand.assets = {**spec.assets, **hand.assets}
+        spec.attach(hand, prefix=_HAND, frame=spec.worldbody.add_frame())
+        self._model = model = compile_spec(spec, thing.name)
+        self._data = data = mujoco.MjData(model)
+        mujoco.mj_forward(model, data)
+        tool = model.site(_HAND + TCP_SITE).id
+        self._tool = data.site_xpos[tool].copy()
+        self._axes = data.site_xmat[tool].reshape(3, 3).copy()
+        body = model.body(thing.name).id
+        self._body = body
+        self._free = int(model.jnt_qposadr[model.body_jntadr[body]])
+        joints = [model.joint(_HAND + name) for name in FINGER_JOINTS]
+        self._fingers = np.array([int(joint.qposadr[0]) for joint in joints])
+        self._own = model.geom_bodyid == body
+        sides = [model.body(_HAND + name).id for name in FINGERS]
+        self._sides = [model.geom_bodyid == side for side in sides]
+        self._pads = np.flatnonzero(
+            [model.geom(k).name.startswith(tuple(f"{_HAND}{n}_pad" for n in FINGERS))
+             for k in range(model.ngeom)]
+        )  # fmt: skip
+        self._friction = model.geom_friction.copy()
+
+    def try_grasp(self, grasp: GraspCandidate, rng: np.random.Generator) -> Trial:
+        """Try a grasp once, with the errors that ``rng`` draws."""
+        model, data = self._model, self._data
+        off = rng.normal(scale=ERROR[0], size=3)
+        turned = Rotation.from_rotvec(rng.normal(scale=ERROR[1], size=3)).as_matrix()
+        model.geom_friction[:] = self._friction
+        model.geom_friction[self._pads, :2] *= rng.uniform(*FRICTION)
+        mujoco.mj_resetData(model, data)
+        # The tool is at ``position`` with ``rotation`` in the object, hence the object in the world
+        hand = grasp.rotation @ turned
+        turn = self._axes @ hand.T
+        position = grasp.position + grasp.rotation @ off
+        data.qpos[self._free : self._free + 3] = self._tool - turn @ position
+        quaternion = Rotation.from_matrix(turn).as_quat(scalar_first=True)
+        data.qpos[self._free + 3 : self._free + 7] = quaternion
+        data.qpos[self._fingers] = min(grasp.opening / 2, franka.FINGER_STROKE)
+        model.opt.gravity[:] = 0.0
+        mujoco.mj_forward(model, data)
+        if self._overlaps():
+            return Trial(0, grasp.width)
+        return self._play(grasp)
+
+    def _play(self, grasp: GraspCandidate) -> Trial:
+        """Close the fingers and go on until the object is lost."""
+        self._data.ctrl[:] = 0.0
+        self._run(round(_CLOSE / _STEP))
+        if not self._is_touched():
+            return Trial(0, grasp.width)
+        start = self._pose()
+        width = float(self._data.qpos[self._fingers].sum().clip(0.0, 2 * franka.FINGER_STROKE))
+        axes = self._data.xmat[self._body].reshape(3, 3).copy()
+        passed = 1
+        for stage in STAGES[1:]:
+            for step, pull in enumerate(_pulls(stage)):
+                self._model.opt.gravity[:] = axes @ pull
+                self._run(_EVERY)
+                if step % (_LOOK // _EVERY) == 0 and not self._holds(start):
+                    return Trial(passed, width)
+            if not self._holds(start):
+                return Trial(passed, width)
+            passed += 1
+        return Trial(passed, width)
+
+    def _run(self, steps: int) -> None:
+        mujoco.mj_step(self._model, self._data, steps)
+
+    def _pose(self) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
+        """Return where the object is, the hand's frame being the world's."""
+        data = self._data
+        return data.xipos[self._body].copy(), data.xmat[self._body].reshape(3, 3).copy()
+
+    def _holds(self, start: tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]) -> bool:
+        """Return whether the object is in the hand as it was at ``start``."""
+        place, axes = self._pose()
+        if np.linalg.norm(place - start[0]) > SLIP or not self._is_touched():
+            return False
+        cosine = (np.trace(axes @ start[1].T) - 1) / 2
+        return bool(cosine > np.cos(TWIST))
+
+    def _is_touched(self) -> bool:
+        """Return whether both fingers touch the object."""
+        geoms = self._data.contact.geom
+        mine = self._own[geoms]
+        touching = geoms[mine.any(1)]
+        return all(bool(side[touching].any()) for side in self._sides)
+
+    def _overlaps(self) -> bool:
+        """Return whether the open hand is inside of the object."""
+        contact = self._data.contact
+        return bool((contact.dist < -_DEEP).any())
+
+
+def _pulls(stage: str) -> Iterator[Float[np.ndarray, "3"]]:
+    """Yield gravity (m/s², along the axes of the object as it was closed on) of a stage."""
+    span = _STEP * _EVERY
+    if stage == "lift":
+        for k in range(round((_RAMP + _HOLD) / span)):
+            share = min(1.0, (k + 1) * span / _RAMP)
+            yield np.array([0.0, 0.0, -GRAVITY * share])
+        return
+    count = round((_TURN if stage == "turn" else _SWING_TIME) / span)
+    for axis in range(2 if stage == "turn" else 3):
+        for angle in 2 * np.pi * (np.arange(count) + 1) / count:
+            if stage == "turn":
+                pull = np.array([0.0, 0.0, -np.cos(angle)])
+                pull[1 - axis] = np.sin(angle)
+                yield GRAVITY * pull
+            else:
+                pull = np.array([0.0, 0.0, -GRAVITY])
+                pull[axis] += SWING * np.sin(angle)
+                yield pull
