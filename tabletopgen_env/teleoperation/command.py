@@ -1,0 +1,190 @@
+"""The command ``teleop``: a person drives, and what is kept becomes a dataset."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import closing
+from dataclasses import replace
+from itertools import count
+from pathlib import Path
+from typing import Annotated, Any, Literal, Protocol
+
+import gymnasium as gym
+import numpy as np
+from rich.markup import escape
+from tyro.conf import OmitArgPrefixes, Positional, arg
+
+from generator.errors import require_number
+
+from ..learning.demonstrations.recorded import Demonstration, stack
+from ..learning.evaluating import Predicts
+from ..recording.config import Format, LeRobotConfig, RecordConfig
+from ..recording.playing import RecordedEpisode, recorded_episode
+from ..recording.recorder import write_dataset
+from ..rendering.config import CameraName
+from .inputs import HumanInput
+from .session import TeleopEpisode, TeleopSession, TeleopStatus
+
+Device = Literal["page", "window"]
+
+SIZE = (480, 640)
+"""Height and width of the pictures that the person sees."""
+
+_LEROBOT = LeRobotConfig()
+_NOTHING = HumanInput()
+_WAIT = 0.05  # seconds between two looks whether a page is open
+
+
+class Driving(Protocol):
+    """Where a person looks and presses keys."""
+
+    def read(self) -> HumanInput | None:
+        """Return what is held down; None while nobody drives."""
+        ...
+
+    def show(self, picture: np.ndarray, status: TeleopStatus) -> None:
+        """Show a picture, and how the episode stands."""
+        ...
+
+
+def teleop(
+    policy: Annotated[Positional[str | None], arg(metavar="[POLICY]")] = None,
+    /,
+    *,
+    config: Annotated[RecordConfig, OmitArgPrefixes],
+    out: Path,
+    format: Format = "npz",
+    resume: bool = False,
+    device: Device = "page",
+    view: CameraName = "front",
+    port: int = 0,
+    steps: int = 1200,
+    lerobot: OmitArgPrefixes[LeRobotConfig] = _LEROBOT,
+) -> None:
+    """Drive the arm by keyboard or gamepad, and keep what you did as a dataset.
+
+    With a POLICY it plays until you take over. Ctrl-C, or closing the window, ends the recording;
+    the episodes that you kept are then the dataset.
+
+    Args:
+        policy: Name of a shipped policy, a policy file, or a run's folder. It decides what the
+            environment shows.
+        config: What to record; noise and keep_failures mean nothing here.
+        out: The dataset's own folder, or file (hdf5, robomimic).
+        format: Its format. Of lerobot each kept episode is safe at once: --resume goes on.
+        resume: Resume after the episodes that an interrupted recording left beside OUT (lerobot).
+        device: A page in a browser of this machine (keyboard, gamepad), or a window.
+        view: The camera whose picture you see.
+        port: Of the page; 0 for any that is free.
+        steps: Most steps of an episode, 20 a second.
+        lerobot: How a LeRobot dataset holds it.
+    """
+    require_number("teleop needs --steps", steps, minimum=1, integer=True)
+    acting, shown = _load(policy)
+    player = "human" if policy is None else f"human and {Path(policy).name}"
+    config = replace(config, player=player, task=config.task if shown is None else shown[0])
+    with closing(_environment(config, steps, None if shown is None else shown[1])) as env:
+        session = TeleopSession(env, view, acting)
+
+        def drive(first: int) -> Iterator[RecordedEpisode]:
+            with closing(_device(device, port)) as driving:
+                seeds = (int(np.random.default_rng((config.seed, n)).integers(2**31))
+                         for n in count(first))  # fmt: skip
+                yield from play(session, driving, env, view, enumerate(seeds, first))
+
+        path = write_dataset(config, env, drive, out, format, resume, lerobot)
+    print(escape(f"{path}: {session.kept} episodes kept"))
+
+
+def play(
+    session: TeleopSession,
+    driving: Driving,
+    env: gym.Env[Any, np.ndarray],
+    view: CameraName,
+    seeds: Iterator[tuple[int, int]],
+) -> Iterator[RecordedEpisode]:
+    """Yield the episodes that a person keeps, until Ctrl-C or the window's end.
+
+    ``seeds`` are the episodes' numbers and seeds. While no page is open nothing moves.
+    """
+    frame = 1 / env.metadata["render_fps"]
+    base: Any = env.unwrapped
+    try:
+        for number, seed in seeds:
+            session.begin(seed)
+            done: TeleopEpisode | Literal["dropped"] | None = None
+            while done is None:
+                start = time.monotonic()
+                given = driving.read()
+                if given is None and not hasattr(driving, "address"):
+                    return  # the window is closed
+                if given is None:
+                    time.sleep(_WAIT)
+                    continue
+                done = session.advance(given)
+                driving.show(base.picture(view), session.status)
+                time.sleep(max(0.0, start + frame - time.monotonic()))
+            if done != "dropped":
+                yield as_recorded(done, number)
+    except KeyboardInterrupt:
+        return
+
+
+def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:
+    """Return an episode as datasets keep it, with who acted as the column ``human``."""
+    actions = np.stack(episode.actions)
+    shown = Demonstration(
+        stack(episode.observations), actions, actions, np.asarray(episode.rewards, np.float32),
+        episode.solved, str(episode.infos[-1]["instruction"]),
+    )  # fmt: skip
+    found = recorded_episode(
+        number, episode.seed, shown, episode.infos, episode.felt, episode.digest
+    )
+    human = np.array([*episode.by_human, episode.by_human[-1]], bool)
+    facts = {**found.facts, "human_steps": int(sum(episode.by_human))}
+    return replace(found, infos={**found.infos, "human": human}, facts=facts)
+
+
+def _load(policy: str | None) -> tuple[Predicts | None, tuple[str, dict[str, Any]] | None]:
+    """Return a policy, and the task and keywords of its environment."""
+    if policy is None:
+        return None, None
+    from ..learning.extra import need_sb3
+
+    need_sb3()
+    from ..learning.policies import find_policy, load_policy
+
+    found = load_policy(find_policy(policy))
+    return found, (found.card.task, dict(found.card.env))
+
+
+def _environment(
+    config: RecordConfig, steps: int, shown: dict[str, Any] | None
+) -> gym.Env[Any, Any]:
+    """Return the environment of a config, or of a policy at its scenes, with a longer limit."""
+    if shown is None:
+        made = config.environment()
+        assert made.spec is not None
+        kwargs = dict(made.spec.kwargs)
+        made.close()
+    else:
+        scenes = list(config.scenes) if len(config.scenes) > 1 else next(iter(config.scenes), None)
+        kwargs = {**shown, **({} if scenes is None else {"scenes": scenes})}
+    return gym.make(
+        f"tabletopgen_env:TabletopGen/{config.name}-v0", max_episode_steps=steps,
+        **{**kwargs, "render_mode": "rgb_array", "render_size": SIZE},
+    )  # fmt: skip
+
+
+def _device(device: Device, port: int) -> Any:
+    """Return where the person drives, which has to be closed; say where a page is."""
+    if device == "window":
+        from .window import TeleopWindow
+
+        return TeleopWindow(*SIZE)
+    from .page import TeleopPage
+
+    page = TeleopPage(port)
+    print(f"Open {page.address} in a browser of this machine. Ctrl-C ends the recording.")
+    return page

@@ -1,0 +1,143 @@
+"""What a person holds down, and what it asks of the arm.
+
+=====================  =============================  ===========================================
+keyboard               gamepad (standard layout)      does
+=====================  =============================  ===========================================
+w, s (or up, down)     left stick, up and down        away from who looks, nearer
+a, d (left, right)     left stick, left and right     to the left, to the right in the picture
+r, f                   right stick, up and down       up, down
+q, e                   right stick, left and right    turn the hand left, right
+shift                  shoulder buttons (4, 5)        slowly
+space                  A (0)                          open or close the gripper
+enter                  start (9)                      end the episode and keep it
+backspace              back (8)                       end it and drop it
+p                      Y (3)                          let the policy go on
+=====================  =============================  ===========================================
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from ..rendering.config import CameraName
+
+Event = Literal["keep", "drop", "policy"]
+"""What a person asks for besides motion."""
+
+VIEWS: Mapping[CameraName, tuple[tuple[float, float], tuple[float, float]]] = MappingProxyType({
+    "front": ((0.0, 1.0), (-1.0, 0.0)),
+    "side": ((-1.0, 0.0), (0.0, -1.0)),
+    "top": ((0.0, -1.0), (1.0, 0.0)),
+    "wrist": ((0.0, -1.0), (1.0, 0.0)),
+})  # fmt: skip
+"""Where a camera's right and its away lead in the base frame, x and y."""
+
+SLOWLY = 0.3
+"""The share of the full speed that remains with shift."""
+
+_DEAD = 0.15  # of a stick, in which it is at rest
+_KEYS: Mapping[str, tuple[int, float]] = MappingProxyType({
+    "d": (0, 1.0), "right": (0, 1.0), "a": (0, -1.0), "left": (0, -1.0),
+    "w": (1, 1.0), "up": (1, 1.0), "s": (1, -1.0), "down": (1, -1.0),
+    "r": (2, 1.0), "f": (2, -1.0), "q": (3, 1.0), "e": (3, -1.0),
+})  # fmt: skip
+_STICKS = ((0, 1.0), (1, -1.0), (3, -1.0), (2, -1.0))  # axis and sign: right, away, up, turn
+_GRIP_KEY, _SLOW_KEY = "space", "shift"
+_EVENT_KEYS: Mapping[str, Event] = MappingProxyType(
+    {"enter": "keep", "backspace": "drop", "p": "policy"}
+)
+_GRIP_BUTTON, _SLOW_BUTTONS = 0, frozenset({4, 5})
+_EVENT_BUTTONS: Mapping[int, Event] = MappingProxyType({9: "keep", 8: "drop", 3: "policy"})
+
+KEYS = frozenset({*_KEYS, *_EVENT_KEYS, _GRIP_KEY, _SLOW_KEY})
+"""The keys that mean something."""
+
+
+@dataclass(frozen=True)
+class HumanInput:
+    """What is held down now.
+
+    Attributes:
+        keys: some of ``KEYS``; others mean nothing.
+        axes: of a gamepad's sticks, in [-1, 1]: left x, left y, right x, right y; down is 1.
+        buttons: of a gamepad, by their number in the standard layout.
+    """
+
+    keys: frozenset[str] = frozenset()
+    axes: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)
+    buttons: frozenset[int] = frozenset()
+
+
+@dataclass(frozen=True, eq=False)
+class Command:
+    """What an input asks for: an action of "ee_delta", whether there was any, and events."""
+
+    action: Float[np.ndarray, "5"]
+    acts: bool
+    events: frozenset[Event]
+
+
+class Operator:
+    """Reads inputs one after the other; knows what the gripper was last told.
+
+    Args:
+        view: the camera whose picture the person sees.
+    """
+
+    def __init__(self, view: CameraName) -> None:
+        self._right, self._away = (np.array(axis) for axis in VIEWS[view])
+        self._before = HumanInput()
+        self.gripper = 1.0
+
+    def read(self, given: HumanInput) -> Command:
+        """Return what an input asks for; keys and buttons of events count when they go down."""
+        before, self._before = self._before, given
+        right, away, up, turn = _motion(given)
+        grips = _goes_down(_GRIP_KEY, _GRIP_BUTTON, before, given)
+        if grips:
+            self.gripper = -self.gripper
+        across = right * self._right + away * self._away
+        action = np.array([*across, up, turn, self.gripper], np.float32)
+        pressed, clicked = given.keys - before.keys, given.buttons - before.buttons
+        events: set[Event] = {event for key, event in _EVENT_KEYS.items() if key in pressed}
+        events |= {event for button, event in _EVENT_BUTTONS.items() if button in clicked}
+        return Command(action, bool(grips or action[:4].any()), frozenset(events))
+
+    def follow(self, gripper: float) -> None:
+        """Take over what a policy told the gripper, -1 closed to 1 open."""
+        self.gripper = 1.0 if gripper > 0 else -1.0
+
+    def restart(self) -> None:
+        """Begin another episode, with the gripper open."""
+        self.gripper = 1.0
+
+
+def _motion(given: HumanInput) -> Float[np.ndarray, "4"]:
+    """Return right, away, up and turn, each in [-1, 1]."""
+    found = np.zeros(4)
+    for key in given.keys & _KEYS.keys():
+        entry, sign = _KEYS[key]
+        found[entry] += sign
+    for entry, (axis, sign) in enumerate(_STICKS):
+        value = given.axes[axis] if axis < len(given.axes) else 0.0
+        found[entry] += sign * value if abs(value) > _DEAD else 0.0
+    slow = _SLOW_KEY in given.keys or bool(_SLOW_BUTTONS & given.buttons)
+    return (SLOWLY if slow else 1.0) * np.clip(found, -1.0, 1.0)
+
+
+def _goes_down(key: str, button: int, before: HumanInput, given: HumanInput) -> bool:
+    def held(one: HumanInput) -> bool:
+        return key in one.keys or button in one.buttons
+
+    return held(given) and not held(before)
+
+
+def known_keys(keys: Collection[str]) -> frozenset[str]:
+    """Return the keys that mean something."""
+    return KEYS & set(keys)

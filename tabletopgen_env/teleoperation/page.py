@@ -1,0 +1,197 @@
+"""A page of this machine through which a person drives: pictures out, keys and sticks in.
+
+The server listens on the loopback interface alone. Who connects needs the token that the page's
+address has, and must come from the page itself (the Origin header), so that no other site that is
+open in the same browser can drive the arm. One page drives at a time: the last one that connected.
+Messages are bounded, and read as JSON of known keys; others are refused with one line of text.
+"""
+
+from __future__ import annotations
+
+import json
+import secrets
+import threading
+from collections.abc import Sequence
+from dataclasses import asdict
+from http import HTTPStatus
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from urllib.parse import parse_qs, urlsplit
+
+import numpy as np
+from jaxtyping import UInt8
+
+from generator.errors import BackendError, InputError
+
+from .inputs import HumanInput, known_keys
+from .session import TeleopStatus
+
+if TYPE_CHECKING:
+    from websockets.http11 import Request, Response
+    from websockets.sync.server import Server, ServerConnection
+
+HOST = "127.0.0.1"
+"""Where the page is: on this machine alone."""
+
+MOST_BYTES = 4096
+"""A message that drives is not larger."""
+
+_PAGE = Path(__file__).with_name("page.html")
+_QUALITY = 80  # of the JPEG pictures
+_MOST_HELD, _MOST_BUTTONS = 16, 32
+
+
+class TeleopPage:
+    """Serves the page and keeps what its person holds down. Close it in the end.
+
+    Args:
+        port: where it listens; 0 for any that is free.
+
+    Raises:
+        BackendError: the package websockets is missing, or the port is taken.
+    """
+
+    def __init__(self, port: int = 0) -> None:
+        try:
+            from websockets.sync.server import serve
+        except ImportError as error:
+            raise BackendError(
+                "Driving through a page needs the package websockets: "
+                "pip install 'tabletopgen[teleop]'. --device window needs none."
+            ) from error
+        self._token = secrets.token_urlsafe(16)
+        self._lock = threading.Lock()
+        self._given: HumanInput | None = None
+        self._keys, self._buttons = frozenset[str](), frozenset[int]()  # since the last read
+        self._driver: ServerConnection | None = None
+        try:
+            self._server: Server = serve(
+                self._listen, HOST, port, process_request=self._answer, max_size=MOST_BYTES,
+            )  # fmt: skip
+        except OSError as error:
+            raise BackendError(
+                f"Port {port} of {HOST} cannot be used ({error.strerror or error}). Choose "
+                "another, or 0 for any that is free."
+            ) from error
+        self.port: int = self._server.socket.getsockname()[1]
+        self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
+        self._thread.start()
+
+    @property
+    def address(self) -> str:
+        """What to open in a browser of this machine; it has the token."""
+        return f"http://{HOST}:{self.port}/?token={self._token}"
+
+    def read(self) -> HumanInput | None:
+        """Return what is held down, or was since the last call; None while no page is open."""
+        with self._lock:
+            given, keys, buttons = self._given, self._keys, self._buttons
+            self._keys, self._buttons = frozenset[str](), frozenset[int]()
+        if given is None:
+            return None
+        return HumanInput(given.keys | keys, given.axes, given.buttons | buttons)
+
+    def show(self, picture: UInt8[np.ndarray, "h w 3"], status: TeleopStatus) -> None:
+        """Send the page a picture and how the episode stands, if one is open."""
+        import cv2
+        from websockets.exceptions import ConnectionClosed
+
+        with self._lock:
+            driver = self._driver
+        if driver is None:
+            return
+        bgr = np.ascontiguousarray(picture[..., ::-1])
+        done, packed = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
+        if not done:
+            return
+        try:
+            driver.send(json.dumps(asdict(status)))
+            driver.send(packed.tobytes())
+        except ConnectionClosed:
+            self._leave(driver)
+
+    def close(self) -> None:
+        """Stop listening."""
+        self._server.shutdown()
+        self._thread.join(5)
+
+    # ------------------------------------------------------------------------------------ serving
+
+    def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
+        """Give out the page, refuse what is not of it, and let its own connection through."""
+        own = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
+        asked = urlsplit(request.path)
+        token = parse_qs(asked.query).get("token", [""])[0]
+        if request.headers.get("Host") not in own or not secrets.compare_digest(
+            token.encode(), self._token.encode()
+        ):
+            return connection.respond(HTTPStatus.FORBIDDEN, "Open the address that was printed.\n")
+        if asked.path == "/drive":
+            if request.headers.get("Origin") not in {f"http://{host}" for host in own}:
+                return connection.respond(HTTPStatus.FORBIDDEN, "Only the page itself drives.\n")
+            return None
+        if asked.path != "/":
+            return connection.respond(HTTPStatus.NOT_FOUND, "There is one page, at /.\n")
+        answer = connection.respond(HTTPStatus.OK, _PAGE.read_text(encoding="utf-8"))
+        del answer.headers["Content-Type"]
+        answer.headers["Content-Type"] = "text/html; charset=utf-8"
+        answer.headers["Cache-Control"] = "no-store"
+        answer.headers["Referrer-Policy"] = "no-referrer"
+        return answer
+
+    def _listen(self, connection: ServerConnection) -> None:
+        """Keep what one page says, until it leaves or another one comes."""
+        with self._lock:
+            before, self._driver, self._given = self._driver, connection, HumanInput()
+        if before is not None:
+            before.close(reason="another page drives now")
+        try:
+            for message in connection:
+                try:
+                    given = read_input(message)
+                except InputError as error:
+                    connection.send(json.dumps({"error": str(error)}))
+                    continue
+                with self._lock:
+                    if self._driver is connection:
+                        self._given = given
+                        self._keys |= given.keys
+                        self._buttons |= given.buttons
+        finally:
+            self._leave(connection)
+
+    def _leave(self, connection: ServerConnection) -> None:
+        with self._lock:
+            if self._driver is connection:
+                self._driver = self._given = None
+
+
+def read_input(message: str | bytes) -> HumanInput:
+    """Return what a page's message says.
+
+    Raises:
+        InputError: it is not of the form ``{"keys": [...], "axes": [...], "buttons": [...]}``, too
+            long, or has numbers out of range.
+    """
+    try:
+        said = json.loads(message)
+        keys, axes, buttons = (_list_of(said, name) for name in ("keys", "axes", "buttons"))
+        if not all(isinstance(key, str) for key in keys):
+            raise ValueError("keys that are no texts")
+        if not all(type(b) is int and 0 <= b < _MOST_BUTTONS for b in buttons):
+            raise ValueError("buttons that are no small numbers")
+        given = tuple(float(axis) if type(axis) in (int, float) else np.nan for axis in axes)
+        if not all(-1.0 <= axis <= 1.0 for axis in given):
+            raise ValueError("axes beyond [-1, 1]")
+    except (ValueError, TypeError, KeyError, RecursionError, OverflowError) as error:
+        raise InputError(
+            f"A message that drives has keys, axes and buttons, each a list; this one has {error}."
+        ) from error
+    return HumanInput(known_keys(keys), given, frozenset(buttons))
+
+
+def _list_of(said: Any, name: str) -> Sequence[Any]:
+    found = said[name] if isinstance(said, dict) and name in said else None
+    if not isinstance(found, list) or len(found) > _MOST_HELD:
+        raise ValueError(f"no list of at most {_MOST_HELD} {name}")
+    return found
