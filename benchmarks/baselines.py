@@ -9,8 +9,10 @@ policy, not the best by validation, plays ``--episodes`` episodes as ``enjoy --s
 ``baselines.csv`` as it ends (a second run resumes; a run that was trained already is only played),
 the summary to ``baselines.md`` and the curves of validation to ``baselines.png``.
 
-Lift and PickPlace see a grasp hint. What that alone is worth is told by the recipes of ``RULES``,
-which train nothing and go where it points (``pace/rule.py``), what it is worth to learn without by
+Lift and PickPlace see a grasp hint, but for ``-look``, whose policies see height maps and learn by
+themselves where to grasp; what the expert shows them at tables is kept in the folder of the runs,
+for all seeds. What the hint alone is worth is told by the recipes of ``RULES``, which train nothing
+and go where it points (``pace/rule.py``), what it is worth to learn without by
 ``lift-clone-plain``.
 """
 
@@ -44,13 +46,19 @@ from tabletopgen_env.scenes.source import close
 from tabletopgen_env.statistics import wilson
 
 HERE = Path(__file__).parent
-RECIPES = ("reach-clone", "lift-clone", "pickplace-clone", "reach-sac")
+RECIPES = (
+    "reach-clone", "lift-clone", "pickplace-clone", "lift-look", "pickplace-look", "reach-sac",
+    "reach-ppo",
+)  # fmt: skip
 RULES = {
     "rule-lift": ("Lift", "detected"),
     "rule-lift-planned": ("Lift", "planned"),
     "rule-pickplace": ("PickPlace", "detected"),
     "rule-pickplace-planned": ("PickPlace", "planned"),
 }
+SHOWINGS = "showings"
+"""Where, beside the runs, what the expert shows to policies that look is kept."""
+
 SEED = 2000
 """Of the episodes played, the same ones for every policy of a task."""
 
@@ -81,7 +89,9 @@ def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> li
 
 
 def train_baseline(name: str, seed: int, runs: Path, validation: int) -> Path:
-    """Return the folder of a whole run of a recipe; a run that was cut off is begun anew.
+    """Return the folder of a whole run of a recipe.
+
+    Of a run that was cut off, cloning resumes and all else is begun anew.
 
     Raises:
         KeyboardInterrupt: Ctrl-C has ended the training.
@@ -89,8 +99,11 @@ def train_baseline(name: str, seed: int, runs: Path, validation: int) -> Path:
     folder = folder_of(runs, name, seed)
     if not folder.exists():
         part = folder.with_name(folder.name + ".part")
-        shutil.rmtree(part, ignore_errors=True)
-        if train(recipe_named(name), part, TrainingPlan(seed, episodes=validation)).interrupted:
+        goes_on = recipe_named(name).algorithm == "clone" and (part / "recipe.json").exists()
+        if not goes_on:
+            shutil.rmtree(part, ignore_errors=True)
+        plan = TrainingPlan(seed, episodes=validation, showings=runs / SHOWINGS)
+        if train(recipe_named(name), part, plan, goes_on).interrupted:
             raise KeyboardInterrupt
         part.rename(folder)
     if open_run(folder).recipe != recipe_named(name):
@@ -99,7 +112,12 @@ def train_baseline(name: str, seed: int, runs: Path, validation: int) -> Path:
 
 
 def hint_of(name: str) -> str:
-    """Return what the grasp hint of a recipe is: its kind, and the detector's weights."""
+    """Return what the grasp hint of a recipe is: its kind, and the detector's weights.
+
+    Of a policy that looks these are what its head starts from.
+    """
+    if name not in RULES and (recipe_named(name).cloning or {}).get("head_start") == "detector":
+        return f"head {shipped_digest()}"
     kind = RULES[name][1] if name in RULES else str(recipe_named(name).env.get("grasp_hint", ""))
     return f"{kind} {shipped_digest()}" if kind == "detected" else kind
 
@@ -134,15 +152,18 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
         f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
         "",
         "Each seed trained by itself; its last policy plays one episode at each of the tables, "
-        "which neither training nor validation has met. State observations; `-sac` learns from "
-        "the reward alone, `-clone` is fitted to the scripted expert's advice (DAgger). Lift and "
-        "PickPlace see the grasp hint: that of a network, which has learned from height maps of "
-        "training tables where to grasp; with `-planned` that of the expert's planners, which "
-        "know the collision shapes; with `-plain` none. The `rule-` rows are of a few lines that "
-        "go where the hint points and learn nothing. Steps are of the environment, or of cloning "
-        "the states with advice. Minutes are of the whole training, tables made and validation "
-        "included. Interval: Wilson, 95 %, of a policy at tables like these; the seeds play at the "
-        "same tables.",
+        "which neither training nor validation has met. State observations; `-sac` and `-ppo` "
+        "learn from the reward alone, `-clone` is fitted to the scripted expert's advice "
+        "(DAgger). Lift and PickPlace see the grasp hint: that of a network, which has learned "
+        "from height maps of training tables where to grasp; with `-planned` that of the "
+        "expert's planners, which know the collision shapes; with `-plain` none, with `-look` "
+        "none either, but height maps around target and goal, in which the policy learned to "
+        "find grasps; with `-sight` neither state nor hint, but pictures with depth, masks of the "
+        "target, calibrations and proprioception. The `rule-` rows are of a few lines that go "
+        "where the hint points and learn nothing. Steps are of the environment, or of cloning the "
+        "states with advice. "
+        "Minutes are of the whole training, tables made and validation included. Interval: "
+        "Wilson, 95 %, of a policy at tables like these; the seeds play at the same tables.",
         "",
         "| recipe | seed | steps | minutes | solved | share | interval |",
         "|---|---|---|---|---|---|---|",

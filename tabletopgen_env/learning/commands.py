@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import sys
 from collections.abc import Mapping
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -13,15 +14,13 @@ from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from generator.errors import InputError, TabletopError, escape, require_number, require_seed
 from generator.io.files import check_folder, check_target
+from generator.jobs.pools import PoolOptions
 
 from .extra import need_sb3
 
 if TYPE_CHECKING:
     from ..scenes import SceneSource
     from .evaluating import Predicts
-
-STRIP = 6
-"""Pictures in a film strip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +46,20 @@ class CheckOptions:
     episodes: int = 20
 
 
-_CHECKS = CheckOptions()
+@dataclass(frozen=True)
+class FileOptions:
+    """What of a run is kept, and what runs share.
+
+    Attributes:
+        keep_replay: Keep the replay buffer in checkpoints.
+        showings: Folder for what the expert shows to a policy that looks, shared between runs.
+    """
+
+    keep_replay: bool = True
+    showings: Path | None = None
+
+
+_CHECKS, _FILES, _POOL = CheckOptions(), FileOptions(), PoolOptions()
 
 
 def train(
@@ -62,31 +74,33 @@ def train(
     resume: bool = False,
     checks: OmitArgPrefixes[CheckOptions] = _CHECKS,
     changes: Annotated[tuple[str, ...], arg(name="set")] = (),
-    keep_replay: bool = True,
+    files: OmitArgPrefixes[FileOptions] = _FILES,
 ) -> int:
     """Train a policy by a recipe.
 
     reach-sac (minutes) · lift-clone --scenes fresh · pickplace-clone --set cloning.rounds=4
 
-    After Ctrl-C, --resume continues a run of reinforcement learning; clone recipes start over.
+    After Ctrl-C, --resume continues a run.
 
     Args:
         recipe: Name of a recipe, or the path of a TOML file of your own. The names: reach-sac,
-            reach-ppo, reach-td3, reach-clone, lift-sac, lift-sac-demos, lift-ppo, lift-clone,
-            lift-clone-planned, lift-clone-plain, pickplace-clone, pickplace-clone-planned,
+            reach-ppo, reach-td3, reach-clone, reach-sight, lift-sac, lift-sac-demos, lift-ppo,
+            lift-ppo-batch, lift-clone, lift-clone-planned, lift-clone-plain, lift-look,
+            lift-sight, pickplace-clone, pickplace-clone-planned, pickplace-look,
             pickplace-sac-her, push-sac-her.
         scenes: Where it trains, by default where the recipe says: names, globs or paths of
             bundles; "starter:train" (shipped training tables), "fresh[:TEXT]" (new tables made on
-            demand) or "refreshing[:TEXT]" (a pool renewed in the background).
+            demand), "refreshing[:TEXT]" (a pool renewed in the background) or
+            "curriculum[:SCENES]" (of these the difficulty at which most is learned now).
         held_out: Where it is evaluated; the same forms.
         seed: The same seed trains the same policy (not with "refreshing", which goes by the clock).
         steps: Total environment steps, by default the recipe's. Clone recipes have rounds instead:
             --set cloning.rounds=4.
         out: The run's folder; runs/RECIPE-SEED if left out.
-        resume: Resume the run in that folder; not for clone recipes.
+        resume: Resume the run in that folder.
         checks: How often the policy is evaluated.
         changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
-        keep_replay: Keep the replay buffer in checkpoints.
+        files: What of a run is kept, and what runs share.
     """
     need_sb3()
     from .recipes import recipe as named
@@ -103,7 +117,12 @@ def train(
     folder = out or Path("runs") / f"{Path(chosen.name).name}-{seed}"
     check_folder(folder)
     plan = TrainingPlan(
-        seed, checks.evaluate_every, checks.episodes, keep_replay, sys.stdout.isatty()
+        seed,
+        checks.evaluate_every,
+        checks.episodes,
+        files.keep_replay,
+        sys.stdout.isatty(),
+        files.showings,
     )
     done = trained(chosen, folder, plan, resume, _say)
     _say(f"{done.steps:,} steps of {chosen.name} in {folder}")
@@ -117,6 +136,7 @@ def enjoy(
     scenes: tuple[str, ...] = ("starter:held_out",),
     episodes: int = 20,
     seed: int = 0,
+    pool: OmitArgPrefixes[PoolOptions] = _POOL,
     render: bool = False,
     video_strip: Path | None = None,
     trust: bool = False,
@@ -132,6 +152,7 @@ def enjoy(
         scenes: Where; of those made on demand only the held-out side.
         episodes: How many.
         seed: The same seed plays the same episodes.
+        pool: Who plays.
         render: Show it; needs a display.
         video_strip: Write pictures of the first episode to this PNG.
         trust: Load a zip, which unpickles it and may execute arbitrary code: only your own.
@@ -141,34 +162,32 @@ def enjoy(
     require_seed(seed)
     if render and video_strip:
         raise InputError("Choose --render or --video-strip, not both.")
+    require_number("enjoy needs --workers", pool.workers, minimum=1, maximum=1024, integer=True)
+    apart = pool.workers > 1 or pool.ray is not None
+    if apart and (render or video_strip):
+        raise InputError("Pictures are taken by one process: leave out --workers and --ray.")
     if video_strip:
         check_target(video_strip, "--video-strip")
     need_sb3()
     from ..scenes.source import close
-    from ..tasks.registry import task_named
-    from .evaluating import play, seeds, summarize
-    from .making import single_env, source_of
+    from .evaluating import seeds, summarize
+    from .trial import PolicyTrial
 
     own = _load(policy, trust, recipe)
-    task = task_named(own.task, own.env.get("preset"))
-    source = source_of(_one(scenes), "held_out", task=task)
-    _warn(own.scenes, source)
-    drawn = {"render_mode": "human"} if render else {}
-    if video_strip:
-        drawn = {"render_mode": "rgb_array", "render_size": (240, 320)}
-    env = single_env(own.task, own.env, source, **drawn)
+    trial = PolicyTrial(own.task, own.env, _one(scenes), own.actor)
+    source, played = trial.source(), []
     try:
-        played = []
-        for number, of_episode in enumerate(seeds(seed, episodes)):
-            frames: list[Any] | None = [] if video_strip and not number else None
-            played.append(play(env, own.actor, of_episode, frames))
-            done = played[-1]
-            how = "solved" if done.solved else "failed"
-            _say(f"{how} in {done.steps:3d} steps: {done.instruction}")
-            if video_strip and frames:
-                _write_strip(frames, video_strip)
+        _warn(own.scenes, source)
+        numbers = seeds(seed, episodes)
+        with closing(
+            trial.play_apart(numbers, pool) if apart
+            else trial.play_here(numbers, source, render, video_strip)
+        ) as results:  # fmt: skip
+            for done in results:
+                played.append(done)
+                how = "solved" if done.solved else "failed"
+                _say(f"{how} in {done.steps:3d} steps: {done.instruction}")
     finally:
-        env.close()
         close(source)
     _say(f"{own.task} at {', '.join(scenes)}: {summarize(played)}")
 
@@ -261,16 +280,6 @@ def _load_zip(path: Path, trust: bool, recipe: str | None) -> _Loaded:
         folder = path.resolve().parent
         own = open_run(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
     return _Loaded(load_zip(path, own), own.task, own.env, as_texts(own.scenes))
-
-
-def _write_strip(frames: list[Any], path: Path) -> None:
-    import numpy as np
-
-    from generator.io.pictures import write_picture
-    from generator.render.sheet import grid
-
-    picks = np.linspace(0, len(frames) - 1, STRIP).round().astype(int)
-    write_picture(grid([frames[k] for k in picks], columns=STRIP, cell=320), path)
 
 
 def _one(scenes: tuple[str, ...]) -> str | tuple[str, ...]:

@@ -24,8 +24,22 @@ class Predicts(Protocol):
     """A policy of this package, or a model of Stable-Baselines3."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
-        """Return the action, and a state that is not used."""
+        """Return the action, and what it remembers; if that is not None it is given ``state``."""
         ...
+
+
+class EpisodePlayer:
+    """Asks a policy for actions through one episode, and hands on what it remembers."""
+
+    def __init__(self, policy: Predicts) -> None:
+        self._policy: Any = policy
+        self._memory: Any = None
+
+    def act(self, observation: Any) -> Any:
+        """Return the action."""
+        told = {} if self._memory is None else {"state": self._memory}
+        action, self._memory = self._policy.predict(observation, deterministic=True, **told)
+        return action
 
 
 @dataclass(frozen=True)
@@ -80,8 +94,9 @@ def play(
         frames.append(env.render())
     rewards: list[float] = []
     held, over, solved = Held(), False, False
+    player = EpisodePlayer(policy)
     while not (over or solved):
-        action = policy.predict(seen, deterministic=True)[0]
+        action = player.act(seen)
         seen, reward, ended, cut, info = env.step(action)
         rewards.append(float(reward))
         over, solved = ended or cut, held.after(info)

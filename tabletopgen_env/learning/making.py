@@ -25,15 +25,17 @@ from torch import nn
 
 from generator.errors import InputError, require_known, require_number
 
-from ..scenes import STARTER, FreshScenes, SceneSource, resolve, split
+from ..scenes import STARTER, CurriculumScenes, FreshScenes, SceneSource, resolve, split
 from ..scenes.finding import on_demand
 from ..scenes.splitting import Side, digest_of
 from ..tasks.task import Task
 from ..vector import TabletopVectorEnv
+from .adapters.slots import SlotVecEnv
 from .networks.goal_extractor import GoalExtractor
+from .networks.look_extractor import LookExtractor
 from .networks.network import TableExtractor
+from .networks.sight_extractor import SightExtractor
 from .recipes import Network, Recipe
-from .slots import SlotVecEnv
 
 _CLASSES: dict[str, type[BaseAlgorithm]] = {"sac": SAC, "td3": TD3, "ppo": PPO, "clone": SAC}
 _OURS = {
@@ -71,13 +73,21 @@ def source_of(
     needs, start = ((), STARTER) if task is None else (task.needs, task.scenes)
     made = on_demand(chosen)
     source = split(chosen, side, needs=needs, start=start) if made else resolve(chosen)
-    if isinstance(source, FreshScenes) and variants is not None:
-        return replace(source, variants=variants)
-    return source
+    return source if variants is None else _vary(source, variants)
+
+
+def _vary(source: SceneSource, variants: int) -> SceneSource:
+    """Return a source with as many fresh tables, if it draws such."""
+    if isinstance(source, CurriculumScenes) and isinstance(source.source, FreshScenes):
+        return replace(source, source=_vary(source.source, variants))
+    return replace(source, variants=variants) if isinstance(source, FreshScenes) else source
 
 
 def worlds_kept(source: SceneSource) -> int:
     """Return how many compiled worlds an environment at a source keeps: all, where they are few."""
+    if isinstance(source, CurriculumScenes):
+        inner = source.source
+        return max(worlds_kept(inner) if isinstance(inner, SceneSource) else KEPT, source.size)
     if isinstance(source, FreshScenes) and source.variants <= MOST_KEPT:
         return source.variants
     return KEPT
@@ -107,14 +117,19 @@ def single_env(
     return gym.make(spec_of(task), scenes=source, **own)
 
 
-def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
-    """Return a recipe's environments for training, a seed each; the scenes are left open."""
+def vector_env(recipe: Recipe, source: SceneSource) -> TabletopVectorEnv:
+    """Return a recipe's environments for training; the scenes are left open."""
     limit = spec_of(recipe.task).max_episode_steps
-    slots = TabletopVectorEnv(
-        recipe.envs, autoreset_mode="SameStep", max_episode_steps=limit, task=recipe.task,
-        scenes=source, cache=worlds_kept(source), **recipe.env,
+    return TabletopVectorEnv(
+        recipe.envs, processes=recipe.processes, autoreset_mode="SameStep",
+        max_episode_steps=limit, task=recipe.task, scenes=source, cache=worlds_kept(source),
+        **recipe.env,
     )  # fmt: skip
-    made = VecMonitor(SlotVecEnv(slots))
+
+
+def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
+    """Return a recipe's environments as Stable-Baselines3 steps them, a seed each."""
+    made = VecMonitor(SlotVecEnv(vector_env(recipe, source)))
     made.seed(seed)
     return made
 
@@ -185,6 +200,8 @@ def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
     Raises:
         InputError: it is no such zip, or not of the recipe's algorithm.
     """
+    if recipe.algorithm not in _CLASSES:
+        raise InputError(f"{recipe.name}: {recipe.algorithm} writes no zips. Play a policy file.")
     kind = _CLASSES[recipe.algorithm]
     try:
         return kind.load(path, device="cpu")
@@ -197,7 +214,9 @@ def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
 def policy_keywords(network: Network, space: spaces.Space[Any]) -> dict[str, Any]:
     """Return a network's description as SB3's policies take it."""
     kind, keywords = extractor_of(network, space)
+    own = {"normalize_images": False} if network.finds_grasps else {}  # it scales itself
     return {
+        **own,
         "features_extractor_class": kind,
         "features_extractor_kwargs": keywords,
         "net_arch": list(network.layers),
@@ -212,8 +231,11 @@ def extractor_of(
     if network.extractor == "flat":
         flat = CombinedExtractor if isinstance(space, spaces.Dict) else FlattenExtractor
         return cast("type[BaseFeaturesExtractor]", flat), {}
-    kind = TableExtractor if network.extractor == "table" else GoalExtractor
-    return kind, {"width": network.width}
+    kinds = {
+        "table": TableExtractor, "goal": GoalExtractor, "look": LookExtractor,
+        "sight": SightExtractor,
+    }  # fmt: skip
+    return kinds[network.extractor], {"width": network.width}
 
 
 def _check_start(recipe: Recipe) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import itertools
 import json
+import math
 import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
@@ -21,7 +22,6 @@ import numpy as np
 import torch
 from safetensors import SafetensorError, safe_open
 from safetensors.torch import save as packed
-from stable_baselines3.common.base_class import BaseAlgorithm
 from torch import Tensor
 
 from generator.errors import InputError, choices
@@ -30,7 +30,8 @@ from generator.io.reading import parse_object
 
 from ..files import check_type
 from ..tasks.names import NAMES
-from .networks.actor import Actor, Squash, actor_of, inputs_of, tensors_of
+from .algorithms.learner import Learner
+from .networks.actor import Actor, Shape, Squash, shape_of, tensors_of
 from .recipes import Network, Recipe, as_texts, network_of
 
 SHIPPED = Path(__file__).with_name("trained")
@@ -46,7 +47,8 @@ MOST_BYTES = 5 * 2**20
 """A policy file is not larger."""
 
 _MOST_CARD = 2**16
-_MOST_INPUTS, _MOST_ACTIONS = 4096, 64
+_MOST_INPUTS, _MOST_PART, _MOST_ACTIONS = 4096, 2**18, 64
+_MOST_PARTS = 32
 _VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "stable-baselines3", "torch")
 
 
@@ -58,7 +60,7 @@ class Card:
         task: what it does.
         env: keywords of the environment it was trained in.
         network: what it is made of.
-        inputs: the observation's parts by name and size.
+        inputs: the observation's parts by name, each with its size, or its shape if it has axes.
         actions: entries of an action.
         squash: what becomes of the last layer's values: "tanh" or "clip".
         recipe: name of the recipe.
@@ -75,7 +77,7 @@ class Card:
     task: str
     env: Mapping[str, Any]
     network: Network
-    inputs: Mapping[str, int]
+    inputs: Mapping[str, Shape]
     actions: int
     squash: Squash
     recipe: str
@@ -97,16 +99,29 @@ class TrainedPolicy:
         self, observation: Any, state: Any = None, episode_start: Any = None,
         deterministic: bool = True,
     ) -> tuple[np.ndarray, Any]:  # fmt: skip
-        """Return the action for one observation, or those of a batch, and ``state`` as it is.
+        """Return the action for one observation, or those of a batch, and what is remembered.
+
+        ``state`` is what the last call returned, None at an episode's start; ``episode_start`` says
+        of which rows of a batch the episode begins. Policies that remember nothing return ``state``
+        as it is; those that see (``networks.sight_extractor``) act worse without it.
 
         Raises:
-            InputError: the observation has another shape, or ``deterministic`` is False.
+            InputError: the observation or ``state`` has another shape, or ``deterministic`` is
+                False.
         """
         if not deterministic:
             raise InputError("A policy file holds no noise; call predict(deterministic=True).")
         seen, batch = tensors_of(self.card.inputs, observation)
-        with torch.no_grad():
-            last = self.actor(seen)
+        size = self.actor.memory_size
+        if size:
+            rows = len(next(iter(seen.values())))
+            memory = _memory(state, episode_start, (rows, size))
+            with torch.no_grad():
+                last, after = self.actor.recall(seen, memory)
+            state = after.numpy()
+        else:
+            with torch.no_grad():
+                last = self.actor(seen)
         if self.card.squash == "tanh":  # rounded as Stable-Baselines3 does
             scaled = torch.tanh(last).numpy()
             actions = np.float32(-1.0) + np.float32(0.5) * (scaled + 1.0) * np.float32(2.0)
@@ -115,23 +130,33 @@ class TrainedPolicy:
         return (actions if batch else actions[0]), state
 
 
+def _memory(state: Any, starts: Any, shape: tuple[int, int]) -> Tensor:
+    """Return what is remembered, nothing of rows whose episode begins."""
+    if state is None:
+        return torch.zeros(shape)
+    memory = np.array(state, np.float32)
+    if memory.shape != shape or not np.isfinite(memory).all():
+        raise InputError(
+            f"The policy remembers finite numbers of shape {shape}, got {memory.shape}. Pass what "
+            "its last call returned, or None at the start of an episode."
+        )
+    if starts is not None:
+        memory[np.asarray(starts, bool)] = 0.0
+    return torch.from_numpy(memory)
+
+
 def policy_from(
-    model: BaseAlgorithm,
+    learner: Learner,
     recipe: Recipe,
     seed: int,
     validation: Mapping[str, Any] | None = None,
-    steps: int | None = None,
+    steps: int = 0,
 ) -> TrainedPolicy:
-    """Return a copy of what a model of ``making.new_model`` does now; ``validation`` is the card's.
-
-    ``steps`` is what it was trained for; None for what the model says.
-    """
-    actor, squash = actor_of(model, recipe.network)
+    """Return a copy of what a learner does now; ``validation`` and ``steps`` are the card's."""
+    actor, squash = learner.export()
     card = Card(
-        recipe.task, dict(recipe.env), recipe.network, inputs_of(model.observation_space),
-        actor.last.out_features, squash, recipe.name, seed,
-        model.num_timesteps if steps is None else steps, as_texts(recipe.scenes),
-        dict(validation or {}),
+        recipe.task, dict(recipe.env), recipe.network, actor.inputs, actor.last.out_features,
+        squash, recipe.name, seed, steps, as_texts(recipe.scenes), dict(validation or {}),
         {name: _version(name) for name in _VERSIONS} | _detector(recipe.env),
     )  # fmt: skip
     return TrainedPolicy(card, actor)
@@ -239,10 +264,12 @@ def _fill(actor: Actor, weights: Mapping[str, Tensor]) -> None:
     actor.eval().requires_grad_(False)
 
 
-def _answers(actor: Actor, inputs: Mapping[str, int]) -> list[float]:
+def _answers(actor: Actor, inputs: Mapping[str, Shape]) -> list[float]:
     """Return what a network makes of a fixed observation."""
     rng = np.random.default_rng(0)
-    seen: Any = {name: rng.normal(0.0, 0.3, size) for name, size in sorted(inputs.items())}
+    seen: Any = {
+        name: rng.normal(0.0, 0.3, shape_of(size)) for name, size in sorted(inputs.items())
+    }
     with torch.no_grad():
         last = actor(tensors_of(inputs, seen.get("", seen))[0])
     return [float(v) for v in last[0]]
@@ -270,14 +297,19 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
-    inputs = _table(payload["inputs"], int)
-    sizes = (*inputs.values(), payload["actions"])
-    if not inputs or ("" in inputs and len(inputs) > 1) or len(inputs) > 8:
+    inputs = {check_type(k, str): _shape(v) for k, v in check_type(payload["inputs"], dict).items()}
+    parts = [math.prod(shape_of(shape)) for shape in inputs.values()]
+    sizes = (*(n for shape in inputs.values() for n in shape_of(shape)), payload["actions"])
+    if not inputs or ("" in inputs and len(inputs) > 1) or len(inputs) > _MOST_PARTS:
         raise ValueError(f"a policy cannot look at {inputs}")
-    if not all(0 < size <= _MOST_INPUTS for size in sizes) or sizes[-1] > _MOST_ACTIONS:
+    if (
+        max(parts) > _MOST_PART
+        or not all(0 < size <= _MOST_INPUTS for size in sizes)
+        or sizes[-1] > _MOST_ACTIONS
+    ):
         raise ValueError(f"a policy cannot have sizes {sizes}")
     network = network_of(check_type(payload["network"], dict), "its card")
-    wide = (sum(inputs.values()), *network.layers, check_type(payload["actions"], int))
+    wide = (min(sum(parts), _MOST_INPUTS), *network.layers, check_type(payload["actions"], int))
     if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
         raise ValueError(f"a policy file cannot hold layers of {network.layers}")
     task, squash = check_type(payload["task"], str), check_type(payload["squash"], str)
@@ -294,6 +326,15 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         tuple(check_type(v, str) for v in check_type(payload["scenes"], list)),
         _validation(check_type(payload["validation"], dict)), versions,
     ), answers  # fmt: skip
+
+
+def _shape(payload: Any) -> Shape:
+    """Return the size, or the shape, of an observation's part."""
+    if not isinstance(payload, list):
+        return check_type(payload, int)
+    if not 1 < len(payload) <= 3:
+        raise ValueError(f"a policy cannot look at shape {payload}")
+    return tuple(check_type(n, int) for n in payload)
 
 
 def _table(payload: Any, kind: type) -> dict[str, Any]:

@@ -20,8 +20,8 @@ from generator.io.reading import parse_toml, printable, read_regular
 from ..scenes.making.recipe import MOST_SEEDS
 from ..tasks.names import NAMES
 
-Algorithm = Literal["sac", "td3", "ppo", "clone"]
-Extractor = Literal["table", "goal", "flat"]
+Algorithm = Literal["sac", "td3", "ppo", "ppo-batch", "clone"]
+Extractor = Literal["table", "goal", "flat", "look", "sight"]
 Activation = Literal["relu", "tanh"]
 
 FILE = Path(__file__).with_name("recipes.toml")
@@ -44,7 +44,9 @@ class Network:
 
     Attributes:
         extractor: "table" for ``network.TableExtractor`` (state), "goal" for the same on goal
-            observations, "flat" for all entries as they are.
+            observations, "flat" for all entries as they are, "look" for state and height maps, with
+            a head that finds grasps (``look_extractor``), "sight" for the same of pictures with
+            depth (``sight_extractor``).
         layers: widths of the hidden layers after it.
         width: of what the extractor pools the other objects to.
         activation: "relu" or "tanh".
@@ -54,6 +56,11 @@ class Network:
     layers: tuple[int, ...] = (256, 256)
     width: int = 64
     activation: Activation = "relu"
+
+    @property
+    def finds_grasps(self) -> bool:
+        """Whether it has a head that finds grasps."""
+        return self.extractor in ("look", "sight")
 
     def __post_init__(self) -> None:
         require_known(self.extractor, get_args(Extractor), "Network has no extractor")
@@ -73,11 +80,17 @@ class Recipe:
     Attributes:
         name: what it is called.
         task: what to do; see ``tabletopgen_env.tasks``.
-        algorithm: "sac", "td3" or "ppo" of Stable-Baselines3, or "clone" for cloning alone.
+        algorithm: "sac", "td3" or "ppo" of Stable-Baselines3, "ppo-batch" for our own of
+            ``ppo``, or "clone" for cloning alone.
         steps: of the environments, all together; of cloning its rounds decide, not this.
         envs: environments stepped together.
+        processes: in how many processes they are, split evenly; None for threads of this one. It
+            decides nothing but the time, but for "refreshing" scenes.
         scenes: where it trains; anything ``scenes`` takes that is a text, or several. Of those
-            made on demand ("fresh", "refreshing") only the training side is used.
+            made on demand ("fresh", "refreshing", "curriculum") only the training side is used.
+        batch: settings of ``ppo.batches.BatchConfig``: "ppo-batch" trains on a ``TabletopBatchEnv``
+            of ``envs`` worlds, on a GPU. None for slots on the CPU's cores. It is evaluated on
+            the CPU either way.
         held_out: where it is evaluated; of those made on demand only the held-out side.
         variants: how many tables "fresh" scenes are drawn from, both sides together (of a text, so
             many of it): few enough to be met again, and compiled once, or ever new ones. Of other
@@ -85,8 +98,8 @@ class Recipe:
         env: further keywords of the environment. Those read by ``recipe`` have the randomization
             ``STARTS`` unless they name another; "none" is none.
         network: what the policy is made of.
-        options: keywords of Stable-Baselines3's class; "action_noise" is the standard deviation of
-            TD3's.
+        options: keywords of Stable-Baselines3's class, "action_noise" the standard deviation of
+            TD3's; of "ppo-batch" those of ``ppo.config.PPOConfig``.
         hindsight: goals replayed for each true one (HER); 0 for none.
         demonstrations: episodes of the expert in the replay buffer from the start.
         cloning: settings of ``CloningConfig``: the actor starts from the cloned expert. None for
@@ -101,6 +114,7 @@ class Recipe:
     algorithm: Algorithm
     steps: int = 1_000_000
     envs: int = 1
+    processes: int | None = None
     scenes: str | tuple[str, ...] = "starter:train"
     held_out: str | tuple[str, ...] = "starter:held_out"
     variants: int = 1_000_000
@@ -110,11 +124,14 @@ class Recipe:
     hindsight: int = 0
     demonstrations: int = 0
     cloning: Mapping[str, Any] | None = None
+    batch: Mapping[str, Any] | None = None
 
     def __post_init__(self) -> None:
         require_known(self.task, NAMES, "Recipe has no task")
         require_known(self.algorithm, get_args(Algorithm), "Recipe has no algorithm")
         require(self, "steps", "envs", minimum=1, integer=True)
+        if self.processes is not None:
+            require(self, "processes", minimum=1, integer=True)
         require(self, "hindsight", "demonstrations", minimum=0, integer=True)
         require(self, "variants", minimum=1, maximum=MOST_SEEDS, integer=True)
         for side in ("scenes", "held_out"):
@@ -129,15 +146,23 @@ class Recipe:
         """The observation mode."""
         return str(self.env.get("observation", "state"))
 
+    @property
+    def looks(self) -> bool:
+        """Whether the observation has height maps."""
+        return self.env.get("geometry", "none") != "none"
+
     def facts(self) -> dict[str, Any]:
         """Return it as JSON and ``recipe_of`` have it."""
         own = {f.name: getattr(self, f.name) for f in fields(self)}
         own |= {"network": asdict(self.network), "env": dict(self.env)}
         own |= {"options": dict(self.options)}
-        own["cloning"] = None if self.cloning is None else dict(self.cloning)
+        for key in ("cloning", "batch"):
+            table = getattr(self, key)
+            own[key] = None if table is None else dict(table)
         return json.loads(json.dumps(own))
 
     def _check_together(self) -> None:
+        sees = self.network.extractor == "sight"
         for wrong, why in (
             (self.hindsight and self.observation != "goal", "hindsight needs observation='goal'"),
             (self.hindsight and self.algorithm not in ("sac", "td3"), "hindsight needs SAC or TD3"),
@@ -149,13 +174,24 @@ class Recipe:
             (self.cloning is not None and self.algorithm not in ("sac", "clone"),
              "only SAC's actor can be cloned"),
             (self.algorithm == "clone" and self.cloning is None, "'clone' needs cloning"),
-            (self.cloning is not None and self.observation != "state",
-             "cloning needs observation='state'"),
+            (self.batch is not None and self.algorithm != "ppo-batch",
+             "only 'ppo-batch' trains on a batch"),
+            (self.batch is not None and self.processes is not None,
+             "a batch has no processes; leave one of them out"),
+            (self.cloning is not None
+             and self.observation != ("pixels+proprio" if sees else "state"),
+             "cloning needs observation='state', or 'pixels+proprio' for the extractor 'sight'"),
             ((self.demonstrations or self.cloning is not None)
              and self.env.get("action", "ee_delta") != "ee_delta",
              "the expert acts in action='ee_delta'"),
             (self.network.extractor == "table" and self.observation != "state",
              "the extractor 'table' needs observation='state'"),
+            (self.looks != (self.network.extractor == "look"),
+             "the extractor 'look' and geometry='height_map' need each other"),
+            (self.looks and (self.observation != "state" or self.env.get("grasp_hint")),
+             "the extractor 'look' needs observation='state' without a grasp hint"),
+            (sees and self.observation != "pixels+proprio",
+             "the extractor 'sight' needs observation='pixels+proprio'"),
             (self.network.extractor == "goal" and self.observation != "goal",
              "the extractor 'goal' needs observation='goal'"),
             (self.network.extractor == "flat" and self.observation not in ("state", "goal"),
@@ -215,7 +251,7 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
         if key not in payload:
             raise InputError(f"{name}: a recipe needs {key!r}.")
     values: dict[str, Any] = {**payload, "name": name}
-    for key in ("env", "options", "cloning", "network"):
+    for key in ("env", "options", "cloning", "batch", "network"):
         if not isinstance(values.get(key, {}), Mapping | None):
             raise InputError(f"{name}: {key} is a table of settings, got {values[key]!r}.")
     for key in ("env", "options"):

@@ -6,7 +6,9 @@
 ``policy.safetensors``  the latest policy; ``best.safetensors`` the one that solved the most
                         held-out episodes (a choice, so no test: see ``enjoy``)
 ``checkpoint-STEPS/``   the newest checkpoint: ``model.zip`` (weights and optimisers; also what
-                        Stable-Baselines3 loads), ``counts.json``, ``replay.npz``
+                        Stable-Baselines3 loads), ``replay.npz``, or ``learner.pt`` of
+                        ``ppo-batch``; and ``counts.json``
+``cloning/``            the rounds of cloning, until it is done; see ``demonstrations.rounds``
 ``tensorboard/``        curves, where TensorBoard is installed
 ======================  ===========================================================================
 
@@ -29,21 +31,20 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from stable_baselines3.common.base_class import BaseAlgorithm
-from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
-from stable_baselines3.common.save_util import load_from_zip_file, recursive_setattr
-
 from generator.errors import InputError, StorageError
 from generator.io.files import write_whole
 from generator.io.reading import parse_object, read_regular
 
 from ..files import check_type
-from .demonstrations.replay import read_buffer, write_buffer
+from .algorithms.learner import Counts, Learner
 from .evaluating import PolicyEvaluation
 from .recipes import Recipe, recipe_of
 
 FORMAT = 1
 """Version of a run's folder; others are refused."""
+
+ROUNDS = "cloning"
+"""Where a run keeps its rounds of cloning."""
 
 LATEST, BEST = "policy.safetensors", "best.safetensors"
 COLUMNS = ("steps", "seconds", "episodes", "solved", "reward", "length")
@@ -53,22 +54,6 @@ _CURVES = "tensorboard"
 _STEPS = re.compile(rf"{_CHECKPOINT}([0-9]{{1,15}})")
 _MOST_STEPS = 10**15
 _MAX_BYTES = 16 * 2**20  # of a run's JSON and table
-
-
-@dataclass(frozen=True)
-class Counts:
-    """How far a run is: environment steps, gradient steps, episodes, seconds, and its best share.
-
-    ``best`` is -1 before the first evaluation; ``cloned`` says whether the actor's cloned start is
-    done.
-    """
-
-    steps: int = 0
-    updates: int = 0
-    episodes: int = 0
-    seconds: float = 0.0
-    best: float = -1.0
-    cloned: bool = False
 
 
 @dataclass(frozen=True)
@@ -134,7 +119,7 @@ class Run:
         row = EvaluationRow(steps, spent, seen.episodes, seen.solved, seen.reward, seen.steps)
         _write_rows(self.path, [*self.rows(), row])
 
-    def save(self, model: BaseAlgorithm, counts: Counts, replay: bool) -> None:
+    def save(self, learner: Learner, counts: Counts, replay: bool) -> None:
         """Publish a checkpoint, and delete the older ones.
 
         Raises:
@@ -146,10 +131,8 @@ class Run:
         try:
             shutil.rmtree(part, ignore_errors=True)
             part.mkdir()
-            model.save(part / "model.zip")
+            learner.write(part, replay)
             (part / "counts.json").write_text(json.dumps(asdict(counts)) + "\n")
-            if replay and isinstance(model, OffPolicyAlgorithm) and model.replay_buffer is not None:
-                write_buffer(model.replay_buffer, part / "replay.npz")
             shutil.rmtree(final, ignore_errors=True)
             part.rename(final)
             for path in set(older) - {final}:
@@ -159,8 +142,17 @@ class Run:
                 f"The checkpoint cannot be written to {self.path}: {error.strerror or error}."
             ) from error
 
-    def restore(self, model: BaseAlgorithm) -> tuple[Counts, bool]:
-        """Put the newest checkpoint into a new model; return its counts, and if it kept a replay.
+    def restore_rounds(self, rounds: int) -> Counts:
+        """Return how far so many rounds of cloning are; evaluations after them are dropped."""
+        rows = self.rows()[:rounds]
+        _write_rows(self.path, rows)
+        if not rows:
+            return Counts()
+        best = max(row.solved / row.episodes for row in rows)
+        return Counts(steps=rows[-1].steps, seconds=rows[-1].seconds, best=best)
+
+    def restore(self, learner: Learner) -> tuple[Counts, bool]:
+        """Put the newest checkpoint into a new learner; return its counts, and if it kept a replay.
 
         Without a checkpoint nothing changes. Evaluations after it are dropped from the table.
 
@@ -173,24 +165,11 @@ class Run:
             return Counts(), False
         counts = _counts(found / "counts.json")
         try:
-            if not (found / "model.zip").is_file():
-                raise FileNotFoundError("model.zip is missing, or no file")
-            _, weights, variables = load_from_zip_file(
-                found / "model.zip", device="cpu", load_data=False
-            )
-            model.set_parameters(weights, device="cpu")
-            for name, value in (variables or {}).items():
-                recursive_setattr(model, f"{name}.data", value.data)
+            replayed = learner.read(found, counts)
         except Exception as error:  # whatever a damaged file brings about
             raise InputError(
                 f"{found} is no checkpoint of {self.recipe.name} ({error}). Begin a new run."
             ) from error
-        model.num_timesteps, model._episode_num = counts.steps, counts.episodes
-        model._n_updates = counts.updates
-        replayed = isinstance(model, OffPolicyAlgorithm) and (found / "replay.npz").is_file()
-        if isinstance(model, OffPolicyAlgorithm) and replayed:
-            assert model.replay_buffer is not None
-            read_buffer(model.replay_buffer, found / "replay.npz")
         _write_rows(self.path, [r for r in self.rows() if r.steps <= counts.steps])
         return counts, replayed
 

@@ -7,20 +7,22 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
-from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.logger import Logger, configure
 
 from generator.errors import require, require_seed
 
+from .algorithms.learner import Counts, Learner
+from .algorithms.sb3 import Sb3Learner
 from .ending import StopAsked
 from .evaluating import PolicyEvaluation, evaluate
 from .extra import PIP, tensorboard_there
 from .policies import policy_from, save_policy
 from .recipes import as_texts
-from .runs import BEST, LATEST, Counts, Run
+from .runs import BEST, LATEST, Run
 
 Say = Callable[[str], None]
 
@@ -36,6 +38,8 @@ class TrainingPlan:
         episodes: of an evaluation.
         keep_replay: keep the replay buffer in checkpoints.
         bar: show a progress bar.
+        showings: folder in which what the expert shows at tables is kept (``demonstrations``), for
+            other runs too; None for the run's own.
 
     Raises:
         InputError: a number out of range.
@@ -46,6 +50,7 @@ class TrainingPlan:
     episodes: int = 20
     keep_replay: bool = True
     bar: bool = False
+    showings: Path | None = None
 
     def __post_init__(self) -> None:
         require_seed(self.seed, 2**31 - 1)
@@ -70,14 +75,16 @@ class Tracker:
     _evaluated: int | None = None
     _since: float = field(default_factory=time.monotonic)
 
-    def evaluate(self, model: BaseAlgorithm, steps: int) -> None:
-        """Evaluate a model after so many steps; add a row, and keep its policy."""
-        seen = evaluate(self.trials, model, self.plan.episodes)
+    def evaluate(self, learner: Learner, steps: int) -> None:
+        """Evaluate a learner after so many steps; add a row, and keep its policy."""
+        recipe, seed = self.run.recipe, self.run.seed
+        policy = policy_from(learner, recipe, seed)
+        seen = evaluate(self.trials, policy, self.plan.episodes)
         better = seen.share > self.counts.best
-        self._count(model, steps)
+        self._count(learner, steps)
         self._evaluated = steps
         self.counts = dataclasses.replace(self.counts, best=max(self.counts.best, seen.share))
-        self._keep(model, seen, better)
+        self._keep(learner, seen, better)
         self.run.add(steps, self.counts.seconds, seen)
         self.logger.record("held_out/success_rate", seen.share)
         self.logger.record("held_out/mean_reward", seen.reward)
@@ -85,69 +92,97 @@ class Tracker:
         self.logger.dump(steps)
         self.say(f"{steps:,} steps, {self.counts.seconds / 60:.1f} min: {seen} held out")
 
-    def checkpoint(self, model: BaseAlgorithm, steps: int) -> None:
+    def checkpoint(self, learner: Learner, steps: int) -> None:
         """Keep a checkpoint after so many steps, and the policy if it was not just evaluated."""
         if steps != self._evaluated:
-            self._count(model, steps)
-            self._keep(model, None, better=False)
-        self.run.save(model, self.counts, self.plan.keep_replay)
+            self._count(learner, steps)
+            self._keep(learner, None, better=False)
+        self.run.save(learner, self.counts, self.plan.keep_replay)
+
+    def is_finished(self) -> bool:
+        """Tell whether the recipe's steps are done, and say so if they are."""
+        done, path = self.counts.steps, self.run.path
+        if done < self.run.recipe.steps:
+            return False
+        self.say(f"{path} has {done:,} steps already; ask for more with --steps.")
+        return True
+
+    def end(self, learner: Learner, steps: int) -> None:
+        """Evaluate a learner that has learned since, unless Ctrl-C ended it; keep a checkpoint."""
+        if steps > self.counts.steps:
+            if not self.stop.is_set():
+                self.evaluate(learner, steps)
+            self.checkpoint(learner, steps)
 
     def heed(self) -> None:
         """Raise ``StopAsked`` after Ctrl-C."""
         if self.stop.is_set():
             raise StopAsked
 
-    def _count(self, model: BaseAlgorithm, steps: int) -> None:
+    def _count(self, learner: Learner, steps: int) -> None:
         now = time.monotonic()
         self.counts = dataclasses.replace(
-            self.counts, steps=steps, updates=getattr(model, "_n_updates", 0),
-            episodes=model._episode_num, seconds=self.counts.seconds + now - self._since,
+            self.counts, steps=steps, updates=learner.updates,
+            episodes=learner.episodes, seconds=self.counts.seconds + now - self._since,
         )  # fmt: skip
         self._since = now
 
-    def _keep(self, model: BaseAlgorithm, seen: PolicyEvaluation | None, better: bool) -> None:
+    def _keep(self, learner: Learner, seen: PolicyEvaluation | None, better: bool) -> None:
         figures = {} if seen is None else {
             "solved": seen.solved, "episodes": seen.episodes, "tables": seen.tables,
             "scenes": ", ".join(as_texts(self.run.recipe.held_out)),
         }  # fmt: skip
-        policy = policy_from(model, self.run.recipe, self.run.seed, figures, self.counts.steps)
+        policy = policy_from(learner, self.run.recipe, self.run.seed, figures, self.counts.steps)
         save_policy(policy, self.run.path / LATEST)
         if better:
             save_policy(policy, self.run.path / BEST)
 
 
-class Progress(BaseCallback):
-    """Evaluates between rollouts, when all that was done has been learned from.
-
-    Raises:
-        StopAsked: there, after Ctrl-C.
-    """
+class Pauses:
+    """What is done between rollouts, when all that was done has been learned from."""
 
     def __init__(self, tracker: Tracker) -> None:
-        super().__init__()
         self._tracker = tracker
         self._every = tracker.plan.evaluate_every
         self._next = (tracker.counts.steps // self._every + 1) * self._every
         self._bar = bar(tracker.run.recipe.steps) if tracker.plan.bar else None
 
-    def _on_rollout_start(self) -> None:
-        steps = self.model.num_timesteps
+    def pause(self, learner: Learner, steps: int) -> bool:
+        """Evaluate after so many steps if it is time to; return whether it was.
+
+        Raises:
+            StopAsked: after Ctrl-C.
+        """
         if self._bar is not None:
             self._bar(steps)
         self._tracker.heed()
-        if steps >= self._next:
-            self._tracker.evaluate(self.model, steps)
-            self._tracker.checkpoint(self.model, steps)
-            self._next = (steps // self._every + 1) * self._every
+        if steps < self._next:
+            return False
+        self._tracker.evaluate(learner, steps)
+        self._tracker.checkpoint(learner, steps)
+        self._next = (steps // self._every + 1) * self._every
+        return True
+
+    def close(self) -> None:
+        """Take the progress bar away."""
+        if self._bar is not None:
+            self._bar(None)
+
+
+class Progress(BaseCallback):
+    """Makes ``pauses`` between the rollouts of a model of Stable-Baselines3."""
+
+    def __init__(self, tracker: Tracker, pauses: Pauses) -> None:
+        super().__init__()
+        self._tracker, self._pauses = tracker, pauses
+
+    def _on_rollout_start(self) -> None:
+        learner = Sb3Learner(self.model, self._tracker.run.recipe.network)
+        self._pauses.pause(learner, self.model.num_timesteps)
 
     def _on_step(self) -> bool:
         self._tracker.learned = True
         return True
-
-    def end(self) -> None:
-        """Take the progress bar away."""
-        if self._bar is not None:
-            self._bar(None)
 
 
 def logger_of(run: Run, say: Say) -> Logger:

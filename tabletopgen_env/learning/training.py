@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable
 from contextlib import ExitStack, closing, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import gymnasium as gym
 import numpy as np
+import torch
 from stable_baselines3 import SAC
 from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
@@ -19,17 +19,29 @@ from stable_baselines3.common.type_aliases import TrainFreq
 from generator.errors import InputError, TabletopError
 from generator.threads import torch_threads
 
-from ..scenes import SceneSource
+from ..detection.detector import read_detector
+from ..scenes import FreshScenes, SceneSource
 from ..scenes.source import close
 from ..tasks.registry import task_named
+from .algorithms.learner import Learner
+from .algorithms.sb3 import Sb3Learner
 from .demonstrations.cloning import CloningConfig, Round, clone
+from .demonstrations.grasping import teach_head
 from .demonstrations.replay import fill
+from .demonstrations.rounds import RoundsFolder
+from .demonstrations.showings import CHUNK, GraspShowing, gather
 from .ending import StopAsked, heeding
 from .making import blank_model, count_shared, many_envs, new_model, single_env, source_of
+from .networks.look_extractor import LookExtractor
 from .policies import policy_bytes, policy_from
+from .ppo.batches import batch_config
+from .ppo.training import learn_in_batches, new_ppo
 from .recipes import Recipe
-from .runs import Run, begin, differences, open_run
-from .tracking import Progress, Say, Tracker, TrainingPlan, logger_of
+from .runs import ROUNDS, Run, begin, differences, open_run
+from .tracking import Pauses, Progress, Say, Tracker, TrainingPlan, logger_of
+
+EVER_NEW = 1_000_000
+"""Variants of fresh tables at which the expert shows its grasps, both sides together."""
 
 
 @dataclass(frozen=True)
@@ -86,7 +98,7 @@ def train(
         logger = logger_of(run, say)
         last.callback(logger.close)
         tracker = Tracker(run, plan, trials, stop, logger, say)
-        learn = _clone_alone if recipe.algorithm == "clone" else _learn
+        learn = {"clone": _clone_alone, "ppo-batch": learn_in_batches}.get(recipe.algorithm, _learn)
         try:
             return Trained(run, learn(tracker, scenes), stop.is_set())
         except TabletopError:
@@ -99,8 +111,15 @@ def train(
 def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
     """Refuse what would fail later, before anything is written."""
     cloning_config(recipe)
+    batch_config(recipe)
     env.reset(seed=0)
-    policy_bytes(policy_from(blank_model(recipe, env), recipe, 0))
+    policy_bytes(policy_from(_blank_learner(recipe, env), recipe, 0))
+
+
+def _blank_learner(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> Learner:
+    if recipe.algorithm == "ppo-batch":
+        return new_ppo(recipe, env, 0)
+    return Sb3Learner(blank_model(recipe, env), recipe.network)
 
 
 def _resume(out: Path, recipe: Recipe, seed: int) -> Run:
@@ -112,9 +131,7 @@ def _resume(out: Path, recipe: Recipe, seed: int) -> Run:
             f"{out} is a run of {run.recipe.name} with seed {run.seed}; it differs in {what}. "
             "Resume it with what it was begun with, or begin another with --out."
         )
-    if recipe.algorithm == "clone":
-        raise InputError(f"{out}: cloning cannot go on; begin it anew with another --out.")
-    return dataclasses.replace(run, recipe=recipe)
+    return replace(run, recipe=recipe)
 
 
 def _learn(tracker: Tracker, scenes: SceneSource) -> int:
@@ -123,34 +140,30 @@ def _learn(tracker: Tracker, scenes: SceneSource) -> int:
     with closing(many_envs(run.recipe, scenes, seed)) as envs:
         model = new_model(run.recipe, envs, seed)
         model.set_logger(tracker.logger)
-        tracker.counts, replayed = run.restore(model)
+        learner = Sb3Learner(model, run.recipe.network)
+        tracker.counts, replayed = run.restore(learner)
         begun = tracker.counts.steps
         if begun:  # other tables, and other tries, than those it began with
             model.set_random_seed(int(np.random.SeedSequence((seed, begun)).generate_state(1)[0]))
-        if begun >= run.recipe.steps:
-            tracker.say(f"{run.path} has {begun:,} steps already; ask for more with --steps.")
+        if tracker.is_finished():
             return begun
         with suppress(StopAsked):
             refill = False
             if isinstance(model, OffPolicyAlgorithm) and not replayed:
                 refill = begun > 0
-                _demonstrate(tracker, model, scenes)
+                _demonstrate(tracker, learner, scenes)
             if not (run.recipe.cloning is None or tracker.counts.cloned or begun):
                 _clone(tracker, model, scenes)
-                tracker.counts = dataclasses.replace(tracker.counts, cloned=True)
-                tracker.checkpoint(model, begun)
+                tracker.counts = replace(tracker.counts, cloned=True)
+                tracker.checkpoint(learner, begun)
             _go_on(tracker, model, refill)
-        done = model.num_timesteps
-        if done > tracker.counts.steps:
-            if not tracker.stop.is_set():
-                tracker.evaluate(model, done)
-            tracker.checkpoint(model, done)
-        return done
+        tracker.end(learner, model.num_timesteps)
+        return model.num_timesteps
 
 
 def _go_on(tracker: Tracker, model: BaseAlgorithm, refill: bool) -> None:
-    callback = Progress(tracker)
-    try:
+    with closing(Pauses(tracker)) as pauses:
+        callback = Progress(tracker, pauses)
         if refill:
             assert isinstance(model, OffPolicyAlgorithm)
             tracker.say(
@@ -159,8 +172,6 @@ def _go_on(tracker: Tracker, model: BaseAlgorithm, refill: bool) -> None:
             _refill(model, callback, tracker.run.recipe.steps)
         left = tracker.run.recipe.steps - model.num_timesteps
         model.learn(left, callback, reset_num_timesteps=False)
-    finally:
-        callback.end()
 
 
 def _refill(model: OffPolicyAlgorithm, callback: Progress, maximum: int) -> None:
@@ -176,26 +187,36 @@ def _refill(model: OffPolicyAlgorithm, callback: Progress, maximum: int) -> None
         )  # fmt: skip
 
 
-def _demonstrate(tracker: Tracker, model: OffPolicyAlgorithm, scenes: SceneSource) -> None:
+def _demonstrate(tracker: Tracker, learner: Sb3Learner, scenes: SceneSource) -> None:
     """Fill the replay buffer as the recipe says."""
-    recipe = tracker.run.recipe
+    recipe, model = tracker.run.recipe, learner.model
     if not recipe.demonstrations:
         return
+    assert isinstance(model, OffPolicyAlgorithm)
     with closing(single_env(recipe.task, recipe.env, scenes)) as env:
         assert model.replay_buffer is not None
         seed = tracker.plan.seed
         count = fill(model.replay_buffer, env, recipe.demonstrations, seed, tracker.heed)
     tracker.say(f"{count} demonstrations in the replay buffer")
     if not tracker.counts.steps:
-        tracker.checkpoint(model, 0)
+        tracker.checkpoint(learner, 0)
 
 
 def _clone_alone(tracker: Tracker, scenes: SceneSource) -> int:
     """Clone the expert, evaluated after each round; return the states it gave advice in."""
-    model = new_model(tracker.run.recipe, tracker.trials, tracker.plan.seed)
+    run = tracker.run
+    model = new_model(run.recipe, tracker.trials, tracker.plan.seed)
+    learner = Sb3Learner(model, run.recipe.network)
+    kept = RoundsFolder(run.path / ROUNDS)
+    if run.checkpoint is not None and not kept.path.exists():
+        tracker.say(f"{run.path} is trained to its end.")
+        return run.rows()[-1].steps
+    tracker.counts = run.restore_rounds(kept.done)
     with suppress(StopAsked):
-        _clone(tracker, model, scenes, lambda r: tracker.evaluate(model, r.states))
-    tracker.checkpoint(model, tracker.counts.steps)
+        _clone(tracker, model, scenes, lambda r: tracker.evaluate(learner, r.states), kept)
+    tracker.checkpoint(learner, tracker.counts.steps)
+    if not tracker.stop.is_set():
+        kept.remove()
     return tracker.counts.steps
 
 
@@ -204,6 +225,7 @@ def _clone(
     model: BaseAlgorithm,
     scenes: SceneSource,
     then: Callable[[Round], None] | None = None,
+    kept: RoundsFolder | None = None,
 ) -> None:
     """Fit the model's actor to the expert; ``then`` is called after each round."""
     recipe = tracker.run.recipe
@@ -221,8 +243,46 @@ def _clone(
         if r.number + 1 < config.rounds:
             tracker.heed()
 
+    if recipe.network.finds_grasps:
+        _teach(tracker, model, scenes, kept or RoundsFolder(tracker.run.path / ROUNDS))
     with closing(single_env(recipe.task, recipe.env, scenes)) as env:
-        clone(model, env, config, tracker.plan.seed, report)
+        clone(model, env, config, tracker.plan.seed, report, kept)
+
+
+def _teach(tracker: Tracker, model: SAC, scenes: SceneSource, kept: RoundsFolder) -> None:
+    """Teach the model's head where to grasp, unless that is done."""
+    config, extractor = cloning_config(tracker.run.recipe), model.actor.features_extractor
+    assert isinstance(extractor, LookExtractor)
+    head = extractor.head
+    if kept.read_head(head):
+        return
+    if config.head_start == "detector":
+        head.start_from(read_detector().weights)
+    if config.head_steps:
+        shown = _showings(tracker, scenes, config.tables, tracker.plan.showings or kept.path)
+        generator = torch.Generator().manual_seed(tracker.plan.seed)
+
+        def note(step: int, loss: float) -> None:
+            tracker.say(f"head: {step:,} of {config.head_steps:,} steps, loss {loss:.3f}")
+            tracker.heed()
+
+        teach_head(head, shown, config.head_steps, generator, note)
+    kept.keep_head(head)
+
+
+def _showings(
+    tracker: Tracker, scenes: SceneSource, tables: int, folder: Path
+) -> list[GraspShowing]:
+    """Return what the expert shows at so many tables, or the next hundred; they stay in a folder.
+
+    A chunk that is there already is taken as it is, so a folder is for one recipe's scenes.
+    """
+    source = replace(scenes, variants=EVER_NEW) if isinstance(scenes, FreshScenes) else scenes
+    shown: list[GraspShowing] = []
+    for number in range(-(-tables // CHUNK)):
+        shown += gather(source, number, folder, tracker.heed)
+        tracker.say(f"{len(shown):,} things shown at {CHUNK * (number + 1):,} tables")
+    return shown
 
 
 def cloning_config(recipe: Recipe) -> CloningConfig:

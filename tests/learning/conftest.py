@@ -16,6 +16,7 @@ SMALL: dict[str, dict[str, Any]] = {
     "sac": {"learning_starts": 20, "buffer_size": 2000, "batch_size": 16},
     "td3": {"learning_starts": 20, "buffer_size": 2000, "batch_size": 16, "action_noise": 0.1},
     "ppo": {"n_steps": 16, "batch_size": 16, "n_epochs": 1},
+    "ppo-batch": {"rollout": 16, "epochs": 1, "minibatches": 2},
     "clone": {},
 }
 

@@ -14,7 +14,7 @@ from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.demonstrations.cloning import CloningConfig, clone, policy_of
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.learning.networks.network import TableExtractor
-from tabletopgen_env.observations.modes import SLOTS
+from tabletopgen_env.rendering.views import SLOTS
 
 
 def lift() -> gym.Env:

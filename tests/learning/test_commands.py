@@ -108,8 +108,8 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
     )
     wrong = trained.parent / "wrong.zip"
     wrong.write_bytes(b"no zip")
-    told = shell("enjoy", str(wrong), "--trust", "--recipe", "reach-ppo", code=2).err
-    assert "cannot be loaded as PPO" in told
+    told = shell("enjoy", str(wrong), "--trust", "--recipe", "reach-td3", code=2).err
+    assert "cannot be loaded as TD3" in told
 
 
 @pytest.mark.parametrize(
@@ -123,6 +123,9 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
         (("plot", "{}", "--out", "/"), 5, "cannot be written"),
         (("enjoy", "{}", "--scenes", "/none"), 4, "No bundle"),
         (("enjoy", "{}", "--render", "--video-strip", "x.png"), 2, "not both"),
+        (("enjoy", "{}", "--workers", "2", "--video-strip", "x.png"), 2, "leave out --workers"),
+        (("enjoy", "{}", "--ray", "auto", "--render"), 2, "leave out --workers and --ray"),
+        (("enjoy", "{}", "--workers", "0"), 2, "enjoy needs --workers"),
         (("enjoy", "{}/.."), 2, "no policy yet"),
         (("train", "reach-sacc"), 2, "Did you mean 'reach-sac'"),
         (("train", "reach-clone", "--steps", "9"), 2, "cloning.rounds"),

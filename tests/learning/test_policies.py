@@ -14,6 +14,7 @@ from toy import toy_scene
 from generator.errors import InputError, StorageError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.learning import commands, policies
+from tabletopgen_env.learning.algorithms.sb3 import Sb3Learner
 from tabletopgen_env.learning.making import new_model, single_env, source_of
 from tabletopgen_env.learning.networks.actor import inputs_of, tensors_of
 from tabletopgen_env.learning.policies import (
@@ -47,7 +48,7 @@ def trained(small, algorithm: str = "sac", seed: int = 0, **changes):
     env.action_space.seed(0)
     seen = [env.reset(seed=1)[0]]
     seen += [env.step(env.action_space.sample())[0] for _ in range(5)]
-    return model, seen, policy_from(model, recipe, seed)
+    return model, seen, policy_from(Sb3Learner(model, recipe.network), recipe, seed)
 
 
 @pytest.fixture
@@ -271,7 +272,7 @@ def test_policies_are_found_by_name_or_path(policy, tmp_path: Path, monkeypatch)
 
 def test_pictures_have_no_policy_files(small) -> None:
     space = observation_space(ObservationConfig("pixels", ("front",), ("rgb",), 64, 64))
-    with pytest.raises(InputError, match="states and goals"):
+    with pytest.raises(InputError, match="height maps, and pictures with calibrations"):
         inputs_of(space)
 
 

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from generator.errors import InputError
+from tabletopgen_env.learning.algorithms.learner import Counts
 from tabletopgen_env.learning.recipes import recipe
-from tabletopgen_env.learning.runs import COLUMNS, Counts, Run, begin, open_run, read_rows
+from tabletopgen_env.learning.runs import COLUMNS, Run, begin, open_run, read_rows
 
 
 @pytest.fixture
@@ -57,8 +58,8 @@ def test_counts_of_wrong_types_are_refused(run: Run, counts: str) -> None:
 
 def test_only_checkpoints_of_the_run_are_deleted(run: Run) -> None:
     class Model:
-        def save(self, path: Path) -> None:
-            path.write_bytes(b"x")
+        def write(self, folder: Path, replay: bool) -> None:
+            (folder / "model.zip").write_bytes(b"x")
 
     model: Any = Model()
     (run.path / "checkpoint-best-backup").mkdir()

@@ -8,13 +8,13 @@ from toy import toy_scene
 
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
-from tabletopgen_env.learning.slots import SlotVecEnv
+from tabletopgen_env.learning.adapters.slots import SlotVecEnv
 from tabletopgen_env.vector import TabletopVectorEnv
 
 LIMIT = 7
 
 
-def both(observation: str) -> tuple[SlotVecEnv, DummyVecEnv]:
+def both(observation: str, processes: int | None = None) -> tuple[SlotVecEnv, DummyVecEnv]:
     scene = toy_scene()
     settings = {"task": "Push", "observation": observation}
 
@@ -22,8 +22,9 @@ def both(observation: str) -> tuple[SlotVecEnv, DummyVecEnv]:
         return gym.wrappers.TimeLimit(make_env(scene, **settings), LIMIT)
 
     slots = TabletopVectorEnv(
-        2, autoreset_mode="SameStep", max_episode_steps=LIMIT, scenes=scene, **settings
-    )
+        2, autoreset_mode="SameStep", max_episode_steps=LIMIT, scenes=scene, processes=processes,
+        **settings,
+    )  # fmt: skip
     return SlotVecEnv(slots), DummyVecEnv([one, one])
 
 
@@ -34,9 +35,10 @@ def same(a, b) -> bool:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("processes", [None, 2])
 @pytest.mark.parametrize("observation", ["state", "goal"])
-def test_it_gives_what_sb3s_own_gives(observation: str) -> None:
-    ours, theirs = both(observation)
+def test_it_gives_what_sb3s_own_gives(observation: str, processes: int | None) -> None:
+    ours, theirs = both(observation, processes)
     assert ours.observation_space == theirs.observation_space
     theirs._seeds = list(ours.seed(3))
     assert same(ours.reset(), theirs.reset())
@@ -97,8 +99,9 @@ def test_options_are_of_all_slots_alike() -> None:
     ours.close()
 
 
-def test_methods_and_attributes_are_those_of_the_slots() -> None:
-    ours, _ = both("goal")
+@pytest.mark.parametrize("processes", [None, pytest.param(2, marks=pytest.mark.slow)])
+def test_methods_and_attributes_are_those_of_the_slots(processes: int | None) -> None:
+    ours, _ = both("goal", processes)
     ours.seed(0)
     seen = ours.reset()
     goals = seen["desired_goal"]
@@ -106,5 +109,8 @@ def test_methods_and_attributes_are_those_of_the_slots() -> None:
     assert reward.shape == (2,)
     assert ours.get_attr("render_mode") == [None, None]
     assert ours.env_is_wrapped(gym.wrappers.TimeLimit) == [True, True]
+    assert ours.env_is_wrapped(gym.wrappers.FrameStackObservation, [1]) == [False]
+    ours.set_attr("reward", "sparse", indices=[1])
+    assert ours.get_attr("reward") == ["dense", "sparse"]
     assert not ours.has_attr("nothing")
     ours.close()

@@ -17,6 +17,7 @@ from stable_baselines3.common.vec_env import VecMonitor
 from generator.errors import InputError, SceneError, TabletopError
 from tabletopgen_env.env import TabletopEnv
 from tabletopgen_env.learning import extra, tracking, training
+from tabletopgen_env.learning.algorithms.sb3 import Sb3Learner
 from tabletopgen_env.learning.demonstrations import replay
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.learning.making import load_zip
@@ -36,6 +37,7 @@ FAMILIES = {
                                  "network": {"extractor": "goal", "layers": [8]}}),
     "td3": ("td3", {}),
     "ppo": ("ppo", {"network": {"layers": [8], "activation": "tanh"}}),
+    "ppo-batch": ("ppo-batch", {"network": {"layers": [8], "activation": "tanh"}}),
     "clone": ("clone", {"cloning": CLONING}),
 }  # fmt: skip
 
@@ -119,18 +121,18 @@ def alike(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> bool:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("algorithm", ["sac", "ppo"])
+@pytest.mark.parametrize("algorithm", ["sac", "ppo", "ppo-batch"])
 def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm: str) -> None:
     made = []
-    for number, seed in enumerate((0, 0, 1)):
-        folder = tmp_path / str(number)
-        train(small(algorithm, steps=64), folder, TrainingPlan(seed, episodes=1), say=quiet)
+    for number, (seed, processes) in enumerate(((0, None), (0, None), (0, 2), (1, None))):
+        folder, small_one = tmp_path / str(number), small(algorithm, steps=64, processes=processes)
+        train(small_one, folder, TrainingPlan(seed, episodes=1), say=quiet)
         made.append(weights(folder))
-    assert alike(made[0], made[1]) and not alike(made[0], made[2])
+    assert alike(made[0], made[1]) and alike(made[0], made[2]) and not alike(made[0], made[3])
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("algorithm", ["sac", "ppo"])
+@pytest.mark.parametrize("algorithm", ["sac", "ppo", "ppo-batch"])
 def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -> None:
     network = {"layers": [8]}
     train(small(algorithm, steps=60, network=network), folder, QUICK, say=quiet)
@@ -147,7 +149,8 @@ def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -
     assert [p.name for p in folder.glob("checkpoint-*")] == [after.name] != [kept.name]
     more = json.loads((after / "counts.json").read_text())
     steps, updates = (more[k] - counts[k] for k in ("steps", "updates"))
-    assert updates == (steps // 2 if algorithm == "sac" else pytest.approx(steps / 32, abs=1))
+    epochs = pytest.approx(steps / 32, abs=1)
+    assert updates == {"sac": steps // 2, "ppo": epochs, "ppo-batch": steps // 16}[algorithm]
     assert more["seconds"] > counts["seconds"]
     if algorithm == "sac":
         with np.load(after / "replay.npz") as file:
@@ -164,7 +167,7 @@ def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder:
     model = new_model(recipe, many_envs(recipe, source_of(recipe.scenes, "train"), 0), 5)
     assert isinstance(model, SAC)
     fresh = model.log_ent_coef.item()
-    run.restore(model)
+    run.restore(Sb3Learner(model, recipe.network))
     loaded = load_zip(run.checkpoint / "model.zip", recipe)
     assert isinstance(loaded, SAC)
     assert model.log_ent_coef.item() == loaded.log_ent_coef.item() != fresh

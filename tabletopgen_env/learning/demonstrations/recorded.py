@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium as gym
 import numpy as np
@@ -14,6 +14,9 @@ from generator.errors import SceneError
 
 from ...episodes import Held
 from ...expert.run import TaskExpert
+
+if TYPE_CHECKING:
+    from .teaching import Teacher
 
 PATIENCE = 4.0
 """How patient the expert is with a learner."""
@@ -44,6 +47,12 @@ class Demonstration:
         return self.observations[step]
 
 
+def _teacher(env: gym.Env[Any, np.ndarray]) -> Teacher:
+    from .teaching import Teacher  # which needs torch
+
+    return Teacher(env)
+
+
 def demonstrate(
     env: gym.Env[Any, np.ndarray],
     seed: int,
@@ -51,19 +60,24 @@ def demonstrate(
     noise: float = 0.0,
     report: Callable[[dict[str, Any]], None] | None = None,
     to_the_limit: bool = False,
+    taught: bool = False,
 ) -> Demonstration | None:
     """Play one episode of "ee_delta" with the expert watching; None if it knows no way.
 
     It ends when success has held (``episodes.Held``), or at the time limit; ``to_the_limit``: only
     there. ``policy`` acts, or the expert itself. ``noise`` is the standard deviation of what is
     added to the expert's motion (not to the gripper), so that it shows how to come back. ``report``
-    gets the info of ``reset`` and of each step.
+    gets the info of ``reset`` and of each step. ``taught``: what is seen, by the policy too, is
+    what a ``teaching.Teacher`` makes of it.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)
     if report:
         report(info)
-    expert = TaskExpert(env, 1.0 if policy is None else PATIENCE)
+    teacher = _teacher(env) if taught else None
+    see = teacher.see if teacher else (lambda seen: seen)
+    seen = see(seen)
+    expert = TaskExpert(teacher or env, 1.0 if policy is None else PATIENCE)
     try:
         expert.reset()
     except SceneError:
@@ -77,6 +91,7 @@ def demonstrate(
             shaken = advice[:-1] + rng.normal(0.0, noise, len(advice) - 1)
             action = np.append(np.clip(shaken, -1, 1), advice[-1]).astype(np.float32)
         seen, reward, ended, cut, info = env.step(action)
+        seen = see(seen)
         over, solved = ended or cut, held.after(info)
         if report:
             report(info)
@@ -103,6 +118,7 @@ def demonstrations(
     count: int,
     policy: Policy | None = None,
     noise: float = 0.0,
+    taught: bool = False,
 ) -> Iterator[Demonstration]:
     """Yield ``count`` demonstrations with seeds drawn from ``seeds``; those without are skipped.
 
@@ -111,7 +127,7 @@ def demonstrations(
     """
     missed = 0
     while count:
-        found = demonstrate(env, next(seeds), policy, noise)
+        found = demonstrate(env, next(seeds), policy, noise, taught=taught)
         if found is None:
             missed += 1
             if missed == 100:

@@ -19,12 +19,19 @@ from torch import Tensor, nn
 
 from generator.errors import InputError
 
+from ...observations.height_map import height_map_space
 from ..making import ACTIVATIONS, extractor_of
 from ..recipes import Network
+from .perception import cameras_of
+from .sight_extractor import MEMORY, SightExtractor
 
 Squash = Literal["tanh", "clip"]
-Inputs = Mapping[str, int]
-"""The observation's parts by name and size; one without a name where it is an array."""
+Shape = int | tuple[int, ...]
+Inputs = Mapping[str, Shape]
+"""The observation's parts by name and shape; one without a name where it is an array.
+
+A part of one axis has its size.
+"""
 
 
 class Actor(nn.Module):
@@ -32,6 +39,7 @@ class Actor(nn.Module):
 
     def __init__(self, network: Network, inputs: Inputs, actions: int) -> None:
         super().__init__()
+        self.inputs = dict(inputs)
         space = _space(inputs)
         kind, keywords = extractor_of(network, space)
         self.extractor = kind(space, **keywords)
@@ -46,6 +54,20 @@ class Actor(nn.Module):
     def forward(self, observations: Any) -> Float[Tensor, "n a"]:
         """Return the actions of a batch of observations."""
         return self.last(self.hidden(self.extractor(observations)))
+
+    @property
+    def memory_size(self) -> int:
+        """Entries of what it remembers from step to step, 0 for nothing."""
+        return MEMORY if isinstance(self.extractor, SightExtractor) else 0
+
+    def recall(
+        self, observations: Any, memory: Float[Tensor, "n m"]
+    ) -> tuple[Float[Tensor, "n a"], Float[Tensor, "n m"]]:
+        """Return the actions of a batch of observations, and what is remembered after it."""
+        if not isinstance(self.extractor, SightExtractor):
+            return self(observations), memory
+        features, after = self.extractor.recall(observations, memory)
+        return self.last(self.hidden(features)), after
 
 
 def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
@@ -74,20 +96,38 @@ def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
     return actor, "clip" if isinstance(model, PPO) else "tanh"
 
 
-def inputs_of(space: spaces.Space[Any]) -> dict[str, int]:
+def inputs_of(space: spaces.Space[Any]) -> dict[str, Shape]:
     """Return the parts of an observation space.
 
     Raises:
-        InputError: one is no array of one axis, so the policy looks at pictures or points.
+        InputError: one is no array of one axis, no height maps, and no picture with calibrations,
+            so the policy looks at points, or at pictures in a way of its own.
     """
     parts = space.spaces if isinstance(space, spaces.Dict) else {"": space}
+    pictures = {
+        part for c in cameras_of(parts) for part in (c, f"{c}_depth", f"{c}_target")
+    }  # fmt: skip
     for name, part in parts.items():
-        if part.shape is None or len(part.shape) != 1:
+        flat = part.shape is not None and len(part.shape) == 1
+        if not (flat or name == "height_map" or name in pictures):
             raise InputError(
-                f"Policy files hold policies of states and goals; {name or 'the observation'} is "
-                f"{part}. Keep the zip of Stable-Baselines3 instead."
+                f"Policy files hold policies of states, goals, height maps, and pictures with "
+                f"calibrations; {name or 'the observation'} is {part}. Keep the zip of "
+                "Stable-Baselines3 instead."
             )
-    return {name: int(part.shape[0]) for name, part in parts.items() if part.shape}
+    shapes = {name: _channels_last(part.shape) for name, part in parts.items() if part.shape}
+    return {name: shape[0] if len(shape) == 1 else shape for name, shape in shapes.items()}
+
+
+def _channels_last(shape: tuple[int, ...]) -> tuple[int, ...]:
+    """Return a shape as the environment has it: Stable-Baselines3 moves channels to the front."""
+    colors = len(shape) == 3 and shape[0] == 3 and shape != height_map_space().shape
+    return (*shape[1:], shape[0]) if colors else shape
+
+
+def shape_of(shape: Shape) -> tuple[int, ...]:
+    """Return the shape of an observation's part."""
+    return (shape,) if isinstance(shape, int) else shape
 
 
 def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
@@ -102,15 +142,19 @@ def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
         raise InputError(f"The policy looks at {dict(inputs)}, got {_describe(observation)}.")
     made, batch = {}, False
     for name, size in inputs.items():
-        part = np.asarray(given[name], np.float32)
-        batch = part.ndim == 2
-        if part.ndim not in (1, 2) or part.shape[-1] != size:
+        part, shape = np.asarray(given[name], np.float32), shape_of(size)
+        batch = part.ndim == len(shape) + 1
+        if part.ndim not in (len(shape), len(shape) + 1) or part.shape[-len(shape) :] != shape:
             raise InputError(
-                f"The policy looks at {name or 'an observation'} of {size} entries, got "
+                f"The policy looks at {name or 'an observation'} of {_entries(size)}, got "
                 f"{_describe(part)}. Make the environment with the policy's own settings."
             )
         made[name] = torch.from_numpy(part if batch else part[None])
     return (made if several else made[""]), batch
+
+
+def _entries(size: Shape) -> str:
+    return f"{size} entries" if isinstance(size, int) else f"shape {size}"
 
 
 def _describe(observation: Any) -> str:
@@ -120,5 +164,5 @@ def _describe(observation: Any) -> str:
 
 
 def _space(inputs: Inputs) -> spaces.Space[Any]:
-    boxes = {name: spaces.Box(-np.inf, np.inf, (size,)) for name, size in inputs.items()}
+    boxes = {name: spaces.Box(-np.inf, np.inf, shape_of(size)) for name, size in inputs.items()}
     return boxes[""] if "" in boxes else spaces.Dict(list(boxes.items()))

@@ -13,7 +13,8 @@ from torch import Tensor
 
 from generator.errors import InputError
 
-from ...observations.modes import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS, SLOTS
+from ...observations.bounds import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS
+from ...rendering.views import SLOTS
 from ...tasks.task import ENTRIES
 from .network import TableExtractor
 

@@ -18,8 +18,9 @@ from torch import Tensor, nn
 
 from generator.errors import InputError
 
+from ...observations.bounds import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS
 from ...observations.grasp_hint import HINT_BOUNDS
-from ...observations.modes import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS, SLOTS
+from ...rendering.views import SLOTS
 
 _ROBOT, _SLOT, _GOAL = len(ROBOT_BOUNDS), len(SLOT_BOUNDS), len(GOAL_BOUNDS)
 _HINT = len(HINT_BOUNDS)

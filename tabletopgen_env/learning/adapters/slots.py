@@ -1,4 +1,4 @@
-"""``TabletopVectorEnv`` as Stable-Baselines3 wants its environments: many tables, one process.
+"""``TabletopVectorEnv`` as Stable-Baselines3 wants its environments: many tables at once.
 
 Scenes are compiled once for all slots and drawn from one source, where environments in processes of
 their own would each compile, and each renew, their own.
@@ -6,7 +6,8 @@ their own would each compile, and each renew, their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import gymnasium as gym
@@ -18,7 +19,9 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from generator.errors import InputError, require_seed
 
-from ..vector import TabletopVectorEnv
+from ...vector import TabletopVectorEnv
+from ...vectors import jobs
+from ...vectors.slots import Job
 
 _FINAL = ("final_obs", "final_info")
 
@@ -103,30 +106,29 @@ class SlotVecEnv(VecEnv):
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
         """Return an attribute of some slots' environments."""
-        return [env.get_wrapper_attr(attr_name) for env in self._choose(indices)]
+        return self._visit(partial(jobs.get, name=attr_name), indices)
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         """Set an attribute of some slots' environments."""
-        for env in self._choose(indices):
-            env.set_wrapper_attr(attr_name, value)
+        self._visit(partial(jobs.put, name=attr_name, value=value), indices)
 
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
-        """Call a method of some slots' environments, in this thread."""
-        calls: list[Callable[..., Any]] = self.get_attr(method_name, indices)
-        return [call(*method_args, **method_kwargs) for call in calls]
+        """Call a method of some slots' environments, each where it is."""
+        given = {"name": method_name, "args": method_args, "kwargs": method_kwargs}
+        return self._visit(partial(jobs.call, **given), indices)
 
     def env_is_wrapped(self, wrapper_class: type[gym.Wrapper], indices: Any = None) -> list[bool]:
         """Tell which slots are wrapped so."""
-        return [is_wrapped(env, wrapper_class) for env in self._choose(indices)]
+        return self._visit(partial(is_wrapped, wrapper_class=wrapper_class), indices)
 
     def get_images(self) -> Sequence[np.ndarray | None]:
         """Return the slots' pictures."""
         return self.slots.render()
 
-    def _choose(self, indices: Any) -> list[gym.Env]:
-        return [self.slots.envs[k] for k in self._get_indices(indices)]
+    def _visit(self, work: Job, indices: Any) -> list[Any]:
+        return self.slots.visit(work, self._get_indices(indices))
 
 
 def row(infos: dict[str, Any], k: int) -> dict[str, Any]:

@@ -1,0 +1,1 @@
+"""Vector environments as Stable-Baselines3 has them."""

@@ -1,0 +1,103 @@
+"""``TabletopBatchEnv`` as Stable-Baselines3 wants its environments: NumPy arrays, a copy a step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import torch
+from stable_baselines3.common.vec_env import VecEnv
+from torch import Tensor
+
+from generator.errors import InputError, require_seed
+
+from ...batch.env import TabletopBatchEnv
+
+
+class BatchVecEnv(VecEnv):
+    """The worlds of a batch with SB3's infos.
+
+    An info holds "success" and "is_success"; a world's last one of an episode also
+    "terminal_observation" and "TimeLimit.truncated", and "failed" where its world has failed.
+
+    Args:
+        batch: the worlds; closed with this.
+    """
+
+    def __init__(self, batch: TabletopBatchEnv) -> None:
+        self.batch = batch
+        self._actions: Any = None
+        super().__init__(batch.num_envs, batch.single_observation_space, batch.single_action_space)
+
+    def reset(self) -> Any:
+        """Start an episode in every world, with the seed that was set; return what they see."""
+        seen, _ = self.batch.reset(seed=self._seeds[0])
+        self._reset_seeds()
+        return as_numpy(seen)
+
+    def seed(self, seed: int | None = None) -> Sequence[int | None]:
+        """Set the seed of the next reset; one for all worlds."""
+        if seed is not None:
+            require_seed(seed)
+        self._seeds = [seed] * self.num_envs
+        return self._seeds
+
+    def step_async(self, actions: np.ndarray) -> None:
+        """Keep the actions for ``step_wait``."""
+        self._actions = actions
+
+    def step_wait(self) -> Any:
+        """Step all worlds; return what they see, their rewards, which ended, and their infos."""
+        seen, rewards, terminated, truncated, infos = self.batch.step(self._actions)
+        done = (terminated | truncated).cpu().numpy()
+        success, failed = (infos[name].cpu().tolist() for name in ("success", "failed"))
+        answers: list[dict[str, Any]] = [{"success": s, "is_success": s} for s in success]
+        if done.any():
+            last = as_numpy(infos["final_obs"])
+            for k in np.flatnonzero(done):
+                answers[k]["terminal_observation"] = _pick(last, int(k))
+                answers[k]["TimeLimit.truncated"] = True
+                answers[k]["failed"] = failed[k]
+        return as_numpy(seen), rewards.cpu().numpy().astype(np.float32), done, answers
+
+    def close(self) -> None:
+        """Close the batch."""
+        self.batch.close()
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+        """Return an attribute of the batch, once for each world."""
+        return [getattr(self.batch, attr_name)] * len([*self._get_indices(indices)])
+
+    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+        """Refuse: worlds have no attributes of their own.
+
+        Raises:
+            InputError: always.
+        """
+        raise InputError(f"Worlds of a batch have no attributes of their own; got {attr_name!r}.")
+
+    def env_method(
+        self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
+    ) -> list[Any]:
+        """Refuse: worlds have no methods of their own.
+
+        Raises:
+            InputError: always.
+        """
+        raise InputError(f"Worlds of a batch have no methods of their own; got {method_name!r}.")
+
+    def env_is_wrapped(self, wrapper_class: type[Any], indices: Any = None) -> list[bool]:
+        """Tell that no world is wrapped."""
+        return [False] * len([*self._get_indices(indices)])
+
+
+def as_numpy(seen: Tensor | dict[str, Tensor]) -> Any:
+    """Return observations as NumPy arrays of their own."""
+    if isinstance(seen, dict):
+        return {key: as_numpy(value) for key, value in seen.items()}
+    return torch.clone(seen).cpu().numpy()
+
+
+def _pick(seen: Any, k: int) -> Any:
+    return {key: value[k] for key, value in seen.items()} if isinstance(seen, dict) else seen[k]

@@ -1,0 +1,1 @@
+"""What trains: one protocol for the algorithms of Stable-Baselines3 and our own."""

@@ -1,0 +1,69 @@
+"""A model of Stable-Baselines3 as a learner."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
+from stable_baselines3.common.save_util import load_from_zip_file, recursive_setattr
+
+from ..demonstrations.replay import read_buffer, write_buffer
+from ..networks.actor import Actor, Squash, actor_of
+from ..recipes import Network
+from .learner import Counts
+
+MODEL, REPLAY = "model.zip", "replay.npz"
+"""The files of a checkpoint."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sb3Learner:
+    """A model of ``making.new_model``, and what its policy is made of."""
+
+    model: BaseAlgorithm
+    network: Network
+
+    @property
+    def updates(self) -> int:
+        """Gradient steps; of PPO epochs."""
+        return getattr(self.model, "_n_updates", 0)
+
+    @property
+    def episodes(self) -> int:
+        """Episodes that ended while it learned."""
+        return self.model._episode_num
+
+    def export(self) -> tuple[Actor, Squash]:
+        """Return a copy of the model's actor, and what becomes of its actions."""
+        return actor_of(self.model, self.network)
+
+    def write(self, folder: Path, replay: bool) -> None:
+        """Write the model, and its replay buffer if it has one and ``replay`` is asked for."""
+        self.model.save(folder / MODEL)
+        buffer = getattr(self.model, "replay_buffer", None)
+        if replay and buffer is not None:
+            write_buffer(buffer, folder / REPLAY)
+
+    def read(self, folder: Path, counts: Counts) -> bool:
+        """Become what was written; return whether a replay buffer was there.
+
+        Raises:
+            Exception: of any kind, where a file is damaged or of another model.
+        """
+        if not (folder / MODEL).is_file():
+            raise FileNotFoundError(f"{MODEL} is missing, or no file")
+        _, weights, variables = load_from_zip_file(folder / MODEL, device="cpu", load_data=False)
+        self.model.set_parameters(weights, device="cpu")
+        for name, value in (variables or {}).items():
+            recursive_setattr(self.model, f"{name}.data", value.data)
+        own: Any = self.model
+        own.num_timesteps, own._episode_num = counts.steps, counts.episodes
+        own._n_updates = counts.updates
+        if not (isinstance(own, OffPolicyAlgorithm) and (folder / REPLAY).is_file()):
+            return False
+        assert own.replay_buffer is not None
+        read_buffer(own.replay_buffer, folder / REPLAY)
+        return True

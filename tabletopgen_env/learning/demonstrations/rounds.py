@@ -1,0 +1,156 @@
+"""Rounds of cloning on disk, so that a training that was cut off resumes as if it had not been.
+
+==================================  ================================================================
+``round-NN.npz``                    the episodes of a round
+``actor-NN.safetensors``            the actor after it, and where the random numbers are; with it
+                                    the round is there, without it is not
+``head.safetensors``                the actor's head (``networks.grasp_head``), once taught
+``showings-NNN.npz``                what it was taught with, see ``showings``
+==================================  ================================================================
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+import torch
+from safetensors import SafetensorError
+from safetensors.torch import load, save
+from torch import Tensor, nn
+
+from generator.errors import BundleError, InputError
+from generator.io.files import write_file, write_whole
+from generator.io.npz import read_arrays
+
+from .recorded import Demonstration
+
+_MAX_BYTES = 2**31  # of a round
+_ADVICE = "Begin a new run."
+
+
+@dataclass(frozen=True)
+class RoundsFolder:
+    """Where the rounds of a run are kept."""
+
+    path: Path
+
+    @property
+    def done(self) -> int:
+        """How many rounds are there."""
+        return len(list(self.path.glob("actor-*.safetensors")))
+
+    def keep(
+        self,
+        number: int,
+        episodes: Sequence[Demonstration],
+        actor: nn.Module,
+        generator: torch.Generator,
+        drawn: int,
+    ) -> None:
+        """Keep a round: its episodes, and the actor, the random numbers and the seeds drawn so far.
+
+        Raises:
+            StorageError: it cannot be written.
+        """
+        self.path.mkdir(parents=True, exist_ok=True)
+        content = BytesIO()
+        np.savez(
+            content,
+            observations=np.concatenate([d.observations for d in episodes]),
+            advice=np.concatenate([d.advice for d in episodes]),
+            actions=np.concatenate([d.actions for d in episodes]),
+            rewards=np.concatenate([d.rewards for d in episodes]),
+            lengths=np.array([len(d.advice) for d in episodes]),
+            solved=np.array([d.solved for d in episodes]),
+            drawn=np.array(drawn),
+        )
+        write_file(content.getvalue(), self._episodes(number))
+        weights = {**_weights(actor), "random": generator.get_state()}
+        write_whole(self._actor(number), save(weights), "The round", _ADVICE)
+
+    def read(self, actor: nn.Module, generator: torch.Generator) -> tuple[list[Demonstration], int]:
+        """Put actor and random numbers back; return the episodes so far and the seeds drawn.
+
+        Raises:
+            BundleError: a file is damaged.
+        """
+        seen: list[Demonstration] = []
+        drawn = 0
+        for number in range(self.done):
+            kept = self._read(number)
+            ends = np.cumsum(kept["lengths"])[:-1]
+            parts = [np.split(kept[key], ends) for key in ("advice", "actions", "rewards")]
+            shown = np.split(kept["observations"], ends + 1 + np.arange(len(ends)))
+            seen += [
+                Demonstration(*row, solved=bool(good), instruction="")
+                for *row, good in zip(shown, *parts, kept["solved"], strict=True)
+            ]
+            drawn = int(kept["drawn"])
+        if seen:
+            weights = self._load(self._actor(self.done - 1))
+            generator.set_state(weights.pop("random"))
+            _fill(actor, weights, self.path)
+        return seen, drawn
+
+    def keep_head(self, head: nn.Module) -> None:
+        """Keep the head (StorageError: it cannot be written)."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        write_whole(self._head, save(_weights(head)), "The head", _ADVICE)
+
+    def read_head(self, head: nn.Module) -> bool:
+        """Put the head back; return whether there is one (BundleError: it is damaged)."""
+        if not self._head.is_file():
+            return False
+        _fill(head, self._load(self._head), self.path)
+        return True
+
+    def remove(self) -> None:
+        """Delete all of it."""
+        shutil.rmtree(self.path, ignore_errors=True)
+
+    @property
+    def _head(self) -> Path:
+        return self.path / "head.safetensors"
+
+    def _episodes(self, number: int) -> Path:
+        return self.path / f"round-{number:02d}.npz"
+
+    def _actor(self, number: int) -> Path:
+        return self.path / f"actor-{number:02d}.safetensors"
+
+    def _read(self, number: int) -> dict[str, np.ndarray]:
+        path = self._episodes(number)
+        try:
+            kept = read_arrays(path, "The round", InputError, max_bytes=_MAX_BYTES)
+            lengths = kept["lengths"]
+            rows = {key: len(kept[key]) for key in ("observations", "advice", "actions", "rewards")}
+            steps = int(lengths.sum())
+            if rows.pop("observations") != steps + len(lengths) or set(rows.values()) != {steps}:
+                raise ValueError("arrays of different lengths")
+            if len(kept["solved"]) != len(lengths) or kept["drawn"].shape != ():
+                raise ValueError("it lacks how its episodes went")
+            return kept
+        except (InputError, ValueError, KeyError, TypeError) as error:
+            raise BundleError(f"{path} holds no sound round ({error}). {_ADVICE}") from error
+
+    def _load(self, path: Path) -> dict[str, Tensor]:
+        try:
+            return load(path.read_bytes())
+        except (SafetensorError, ValueError, OSError) as error:
+            raise BundleError(f"{path} is damaged ({error}). {_ADVICE}") from error
+
+
+def _weights(module: nn.Module) -> dict[str, Tensor]:
+    return {key: value.detach().contiguous() for key, value in module.state_dict().items()}
+
+
+def _fill(module: nn.Module, weights: dict[str, Tensor], path: Path) -> None:
+    try:
+        module.load_state_dict(weights)
+    except RuntimeError as error:
+        raise BundleError(f"{path} is of another network. {_ADVICE}") from error

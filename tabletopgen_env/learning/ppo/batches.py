@@ -1,0 +1,75 @@
+"""A recipe's worlds as one batch on MuJoCo Warp, in place of slots on the CPU's cores."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+from generator.errors import InputError, require, require_known
+
+from ...batch.bank import MOST_OBJECTS
+from ...batch.decks import DeckConfig
+from ...batch.engine import find_device
+from ...batch.env import TabletopBatchEnv
+from ...scenes import SceneSource
+from ...tasks.registry import task_named
+from ..making import spec_of
+from ..recipes import Recipe
+
+
+@dataclass(frozen=True)
+class BatchConfig:
+    """Settings of a recipe's batch, its table ``batch``; see ``TabletopBatchEnv``.
+
+    Attributes:
+        device: "cuda", "cuda:<number>" or "cpu" (slow, for tests); the policy learns there, too.
+        scenes: how many scenes are drawn, once for the whole run; None for the usual number, and
+            for all of fixed ones.
+        episodes: how many episodes of each are drawn beforehand.
+        max_objects: scenes with more objects are left out.
+
+    Raises:
+        InputError: a value out of range, or no such device.
+    """
+
+    device: str = "cuda"
+    scenes: int | None = None
+    episodes: int = 8
+    max_objects: int = MOST_OBJECTS
+
+    def __post_init__(self) -> None:
+        DeckConfig(self.scenes, self.episodes)
+        require(self, "max_objects", minimum=1, integer=True)
+        find_device(self.device)
+
+
+def batch_config(recipe: Recipe) -> BatchConfig | None:
+    """Return the settings of a recipe's batch; None if it has none.
+
+    Raises:
+        InputError: an unknown one, one out of range, or no such device.
+    """
+    if recipe.batch is None:
+        return None
+    known = {f.name for f in fields(BatchConfig)}
+    for key in recipe.batch:
+        require_known(key, known, f"{recipe.name}: a batch has no setting")
+    try:
+        return BatchConfig(**recipe.batch)
+    except InputError as error:
+        raise InputError(f"{recipe.name}: batch: {error}") from error
+
+
+def batch_env(
+    recipe: Recipe, config: BatchConfig, source: SceneSource, seed: int
+) -> TabletopBatchEnv:
+    """Return a recipe's worlds as a batch; ``seed`` is of the scenes and episodes drawn for it.
+
+    Raises:
+        InputError: a setting is not for batches, too little memory, or no scene is left.
+    """
+    settings = {key: value for key, value in recipe.env.items() if key != "preset"}
+    return TabletopBatchEnv(
+        recipe.envs, source, task_named(recipe.task, recipe.env.get("preset")), config.device,
+        max_objects=config.max_objects, deck=DeckConfig(config.scenes, config.episodes, seed=seed),
+        max_episode_steps=spec_of(recipe.task).max_episode_steps, **settings,
+    )  # fmt: skip

@@ -1,0 +1,110 @@
+"""A policy's episodes at scenes, played here or by other processes, on other machines too."""
+
+from __future__ import annotations
+
+import atexit
+from collections.abc import Generator, Iterable, Mapping
+from contextlib import closing
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import cloudpickle
+import gymnasium as gym
+
+from generator.jobs.pools import PoolOptions, pool_of
+from generator.jobs.task_pool import call_once
+
+from ..scenes.source import SceneSource, close
+from ..tasks.registry import task_named
+from .evaluating import EpisodeResult, Predicts, play
+from .making import single_env, source_of
+
+STRIP = 6
+"""Pictures in a film strip."""
+
+Results = Generator[EpisodeResult, None, None]
+
+
+@dataclass(frozen=True, eq=False)
+class PolicyTrial:
+    """A policy and where it plays.
+
+    Attributes:
+        task: what the policy does.
+        env: keywords of its environment.
+        scenes: names of scenes; of those made on demand only the held-out side.
+        policy: what acts.
+    """
+
+    task: str
+    env: Mapping[str, Any]
+    scenes: str | tuple[str, ...]
+    policy: Predicts
+
+    def source(self) -> SceneSource:
+        """Return where scenes come from, which has to be closed.
+
+        Raises:
+            BundleError: no bundle fits.
+            InputError: no source is called so.
+        """
+        return source_of(
+            self.scenes, "held_out", task=task_named(self.task, self.env.get("preset"))
+        )
+
+    def play_here(
+        self,
+        seeds: Iterable[int],
+        source: SceneSource,
+        render: bool = False,
+        strip: Path | None = None,
+    ) -> Results:
+        """Yield episodes as they end; show them, or write pictures of the first to ``strip``."""
+        drawn: dict[str, Any] = {"render_mode": "human"} if render else {}
+        if strip:
+            drawn = {"render_mode": "rgb_array", "render_size": (240, 320)}
+        with closing(single_env(self.task, self.env, source, **drawn)) as env:
+            for number, seed in enumerate(seeds):
+                frames: list[Any] | None = [] if strip and not number else None
+                yield play(env, self.policy, seed, frames)
+                if strip and frames:
+                    _write_strip(frames, strip)
+
+    def play_apart(self, seeds: Iterable[int], pool: PoolOptions) -> Results:
+        """Yield the same episodes in the same order, played by processes of a pool.
+
+        The policy, which has to be picklable, travels; scenes are looked for where they are played.
+
+        Raises:
+            BackendError: no Ray.
+            SceneError: a process has ended abruptly.
+        """
+        packed = cloudpickle.dumps(partial(_set_up, self))
+        with closing(pool_of(pool.workers, pool.ray)) as workers:
+            yield from workers.map(partial(_play, packed), seeds)
+
+
+def _set_up(trial: PolicyTrial) -> tuple[gym.Env[Any, Any], Predicts]:
+    """Return an environment, open until this process ends, and the policy."""
+    source = trial.source()
+    env = single_env(trial.task, trial.env, source)
+    atexit.register(close, source)
+    atexit.register(env.close)
+    return env, trial.policy
+
+
+def _play(packed: bytes, seed: int) -> EpisodeResult:
+    env, policy = call_once(packed)
+    return play(env, policy, seed)
+
+
+def _write_strip(frames: list[Any], path: Path) -> None:
+    import numpy as np
+
+    from generator.io.pictures import write_picture
+    from generator.render.sheet import grid
+
+    picks = np.linspace(0, len(frames) - 1, STRIP).round().astype(int)
+    write_picture(grid([frames[k] for k in picks], columns=STRIP, cell=320), path)
