@@ -1,0 +1,55 @@
+"""Baselines of TabletopBench: who needs no training, and the shipped policies; the leaderboard.
+
+    python benchmarks/bench.py --workers 2                  # all, resumes
+    python benchmarks/bench.py --player expert --suite lift-test
+
+Each player runs the test suites of what it does, with and without randomisation, as ``tabletopgen
+bench run PLAYER --suite SUITE`` does. Results are in ``results/bench/``, one file each; a second
+run resumes, and plays nothing again. The leaderboard is made of all that lie there, others' too.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from generator.jobs.pools import PoolOptions
+from tabletopgen_env.bench.leaderboard import page, read_results
+from tabletopgen_env.bench.players import SIMPLE
+from tabletopgen_env.bench.results import read_result
+from tabletopgen_env.bench.running import BenchRun, run_suite
+from tabletopgen_env.bench.suites import find_suite, names
+from tabletopgen_env.learning.policies import load_policy, shipped_policies
+
+RESULTS = Path(__file__).parent / "results"
+PLAYERS = ("random", "expert", *shipped_policies())
+
+
+def fits(player: str, suite: str) -> bool:
+    """Return whether a player does the task of a suite."""
+    if player in SIMPLE:
+        return True
+    return load_policy(shipped_policies()[player]).card.task.lower() == suite.partition("-")[0]
+
+
+def main() -> None:
+    suites = [name for name in names() if "-test" in name]
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    parser.add_argument("--player", action="append", choices=PLAYERS, help="one; may be repeated")
+    parser.add_argument("--suite", action="append", choices=suites, help="one; may be repeated")
+    parser.add_argument("--tables", type=Path, help="folder of the tables")
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--out", type=Path, default=RESULTS)
+    args = parser.parse_args()
+    run = BenchRun(args.out / "bench", tables=args.tables, pool=PoolOptions(args.workers))
+    for suite in args.suite or suites:
+        for player in args.player or PLAYERS:
+            if fits(player, suite):
+                result = read_result(run_suite(find_suite(suite), player, run))
+                print(f"{suite}, {player}: {result.solved} of {len(result.episodes)}", flush=True)
+    text = page(read_results(args.out / "bench"))
+    (args.out / "leaderboard.md").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

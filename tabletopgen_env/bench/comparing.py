@@ -1,0 +1,92 @@
+"""Results of the same suite side by side, each against the first, episode by episode."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from generator.errors import InputError
+
+from ..statistics import newcombe_paired
+from .results import BenchResult
+
+
+@dataclass(frozen=True)
+class PairedDifference:
+    """How a result differs from a baseline's on the same episodes.
+
+    Attributes:
+        gained: episodes that only this one solved.
+        lost: episodes that only the baseline solved.
+        share: the difference of the shares that were solved.
+        interval: its 95 % interval; see ``statistics.newcombe_paired``.
+    """
+
+    gained: int
+    lost: int
+    share: float
+    interval: tuple[float, float]
+
+
+def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
+    """Return how a result differs from a baseline.
+
+    Raises:
+        InputError: they are of different suites.
+    """
+    for name in ("suite", "version", "suites"):
+        if (own := getattr(result, name)) != (other := getattr(baseline, name)):
+            raise InputError(
+                f"Results are compared at one suite: {result.player.name} has {name} "
+                f"{own[:40]!r}, {baseline.player.name} {other[:40]!r}."
+            )
+    before = {row.key: row.solved for row in baseline.episodes}
+    if before.keys() != {row.key for row in result.episodes}:
+        raise InputError(
+            f"The results of {result.player.name} and {baseline.player.name} list different "
+            f"episodes of {result.suite}. Run the suite again."
+        )
+    pairs = [(row.solved, before[row.key]) for row in result.episodes]
+    both, one, other, neither = (
+        pairs.count(pair) for pair in ((True, True), (True, False), (False, True), (False, False))
+    )
+    interval = newcombe_paired(both, one, other, neither)
+    return PairedDifference(one, other, (one - other) / len(pairs), interval)
+
+
+def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
+    """Return the rows of a table, its head first; the first result is what others are compared to.
+
+    Raises:
+        InputError: there is none, or they are of different suites.
+    """
+    if not results:
+        raise InputError("Name at least one result to compare.")
+    levels = list(dict.fromkeys(row.level for row in results[0].episodes))
+    head = ("policy", "solved", "share", "95 %", *levels, "difference", "95 %", "gained", "lost")
+    return [head, *(_row(r, results[0], levels, k == 0) for k, r in enumerate(results))]
+
+
+def percent(share: float) -> str:
+    """Return a share as a number of per cent: "97.5"."""
+    return f"{100 * share:.1f}"
+
+
+def span(interval: tuple[float, float]) -> str:
+    """Return an interval as text: "94.1 to 99.0"."""
+    return " to ".join(map(percent, interval))
+
+
+def _row(
+    result: BenchResult, baseline: BenchResult, levels: Sequence[str], first: bool
+) -> tuple[str, ...]:
+    own = difference(result, baseline)
+    apart = (f"{100 * own.share:+.1f}", span(own.interval), f"{own.gained}", f"{own.lost}")
+    return (
+        result.player.name,
+        f"{result.solved} of {len(result.episodes)}",
+        f"{percent(result.share)} %",
+        span(result.interval),
+        *(" of ".join(map(str, result.of_level(level))) for level in levels),
+        *(("",) * 4 if first else apart),
+    )

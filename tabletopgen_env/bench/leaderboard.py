@@ -1,0 +1,147 @@
+"""The leaderboard: a page made of committed results, the same bytes of the same files."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from generator.errors import InputError
+
+from .comparing import percent, span
+from .instances import RANDOM, Suite
+from .players import PlayerFacts
+from .playing import SuiteOutcome
+from .results import BenchResult, read_result, row_of
+from .suites import VERSION, digest_of, find_suite, shipped_suites, tasks
+
+HEAD = f"""\
+# TabletopBench {VERSION}
+`tabletopgen bench leaderboard benchmarks/results/bench --out benchmarks/results/leaderboard.md`
+
+Share of the episodes of each test suite that were solved, in per cent, with Wilson's 95 % interval
+(as if episodes were independent), and how many they are. *Plain* episodes start as the table has
+its things, *random* ones are those of the suite with randomisation; *easy*, *medium* and *hard* are
+its tables by their difficulty. Sorted by random, then plain. The expert knows the whole world, and
+a table is in a suite because it solved something there from 30 starts."""
+
+_NOTHING = SuiteOutcome(False, 0, 0.0)
+
+
+def read_results(folder: Path) -> list[BenchResult]:
+    """Return the results in a folder, by the names of their files, each checked.
+
+    Raises:
+        InputError: there is none, or one of them is not sound.
+    """
+    paths = sorted(folder.glob("*.json"))
+    if not paths:
+        raise InputError(f"{folder} holds no results. `tabletopgen bench run` writes them.")
+    return [read_result(path) for path in paths]
+
+
+def page(results: Iterable[BenchResult]) -> str:
+    """Return the leaderboard of results as Markdown.
+
+    Raises:
+        InputError: a result is not of a test suite of the package as it is, or one is there twice.
+    """
+    found: dict[tuple[str, str], dict[str, BenchResult]] = defaultdict(dict)
+    players: dict[str, PlayerFacts] = {}
+    for result in results:
+        suite = _suite(result)
+        key = f"{result.player}"
+        players[key] = result.player
+        place = found[suite.of.task, key]
+        if suite.condition in place:
+            raise InputError(
+                f"There are two results of {result.player.name} at {result.suite}. Keep one."
+            )
+        place[suite.condition] = result
+    parts = [HEAD]
+    for task in tasks():
+        entries = [(players[key], own) for (of, key), own in found.items() if of == task]
+        if entries:
+            parts.append(_section(task, sorted(entries, key=_order)))
+    return "\n\n".join(parts) + "\n"
+
+
+def _suite(result: BenchResult) -> Suite:
+    """Return the suite of a result, whose episodes are just those of the result."""
+    if not result.suite.removesuffix(RANDOM).endswith("-test"):
+        raise InputError(
+            f"The leaderboard is of test suites; a result of {result.player.name} is of "
+            f"{result.suite!r}."
+        )
+    suite = find_suite(result.suite)
+    asked = [row_of(episode, _NOTHING) for episode in suite.episodes()]
+    same = [(*r.key, r.level) for r in asked] == [(*r.key, r.level) for r in result.episodes]
+    if (result.version, result.suites) != (VERSION, digest_of(suite.of)) or not same:
+        raise InputError(
+            f"The result of {result.player.name} at {result.suite} is of other episodes than the "
+            f"package's suite {VERSION}. Run the suite again."
+        )
+    return suite
+
+
+def _order(entry: tuple[PlayerFacts, Mapping[str, BenchResult]]) -> tuple[float, float, str]:
+    """Return what entries are sorted by: the best first."""
+    player, results = entry
+    random, plain = (results[c].share if c in results else -1.0 for c in ("random", "plain"))
+    return -random, -plain, player.name
+
+
+def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchResult]]]) -> str:
+    """Return the section of a task."""
+    suites = shipped_suites(task)
+    levels = [level.name for level in suites.levels]
+    head = ["policy", "sees", "plain", "random", *levels, "steps"]
+    tables = sum(table.split == "test" for table in suites.tables)
+    lines = [
+        f"## {task}",
+        f"{tables} tables, {suites.time_limit} steps at {suites.control_hz} Hz.",
+        "",
+        f"| {' | '.join(head)} |",
+        "|" + "---|" * len(head),
+    ]
+    for player, results in entries:
+        random = results.get("random")
+        by_level = ["–" if random is None else _level(random, level) for level in levels]
+        cells = [
+            player.name, _sight(player), *(_cell(results.get(c)) for c in ("plain", "random")),
+            *by_level, _steps(random or results["plain"]),
+        ]  # fmt: skip
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def _cell(result: BenchResult | None) -> str:
+    if result is None:
+        return "–"
+    count = len(result.episodes)
+    return f"**{percent(result.share)}** ({span(result.interval)}), {count}"
+
+
+def _level(result: BenchResult, level: str) -> str:
+    solved, count = result.of_level(level)
+    return percent(solved / count) if count else "–"
+
+
+def _steps(result: BenchResult) -> str:
+    """Return the median number of steps of the episodes that were solved."""
+    steps = sorted(row.steps for row in result.episodes if row.solved)
+    return str(steps[len(steps) // 2]) if steps else "–"
+
+
+def _sight(player: PlayerFacts) -> str:
+    """Return what a player sees, in a few words."""
+    if player.kind in ("random", "zero"):
+        return "nothing"
+    if player.kind == "expert":
+        return "the world"
+    parts = [str(player.settings.get("observation", "state"))]
+    if player.settings.get("geometry", "none") != "none":
+        parts.append(str(player.settings["geometry"]).replace("_", " "))
+    if hint := player.settings.get("grasp_hint"):
+        parts.append(f"{'planned' if hint is True else hint} grasps")
+    return ", ".join(parts)

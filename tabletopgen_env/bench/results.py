@@ -1,0 +1,241 @@
+"""Files of results: what a policy did in each episode of a suite, with a digest over all of it.
+
+A file is JSON. Its ``digest`` is the sha256 of everything else in it, so that one that was edited,
+cut off or merged by hand is refused wherever results are compared. It is no signature: who wants to
+deceive can compute it, too; anyone can play the suite again and get the same bytes.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from generator.errors import InputError
+from generator.io.files import write_whole
+from generator.io.reading import is_number, parse_object, printable, read_regular
+
+from ..files import check_type
+from ..statistics import wilson
+from .instances import Suite, SuiteEpisode
+from .players import PlayerFacts
+from .playing import SuiteOutcome
+from .suites import canonical_digest, digest_of
+
+SCHEMA = 1
+"""Version of the files; others are refused."""
+
+MOST_EPISODES = 50_000
+"""A result lists no more episodes."""
+
+_MAX_BYTES, _MAX_DEPTH = 2**24, 6
+_SHA256 = re.compile(r"[0-9a-f]{64}")
+_TABLE = re.compile(r"[0-9a-f]{12}")
+
+
+@dataclass(frozen=True)
+class EpisodeRow:
+    """One episode of a result: where, what, and how it ended."""
+
+    table: str
+    level: str
+    target: str | None
+    goal: str | None
+    number: int
+    seed: int
+    solved: bool
+    steps: int
+    reward: float
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        """What tells the episode from the others of its suite."""
+        return (self.table, self.target, self.goal, self.number, self.seed)
+
+
+@dataclass(frozen=True)
+class BenchResult:
+    """What a policy came to at a suite.
+
+    Attributes:
+        suite: its name.
+        version: of the suites.
+        suites: the sha256 of the suites' file, however that is laid out.
+        task: what was done.
+        player: who played.
+        versions: of the packages that decide it.
+        episodes: all of the suite's, in its order.
+    """
+
+    suite: str
+    version: str
+    suites: str
+    task: str
+    player: PlayerFacts
+    versions: Mapping[str, str]
+    episodes: tuple[EpisodeRow, ...]
+
+    @property
+    def solved(self) -> int:
+        """How many were solved."""
+        return sum(row.solved for row in self.episodes)
+
+    @property
+    def share(self) -> float:
+        """The share that was solved."""
+        return self.solved / len(self.episodes)
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Wilson's 95 % interval of the share, as if episodes were independent."""
+        return wilson(self.solved, len(self.episodes))
+
+    def of_level(self, level: str) -> tuple[int, int]:
+        """Return how many episodes were solved at tables of a level, and how many there are."""
+        own = [row.solved for row in self.episodes if row.level == level]
+        return sum(own), len(own)
+
+
+def row_of(episode: SuiteEpisode, outcome: SuiteOutcome) -> EpisodeRow:
+    """Return the row of an episode that was played."""
+    return EpisodeRow(
+        episode.table.digest, episode.level, episode.instance.target, episode.instance.goal,
+        episode.number, episode.seed, outcome.solved, outcome.steps, outcome.reward,
+    )  # fmt: skip
+
+
+def head_of(suite: Suite, player: PlayerFacts, versions: Mapping[str, str]) -> dict[str, Any]:
+    """Return what a result says before its episodes, as JSON values."""
+    head = {
+        "schema": SCHEMA,
+        "suite": suite.name,
+        "version": suite.of.version,
+        "suites": digest_of(suite.of),
+        "task": suite.of.task,
+        "player": dataclasses.asdict(player),
+        "versions": dict(versions),
+    }
+    return json.loads(json.dumps(head, allow_nan=False))
+
+
+def text_of(head: Mapping[str, Any], rows: Iterable[EpisodeRow]) -> str:
+    """Return a result as the text of its file."""
+    listed = [dataclasses.asdict(row) for row in rows]
+    solved, played = sum(row["solved"] for row in listed), len(listed)
+    low, high = wilson(solved, played)
+    facts = {
+        **head,
+        "solved": solved,
+        "played": played,
+        "interval": [round(low, 4), round(high, 4)],
+        "episodes": listed,
+    }
+    whole = {**facts, "digest": canonical_digest(facts)}
+    return json.dumps(whole, indent=1, sort_keys=True, allow_nan=False) + "\n"
+
+
+def write_result(path: Path, head: Mapping[str, Any], rows: Iterable[EpisodeRow]) -> None:
+    """Write a result, whole or not at all.
+
+    Raises:
+        StorageError: it cannot be written.
+    """
+    write_whole(path, text_of(head, rows), "The result", "Choose another --out.")
+
+
+def read_result(path: str | Path) -> BenchResult:
+    """Read a result, every value checked.
+
+    Raises:
+        InputError: it is missing, too large, damaged, edited, or of another schema.
+    """
+    raw = read_regular(path, "The result", InputError, max_bytes=_MAX_BYTES)
+    payload = parse_object(raw, f"{path}", InputError, max_bytes=_MAX_BYTES, max_depth=_MAX_DEPTH)
+    schema = payload.get("schema")
+    if type(schema) is int and schema > SCHEMA:
+        raise InputError(
+            f"{path} is a result of schema {schema}, and this version of the package reads "
+            f"{SCHEMA}. Install a newer one."
+        )
+    digest = payload.pop("digest", None)
+    if digest != canonical_digest(payload):
+        raise InputError(
+            f"{path} is no result as `tabletopgen bench run` writes it: its digest is not that of "
+            "what it holds, so it was edited or cut off. Run the suite again."
+        )
+    try:
+        return _result(payload)
+    except (ValueError, TypeError, KeyError) as error:
+        raise InputError(f"{path} is no sound result ({error!s:.300}).") from error
+
+
+def read_row(entry: dict[str, Any]) -> EpisodeRow:
+    """Return the row of a JSON object (ValueError, TypeError, KeyError: it is none)."""
+    if {*entry} != {field.name for field in dataclasses.fields(EpisodeRow)}:
+        raise ValueError(f"an episode has the keys {', '.join(sorted(entry))!s:.200}")
+    for name in ("target", "goal"):
+        if entry[name] is not None:
+            printable(entry[name], "A name", InputError)
+    if not _TABLE.fullmatch(check_type(entry["table"], str)):
+        raise ValueError(f"a table is {entry['table']!r:.40}")
+    printable(entry["level"], "A level", InputError)
+    for name in ("number", "seed", "steps"):
+        if not 0 <= check_type(entry[name], int) < 2**31:
+            raise ValueError(f"{name} is {entry[name]}")
+    check_type(entry["solved"], bool)
+    if not is_number(entry["reward"], minimum=-1.0, maximum=1.0):
+        raise ValueError(f"a reward is {entry['reward']!r:.40}")
+    return EpisodeRow(**entry)
+
+
+def _result(payload: dict[str, Any]) -> BenchResult:
+    """Return what a file's object says (ValueError, TypeError, KeyError: it is not sound)."""
+    if check_type(payload["schema"], int) != SCHEMA:
+        raise ValueError(f"it is of schema {payload['schema']!r}, not {SCHEMA}")
+    listed = check_type(payload["episodes"], list)
+    if not 0 < len(listed) <= MOST_EPISODES:
+        raise ValueError(f"it lists {len(listed)} episodes")
+    rows = tuple(read_row(check_type(entry, dict)) for entry in listed)
+    if (payload["solved"], payload["played"]) != (sum(r.solved for r in rows), len(rows)):
+        raise ValueError("its sums are not those of its episodes")
+    if len({row.key for row in rows}) < len(rows):
+        raise ValueError("it lists an episode twice")
+    told = {
+        name: printable(payload[name], f"Its {name}", InputError)
+        for name in ("suite", "version", "suites", "task")
+    }
+    versions = {
+        printable(k, "A package", InputError): printable(v, "A version", InputError)
+        for k, v in check_type(payload["versions"], dict).items()
+    }
+    player = _player(check_type(payload["player"], dict))
+    return BenchResult(**told, player=player, versions=versions, episodes=rows)
+
+
+def _player(entry: dict[str, Any]) -> PlayerFacts:
+    if {*entry} != {field.name for field in dataclasses.fields(PlayerFacts)}:
+        raise ValueError(f"its player has the keys {', '.join(sorted(entry))!s:.200}")
+    name, kind = (printable(entry[key], f"A {key}", InputError) for key in ("name", "kind"))
+    digest = check_type(entry["digest"], str)
+    if digest and not _SHA256.fullmatch(digest):
+        raise ValueError(f"a policy's digest is {digest!r:.80}")
+    settings = check_type(entry["settings"], dict)
+    _check_setting(settings)
+    return PlayerFacts(name, kind, digest, settings)
+
+
+def _check_setting(value: Any) -> None:
+    """Check that a setting is a text that can be shown, a number, or a list or a table of these."""
+    if isinstance(value, dict):
+        value = [*value, *value.values()]
+    if isinstance(value, list):
+        for part in value:
+            _check_setting(part)
+    elif isinstance(value, str):
+        printable(value, "A setting", InputError)
+    elif type(value) not in (bool, int, float):
+        raise ValueError(f"a setting is {value!r:.80}")

@@ -1,0 +1,269 @@
+"""The files of suites: JSON, read by a bounded reader, every value checked."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+import re
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from generator.errors import InputError, choices
+from generator.io.files import write_whole
+from generator.io.reading import is_number, parse_object, printable, read_regular
+from generator.language.distribution import SceneDistribution
+
+from ..certificates.certificate import MOST_EPISODES, TaskInstance, Terms
+from ..files import check_type
+from ..randomization import Randomization
+from ..tasks.names import NAMES
+from .instances import LISTED, RANDOM, Suite, SuiteLevel, SuiteTable, TaskSuites, suite_of
+
+VERSION = "v1"
+"""The version of the suites that names mean."""
+
+SCHEMA = 1
+"""Version of the files; others are refused."""
+
+PLACE = Path(__file__).with_name("data")
+"""Where the suites are that the package ships: a folder a version."""
+
+SPLITS = ("train", *LISTED)
+
+MOST_TABLES, MOST_INSTANCES = 1024, 64
+"""A file lists no more tables, and a table no more instances."""
+
+_MAX_BYTES, _MAX_DEPTH = 2**21, 6
+_DIGEST = re.compile(r"[0-9a-f]{12}")
+_CONDITIONS = ("plain", "random")
+_KEYS = frozenset({"schema", *(field.name for field in dataclasses.fields(TaskSuites))})
+
+
+def names() -> tuple[str, ...]:
+    """Return the names of all suites of the package that can be played."""
+    return tuple(suite.name for task in tasks() for suite in shipped_suites(task).suites())
+
+
+def tasks() -> tuple[str, ...]:
+    """Return the tasks of which the package ships suites."""
+    return tuple(name for name in NAMES if path_of(name).is_file())
+
+
+def path_of(task: str) -> Path:
+    """Return where the package keeps the suites of a task."""
+    return PLACE / VERSION / f"{task.lower()}.json"
+
+
+@cache
+def shipped_suites(task: str) -> TaskSuites:
+    """Return the suites of a task that the package ships."""
+    return read_suites(path_of(task))
+
+
+def find_suite(name: str) -> Suite:
+    """Return a suite by its name, "lift-test" or "lift-test-random".
+
+    Of a file of your own it is what follows the file's path: "my.json:test-random".
+
+    Raises:
+        InputError: there is none of this name, or the file is none of suites.
+    """
+    path, colon, split = name.rpartition(":")
+    if colon:
+        return suite_of(read_suites(path), *_part(split))
+    task, _, split = name.partition("-")
+    own = next((known for known in tasks() if known.lower() == task), None)
+    if own is None or _part(split)[0] not in SPLITS:
+        raise InputError(f"There is no suite {name!r}." + choices(name, names()))
+    return suite_of(shipped_suites(own), *_part(split))
+
+
+def read_suites(path: str | Path) -> TaskSuites:
+    """Read a file of suites, every value checked.
+
+    Raises:
+        InputError: it is missing, too large, damaged, or of another schema.
+    """
+    raw = read_regular(path, "The suites", InputError, max_bytes=_MAX_BYTES)
+    payload = parse_object(raw, f"{path}", InputError, max_bytes=_MAX_BYTES, max_depth=_MAX_DEPTH)
+    schema = payload.get("schema")
+    if type(schema) is int and schema > SCHEMA:
+        raise InputError(
+            f"{path} is of schema {schema}, and this version of the package reads {SCHEMA}. "
+            "Install a newer one."
+        )
+    try:
+        return _suites(payload)
+    except (ValueError, TypeError, KeyError) as error:
+        raise InputError(f"{path} is no sound file of suites ({error!s:.300}).") from error
+
+
+def write_suites(suites: TaskSuites, path: Path) -> None:
+    """Write a file of suites, whole or not at all.
+
+    Raises:
+        StorageError: it cannot be written.
+    """
+    text = json.dumps(facts_of(suites), indent=1, sort_keys=True, allow_nan=False) + "\n"
+    write_whole(path, text, "The suites", "Choose another file.")
+
+
+def facts_of(suites: TaskSuites) -> dict[str, Any]:
+    """Return suites as JSON values."""
+    default = Randomization()
+    facts = {
+        "schema": SCHEMA,
+        **{field.name: getattr(suites, field.name) for field in dataclasses.fields(suites)},
+        "randomization": {
+            name: value
+            for name, value in dataclasses.asdict(suites.randomization).items()
+            if value != getattr(default, name)
+        },
+        "episodes": dict(suites.episodes),
+        "distribution": dataclasses.asdict(suites.distribution),
+        "levels": [list(level) for level in suites.levels],
+        "terms": {k: v for k, v in dataclasses.asdict(suites.terms).items() if k != "tasks"},
+        "versions": dict(suites.versions),
+        "tables": [_table_facts(table) for table in suites.tables],
+    }
+    return json.loads(json.dumps(facts, allow_nan=False))
+
+
+def digest_of(suites: TaskSuites) -> str:
+    """Return the sha256 of what suites say, however their file is laid out."""
+    return canonical_digest(facts_of(suites))
+
+
+def canonical_digest(facts: Mapping[str, Any]) -> str:
+    """Return the sha256 of JSON values, written in one way."""
+    text = json.dumps(facts, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _part(text: str) -> tuple[str, bool]:
+    """Return the split that the end of a suite's name means, and whether it is randomised."""
+    return text.removesuffix(RANDOM), text.endswith(RANDOM)
+
+
+def _table_facts(table: SuiteTable) -> dict[str, Any]:
+    """Return a table as JSON values; instances without what is None."""
+    instances = [
+        {k: v for k, v in dataclasses.asdict(i).items() if k != "task" and v is not None}
+        for i in table.instances
+    ]
+    return {**dataclasses.asdict(table), "instances": instances}
+
+
+def _suites(payload: dict[str, Any]) -> TaskSuites:
+    """Return what a file's object says (ValueError, TypeError, KeyError: it is not sound)."""
+    _check_keys(payload, _KEYS, "it")
+    if check_type(payload["schema"], int) != SCHEMA:
+        raise ValueError(f"it is of schema {payload['schema']!r}, not {SCHEMA}")
+    task = check_type(payload["task"], str)
+    if task not in NAMES:
+        raise ValueError(f"there is no task {task!r}")
+    terms = check_type(payload["terms"], dict)
+    listed = check_type(payload["tables"], list)
+    if len(listed) > MOST_TABLES:
+        raise ValueError(f"it lists more than {MOST_TABLES} tables")
+    episodes = check_type(payload["episodes"], dict)
+    _check_keys(episodes, _CONDITIONS, "episodes")
+    tables = tuple(_table(check_type(entry, dict), task) for entry in listed)
+    if len({table.digest for table in tables}) < len(tables):
+        raise ValueError("it lists a table twice")
+    return TaskSuites(
+        version=printable(payload["version"], "A version", InputError, max_length=40),
+        task=task,
+        control_hz=_count(payload["control_hz"], 500),
+        time_limit=_count(payload["time_limit"], 10_000),
+        hold=_count(payload["hold"], 1000),
+        randomization=_randomization(check_type(payload["randomization"], dict)),
+        episodes={name: _count(episodes[name], MOST_EPISODES) for name in _CONDITIONS},
+        distribution=_distribution(check_type(payload["distribution"], dict)),
+        levels=_levels(check_type(payload["levels"], list)),
+        training=_count(payload["training"], 2**30),
+        share=_share(payload["share"]),
+        terms=Terms((task,), *(check_type(terms[k], int) for k in ("episodes", "most", "seed"))),
+        versions={
+            printable(k, "A package", InputError): printable(v, "A version", InputError)
+            for k, v in check_type(payload["versions"], dict).items()
+        },
+        tables=tables,
+    )
+
+
+def _table(entry: dict[str, Any], task: str) -> SuiteTable:
+    _check_keys(entry, [field.name for field in dataclasses.fields(SuiteTable)], "a table")
+    listed = check_type(entry["instances"], list)
+    if len(listed) > MOST_INSTANCES:
+        raise ValueError(f"a table lists more than {MOST_INSTANCES} instances")
+    if entry["split"] not in LISTED:
+        raise ValueError(f"a table is of the split {entry['split']!r}")
+    digest = check_type(entry["digest"], str)
+    if not _DIGEST.fullmatch(digest):
+        raise ValueError(f"a table's digest is {digest!r}")
+    return SuiteTable(
+        entry["split"], _seed(entry["seed"]), digest, _share(entry["difficulty"]),
+        tuple(_instance(check_type(instance, dict), task) for instance in listed),
+    )  # fmt: skip
+
+
+def _instance(entry: dict[str, Any], task: str) -> TaskInstance:
+    names = {"target", "goal", "preset"}
+    if odd := {*entry} - names - {"successes", "episodes"}:
+        raise ValueError(f"an instance has {', '.join(sorted(odd))}")
+    told = {name: printable(entry[name], "A name", InputError) for name in names if name in entry}
+    solved, played = check_type(entry["successes"], int), check_type(entry["episodes"], int)
+    if not 0 <= solved <= played <= MOST_EPISODES:
+        raise ValueError(f"{solved} of {played} episodes cannot be")
+    given = {"target": None, "goal": None, **told}
+    return TaskInstance(task, successes=solved, episodes=played, **given)
+
+
+def _randomization(entry: dict[str, Any]) -> Randomization:
+    given: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in entry.items()}
+    return Randomization(**given)
+
+
+def _distribution(entry: dict[str, Any]) -> SceneDistribution:
+    known = [field.name for field in dataclasses.fields(SceneDistribution)]
+    _check_keys(entry, known, "its distribution")
+    lists: dict[str, Any] = {name: tuple(check_type(value, list)) for name, value in entry.items()}
+    lists["needs"] = tuple(tuple(check_type(need, list)) for need in lists["needs"])
+    return SceneDistribution(**lists)
+
+
+def _levels(entries: list[Any]) -> tuple[SuiteLevel, ...]:
+    levels: list[SuiteLevel] = []
+    for entry in entries:
+        name, low, high = check_type(entry, list)
+        levels.append(SuiteLevel(printable(name, "A level", InputError), _share(low), _share(high)))
+    if not levels or not all(level.low < level.high for level in levels):
+        raise ValueError("its levels are no ranges")
+    return tuple(levels)
+
+
+def _check_keys(entry: Mapping[str, Any], known: Any, what: str) -> None:
+    if {*entry} != {*known}:
+        raise ValueError(f"{what} has the keys {', '.join(sorted(entry))!s:.200}")
+
+
+def _count(value: Any, maximum: int) -> int:
+    if not 0 < check_type(value, int) <= maximum:
+        raise ValueError(f"{value} is no number from 1 to {maximum}")
+    return value
+
+
+def _seed(value: Any) -> int:
+    if not 0 <= check_type(value, int) < 2**30:
+        raise ValueError(f"a table's seed is {value}")
+    return value
+
+
+def _share(value: Any) -> float:
+    if not is_number(value, maximum=1.0):
+        raise ValueError(f"{value!r} is no number in [0, 1]")
+    return float(value)

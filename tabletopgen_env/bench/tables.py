@@ -1,0 +1,104 @@
+"""The tables of suites on disk: found by their names and digests, or made again bit for bit."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from contextlib import closing
+from functools import partial
+from pathlib import Path
+
+import assets_cache
+from generator.bundle import digest, load_digest, save
+from generator.errors import BundleError, SceneError, require_number
+from generator.io.files import check_folder
+from generator.jobs.pools import PoolOptions, pool_of
+from generator.scene.provenance import versions
+
+from ..certificates.certificate import Certificate, scene_digest, write_certificate
+from .instances import SuiteTable, TaskSuites
+
+_CERTIFIED_BY = ("tabletopgen", "mujoco", "numpy")
+
+
+def store_of(folder: Path | None) -> Path:
+    """Return where tables are kept: ``folder``, else the user's store of bundles."""
+    return assets_cache.user_root() if folder is None else folder
+
+
+def name_of(suites: TaskSuites, table: SuiteTable) -> str:
+    """Return the scene's name of a table: "bench-v1-lift-test-536870912"."""
+    return f"bench-{suites.version}-{suites.task.lower()}-{table.split}-{table.seed}"
+
+
+def find_table(suites: TaskSuites, table: SuiteTable, folder: Path | None = None) -> Path | None:
+    """Return the bundle of a table; None if it is not there.
+
+    Raises:
+        BundleError: it is there with another digest, or damaged.
+    """
+    place, name = store_of(folder), name_of(suites, table)
+    found = sorted(p for p in place.glob(f"{name}-*") if (p / "scene.json").is_file())
+    for path in found:
+        if load_digest(path) == table.digest:
+            return path
+    if found:
+        raise BundleError(
+            f"{found[0]} is not the table {table.digest} of the suite, but "
+            f"{load_digest(found[0])}. Remove it; `tabletopgen bench make` makes it again."
+        )
+    return None
+
+
+def make_tables(
+    suites: TaskSuites,
+    tables: Sequence[SuiteTable],
+    folder: Path | None = None,
+    pool: PoolOptions = PoolOptions(),  # noqa: B008
+) -> Generator[Path, None, None]:
+    """Yield the bundles of tables, in their order; those that are missing are made.
+
+    Each gets its certificate, which says what the expert was seen to solve there.
+
+    Raises:
+        InputError: no worker.
+        SceneError: a table that was made again is another one.
+        BundleError: one that is there is another one.
+        StorageError: the folder cannot be written.
+    """
+    require_number(
+        "TabletopBench needs --workers", pool.workers, minimum=1, maximum=1024, integer=True
+    )
+    place = store_of(folder)
+    check_folder(place)
+    make = partial(_make, suites, place)
+    if pool.workers == 1 and pool.ray is None:
+        yield from map(make, tables)
+        return
+    with closing(pool_of(pool.workers, pool.ray)) as workers:
+        yield from workers.map(make, tables)
+
+
+def _make(suites: TaskSuites, place: Path, table: SuiteTable) -> Path:
+    """Return the bundle of a table, made if it is missing."""
+    path = find_table(suites, table, place)
+    if path is None:
+        scene = suites.recipe(table.seed).make().replace(name=name_of(suites, table))
+        if (found := digest(scene)) != table.digest:
+            raise SceneError(
+                f"The table {table.digest} of {suites.task.lower()}-{table.split} is made here as "
+                f"{found}: another one. {_difference(suites)}"
+            )
+        path = save(scene, place)
+    made_with = {name: suites.versions[name] for name in _CERTIFIED_BY if name in suites.versions}
+    certificate = Certificate(scene_digest(path), suites.terms, made_with, table.instances)
+    write_certificate(path, certificate)
+    return path
+
+
+def _difference(suites: TaskSuites) -> str:
+    """Return what may make a table another one here."""
+    here = versions(suites.versions)
+    other = [f"{k} {v}, here {here[k]}" for k, v in suites.versions.items() if here[k] != v]
+    if not other:
+        return "The package has changed, or this processor computes otherwise."
+    return f"The suite was made with {'; '.join(other)}. Install these versions."

@@ -1,0 +1,66 @@
+"""Tables are found by name and digest, made again bit for bit, and certified."""
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+from conftest import ANYWHERE, suites_of
+
+from generator.bundle import digest, load_digest
+from generator.errors import BundleError, InputError, SceneError
+from generator.jobs.pools import PoolOptions
+from tabletopgen_env.bench import tables
+from tabletopgen_env.bench.instances import SuiteTable, TaskSuites
+from tabletopgen_env.bench.suites import shipped_suites
+from tabletopgen_env.certificates.certificate import read_certificate
+
+
+@pytest.fixture(scope="module")
+def composed() -> TaskSuites:
+    """Suites with one table that is composed."""
+    blank = suites_of("Reach")
+    made = digest(blank.recipe(7).make())
+    return suites_of("Reach", SuiteTable("test", 7, made, 0.1, ANYWHERE))
+
+
+def test_a_table_is_made_again(composed: TaskSuites, tmp_path: Path) -> None:
+    (table,) = composed.tables
+    assert tables.find_table(composed, table, tmp_path) is None
+    (path,) = tables.make_tables(composed, composed.tables, tmp_path)
+    assert load_digest(path) == table.digest
+    assert path.name.startswith("bench-tiny-reach-test-7-")
+    certificate = read_certificate(path)
+    assert certificate is not None and certificate.instances == ANYWHERE
+    before = (path / "scene.json").stat().st_mtime_ns
+    assert list(tables.make_tables(composed, composed.tables, tmp_path)) == [path]
+    assert (path / "scene.json").stat().st_mtime_ns == before
+
+
+def test_another_table_than_the_suite_says_is_refused(composed: TaskSuites, tmp_path: Path) -> None:
+    wrong = dataclasses.replace(composed.tables[0], digest="0" * 12)
+    with pytest.raises(SceneError, match=r"another one.*package has changed"):
+        list(tables.make_tables(composed, (wrong,), tmp_path))
+    assert not list(tmp_path.iterdir())
+    older = dataclasses.replace(composed, versions={"mujoco": "1.0", "numpy": "2.0"})
+    with pytest.raises(SceneError, match=r"made with mujoco 1\.0, here .*Install these"):
+        list(tables.make_tables(older, (wrong,), tmp_path))
+
+
+def test_a_table_in_the_place_of_another_is_refused(store: Path, reach: TaskSuites) -> None:
+    table = reach.tables[0]
+    assert tables.find_table(reach, table, store) is not None
+    with pytest.raises(BundleError, match="is not the table 000000000000"):
+        tables.find_table(reach, dataclasses.replace(table, digest="0" * 12), store)
+
+
+def test_no_worker_is_refused(reach: TaskSuites, store: Path) -> None:
+    with pytest.raises(InputError, match="--workers"):
+        list(tables.make_tables(reach, reach.tables, store, PoolOptions(0)))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("task", ["Lift", "Stack"])
+def test_a_shipped_table_is_made_again(task: str, tmp_path: Path) -> None:
+    suites = shipped_suites(task)
+    (path,) = tables.make_tables(suites, suites.tables[:1], tmp_path)
+    assert load_digest(path) == suites.tables[0].digest
