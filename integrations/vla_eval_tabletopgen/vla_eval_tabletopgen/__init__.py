@@ -1,0 +1,1 @@
+"""TabletopGen's environments as a benchmark of vla-eval."""
