@@ -30,11 +30,11 @@ check: $(VENV)/.installed-dev  ## lint, types and the fast tests, side by side
 	$(MAKE) --jobs=3 --output-sync=target lint types test-fast
 
 test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of arrays are checked in its fast part
-	TABLETOPGEN_CHECK_ARRAYS=1 $(PYTEST) -m "not slow"
+	$(MAKE) test-fast
 	$(PYTEST) -m slow
 
 test-fast: $(VENV)/.installed-dev
-	$(PYTEST) -m "not slow"
+	TABLETOPGEN_CHECK_ARRAYS=1 $(PYTEST) -m "not slow"
 
 test-catalogue: $(VENV)/.installed-dev  ## the catalogue's tests on every category, not on some
 	TABLETOPGEN_EVERY_CATEGORY=1 $(PYTEST) tests/catalogue

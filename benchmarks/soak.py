@@ -2,6 +2,7 @@
 
     python benchmarks/soak.py --steps 50000 --scenes 10
     python benchmarks/soak.py --steps 1000000 --scenes 50
+    python benchmarks/soak.py --steps 1000000 --processes 2 --slots 16
 
 Each scene gets its share of the steps, in episodes of ``EPISODE``, actions drawn anew every
 ``HELD`` steps so that the arm goes places. Counted are numbers that are not finite (observation,
@@ -10,11 +11,18 @@ table at an episode's end without being named in ``info["off_table"]``, things u
 out of the room, and things that were named. Where PickPlace offers nothing, Reach is the task. A
 row a scene goes to ``soak.csv`` as it ends (a second run resumes), the
 summary to ``soak.md``.
+
+With ``--processes`` all tables are stepped at once, by a ``TabletopVectorEnv`` in so many processes
+(``pace/sharded.py``). Counted is the same, and the memory of this process and of the shards is
+watched; a row for each tenth of the steps goes to ``soak_shards.csv``, the summary to
+``soak_shards.md``.
 """
 
 from __future__ import annotations
 
 import argparse
+import csv
+import tempfile
 import time
 from collections.abc import Sequence
 from functools import partial
@@ -22,24 +30,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from pace import sharded
+from pace.watching import beside, count_rows, find_escaped
 from posing import tables
 from posing.tables import Row
 
+from generator.bundle import save
 from generator.composition import compose
 from generator.errors import SceneError, TabletopError
-from generator.geometry import inside_margin
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.goals.goal import at_rest
+from tabletopgen_env.tasks.pick_place import PickPlace
 
 if TYPE_CHECKING:
     from generator.scene import Scene
-    from tabletopgen_env.world.world import World
 
 HERE = Path(__file__).parent
 EPISODE, HELD = 200, 8
-ROOM = 20.0
-"""Metres from the table's middle beyond which a thing has escaped."""
-
 TEXTS = (
     "a kitchen table with six things",
     "a messy office desk with eight things",
@@ -105,27 +111,6 @@ def soak(env: TabletopEnv, rng: np.random.Generator, steps: int, row: Row) -> No
     row["fell"] += len(fell)
 
 
-def beside(world: World) -> set[str]:
-    """Return the things at rest, let go, whose place seen from above is wholly off the table."""
-    found = set()
-    for obj in world.scene.objects:
-        off = -inside_margin(world.position(obj.name)[:2], world.scene.table.outline)[0]
-        clear = off > float(np.linalg.norm(obj.scale)) / 2
-        if clear and at_rest(world, obj.name) and not world.touches(obj.name)[2]:
-            found.add(obj.name)
-    return found
-
-
-def find_escaped(world: World) -> list[str]:
-    """Return the things that are under the floor or out of the room."""
-    found = []
-    for name in world.names:
-        x, y, z = world.position(name)
-        if not (abs(x) < ROOM and abs(y) < ROOM and -0.05 < z < ROOM):
-            found.append(name)
-    return found
-
-
 def say(rows: list[Row]) -> str:
     (row,) = rows
     wrong = {k: row[k] for k in COUNTS if row[k]}
@@ -141,13 +126,7 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
         f"# Soak: {whole['done']} random steps at {len(rows)} tables",
         f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
         "",
-        "| what | count |",
-        "|---|---|",
-        f"| states, observations or rewards that are not finite | {whole['not_finite']} |",
-        f"| MuJoCo warnings | {whole['warnings']} |",
-        f"| observations outside their space | {whole['outside']} |",
-        f"| things beside the table that `off_table` does not name | {whole['unnoticed']} |",
-        f"| things under the floor or out of the room | {whole['escaped']} |",
+        *count_rows(whole),
         f"| scenes that failed | {len(failed)} |",
         f"| things that fell off the table, and were named | {whole['fell']} |",
         "",
@@ -157,12 +136,30 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
     return "\n".join([*lines, ""])
 
 
+def soak_shards(args: argparse.Namespace) -> None:
+    """Soak a vector environment in processes at composed tables where PickPlace has goals."""
+    with tempfile.TemporaryDirectory() as folder:
+        made = (compose(TEXTS[n % len(TEXTS)], seed=args.seed + n) for n in range(args.scenes))
+        places = [save(s, Path(folder)) for s in made if isinstance(usable(s).task, PickPlace)]
+        plan = sharded.ShardSoak(places, args.processes, args.slots, args.steps, args.seed)
+        rows = sharded.soak(plan)
+    with (args.out / "soak_shards.csv").open("w", newline="", encoding="utf-8") as file:
+        writer: csv.DictWriter[str] = csv.DictWriter(file, sharded.FIELDS)
+        writer.writeheader()
+        writer.writerows(rows)
+    text = sharded.summary(plan, rows, tables.command_line("--note", "--out"), args.note)
+    (args.out / "soak_shards.md").write_text(text, encoding="utf-8")
+    print(text)
+
+
 def main() -> None:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     p.add_argument("--steps", type=int, default=50_000, help="of all scenes together")
     p.add_argument("--scenes", type=int, default=10)
     p.add_argument("--seed", type=int, default=0)
     p.add_argument("--workers", type=int, default=1)
+    p.add_argument("--processes", type=int, help="of one vector environment at all tables")
+    p.add_argument("--slots", type=int, default=16, help="of that vector environment")
     p.add_argument("--note", default="", help="what to know about the machine")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
@@ -171,6 +168,9 @@ def main() -> None:
     share = args.steps // args.scenes
     try:
         args.out.mkdir(parents=True, exist_ok=True)
+        if args.processes is not None:
+            soak_shards(args)
+            return
         table = args.out / "soak.csv"
         asked = {(str(n), str(args.seed), str(share)): n for n in range(args.scenes)}
         job = partial(work, seed=args.seed, steps=share)

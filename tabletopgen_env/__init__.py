@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import gymnasium
 
-_STEPS = {
+STEPS = {
     "Reach": 60,
     "Lift": 100,
     "Push": 120,
@@ -21,7 +21,7 @@ _STEPS = {
 }
 """The time limit of each task, in steps of 50 ms."""
 
-for _task, _steps in _STEPS.items():
+for _task, _steps in STEPS.items():
     gymnasium.register(
         id=f"TabletopGen/{_task}-v0",
         entry_point="tabletopgen_env.env:make_env",

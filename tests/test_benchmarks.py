@@ -222,6 +222,32 @@ def test_a_soak_counts_what_goes_wrong() -> None:
     assert row["warnings"] > 0
 
 
+def test_a_soak_of_shards_looks_at_each_slot() -> None:
+    bench = script("soak")
+    env = make_env(toy_scene((toy_object("pen_1", (0.02, 0.02, 0.05), (0.0, 0.0)),)))
+    env.reset(seed=0)
+    look = bench.sharded.look
+    assert not any(look(env).values())
+    env.world.teleport("pen_1", np.array([0.0, 2.0, -3.0]))
+    assert look(env) | {"unnoticed": 0} == {
+        "not_finite": 0, "warnings": 0, "unnoticed": 0, "escaped": 1, "fell": 1
+    }  # fmt: skip
+    env.world.data.qvel[:] = np.nan
+    assert look(env)["not_finite"] == 1
+
+
+@pytest.mark.slow
+def test_a_soak_of_shards_watches_their_memory(tmp_path: Path) -> None:
+    path = Path(__file__).parents[1] / "benchmarks" / "soak.py"
+    words = ["--steps", "44", "--scenes", "1", "--processes", "2", "--slots", "2"]
+    command = [sys.executable, str(path), *words, "--out", str(tmp_path)]
+    said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=200).stdout
+    assert "# Soak: 44 random steps in 2 processes" in said
+    rows = (tmp_path / "soak_shards.csv").read_text().splitlines()
+    assert len(rows) == 2 and rows[0].endswith(",shards_mb") and float(rows[1].split(",")[-1]) > 50
+    assert (tmp_path / "soak_shards.md").read_text().startswith("# Soak")
+
+
 def test_other_packages_are_timed_without_this_one() -> None:
     code = (Path(__file__).parents[1] / "benchmarks" / "pace" / "episodes.py").read_text()
     assert not any(name in code for name in ("generator", "tabletopgen", "posing"))
@@ -292,8 +318,8 @@ def test_rows_say_by_which_detector_they_were_played() -> None:
 def test_a_baseline_that_was_cut_off_is_trained_anew(tmp_path, monkeypatch) -> None:
     bench = script("baselines")
 
-    def cut_off(recipe, out, plan):
-        (out / "policy.safetensors").parent.mkdir(parents=True)
+    def cut_off(recipe, out, plan, resume):
+        out.mkdir(parents=True, exist_ok=resume)
         (out / "policy.safetensors").touch()
         return SimpleNamespace(interrupted=True)
 
@@ -397,3 +423,33 @@ def test_certificates_are_held_against_starts_of_another_seed(tmp_path, monkeypa
     text = bench.summary(rows, [tmp_path], "bench")
     assert "1 of 2 certified instances hold" in text and "18 of 20 attempts" in text
     assert "| Lift | b_1 |  | 31 of 31 | 8 of 10 (does not hold) |" in text
+
+
+def test_a_curriculum_is_compared_with_uniform_scenes_episode_by_episode() -> None:
+    bench = script("curriculum")
+
+    def row(mode: str, seed: int, each: list[int]) -> dict[str, object]:
+        return {
+            "recipe": "reach-sac", "changes": "steps=100", "variants": 9, "episodes": 4,
+            "mode": mode, "seed": seed, "minutes": "0.1", "solved": sum(each),
+            "each": json.dumps(each),
+        }  # fmt: skip
+
+    rows = [
+        row("uniform", 0, [0, 0, 1, 1]), row("curriculum", 0, [1, 0, 1, 1]),
+        row("uniform", 1, [0, 1, 0, 1]), row("curriculum", 1, [1, 1, 0, 0]),
+        row("uniform", 2, [1, 1, 1, 1]),
+    ]  # fmt: skip
+    assert bench.differences(rows).tolist() == [[1, 0, 0, 0], [1, 0, 0, -1]]
+    low, high = bench.interval(bench.differences(rows))
+    assert low < 0.125 < high and low >= -0.5
+    assert "| `reach-sac` | steps=100 | 2 | +12.5 points |" in bench.summary(rows, "command", "")
+
+
+@pytest.mark.slow
+def test_both_ways_of_drawing_scenes_can_be_trained_and_played() -> None:
+    bench = script("curriculum")
+    recipe = dataclasses.replace(bench.recipe_named("reach-sac"), steps=20, variants=3)
+    for mode in bench.MODES:
+        [row] = bench.work((mode, 0), recipe, "", 2)
+        assert (row["mode"], row["episodes"], len(json.loads(row["each"]))) == (mode, 2, 2)

@@ -16,7 +16,7 @@ socket.socket.connect = refuse
 socket.create_connection = refuse
 socket.getaddrinfo = refuse
 {statement}
-heavy = ("torch", "stable_baselines3", "mujoco", "cv2", "httpx2", "openai", "transformers")
+heavy = ("torch", "stable_baselines3", "mujoco", "cv2", "httpx2", "openai", "transformers", "warp")
 print(" ".join(m for m in heavy if m in sys.modules))
 """
 
@@ -49,6 +49,11 @@ def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:
     assert {*generator.__all__} <= {*dir(generator)}
     with pytest.raises(AttributeError, match="'generator' has no attribute 'regenerate'"):
         generator.regenerate  # noqa: B018
+
+
+@pytest.mark.slow
+def test_batches_load_no_warp_until_one_is_made() -> None:
+    assert "warp" not in loaded_by("import tabletopgen_env.batch.batch_world")
 
 
 def test_registration_needs_no_simulator() -> None:

@@ -31,30 +31,34 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ),
     ("generator.backends", "generator.generation"),
     ("generator.pipeline", "generator.composition", "generator.evaluation"),
-    ("generator.jobs", "generator.editing"),
+    ("generator.jobs", "generator.editing", "generator.exports", "generator.imports"),
     ("generator", "generator.cli"),
     ("generator.__main__",),
     ("tabletopgen_env.robot", "tabletopgen_env.affordance", "tabletopgen_env.files"),
     ("tabletopgen_env.scenes",),
     ("tabletopgen_env.world",),
-    ("tabletopgen_env.goals", "tabletopgen_env.actions"),
+    ("tabletopgen_env.goals", "tabletopgen_env.actions", "tabletopgen_env.batch"),
     ("tabletopgen_env.rendering", "tabletopgen_env.expert"),
-    ("tabletopgen_env.tasks", "tabletopgen_env.detection"),
+    ("tabletopgen_env.tasks", "tabletopgen_env.detection", "tabletopgen_env.grasps"),
     ("tabletopgen_env.observations",),
+    ("tabletopgen_env.core",),
     ("tabletopgen_env.randomization",),
     ("tabletopgen_env.certificates", "tabletopgen_env.episodes", "tabletopgen_env.settings"),
     ("tabletopgen_env.env",),
+    ("tabletopgen_env.vectors", "tabletopgen_env.batch"),
     ("tabletopgen_env.vector", "tabletopgen_env.statistics"),
     ("tabletopgen_env.certificates.certify",),
     ("tabletopgen_env.certificates.command", "tabletopgen_env.learning"),
-    ("tabletopgen_env.recording",),
+    ("tabletopgen_env.recording", "tabletopgen_env.bench"),
+    ("tabletopgen_env.teleoperation",),
     ("tabletopgen_env", "assets_cache.make_starter"),
     ("research",),
 )
 # What the environments may use of the generator: values, bundles and whole scenes.
 OF_GENERATOR = (
     "generator.errors", "generator.threads", "generator.io", "generator.scene",
-    "generator.geometry", "generator.render", "generator.physics.mjcf", "generator.bundle",
+    "generator.geometry", "generator.render", "generator.physics.mjcf", "generator.physics.spec",
+    "generator.physics.gate", "generator.bundle",
     "generator.language.distribution", "generator.composition", "generator.pipeline",
     "generator.jobs",
 )  # fmt: skip
@@ -166,10 +170,13 @@ def test_the_rules_can_fail() -> None:
 
 # Packages whose import has another name than their distribution.
 DISTRIBUTIONS = {
+    "array_api_compat": "array-api-compat",
     "stable_baselines3": "stable-baselines3",
     "PIL": "pillow",
     "cv2": "opencv-python-headless",
     "fast_simplification": "fast-simplification",
+    "pxr": "usd-core",
+    "OpenGL": "pyopengl",
 }
 INDIRECT = {"coacd", "mapbox-earcut"}  # run in a child process; called by trimesh
 
@@ -195,23 +202,29 @@ def foreign(path: Path) -> set[str]:
 @pytest.mark.slow
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
-    used, learning, recording, cloud, many, hub = set(), set(), set(), set(), set(), set()
+    used, learning, recording, cloud = set(), set(), set(), set()
+    many, hub, others, by_hand = set(), set(), set(), set()
     extras = {
         "tabletopgen_env.learning": learning,
         "tabletopgen_env.recording": recording,
+        "tabletopgen_env.teleoperation": by_hand,
         "generator.calls": cloud,
         "generator.backends.cloud": cloud,
         "generator.backends.modelers": cloud,
         "generator.jobs": many,
+        "generator.exports": others,
         "generator.backends.huggingface": hub,
     }
     for name, path in modules():
         own = (packages for part, packages in extras.items() if within(name, part))
         next(own, used).update(foreign(path))
-    assert used | ((cloud | many | hub) & declared()) | INDIRECT == declared()
-    assert learning - declared() == declared("train") | declared("plot")
-    assert recording - declared() == declared("record")
+    assert used | ((cloud | many | hub | others) & declared()) | INDIRECT == declared()
+    adapter = declared("rsl") - {"rsl-rl-lib"}  # which steps worlds, and is not imported
+    assert learning - declared() == declared("train") | declared("plot") | adapter
+    assert recording - declared() == declared("record") | declared("lerobot")
     assert many - declared() == declared("ray")
+    assert others - declared() == declared("usd")
+    assert by_hand - declared() == declared("teleop")
     assert cloud - declared() <= declared("cloud")
     assert hub - declared() <= declared("huggingface")
     assert {line.split("==")[0] for line in constraints()} >= declared()

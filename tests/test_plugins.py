@@ -9,11 +9,12 @@ from pathlib import Path
 
 import pytest
 from command import Shell, command
+from tyro.extras import SubcommandApp
 
 from generator.cli import plugins
 
 ROOT = Path(__file__).parents[1]
-ENVIRONMENT = ("certify", "enjoy", "plot", "record", "train")
+ENVIRONMENT = ("bench", "certify", "enjoy", "grasps", "plot", "record", "teleop", "train")
 
 
 def printed_by(code: str) -> str:
@@ -30,7 +31,10 @@ def test_the_environments_commands_are_declared() -> None:
     assert tuple(sorted(declared)) == ENVIRONMENT
     found = plugins.find_commands()
     assert {name: found[name].value for name in ENVIRONMENT} == declared
-    assert all(callable(plugins.load(found[name], True)) for name in ENVIRONMENT)
+    loaded = {name: plugins.load(found[name], True) for name in ENVIRONMENT}
+    groups = {name for name, each in loaded.items() if isinstance(each, SubcommandApp)}
+    assert groups == {"bench"} and all(callable(loaded[name]) for name in {*loaded} - groups)
+    assert plugins.purpose_of(found["bench"]).startswith("Play fixed suites")
 
 
 def test_help_lists_them_and_loads_nothing_heavy() -> None:

@@ -18,8 +18,11 @@ ALLOWED = {
     "tabletopgen_env/scenes/making/background.py": "jobs in a temporary folder of its own",
     "generator/jobs/workers.py": "the temporary folder that it was made for",
     "generator/jobs/worker.py": "the temporary folder of its pool",
-    "tabletopgen_env/recording/recorder.py": "a part folder of its own",
+    "tabletopgen_env/recording/publishing.py": "a part folder of its own",
+    "tabletopgen_env/recording/lerobot/segments.py": "half-written episodes in its part folder",
+    "tabletopgen_env/recording/lerobot/writer.py": "what is half put together in its part folder",
     "tabletopgen_env/learning/runs.py": "checkpoints of a run, by their pattern in its folder",
+    "tabletopgen_env/learning/demonstrations/rounds.py": "the rounds of a run, in its folder",
     "assets_cache/make_starter.py": "remakes what the package ships, run by hand",
 }
 """The modules that delete, and what: nothing whose name was read from a file."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import gc
+import os
 import statistics
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -39,6 +40,9 @@ EPISODE = 200
 
 ROUNDS = 5
 """Rounds at fixed and at renewed tables each."""
+
+SHARE = 8
+"""Slots of each process of the part vector."""
 
 WARM = 200
 """Resets after which memory is watched: every starter has been met."""
@@ -135,7 +139,7 @@ def pixels(scene: Scene, count: int) -> Found:
     for size, renderer in product((84, 128, 256), ("auto", "software")):
         env = make_env(scene, observation="pixels", image_size=size, renderer=renderer)
         env.reset(seed=0)
-        drawer, times = env._drawer("pixels"), 40 if renderer == "auto" else 6
+        drawer, times = env._observer((size, size)), 40 if renderer == "auto" else 6
         setting = f"{size}x{size}, {type(drawer).__name__}"
         spent = [_seconds(lambda d=drawer, e=env: d.rgb(e.world, "front")) for _ in range(times)]
         found.append(("pictures", setting, 1 / statistics.median(spent), "per s"))
@@ -147,26 +151,67 @@ def pixels(scene: Scene, count: int) -> Found:
 
 
 def vector(scene: Scene, count: int) -> Found:
-    """Time many slots on one thread and on two, four ... as far as there are cores."""
-    threads = [n for n in (1, 2, 4, 8, 16, 32) if n <= max(2, cores())]
+    """Time many slots on threads and in processes, on one and on two, four ... of each.
+
+    As far as there are cores. Processes have ``SHARE`` slots each; rounds of all of them alternate,
+    and the fastest of each counts: what they share a machine with only slows them.
+    """
+    numbers = [n for n in (1, 2, 4, 8, 16, 32) if n <= max(2, cores())]
     found: Found = []
-    for slots, many in product((1, 8, 32), threads):
+    for slots, many in product((1, 8, 32), numbers):
         if many > slots:
             continue
-        envs = TabletopVectorEnv(slots, scenes=scene, threads=many)
-        envs.reset(seed=0)
-        actions = np.random.default_rng(0).uniform(-1, 1, (20, slots, 5))
-        for action in actions[:5]:
-            envs.step(action)
-        rounds = max(10, 800 // slots)
-        used = time.process_time()
-        spent = _seconds(lambda e=envs, a=actions, n=rounds: [e.step(a[k % 20]) for k in range(n)])
-        used = time.process_time() - used
+        with closing(TabletopVectorEnv(slots, scenes=scene, threads=many)) as envs:
+            envs.reset(seed=0)
+            step_all(envs, 5)
+            wall, used = step_all(envs, max(10, 800 // slots))
         name = f"{slots} slots, {many} threads"
-        found.append(("steps", name, slots * rounds / spent, "per s"))
-        found.append(("steps", name, slots * rounds / used, "per CPU s"))
+        found += [("steps", name, wall, "per s"), ("steps", name, used, "per CPU s")]
+    return found + _processes(scene, numbers)
+
+
+def _processes(scene: Scene, numbers: Sequence[int]) -> Found:
+    """Time processes with ``SHARE`` slots each, and those slots on one thread here."""
+    hows = {f"{SHARE} slots, 1 thread": TabletopVectorEnv(SHARE, scenes=scene, threads=1)}
+    for many in numbers:
+        name = f"{many} processes of {SHARE} slots"
+        hows[name] = TabletopVectorEnv(SHARE * many, scenes=scene, processes=many)
+    best = dict.fromkeys(hows, (0.0, 0.0))
+    for envs in hows.values():
+        envs.reset(seed=0)
+    for name in [*hows] * (2 * ROUNDS):
+        seen = step_all(hows[name], 20)
+        best[name] = max(best[name][0], seen[0]), max(best[name][1], seen[1])
+    for envs in hows.values():
         envs.close()
-    return found
+    thread, one = (best[name][0] for name in list(hows)[:2])
+    found: Found = []
+    for name, (wall, used) in best.items():
+        found += [
+            ("steps, fastest", name, wall, "per s"),
+            ("steps, fastest", name, used, "per CPU s"),
+        ]
+    found += [("speed-up", f"{name} over one", best[name][0] / one, "") for name in list(hows)[2:]]
+    return [*found, ("cost of a process", "1 over 1 thread", 100 * (1 - one / thread), "%")]
+
+
+def step_all(envs: TabletopVectorEnv, count: int) -> tuple[float, float]:
+    """Step ``count`` times at random; return the slots' steps a second and a second of CPU."""
+    shape = envs.action_space.shape or ()
+    actions = np.random.default_rng(0).uniform(-1, 1, (count, *shape))
+    before = _cpu_time(envs)
+    spent = _seconds(lambda: [envs.step(action) for action in actions])
+    return count * envs.num_envs / spent, count * envs.num_envs / (_cpu_time(envs) - before)
+
+
+def _cpu_time(envs: TabletopVectorEnv) -> float:
+    """Return the CPU time of this process and those of the slots, seconds."""
+    others = dict(envs.visit(_process_time)) if envs.pids else {}
+    return time.process_time() + sum(others.values())
+
+
+def _process_time(env: object) -> tuple[int, float]:
+    return os.getpid(), time.process_time()
 
 
 def memory(scene: Scene, count: int) -> Found:

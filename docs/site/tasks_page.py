@@ -52,6 +52,7 @@ SECTIONS = (
     ("Reward", "tabletopgen_env.tasks.task"),
     ("Observations", "tabletopgen_env.observations.modes"),
     ("The grasp hint", "tabletopgen_env.observations.grasp_hint"),
+    ("Height maps", "tabletopgen_env.observations.height_map"),
     ("Pictures", "tabletopgen_env.rendering.views"),
     ("Point clouds", "tabletopgen_env.rendering.point_cloud"),
     ("Actions", "tabletopgen_env.actions"),

@@ -15,14 +15,12 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import BytesIO
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 import torch
 from jaxtyping import Bool, Float, Int, UInt8
 from rich.progress import track
 from torch import Tensor, nn
-from torch.nn import functional
 
 from generator.errors import BundleError, InputError
 from generator.geometry import rotation_z
@@ -31,8 +29,8 @@ from generator.io.npz import read_arrays
 from generator.io.pictures import write_picture
 from tabletopgen_env.detection.detector import GraspDetector, save_weights
 from tabletopgen_env.detection.look import CELLS
-from tabletopgen_env.detection.model import GraspNetwork
-from tabletopgen_env.detection.network import PLACE, PLACES, TURNS, UNITS, Rated, turn_views
+from tabletopgen_env.detection.model import SHARPNESS, GraspBatch, GraspNetwork, loss_of
+from tabletopgen_env.detection.network import PLACE, PLACES, TURNS, turn_views
 from tabletopgen_env.expert.planning.grasps import Grasp
 from tabletopgen_env.scenes import FreshScenes, split
 from tabletopgen_env.scenes.splitting import Side
@@ -43,24 +41,9 @@ from .sheet import sheet
 CHUNK = 100
 """Scenes whose lessons are kept in one file."""
 
-_SHARPNESS = 0.12  # of the planner's score, by which a grasp is e times as good
-_RARE = 50.0  # weight of telling whether there is a grasp: almost nowhere there is
 _DRAWN = 96  # objects on the sheet
 _MAX_LESSONS = 512 * 2**20  # bytes of one file of lessons
 _NEAR = (0.004, 0.008, 0.008)  # metres along, across and up within which grasps are the same
-
-
-class GraspBatch(NamedTuple):
-    """Objects as the network sees them, and the targets at p = TURNS * PLACES**2 places.
-
-    ``share`` is the share of the best grasps that a place has, ``possible`` whether it has any,
-    ``grasp`` its best one: where (along, across, height), width and room (metres).
-    """
-
-    seen: Float[Tensor, "b t 3 n n"]
-    share: Float[Tensor, "b p"]
-    possible: Float[Tensor, "b p"]
-    grasp: Float[Tensor, "b p 5"]
 
 
 @dataclass(frozen=True)
@@ -89,7 +72,7 @@ def batch_of(taught: Sequence[GraspLesson], mirrored: Int[np.ndarray, "b 2"]) ->
             seen[row] = seen[row].flip(axis + 2)
         places, best, scores = _best(lesson, signs)
         if len(places):
-            share[row, places] = torch.softmax(scores / _SHARPNESS, 0)
+            share[row, places] = torch.softmax(scores / SHARPNESS, 0)
             grasp[row, places] = best
     return GraspBatch(seen, share, (share > 0).float(), grasp)
 
@@ -110,16 +93,6 @@ def _best(
     places, first = np.unique(places[order], return_index=True)
     kept = torch.from_numpy(grasps[order][first]).float()
     return torch.from_numpy(places), kept[:, :5], kept[:, 5]
-
-
-def loss_of(rated: Rated, batch: GraspBatch) -> Float[Tensor, ""]:
-    """Return how far ratings are from what they are to be."""
-    best, possible, *grasp = (part.flatten(1) for part in rated)
-    share = -(batch.share * functional.log_softmax(best, 1)).sum(1).mean()
-    there = functional.binary_cross_entropy_with_logits(possible, batch.possible)
-    off = ((torch.stack(grasp, 2) - batch.grasp).abs() / torch.tensor(UNITS)).sum(2)
-    every = batch.possible / batch.possible.sum(1, keepdim=True).clamp(min=1)
-    return share + _RARE * there + ((batch.share + every) / 2 * off).sum(1).mean()
 
 
 def train(taught: Sequence[GraspLesson], steps: int, seed: int, size: int = 16) -> GraspNetwork:

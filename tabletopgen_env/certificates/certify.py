@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generator.errors import BundleError, SceneError, TabletopError, require_number
-from generator.jobs.workers import WorkerPool
+from generator.jobs.pools import pool_of
 from generator.scene.provenance import versions
 
 from ..episodes import Held
@@ -56,25 +56,29 @@ _FAILURES = 8  # draws in a row that find nothing, after which nothing is looked
 _VERSIONS = ("tabletopgen", "mujoco", "numpy")
 
 
-def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certificate:
+def certify(
+    path: str | Path, terms: Terms = DEFAULT, workers: int = 1, ray: str | None = None
+) -> Certificate:
     """Let the expert play what a bundle's scene offers, write the certificate and return it.
 
-    The number of processes, ``workers``, does not change what is written.
+    The number of processes, ``workers``, does not change what is written. With the address of a
+    ``ray`` cluster they are its own: all its machines have to share the bundle, this one writes.
 
     Raises:
         InputError: ``workers`` is out of range.
+        BackendError: no Ray.
         BundleError: the bundle cannot be read.
         StorageError: the certificate cannot be written.
         SceneError: a process has ended abruptly.
     """
-    [(_, made)] = certify_all([Path(path)], terms, workers)
+    [(_, made)] = certify_all([Path(path)], terms, workers, ray)
     if isinstance(made, TabletopError):
         raise made
     return made
 
 
 def certify_all(
-    paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1
+    paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1, ray: str | None = None
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
     """Certify bundles, see ``certify``, and yield each with its certificate once that is written.
 
@@ -83,11 +87,12 @@ def certify_all(
 
     Raises:
         InputError: ``workers`` is out of range.
+        BackendError: no Ray.
         SceneError: a process has ended abruptly.
     """
     require_number("certify needs workers", workers, minimum=1, maximum=1024, integer=True)
     jobs = [(path, task, terms) for path in paths for task in terms.tasks]
-    listed = iter(_in_turn(jobs, workers))
+    listed = iter(_in_turn(jobs, workers, ray))
     for path in paths:
         yield path, _write(path, terms, [next(listed) for _ in terms.tasks])
 
@@ -120,12 +125,12 @@ _Job = tuple[Path, str, Terms]
 _Listed = tuple[TaskInstance, ...] | TabletopError
 
 
-def _in_turn(jobs: Sequence[_Job], workers: int) -> Iterator[_Listed]:
+def _in_turn(jobs: Sequence[_Job], workers: int, ray: str | None) -> Iterator[_Listed]:
     """Yield what each job gives, in their order."""
-    if workers == 1 or len(jobs) < 2:
+    if len(jobs) < 2 or (workers == 1 and ray is None):
         yield from map(_play, jobs)
         return
-    with closing(WorkerPool(min(workers, len(jobs)))) as pool:
+    with closing(pool_of(min(workers, len(jobs)), ray)) as pool:
         yield from pool.map(_play, jobs)
 
 

@@ -9,10 +9,11 @@ from typing import Annotated
 from tyro import conf
 
 from generator.errors import InputError, TabletopError, escape, exit_code
+from generator.jobs.pools import PoolOptions
 
 from .certificate import STARTS, Terms
 
-_USUAL = Terms()
+_USUAL, _POOL = Terms(), PoolOptions()
 
 
 def certify(
@@ -23,7 +24,7 @@ def certify(
     episodes: int = _USUAL.episodes,
     most: int = _USUAL.most,
     seed: int = _USUAL.seed,
-    workers: int = 1,
+    pool: conf.OmitArgPrefixes[PoolOptions] = _POOL,
     again: bool = False,
 ) -> int:
     """Run the scripted expert on the tasks that bundles offer; write a certificate into each.
@@ -39,7 +40,7 @@ def certify(
             others from perturbed starts, none after a failure. Fewer than 30 certify nothing.
         most: Instances of each task at most.
         seed: The same seed gives the same certificate.
-        workers: Processes; the result does not depend on them.
+        pool: Who plays; the machines of a Ray cluster share the bundles.
         again: Skip none.
     """
     import assets_cache
@@ -57,7 +58,7 @@ def certify(
         print(f"{len(found) - len(waiting)} of {len(found)} bundles are certified already.")
     failed: list[tuple[Path, TabletopError]] = []
     try:
-        for path, certificate in certify_all(waiting, terms, workers):
+        for path, certificate in certify_all(waiting, terms, pool.workers, pool.ray):
             if isinstance(certificate, TabletopError):
                 failed.append((path, certificate))
                 continue

@@ -25,6 +25,7 @@ RUN = {
 
 PICTURE = "examples/pictures/coffee_table.png"
 GIVEN: Mapping[str, Mapping[str, str]] = MappingProxyType({
+    "docs/guides/benchmark.md": {"straight_reach.py": "examples/policies/straight_reach.py"},
     "docs/guides/photo.md": {"desk.png": PICTURE},
 })  # fmt: skip
 """Files that a page takes for granted, and where they come from."""

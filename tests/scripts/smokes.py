@@ -30,6 +30,7 @@ class Smoke:
         prints: text that has to be in what it prints.
         prepare: puts into the folder what the run needs.
         codes: exit codes that are no failure: 1 of a script whose figure missed its mark.
+        needs: a package without which it cannot run; the test is then skipped.
     """
 
     arguments: str = ""
@@ -37,6 +38,7 @@ class Smoke:
     prints: str = ""
     prepare: Callable[[Path], None] | None = None
     codes: Sequence[int] = (0,)
+    needs: str = ""
 
 
 def _texts(folder: Path) -> None:
@@ -91,6 +93,14 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         (*_table("baselines"), "baselines.png", "runs/tiny-0/policy.safetensors"),
         prepare=_recipe,
     ),
+    "benchmarks/bench.py": Smoke(
+        "--player expert --suite reach-test --tables {out}/tables --out {out}",
+        ("bench/reach-test_expert.json", "leaderboard.md"),
+    ),
+    "benchmarks/bench_suites.py": Smoke(
+        "--task Reach --test 0 --validation 1 --work {out}/work --out {out}",
+        ("reach.json",),
+    ),
     "benchmarks/batch.py": Smoke(
         "--texts {out}/texts.json --cases 1 --route compose --out {out}",
         ("batch_compose.md",), prepare=_texts,
@@ -98,11 +108,19 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/certificates.py": Smoke(
         "--bundles coffee-square --starts 1 --out {out}", _table("certificates"), codes=(0, 1)
     ),
+    "benchmarks/cluster.py": Smoke(
+        "--episodes 1 --scenes 3 --out {out}", ("cluster.md",), "| scene bank, 3 fresh tables | 2 "
+    ),
     "benchmarks/compose_speed.py": Smoke(
         "--texts {out}/texts.json --beside {root} --out {out}", ("compose_speed.md",),
         "| import |", _texts,
     ),
     "benchmarks/concurrency.py": Smoke("--seconds 2 --out {out}", ("concurrency.md",)),
+    "benchmarks/curriculum.py": Smoke(
+        "--recipe reach-clone --set cloning.rounds=1 cloning.episodes=1 cloning.last_steps=5 "
+        "--variants 12 --seeds 0 --episodes 1 --out {out}",
+        _table("curriculum"),
+    ),
     "benchmarks/efficiency.py": Smoke(
         "--cases 1 --out {out}", (*_table("efficiency_cpu"), "efficiency_cpu.png")
     ),
@@ -125,6 +143,10 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "record {out}/a --parts environments compose --most 1 --steps 3",
         ("a/environments.json", "a/compose/00/*/scene.json"),
     ),
+    "benchmarks/grasps.py": Smoke(
+        "--bundles coffee-square --most 2 --count 8 --trials 2 --each 1 --out {out}",
+        _table("grasps"),
+    ),
     "benchmarks/modeler.py": Smoke(
         "--cases 1 --only mug --pictures {out}", ("000_mug.png",), "| label withheld | 1 |"
     ),
@@ -136,6 +158,11 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/pose.py": Smoke(
         "single --cases 1 --only mug --out {out}",
         (*_table("pose_single_dev_mug"), "pose_single_dev_mug.png"),
+    ),
+    "benchmarks/recording.py": Smoke(
+        "--task Reach --scenes coffee-square --episodes 1 --rounds 1 --cameras front "
+        "--image-size 16 --out {out}",
+        ("recording.md",), "| lerobot, h264 | ", codes=(0, 1),
     ),
     "benchmarks/rotation_speed.py": Smoke(
         "--cases 1 --out {out}", ("rotation_speed_cpu.md",), "| wall | 1 |"
@@ -153,6 +180,14 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/speed.py": Smoke(
         "--parts vector pixels resets --out {out}",
         _table("speed_vector_pixels_resets"), "| vector | steps | 8 slots, 2 threads |",
+    ),
+    "benchmarks/two_environments.py": Smoke(
+        "--episodes 2 --worlds 2 --scenes vanity --out {out}", _table("two_environments"),
+        "| reach-clone | Reach | 2 | 1 |",
+    ),
+    "benchmarks/worlds.py": Smoke(
+        "--device cpu --worlds 2 --steps 2 --scenes vanity --out {out}", ("worlds_cpu.md",),
+        "| 2 | 1 |",
     ),
     "benchmarks/supports.py": Smoke(
         "--texts {out}/texts.json --scenes 1 --out {out}", _table("supports"),
@@ -185,6 +220,10 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "examples/random_agent.py": Smoke("", prints="return "),
     "examples/readme_pictures.py": Smoke(
         "starters expert --out {out}", ("starters.png", "expert.png")
+    ),
+    "examples/rllib.py": Smoke(
+        "--iterations 1 --steps 128 --scenes coffee-square --out {out}/algorithm",
+        ("algorithm/*.pkl",), "iteration 1: return ", needs="ray.rllib",
     ),
     "examples/text_to_scene.py": Smoke(
         "'a die' --out {out}", ("figures/*.png", "*/scene.json"), "bundle:"

@@ -52,6 +52,8 @@ def test_modules_beside_the_scripts_are_no_scripts() -> None:
 @pytest.mark.parametrize("script", sorted(SMOKES))
 def test_a_script_runs(script: str, tmp_path: Path) -> None:
     smoke, before = SMOKES[script], state()
+    if smoke.needs:
+        pytest.importorskip(smoke.needs)
     if smoke.prepare is not None:
         smoke.prepare(tmp_path)
     words = [w.format(out=tmp_path, root=ROOT) for w in shlex.split(smoke.arguments)]

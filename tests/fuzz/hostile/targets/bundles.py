@@ -19,7 +19,8 @@ from generator.bundle.encoding import dumps
 from generator.bundle.segments import Segments
 from generator.errors import BundleError
 from generator.physics.gate import judge
-from generator.physics.mjcf import compile_spec, document, scene_spec
+from generator.physics.mjcf import document
+from generator.physics.spec import compile_spec, scene_spec
 from generator.scene import Edit, PlannedObject, PlannedTable, Provenance, Relation, ScenePlan
 
 from ..judging import accepts, command

@@ -25,7 +25,7 @@ from generator.calls.money.prices import Prices
 from generator.calls.money.spending import Spending
 from generator.calls.store import CallStore, StoredAnswer
 from generator.errors import InputError, TabletopError
-from generator.jobs import running as batch_running
+from generator.jobs import pools as batch_pools
 from generator.jobs.records import PLACE, key_of
 from generator.physics.gate import judge
 from generator.scene import Provenance, Scene
@@ -140,15 +140,15 @@ def batches(rng: random.Random, folder: Path) -> Run:
     retry = rng.random() < 0.3
 
     def run() -> bool:
-        before = batch_running.WorkerPool
-        batch_running.WorkerPool = Inline  # type: ignore[assignment,misc]
+        before = batch_pools.WorkerPool
+        batch_pools.WorkerPool = Inline  # type: ignore[assignment,misc]
         try:
             return accepts(
                 lambda: batch.run(texts, place, make, retry=retry),
                 lambda: batch.run(texts, place, make),
             )
         finally:
-            batch_running.WorkerPool = before  # type: ignore[misc]
+            batch_pools.WorkerPool = before  # type: ignore[misc]
 
     return run
 

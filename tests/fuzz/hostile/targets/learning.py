@@ -13,6 +13,7 @@ import numpy as np
 
 from generator.physics import decomposition
 from tabletopgen_env.learning import plotting, runs
+from tabletopgen_env.learning.algorithms.sb3 import Sb3Learner
 from tabletopgen_env.learning.networks.actor import Actor
 from tabletopgen_env.learning.policies import KEY, Card, TrainedPolicy, load_policy, policy_bytes
 from tabletopgen_env.learning.recipes import Network, Recipe, recipe, recipe_of
@@ -24,8 +25,9 @@ from ..values import TEXTS, mutate, written
 from . import Run
 from .files import toml
 
-_WORDS = ("sac", "td3", "ppo", "clone", "Reach", "Lift", "Stack", "table", "goal", "flat", "state",
-          "relu", "tanh", "clip", "ee_delta", "detected", "starter:train", "fresh")  # fmt: skip
+_WORDS = ("sac", "td3", "ppo", "ppo-batch", "clone", "Reach", "Lift", "Stack", "table", "goal",
+          "flat", "state", "relu", "tanh", "clip", "ee_delta", "detected", "starter:train",
+          "fresh")  # fmt: skip
 
 
 # --------------------------------------------------------------------------------------- policies
@@ -222,7 +224,7 @@ def run_folders(rng: random.Random, folder: Path) -> Run:
     def restore() -> None:
         run = runs.open_run(place)
         run.rows()
-        run.restore(_model())
+        run.restore(Sb3Learner(_model(), Network("flat", (8, 8), 8)))
 
     def plot() -> None:
         run = runs.open_run(place)
