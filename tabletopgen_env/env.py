@@ -317,7 +317,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._state = FlatState(world, goal, self._order, bare, hinted)
         if self.hint is not None:
             self.hint.begin(world, goal)
-        world.show_marker(goal.spot, self.task.marker_radius)
+        world.show_marker(goal.spot, self.task.marker_radius, self.task.marker_shape)
 
     def _draw(self, options: dict[str, Any]) -> tuple[SceneRef, World, Episode, bool]:
         """Draw scenes until one can be made and offers something; tell whether it is certified."""

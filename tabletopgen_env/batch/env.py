@@ -255,8 +255,8 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self.episodes = EpisodeTable.of(deck.bank, deck.episodes, self.device)
         self._goals = self.episodes.take_goals(torch.zeros_like(self._row))
         self._choice.hold(self.episodes.difficulty)
-        looks, config, radius = deck.bank.looks, self._config.observation, self.task.marker_radius
-        self._pictures = looks and BatchPictures(looks, config, self.num_envs, self.device, radius)
+        looks, config, count = deck.bank.looks, self._config.observation, self.num_envs
+        self._pictures = looks and BatchPictures(looks, config, count, self.device, self.task)
         self.idle = deck.idle
 
     def _begin(self, mask: Bool[Tensor, "n"], rows: Any = None) -> None:

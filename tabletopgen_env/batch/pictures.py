@@ -12,6 +12,8 @@ from torch import Tensor
 
 from ..rendering.config import ObservationConfig
 from ..rendering.views import CAMERAS
+from ..tasks.task import Task
+from ..world.composition import marker_kind
 from ..world.room import HAZE
 from .engine import Engine, to_device
 from .state import BatchState
@@ -29,7 +31,7 @@ class BatchPictures:
         config: which cameras, and the size of their pictures.
         worlds: how many worlds.
         device: where they are.
-        radius: of the disc that marks a spot, metres.
+        task: whose marker is shown.
     """
 
     def __init__(
@@ -38,7 +40,7 @@ class BatchPictures:
         config: ObservationConfig,
         worlds: int,
         device: torch.device,
-        radius: float,
+        task: Task,
     ) -> None:
         self._engine = engine = Engine.load()
         self._torch_device = device
@@ -52,7 +54,8 @@ class BatchPictures:
         self._rows = {
             f.name: to_device(getattr(union.rows, f.name), device) for f in fields(LookRows)
         }
-        self._rows["size"][:, self._marker, 0] = radius
+        self._rows["size"][:, self._marker, 0] = task.marker_radius
+        union.model.geom_type[self._marker] = marker_kind(task.marker_shape)
         batched = ("geom_size", "geom_dataid", "geom_matid", "cam_fovy")
         warp, physics = engine.warp, engine.physics
         active = [LOOKING.index(CAMERAS[camera]) for camera in config.cameras]

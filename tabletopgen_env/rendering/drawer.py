@@ -53,7 +53,7 @@ class _GlUse:
 
 _GL_USE = _GlUse()
 _KEPT = 4  # worlds whose meshes and textures stay on the graphics side
-_STACKS = 2  # rings of faces of what is round; MuJoCo's 16 take a sixth of a small picture's time
+_STACKS = 6  # rings of faces of what is round; MuJoCo's 16 take a sixth of a small picture's time
 _NO_GL = (
     "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
     "'libegl1 libgl1 libgl1-mesa-dri' (EGL) or 'libosmesa6' (MUJOCO_GL=osmesa), "
@@ -180,7 +180,7 @@ class GlDrawer(Drawer):
             model, fast = world.model, self._profile == "fast"
             model.vis.global_.offheight, model.vis.global_.offwidth = self._size
             model.vis.quality.offsamples = 0 if fast else 4
-            model.vis.quality.numstacks = _STACKS  # cylinders are all that is drawn by stacks
+            model.vis.quality.numstacks = _STACKS
             context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
             context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR.value
             scene = mujoco.MjvScene(model, maxgeom=2000)

@@ -109,11 +109,11 @@ def _item(world: World, shape: VisibleGeom) -> Item | None:
     rgba = _color(model, k)
     if rgba[3] <= 0.01:
         return None
-    vertices = shape.vertices
-    if model.geom(k).name == MARKER:
-        vertices = vertices * model.geom_size[k][[0, 0, 1]]
+    vertices, faces, uv = shape.vertices, shape.faces, shape.uv
+    if model.geom(k).name == MARKER and (mesh := _triangles(model, k)):  # it changes its shape
+        vertices, faces, uv = mesh
     placed = vertices @ data.geom_xmat[k].reshape(3, 3).T + data.geom_xpos[k]
-    return Item(placed, shape.faces, shape.uv, shape.texture, k, float(rgba[3]))
+    return Item(placed, faces, uv, shape.texture, k, float(rgba[3]))
 
 
 # ---------------------------------------------------------------------------------- tessellation
@@ -140,7 +140,7 @@ def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, n
         vertices, faces = _hull(np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T * size)
     elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
         half = size[1] + (size[0] if kind == mujoco.mjtGeom.mjGEOM_CAPSULE else 0.0)
-        scale = [size[0], size[0], half] if model.geom(k).name != MARKER else [1.0, 1.0, 1.0]
+        scale = [size[0], size[0], half]
         turn = np.linspace(0, 2 * np.pi, _ROUND, endpoint=False)
         ring = np.column_stack([np.cos(turn), np.sin(turn)])
         low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (-1.0, 1.0))

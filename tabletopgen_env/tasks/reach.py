@@ -28,7 +28,7 @@ class Reach(Task):
     """Bring the hand to a point; see the module's page."""
 
     weights = MappingProxyType({"place": 0.5, "success": 0.5})
-    marker_radius = 0.02
+    marker_radius, marker_shape = 0.02, "ball"
 
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None

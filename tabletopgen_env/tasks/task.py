@@ -43,6 +43,7 @@ from jaxtyping import Float
 from generator.language.distribution import Needs
 
 from ..goals.goal import SPOT_RADIUS, Goal
+from ..world.composition import MarkerShape
 from ..world.world import World
 from .names import TaskName
 
@@ -103,9 +104,9 @@ class Task(ABC):
 
     Class attributes: ``weights`` of the dense reward by term; ``most`` goals of an episode;
     ``aside``: goals, by index, that count as met once another, by index, is met; ``closed``:
-    whether the gripper stays closed; ``marker_radius`` of the disc that marks a spot, metres;
-    ``scenes`` where its tables come from unless others are given; ``needs`` what tables that are
-    drawn for it hold besides others; see ``needs``.
+    whether the gripper stays closed; ``marker_radius``, metres, and ``marker_shape`` of what marks
+    a spot; ``scenes`` where its tables come from unless others are given; ``needs`` what tables
+    that are drawn for it hold besides others; see ``needs``.
     """
 
     weights: ClassVar[Mapping[str, float]]
@@ -115,6 +116,7 @@ class Task(ABC):
     scenes: str = "starter"
     needs: Needs = ()
     marker_radius: ClassVar[float] = SPOT_RADIUS
+    marker_shape: ClassVar[MarkerShape] = "disc"
 
     @abstractmethod
     def sample(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -37,6 +37,15 @@ SIDE_CAMERA = "side"
 
 MARKER = "marker/goal"
 """Name of the body and the geom that mark a free goal spot; no object's name has a slash."""
+
+MarkerShape = Literal["disc", "ball"]
+"""What marks a spot: a disc on what stands there, or a ball in the air."""
+
+MARKER_COLOR = (0.1, 0.85, 0.25)
+"""Red, green, blue of the marker."""
+
+MARKER_SIZE = (0.04, 0.0008, 0.0)
+"""MuJoCo's size of a disc that marks a spot until its task says another radius, metres."""
 
 _FRONT_ELEVATION, _FRONT_FOV = np.deg2rad(30.0), np.deg2rad(45.0)
 _FRONT_MARGIN = 0.04  # free share of the front camera's picture on each side
@@ -73,14 +82,22 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
     marker.add_geom(
         name=MARKER,
-        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
-        size=[0.04, 0.0008, 0],
-        rgba=[0.1, 0.85, 0.25, 0.0],
+        type=marker_kind("disc"),
+        size=MARKER_SIZE,
+        rgba=[*MARKER_COLOR, 0.0],
         contype=0,
         conaffinity=0,
         group=1,
     )
     return spec
+
+
+def marker_kind(shape: MarkerShape) -> mujoco.mjtGeom:
+    """Return the type of MuJoCo's geom that a marker is."""
+    import mujoco
+
+    kinds = mujoco.mjtGeom
+    return kinds.mjGEOM_SPHERE if shape == "ball" else kinds.mjGEOM_CYLINDER
 
 
 def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:

@@ -40,7 +40,7 @@ from ..robot.hand import FINGER_JOINTS
 from ..robot.mount import Mount
 from ..robot.panda import ACTUATORS, ARM_JOINTS, HOME_CTRL, HOME_QPOS, Panda
 from ..robot.tool import TCP_SITE
-from .composition import MARKER, PREFIX, compose
+from .composition import MARKER, PREFIX, MarkerShape, compose, marker_kind
 from .per_object import PerObject
 from .state import WorldState, span
 
@@ -369,9 +369,12 @@ class World:
         """Carry points of the base frame into the world frame."""
         return points @ self.base_rotation.T + self.base_position
 
-    def show_marker(self, position: Float[np.ndarray, "3"] | None, radius: float) -> None:
-        """Show the goal disc at a world position, or hide it; all else stays as it was read."""
+    def show_marker(
+        self, position: Float[np.ndarray, "3"] | None, radius: float, shape: MarkerShape = "disc"
+    ) -> None:
+        """Show the goal's marker at a world position, or hide it; all else stays as it was read."""
         place = [0, 0, -1] if position is None else position
+        self.model.geom_type[self._marker_geom] = marker_kind(shape)
         self.model.geom_size[self._marker_geom, 0] = radius
         self.model.geom_rgba[self._marker_geom, 3] = 0.0 if position is None else 0.8
         self.data.mocap_pos[self._marker_mocap] = place

@@ -10,6 +10,7 @@ from generator.errors import BackendError, InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.rendering import drawer as rendering
 from tabletopgen_env.rendering.drawer import GlDrawer, drawer
+from tabletopgen_env.rendering.model_camera import model_camera
 from tabletopgen_env.rendering.software import SoftwareDrawer, visible_shapes
 from tabletopgen_env.world.composition import FRONT_CAMERA, WRIST_CAMERA
 
@@ -94,6 +95,27 @@ def test_the_marker_shows_the_spot_and_only_then(world) -> None:
     assert 5 < changed.sum() < 400
     greener = shown[changed] - hidden[changed]
     assert (greener[:, 1] > greener[:, 0]).all()
+
+
+@pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_gl), "software"])
+def test_a_point_in_the_air_is_marked_by_a_ball(world, renderer) -> None:
+    eyes, spot = drawer(renderer, 240, 320), np.array([0.1, -0.15, 0.95])
+    camera = model_camera(world, FRONT_CAMERA, 240, 320)
+    world.show_marker(None, 0.03)
+    free = eyes.depth(world, FRONT_CAMERA)
+    heights = []
+    for shape in ("ball", "disc"):
+        world.show_marker(spot, 0.03, shape)
+        depth = eyes.depth(world, FRONT_CAMERA)
+        rows, columns = np.nonzero(depth < free - 0.001)
+        rays = camera.rays(np.column_stack([columns, rows]) + 0.5)
+        along = depth[rows, columns] / (rays @ camera.rotation[2])
+        points = camera.position + rays * along[:, None]
+        heights.append(points[:, 2].max() - points[:, 2].min())
+        assert np.abs(points - spot).max() < 0.031
+    assert heights[0] > 0.03 > 0.002 > heights[1]
+    world.show_marker(None, 0.04)
+    eyes.close()
 
 
 def test_every_visible_geom_but_the_floor_becomes_triangles_that_face_outwards(world) -> None:

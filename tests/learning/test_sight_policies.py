@@ -17,6 +17,7 @@ from tabletopgen_env.learning.networks.perception import (
     STATE,
     box_of,
     cameras_of,
+    find_ball,
     height_grid,
     is_robot,
     perceive,
@@ -98,8 +99,8 @@ def test_a_marked_point_is_found_by_its_colour() -> None:
                        image_size=128)  # fmt: skip
     state, zeros = perceive(batch(seen))[0][0].numpy(), torch.zeros(1, 4)
     point = env.world.to_base(env.goal.region(env.world).center)
-    assert np.allclose(state[269:272], point, atol=0.01)
-    assert np.allclose(state[276:279], point - state[15:18], atol=0.01)
+    assert np.allclose(state[269:272], point, atol=0.002)
+    assert np.allclose(state[276:279], point - state[15:18], atol=0.002)
     hidden = {
         **batch(seen),
         "top": torch.zeros(1, 128, 128, 3),
@@ -112,6 +113,18 @@ def test_a_marked_point_is_found_by_its_colour() -> None:
     assert torch.equal(recall_goal(unseen, zeros)[0], unseen)
     moved = {**seen, "top": np.moveaxis(seen["top"], -1, 0).copy()}  # as SB3 turns pictures
     assert np.allclose(perceive(batch(moved))[0][0].numpy(), state)
+
+
+def test_the_marker_is_the_ball_among_what_has_its_colour() -> None:
+    turn = torch.linspace(0, 6, 40)
+    side = torch.stack([turn.cos(), turn.sin(), 1 + 0 * turn], 1) / 2**0.5
+    middle = torch.tensor([0.4, -0.1, 0.3])
+    ball = middle + 0.02 * side
+    flat = torch.cat([0.3 * torch.rand(300, 2), torch.full((300, 1), 0.1)], 1)
+    for points in (ball, ball[:20], torch.cat([flat, ball])):
+        found = find_ball(points)
+        assert found is not None and torch.allclose(found, middle, atol=1e-3)
+    assert find_ball(points[:0]) is None and find_ball(flat[:2]) is None
 
 
 @pytest.mark.slow

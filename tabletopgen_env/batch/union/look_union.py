@@ -15,6 +15,7 @@ from jaxtyping import Float, Int
 
 from generator.physics.spec import compile_spec
 
+from ...world.composition import MARKER_COLOR, MARKER_SIZE, marker_kind
 from ...world.room import AMBIENT, FLOOR_HALF, HEADLIGHT, SUN, TILE, TILES
 from .look import LOOKING, DrawnPart, DrawnPose, SceneLook, Skin, local_pose
 from .slot_union import SlotUnion
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
 _FLOOR, _TABLE = "floor", "table"
 _AWAY = np.array([0.0, 0.0, -1000.0])  # metres: what is not there
-_MARKER = {"size": [0.04, 0.0008, 0.0], "rgba": [0.1, 0.85, 0.25, 1.0]}
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,7 +137,7 @@ def _spec(look: SceneLook, skins: dict[str, Skin], slots: int) -> mujoco.MjSpec:
     world.add_geom(type=kinds.mjGEOM_PLANE, size=half, material=_FLOOR, rgba=[1, 1, 1, 1])
     for size, color in zip(look.column_sizes, look.column_colors, strict=True):
         world.add_geom(type=kinds.mjGEOM_CYLINDER, size=size, rgba=color)
-    world.add_geom(type=kinds.mjGEOM_CYLINDER, **_MARKER)
+    world.add_geom(type=marker_kind("disc"), size=MARKER_SIZE, rgba=[*MARKER_COLOR, 1.0])
     worn = look.table.skin.name
     for _ in range(1 + slots + len(look.robot)):
         world.add_geom(type=kinds.mjGEOM_MESH, meshname=worn, material=worn)

@@ -10,7 +10,7 @@ what else is seen near it is what a hand meets on its way. Of the state there ar
 - the target's slot: the box of its points with axes along the base frame's, its velocities 0,
 - the table's height: that at which most points are,
 - the goal region: where the target is to be raised to (Lift), or, if no target is seen, the middle
-  of what is drawn in the marker's green (Reach); with semi-axes of 0 where that is hidden, too.
+  of the ball in the marker's green (Reach); with semi-axes of 0 where that is hidden, too.
 
 All other entries are 0. Maps 0 and 1 are of the points in the same frame; what the cameras do not
 see is missing in them, what lies higher than the hand too, since it may be the arm.
@@ -47,7 +47,10 @@ _CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # command, metres, metres a se
 _WITHIN = 0.04  # metres from the target's box to the tool in a grasp
 _RAISED = (0.25, 0.25, 0.08)  # semi-axes of the region of Lift, metres
 _RISE = 0.16  # from where the target stands to the region's middle, metres
-_REACHED = (0.02, 0.02, 0.02)  # semi-axes of the region of Reach, metres
+_BALL = 0.02  # the marker's radius and the region's of Reach, metres
+_REACHED = (_BALL, _BALL, _BALL)
+_SEEDS, _FITS = 12, 6  # points around which the ball is looked for, and steps of a fit
+_NEAR_BALL = 0.003  # metres from the ball's surface within which points are of it
 _GREEN, _RED_SHARE, _BLUE_SHARE = 60.0, 0.40, 0.60  # the marker's: least green; others' most
 
 
@@ -92,9 +95,8 @@ def _perceive_one(
         start = middle
     else:
         shown = points[green & ~marked]
-        hidden = len(shown) < _LEAST_GREEN
-        region = felt[15:18] if hidden else shown.mean(0)
-        start, semi = felt[15:18], (0.0, 0.0, 0.0) if hidden else _REACHED
+        start, ball = felt[15:18], find_ball(shown)
+        region, semi = (start, (0.0, 0.0, 0.0)) if ball is None else (ball, _REACHED)
     goal = state[_GOAL:]
     goal[1:4], goal[8:11] = region, region - start
     goal[4], goal[5], goal[7] = semi
@@ -142,6 +144,34 @@ def _is_green(picture: Float[Tensor, "h w c"]) -> Bool[Tensor, "m"]:
     last = picture if picture.shape[-1] == 3 else picture.movedim(0, -1)
     red, green, blue = last.reshape(-1, 3).unbind(1)
     return (green > _GREEN) & (red < _RED_SHARE * green) & (blue < _BLUE_SHARE * green)
+
+
+def find_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"] | None:
+    """Return the middle of the ball that points are of best, None if they are of none.
+
+    The ball has the marker's radius; other things may have its colour. It is fitted to what is
+    around each of some points; the fit with the most points near its surface is taken.
+    """
+    best, most = None, _LEAST_GREEN - 1
+    for seed in points[:: -(-len(points) // _SEEDS) or 1]:
+        around = points[(points - seed).norm(dim=1) < 2 * _BALL]
+        middle = _fit_ball(around)
+        near = int((((points - middle).norm(dim=1) - _BALL).abs() < _NEAR_BALL).sum())
+        if near > most:
+            best, most = middle, near
+    return best
+
+
+def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
+    """Return the middle of a ball by Gauss-Newton steps from below the points, seen from above."""
+    middle = points.mean(0) - points.new_tensor([0, 0, _BALL / 2])
+    damping = 1e-3 * torch.eye(3, dtype=points.dtype)
+    for _ in range(_FITS):
+        out = points - middle
+        away = out.norm(dim=1).clamp(min=1e-6)
+        out = out / away[:, None]
+        middle = middle + torch.linalg.solve(out.T @ out + damping, out.T @ (away - _BALL))
+    return middle
 
 
 def _is_around(
