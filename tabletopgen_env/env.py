@@ -203,12 +203,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             return self._window.show(self.world)
         if self.render_mode == "rgb_array":
             return self.picture("front")
-        return self._drawer("full", self._config.render.shape).depth(self.world, FRONT_CAMERA)
+        return self._drawer(self._config.render.shape, "full").depth(self.world, FRONT_CAMERA)
 
     def picture(self, camera: CameraName) -> UInt8[np.ndarray, "h w 3"]:
         """Return what a camera sees now, drawn for people, of the size of ``render``."""
         require_known(camera, CAMERAS, "Unknown camera")
-        return self._drawer("full", self._config.render.shape).rgb(self.world, CAMERAS[camera])
+        return self._drawer(self._config.render.shape, "full").rgb(self.world, CAMERAS[camera])
 
     def close(self) -> None:
         """Free renderers and windows, and what ``scenes`` has running. May be called twice.
@@ -380,7 +380,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     def _see(self) -> dict[str, Any]:
         """Return what the cameras show, and what is to be done."""
-        views, world, drawers = self._views, self.world, self._observer
+        views, world, drawers = self._views, self.world, self._drawer
         if views.mode.startswith("pixels"):
             seen: dict[str, Any] = pictures(views, world, drawers, self._order, self.goal.target)
         else:
@@ -415,12 +415,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "off_table": self.world.off_table(),
         }
 
-    def _observer(self, size: tuple[int, int]) -> Drawer:
-        """Return what draws observations of a size."""
-        return self._drawer("fast", size)
-
-    def _drawer(self, profile: Profile, size: tuple[int, int]) -> Drawer:
-        """Return what draws pictures of a profile and size, made on first use, anew in a fork."""
+    def _drawer(self, size: tuple[int, int], profile: Profile = "fast") -> Drawer:
+        """Return what draws pictures of a size, made on first use, anew in a fork."""
         key = profile, size, os.getpid()
         if key not in self._drawers:
             self._drawers[key] = drawer(self._config.render.renderer, *size, profile)

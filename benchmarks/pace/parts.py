@@ -139,7 +139,7 @@ def pixels(scene: Scene, count: int) -> Found:
     for size, renderer in product((84, 128, 256), ("auto", "software")):
         env = make_env(scene, observation="pixels", image_size=size, renderer=renderer)
         env.reset(seed=0)
-        drawer, times = env._observer((size, size)), 40 if renderer == "auto" else 6
+        drawer, times = env._drawer((size, size)), 40 if renderer == "auto" else 6
         setting = f"{size}x{size}, {type(drawer).__name__}"
         spent = [_seconds(lambda d=drawer, e=env: d.rgb(e.world, "front")) for _ in range(times)]
         found.append(("pictures", setting, 1 / statistics.median(spent), "per s"))

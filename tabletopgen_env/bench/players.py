@@ -188,14 +188,11 @@ def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
 
     need_sb3()
     from ..learning.policies import find_policy, load_policy, shipped_policies
-    from ..learning.runs import BEST, LATEST
+    from ..learning.runs import kept_policy
 
     path = Path(name)
     if path.is_dir():
-        kept = [path / file for file in (BEST, LATEST) if (path / file).is_file()]
-        if not kept:
-            raise InputError(f"{path} holds no policy yet: neither {BEST} nor {LATEST}.")
-        path = kept[0]
+        path = kept_policy(path)
     elif not path.is_file() and name not in shipped_policies():
         known = (*SIMPLE, *shipped_policies(), "FILE", "module:function")
         raise InputError(f"There is no policy {name!r}." + choices(name, known))

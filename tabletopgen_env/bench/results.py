@@ -17,14 +17,14 @@ from typing import Any
 
 from generator.errors import InputError
 from generator.io.files import write_whole
-from generator.io.reading import is_number, parse_object, printable, read_regular
+from generator.io.reading import is_number, printable
 
 from ..files import check_type
 from ..statistics import wilson
 from .instances import Suite, SuiteEpisode
 from .players import PlayerFacts
 from .playing import SuiteOutcome
-from .suites import canonical_digest, digest_of
+from .suites import canonical_digest, digest_of, read_payload
 
 SCHEMA = 1
 """Version of the files; others are refused."""
@@ -32,7 +32,6 @@ SCHEMA = 1
 MOST_EPISODES = 50_000
 """A result lists no more episodes."""
 
-_MAX_BYTES, _MAX_DEPTH = 2**24, 6
 _SHA256 = re.compile(r"[0-9a-f]{64}")
 _TABLE = re.compile(r"[0-9a-f]{12}")
 
@@ -153,14 +152,7 @@ def read_result(path: str | Path) -> BenchResult:
     Raises:
         InputError: it is missing, too large, damaged, edited, or of another schema.
     """
-    raw = read_regular(path, "The result", InputError, max_bytes=_MAX_BYTES)
-    payload = parse_object(raw, f"{path}", InputError, max_bytes=_MAX_BYTES, max_depth=_MAX_DEPTH)
-    schema = payload.get("schema")
-    if type(schema) is int and schema > SCHEMA:
-        raise InputError(
-            f"{path} is a result of schema {schema}, and this version of the package reads "
-            f"{SCHEMA}. Install a newer one."
-        )
+    payload = read_payload(path, "The result", SCHEMA)
     digest = payload.pop("digest", None)
     if digest != canonical_digest(payload):
         raise InputError(

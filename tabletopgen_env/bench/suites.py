@@ -36,7 +36,7 @@ SPLITS = ("train", *LISTED)
 MOST_TABLES, MOST_INSTANCES = 1024, 64
 """A file lists no more tables, and a table no more instances."""
 
-_MAX_BYTES, _MAX_DEPTH = 2**21, 6
+_MAX_BYTES, _MAX_DEPTH = 2**24, 6
 _DIGEST = re.compile(r"[0-9a-f]{12}")
 _CONDITIONS = ("plain", "random")
 _KEYS = frozenset({"schema", *(field.name for field in dataclasses.fields(TaskSuites))})
@@ -87,18 +87,28 @@ def read_suites(path: str | Path) -> TaskSuites:
     Raises:
         InputError: it is missing, too large, damaged, or of another schema.
     """
-    raw = read_regular(path, "The suites", InputError, max_bytes=_MAX_BYTES)
-    payload = parse_object(raw, f"{path}", InputError, max_bytes=_MAX_BYTES, max_depth=_MAX_DEPTH)
-    schema = payload.get("schema")
-    if type(schema) is int and schema > SCHEMA:
-        raise InputError(
-            f"{path} is of schema {schema}, and this version of the package reads {SCHEMA}. "
-            "Install a newer one."
-        )
+    payload = read_payload(path, "The suites", SCHEMA)
     try:
         return _suites(payload)
     except (ValueError, TypeError, KeyError) as error:
         raise InputError(f"{path} is no sound file of suites ({error!s:.300}).") from error
+
+
+def read_payload(path: str | Path, what: str, newest: int) -> dict[str, Any]:
+    """Return the JSON object in a file, ``what``, of a schema up to ``newest``.
+
+    Raises:
+        InputError: it is missing, too large, damaged, or of a newer schema.
+    """
+    raw = read_regular(path, what, InputError, max_bytes=_MAX_BYTES)
+    payload = parse_object(raw, f"{path}", InputError, max_bytes=_MAX_BYTES, max_depth=_MAX_DEPTH)
+    schema = payload.get("schema")
+    if type(schema) is int and schema > newest:
+        raise InputError(
+            f"{path} is of schema {schema}, and this version of the package reads {newest}. "
+            "Install a newer one."
+        )
+    return payload
 
 
 def write_suites(suites: TaskSuites, path: Path) -> None:

@@ -242,14 +242,11 @@ def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
 def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
     """Return a policy with what is known of it."""
     from .policies import find_policy, load_policy
-    from .runs import BEST, LATEST
+    from .runs import kept_policy
 
     path = Path(name)
     if path.is_dir():
-        kept = [path / file for file in (BEST, LATEST) if (path / file).is_file()]
-        if not kept:
-            raise InputError(f"{path} holds no policy yet: neither {BEST} nor {LATEST}.")
-        path = kept[0]
+        path = kept_policy(path)
     elif path.suffix != ".zip":
         path = find_policy(name)
     if path.suffix == ".zip":

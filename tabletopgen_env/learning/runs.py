@@ -222,6 +222,18 @@ def open_run(path: Path) -> Run:
         raise InputError(f"{path / _RECIPE} is damaged ({str(error)!r}).") from error
 
 
+def kept_policy(path: Path) -> Path:
+    """Return the file of a run's best policy, or of its latest while there is no best.
+
+    Raises:
+        InputError: there is neither.
+    """
+    for file in (BEST, LATEST):
+        if (path / file).is_file():
+            return path / file
+    raise InputError(f"{path} holds no policy yet: neither {BEST} nor {LATEST}.")
+
+
 def read_rows(path: Path) -> list[EvaluationRow]:
     """Return the evaluations in a run's folder.
 

@@ -37,7 +37,7 @@ def drawn() -> Iterator[gym.Env]:
 @pytest.fixture(scope="module")
 def gl(drawn: gym.Env) -> bool:
     """Whether it has drawn with OpenGL."""
-    return not isinstance(drawn.unwrapped._observer((16, 16)), SoftwareDrawer)  # type: ignore
+    return not isinstance(drawn.unwrapped._drawer((16, 16)), SoftwareDrawer)  # type: ignore
 
 
 def in_fork(work: Callable[[], Any]) -> Any:
@@ -119,7 +119,7 @@ def test_gl_asked_for_by_name_is_refused_in_a_fork(drawn, gl) -> None:
 def test_a_drawer_made_before_the_fork_is_refused_in_it(drawn, gl) -> None:
     if not gl:
         pytest.skip("no OpenGL here")
-    eyes, world = drawn._observer((16, 16)), drawn.world
+    eyes, world = drawn._drawer((16, 16)), drawn.world
 
     def work() -> str:
         try:

@@ -179,7 +179,7 @@ def test_pictures_are_those_of_the_unchanged_world_after_undoing() -> None:
     env._randomizer.restore(env.world)
     env.world.reset()
     env.world.show_marker(env.goal.spot, env.task.marker_radius)
-    again = env._observer((24, 24))
+    again = env._drawer((24, 24))
     for camera, key in (("front", "front"), ("overhead", "top")):
         assert np.array_equal(again.rgb(env.world, camera), usual[key])
     plain.close()

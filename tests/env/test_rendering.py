@@ -189,7 +189,7 @@ def test_what_leaves_the_cache_is_freed_on_the_graphics_side() -> None:
     env = make_env(scenes, observation="pixels", image_size=16, cache=1)
     for seed in range(8):
         env.reset(seed=seed)
-        drawer = env._observer((16, 16))
+        drawer = env._drawer((16, 16))
         held = getattr(drawer, "_held", None) or getattr(drawer, "_shapes", {})
         assert len(held) == 1
     env.close()

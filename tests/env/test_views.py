@@ -166,7 +166,7 @@ def test_depth_says_ten_metres_where_nothing_is() -> None:
                    image_size=16, renderer="software")  # fmt: skip
     env.reset(seed=0)
     env.world.data.cam_xpos[:] += [0, 0, 30]  # above everything
-    seen = pictures(env._views, env.world, env._observer, [], None)
+    seen = pictures(env._views, env.world, env._drawer, [], None)
     assert (seen["front_depth"] == DEPTH_FAR).all()
 
 
@@ -247,7 +247,7 @@ def test_a_crowded_cloud_is_thinned_evenly_and_always_alike() -> None:
 def test_a_cloud_of_nothing_is_all_padding() -> None:
     env = clouded(cameras=("wrist",))
     env.world.data.cam_xpos[:] += [0, 0, 30]
-    cloud = point_cloud(env._views, env.world, env._observer, ORDER)
+    cloud = point_cloud(env._views, env.world, env._drawer, ORDER)
     assert not any(part.any() for part in cloud.values())
     assert env.observation_space.contains(cloud)
 
