@@ -183,6 +183,7 @@ def test_terms_out_of_range_are_refused(settings: dict) -> None:
 
 @pytest.mark.slow
 def test_workers_and_the_command(made: Path, tmp_path: Path, shell: Shell) -> None:
+    (made / FILE).unlink(missing_ok=True)
     picture = tmp_path / "labels.png"
     words = ("grasps", str(made), "--count", "4", "--trials", "2", "--directions", "0")
     said = shell(*words, "--workers", "2", "--picture", str(picture)).out

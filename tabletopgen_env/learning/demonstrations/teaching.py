@@ -67,8 +67,8 @@ class Teacher:
         plan = None if goal.target is None else self.hint.plan(world, goal.target)
         parts = {name: torch.from_numpy(part)[None] for name, part in observation.items()}
         if "proprio" in parts:
-            state, maps = perceive(parts)
-            state, self._marker = recall_goal(state, self._marker)
+            state, maps, shown = perceive(parts)
+            state, self._marker = recall_goal(state, shown, self._marker)
         else:
             state, maps = parts["state"], parts["height_map"]
         if plan is None or goal.target is None:

@@ -63,25 +63,32 @@ def cameras_of(names: Iterable[str]) -> tuple[str, ...]:
 
 def perceive(
     seen: Mapping[str, Num[Tensor, "n ..."]],
-) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 3 48 48"]]:
-    """Return estimates of the flat states and height maps of a batch of observations."""
+) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 3 48 48"], Float[Tensor, "n"]]:
+    """Return estimates of the flat states and height maps of a batch of observations.
+
+    The third are how many points are of the marker, 0 where none is shown or it is hidden.
+    """
     cameras = cameras_of(seen)
     found = [
         _perceive_one({name: part[row].float() for name, part in seen.items()}, cameras)
         for row in range(len(seen["proprio"]))
     ]
-    states, maps = zip(*found, strict=True)
-    return torch.stack(states), torch.stack(maps)
+    states, maps, shown = zip(*found, strict=True)
+    return torch.stack(states), torch.stack(maps), torch.stack(shown)
 
 
 def _perceive_one(
     seen: Mapping[str, Float[Tensor, "..."]], cameras: Iterable[str]
-) -> tuple[Float[Tensor, "s"], Float[Tensor, "3 48 48"]]:
+) -> tuple[Float[Tensor, "s"], Float[Tensor, "3 48 48"], Float[Tensor, ""]]:
     felt = seen["proprio"]
     clouds = [_cloud(seen, camera) for camera in cameras]
     points, marked, green = (torch.cat(parts) for parts in zip(*clouds, strict=True))
     target, table = points[marked], table_height(points[::_STRIDE])
-    state, maps = felt.new_zeros(STATE), felt.new_zeros(MAPS, CELLS, CELLS)
+    state, maps, shown = (
+        felt.new_zeros(STATE),
+        felt.new_zeros(MAPS, CELLS, CELLS),
+        felt.new_zeros(()),
+    )
     state[:SHARED] = felt[:SHARED]
     state[37] = table
     if len(target) >= _FEWEST:
@@ -94,26 +101,28 @@ def _perceive_one(
         region[2] = table + half[2] + _RISE
         start = middle
     else:
-        shown = points[green & ~marked]
-        start, ball = felt[15:18], find_ball(shown)
-        region, semi = (start, (0.0, 0.0, 0.0)) if ball is None else (ball, _REACHED)
+        start, (ball, count) = felt[15:18], find_ball(points[green & ~marked])
+        region, semi = (ball, _REACHED) if count else (start, (0.0, 0.0, 0.0))
+        shown = shown + count
     goal = state[_GOAL:]
     goal[1:4], goal[8:11] = region, region - start
     goal[4], goal[5], goal[7] = semi
-    return state, maps
+    return state, maps, shown
 
 
 def recall_goal(
-    state: Float[Tensor, "n s"], kept: Float[Tensor, "n 4"]
+    state: Float[Tensor, "n s"], shown: Float[Tensor, "n"], kept: Float[Tensor, "n 4"]
 ) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 4"]]:
-    """Return states with the marker where it was last, if it is hidden; and what is kept of it.
+    """Return states with the marker where it was seen best, and what is kept of it.
 
-    ``kept`` is 1 if it was seen before, else 0, and where it was, base frame, metres.
+    The hand hides the marker at last, and what peeps out tells little of where it is. ``shown`` is
+    by how many points it is seen now; ``kept`` by how many it was seen best, and where it was then,
+    base frame, metres.
     """
-    seen = state[:, _GOAL + 4] > 0
     filled, after = state.clone(), kept.clone()
-    after[seen, 0], after[seen, 1:] = 1.0, state[seen, _GOAL + 1 : _GOAL + 4]
-    again = ~seen & (kept[:, 0] > 0.5)
+    better = (shown > 0) & (shown >= kept[:, 0])
+    after[better, 0], after[better, 1:] = shown[better], state[better, _GOAL + 1 : _GOAL + 4]
+    again = ~better & (kept[:, 0] > 0)
     filled[again, _GOAL + 1 : _GOAL + 4] = kept[again, 1:]
     filled[again, _GOAL + 8 :] = kept[again, 1:] - state[again, 15:18]
     semi = state.new_tensor(_REACHED)
@@ -146,20 +155,20 @@ def _is_green(picture: Float[Tensor, "h w c"]) -> Bool[Tensor, "m"]:
     return (green > _GREEN) & (red < _RED_SHARE * green) & (blue < _BLUE_SHARE * green)
 
 
-def find_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"] | None:
-    """Return the middle of the ball that points are of best, None if they are of none.
+def find_ball(points: Float[Tensor, "m 3"]) -> tuple[Float[Tensor, "3"], int]:
+    """Return the middle of the ball that points are of best, and how many are near its surface.
 
-    The ball has the marker's radius; other things may have its colour. It is fitted to what is
-    around each of some points; the fit with the most points near its surface is taken.
+    That is 0 if they are of none. The ball has the marker's radius; other things may have its
+    colour. It is fitted to what is around each of some points; the fit with the most points near
+    its surface is taken.
     """
-    best, most = None, _LEAST_GREEN - 1
+    best, most = points.new_zeros(3), 0
     for seed in points[:: -(-len(points) // _SEEDS) or 1]:
-        around = points[(points - seed).norm(dim=1) < 2 * _BALL]
-        middle = _fit_ball(around)
+        middle = _fit_ball(points[(points - seed).norm(dim=1) < 2 * _BALL])
         near = int((((points - middle).norm(dim=1) - _BALL).abs() < _NEAR_BALL).sum())
-        if near > most:
+        if near >= _LEAST_GREEN and near > most:
             best, most = middle, near
-    return best
+    return best, most
 
 
 def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:

@@ -3,7 +3,7 @@
 From each place a hand sees other parts of a thing, so the head would change its mind on the way: a
 rim can be grasped all around. A *memory* keeps its last grasp, where it is in the base frame. Once
 the hand is over it, it is not asked again, unless the target has moved or time has passed. A marker
-that the hand hides is remembered where it was.
+that the hand hides is remembered where it was seen best.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ from .perception import STATE, cameras_of, perceive, recall_goal
 MEMORY = 15
 """Entries of a memory: 1 if there is a grasp, for how many steps it was kept, the target's middle
 when it was found, the tool's place in it (base frame, m), and the last three of
-``grasp_head.PLAN``; then 1 if the marker was seen, and where (``perception.recall_goal``)."""
+``grasp_head.PLAN``; then by how many points the marker was seen best, and where
+(``perception.recall_goal``)."""
 
 _GRASP = 11  # entries of the grasp
 
@@ -69,8 +70,8 @@ class SightExtractor(LookExtractor):
         self, observations: dict[str, Any], memory: Float[Tensor, "n 15"]
     ) -> tuple[Float[Tensor, "n f"], Float[Tensor, "n 15"]]:
         """Return the features of a batch of observations, and the memories after it."""
-        state, maps = perceive(observations)
-        state, goal = recall_goal(state, memory[:, _GRASP:])
+        state, maps, shown = perceive(observations)
+        state, goal = recall_goal(state, shown, memory[:, _GRASP:])
         kept = _fits(state, memory)
         plan, anew = _plan_of(state, memory), ~kept & _needs_grasp(state)
         if anew.any():
