@@ -281,6 +281,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._succeeded = bool(terms["success"])
         return self._info(terms)
 
+    def give_up(self) -> None:
+        """Let the episode that is under way not count: its scene source does not hear of it."""
+        self._ref = None
+
     def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
         """Start an episode; return what ``reset`` does."""
         for key in options:

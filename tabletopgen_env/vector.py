@@ -9,7 +9,8 @@ processes use as many as there are, and each compiles the scenes that its slots 
 
 Slots are environments of their own: each draws its scenes and goals with its own seed, and what it
 does is bit for bit what a single environment with that seed does, whatever the number of threads
-or processes.
+or processes. Scenes alone may differ: those of "refreshing" go by the clock, those of a curriculum
+by the order in which slots ask for them.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ from .tasks.task import Task
 from .vectors import jobs
 from .vectors.checks import check_actions, read_mask, read_mode, read_seeds
 from .vectors.joint import check_joint
-from .vectors.lending import AskedScenes, is_lent
+from .vectors.lending import AskedScenes, is_lent, shared_scene
 from .vectors.shards import ShardSlots, split_slots
 from .vectors.slots import Job, SlotRunner
 from .vectors.threads import ThreadSlots
@@ -144,6 +145,9 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             check_joint(config)
         scenes, task = played_at(scenes, task, preset)
         self._source = source = resolve(scenes, task.needs, task.scenes)
+        self._shared_scene = partial(
+            shared_scene, needs=task.needs, start=task.scenes, processes=shards is not None
+        )
         self._closes_source = source is not scenes
         self.autoreset_mode = read_mode(autoreset_mode)
         slot = partial(_slot, max_episode_steps, task, config)
@@ -190,6 +194,8 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         options = as_options(options)
         mask = read_mask(options.pop("reset_mask", None), self.num_envs)
         seeds = read_seeds(seed, self.num_envs)
+        if "scene" in options:
+            options["scene"] = self._shared_scene(options["scene"])
         with self._running() as runner:
             playing = runner.arrays.playing
             try:

@@ -97,12 +97,17 @@ class RayPool(TaskPool):
         with self._lock:
             while self._waiting and len(self._running) < self.width:
                 task = self._waiting.popleft()
-                if task.future.set_running_or_notify_cancel():
+                if not task.future.set_running_or_notify_cancel():
+                    continue
+                try:
                     reference = self._call.remote(self._place, task.packed, task.timeout)
-                    self._running[reference] = task
-                    reference.future().add_done_callback(
-                        lambda done, reference=reference: self._end(reference, done)
-                    )
+                except Exception as error:  # the connection is lost, say
+                    task.future.set_exception(self._failure(error, task.timeout))
+                    continue
+                self._running[reference] = task
+                reference.future().add_done_callback(
+                    lambda done, reference=reference: self._end(reference, done)
+                )
 
     def _end(self, reference: Any, done: Future[tuple[str, bytes]]) -> None:
         """Pass on how a task has ended, and begin the next one."""
@@ -117,11 +122,11 @@ class RayPool(TaskPool):
             well, value = False, self._failure(error, task.timeout)
             if "keeper" in self.__dict__:
                 self.keeper.actor.release.remote(reference.task_id().hex())
-        self._begin()
         if well:
             task.future.set_result(value)
         else:
             task.future.set_exception(value)
+        self._begin()
 
     def _failure(self, error: Exception, timeout: float | None) -> Exception:
         """Return what it means that there is no answer of a task."""
@@ -129,7 +134,7 @@ class RayPool(TaskPool):
             cause = getattr(error, "cause", error)
             return BackendError(f"A machine of the Ray cluster cannot run tasks: {cause}")
         if not isinstance(error, self._ray.exceptions.RayError):
-            return error  # what came cannot be unpickled
+            return error  # what came cannot be unpickled, or Ray takes no more
         late = "" if timeout is None else f", or was given up after {timeout:g} s"
         return WorkerDied(
             f"A worker process of Ray ended abruptly ({type(error).__name__}){late}. Use fewer "

@@ -9,7 +9,7 @@ import numpy as np
 import torch
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 from torch import Tensor
 
 from generator.errors import InputError, require_known, require_number, require_seed
@@ -29,7 +29,7 @@ from ..settings import Settings, read_settings
 from ..tasks.task import GOAL_WEIGHTS, Task
 from .bank import MOST_OBJECTS, SceneBank
 from .batch_world import BatchWorld
-from .checking import check_actions, check_mask
+from .checking import check_actions, check_mask, check_numbers
 from .choice import EpisodeChoice, sampler_of
 from .decks import Deck, DeckConfig, DeckOrder, DeckPlan
 from .engine import find_device
@@ -129,6 +129,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self._active = torch.full_like(self._row, -1)
         self._order = torch.full((num_envs, SLOTS), -1, dtype=torch.long, device=self.device)
         self._commands: Commands | None = None
+        self._shown: Any = None  # the last observation
 
     # ---------------------------------------------------------------------------------- gymnasium
 
@@ -144,14 +145,19 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
             seed: of the episodes drawn from now on; one for all worlds.
             options: "reset_mask", a tensor or an array of bools; "episodes", the rows of
                 ``episodes`` to play, one a world; "steps", how many steps of its time limit each
-                world is to have had already, so that they do not all end at once.
+                world is to have had already, so that they do not all end at once. Of worlds that
+                are not reset the last two are not looked at.
 
         Raises:
-            InputError: an unknown option, a mask or rows of a wrong shape, or several seeds.
+            InputError: an unknown option, one of a wrong shape, type or range, several seeds, or
+                some worlds before all have been reset. Nothing has changed then.
         """
         options = dict(options or {})
         mask = check_mask(options.pop("reset_mask", None), self.num_envs)
-        rows, steps = (options.pop(name, None) for name in ("episodes", "steps"))
+        if self._commands is None and not mask.all():
+            raise InputError("Reset all worlds before some of them.")
+        rows = check_numbers("episodes", options.pop("episodes", None), mask, len(self.episodes))
+        steps = check_numbers("steps", options.pop("steps", None), mask, self._limit)
         for name in options:
             require_known(name, ("reset_mask", "episodes", "steps"), "Unknown reset option")
         if seed is not None:
@@ -159,15 +165,18 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
             self._choice.restart(int(seed))  # type: ignore[arg-type]
         self._begin(mask, rows)
         if steps is not None:
-            begun = mask.to(self.device)
-            self._steps[begun] = torch.as_tensor(steps, device=self.device)[begun]
+            self._steps[mask.to(self.device)] = steps[mask].to(self.device)
+            self._choice.forget(torch.nonzero(mask & (steps > 0))[:, 0].numpy())
         seen, found = self._look()
-        return self._observe(seen), self._infos(seen, found)
+        self._shown = self._observe(seen)
+        return self._shown, self._infos(found, self._terms(seen, found))
 
     def step(
         self, actions: Float[Tensor, "n a"] | np.ndarray
     ) -> tuple[Any, Float[Tensor, "n"], Bool[Tensor, "n"], Bool[Tensor, "n"], dict[str, Any]]:
         """Act in every world for 50 ms, or what ``control_hz`` makes of it.
+
+        A world that fails gets the least reward, and its ``final_obs`` is what it showed before.
 
         Raises:
             InputError: actions of a wrong shape or with NaN (the message names the worlds); no
@@ -187,19 +196,25 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         failed = self.world.step(ctrl, self._servos.substeps).clone()
         self._steps += 1
         seen, found = self._look()
-        terms = rewards.terms(self._goals, seen, found, self.task.aside)
+        terms = {
+            name: term.masked_fill(failed, 0.0) for name, term in self._terms(seen, found).items()
+        }
         reward = rewards.weigh(terms, self._weights, self._config.reward == "sparse")
-        reward = torch.where(failed, torch.zeros_like(reward), reward)
-        infos = self._infos(seen, found, terms) | {"failed": failed}
+        infos = self._infos(found, terms) | {"failed": failed}
         observation = self._observe(seen)
         truncated = failed | (self._steps >= self._limit)
         if truncated.any():
             ended = torch.stack([truncated, failed, infos["success"]]).cpu()
             self.failures += int(ended[1].sum())
             self._choice.record((ended[0] & ~ended[1]).numpy(), ended[2].numpy())
-            infos |= {"final_obs": observation, "_final_obs": truncated}
+            last = _choose(failed, self._shown, observation) if ended[1].any() else observation
+            final = {"final_obs": last, "final_info": infos}
             self._begin(ended[0])
-            observation = self._observe(self._look()[0])
+            seen, found = self._look()
+            observation = self._observe(seen)
+            infos = self._infos(found, self._terms(seen, found))
+            infos |= final | {f"_{name}": truncated for name in final}
+        self._shown = observation
         return observation, reward, torch.zeros_like(truncated), truncated, infos
 
     def close_extras(self, **kwargs: Any) -> None:
@@ -259,17 +274,17 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self._pictures = looks and BatchPictures(looks, config, count, self.device, self.task)
         self.idle = deck.idle
 
-    def _begin(self, mask: Bool[Tensor, "n"], rows: Any = None) -> None:
+    def _begin(self, mask: Bool[Tensor, "n"], rows: Int[Tensor, "n"] | None = None) -> None:
         """Start episodes in some worlds: drawn ones, or ``rows`` of ``episodes``.
 
-        ``mask`` is on the host, so that nothing waits for the device but what made it.
+        Both are on the host, so that nothing waits for the device but what made it.
         """
         here = torch.nonzero(mask)[:, 0]
         table = self.episodes
         if rows is None:
             drawn = torch.from_numpy(self._choice.draw(here.numpy()))
         else:
-            drawn = torch.as_tensor(rows, dtype=torch.long)[here]
+            drawn = rows[here]
             self._choice.forget(here.numpy())
         worlds, drawn = here.to(self.device), drawn.to(self.device)
         self._row[worlds] = drawn
@@ -324,11 +339,10 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         achieved, desired = (v.nan_to_num(0.0, 0.0, 0.0) for v in self._vectors)
         return {"observation": states, "achieved_goal": achieved, "desired_goal": desired}
 
-    def _infos(
-        self, seen: Readings, found: Agreement, terms: dict[str, Tensor] | None = None
-    ) -> dict[str, Any]:
-        if terms is None:
-            terms = rewards.terms(self._goals, seen, found, self.task.aside)
+    def _terms(self, seen: Readings, found: Agreement) -> dict[str, Tensor]:
+        return rewards.terms(self._goals, seen, found, self.task.aside)
+
+    def _infos(self, found: Agreement, terms: dict[str, Tensor]) -> dict[str, Any]:
         success = terms["success"] > 0
         goals = torch.stack([self._active, found.used.sum(1)], 1)
         return {
@@ -336,12 +350,30 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
             "success": success,
             "is_success": success,
             "goals": goals,
-            "episode": self._row.clone(),
+            "episode_row": self._row.clone(),
+            "failed": torch.zeros_like(success),
         }
 
 
+def _choose(mask: Bool[Tensor, "n"], one: Any, other: Any) -> Any:
+    """Return observations with the rows of ``one`` where ``mask`` says so, else of ``other``."""
+    if isinstance(other, dict):
+        return {name: _choose(mask, one[name], part) for name, part in other.items()}
+    return torch.where(mask.view(-1, *[1] * (other.dim() - 1)), one, other)
+
+
 def time_limit(task: Task) -> int:
-    """Return the time limit that a task is registered with, steps."""
+    """Return the time limit that a task, or the one that it is made from, is registered with.
+
+    Raises:
+        InputError: there is none.
+    """
     from .. import STEPS
 
-    return STEPS.get(type(task).__name__, max(STEPS.values()))
+    for kind in type(task).__mro__:
+        if kind.__name__ in STEPS:
+            return STEPS[kind.__name__]
+    raise InputError(
+        f"No time limit is registered for {type(task).__name__}. Pass max_episode_steps, a number "
+        "of steps."
+    )

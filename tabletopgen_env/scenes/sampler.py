@@ -6,6 +6,7 @@ one scene at a time by it, a batched environment the bins of all its episodes to
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -31,7 +32,7 @@ class DifficultySampler:
     Attributes:
         edges: of the bins, b + 1 rising numbers; what lies outside is in the first or last bin.
         explore: share of draws that are uniform over the bins, in (0, 1]; 1 draws uniformly.
-        halflife: episodes of a bin after which one counts half.
+        halflife: episodes of a bin after which one counts half; inf never forgets.
         counts: episodes and successes of each bin, decayed.
 
     Raises:
@@ -82,8 +83,10 @@ class DifficultySampler:
         won = np.atleast_1d(np.asarray(successes, float))
         ended = np.bincount(which, minlength=len(self.counts))
         share = np.bincount(which, won, minlength=len(self.counts)) / np.maximum(ended, 1)
-        kept = 0.5 ** (1 / self.halflife)
-        fresh = (1 - kept**ended) / (1 - kept)  # 1 + kept + kept² ..., as many as ended
-        self.counts = self.counts * (kept**ended)[:, None] + (
+        forgotten = math.log(0.5) / self.halflife  # what is kept of one is exp of this
+        kept = np.exp(ended * forgotten)
+        # 1 + kept + kept² ..., as many as ended; without forgetting it is their number
+        fresh = np.expm1(ended * forgotten) / math.expm1(forgotten) if forgotten else ended
+        self.counts = self.counts * kept[:, None] + (
             fresh[:, None] * np.stack([np.ones_like(share), share], axis=1)
         )

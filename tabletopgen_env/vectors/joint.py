@@ -158,11 +158,11 @@ class JointSlots(SlotSet):
         """Show what slot ``k`` sees, or reset it if its episode is over; return its info."""
         rows, ended = self._rows, self._limit is not None and self._steps[k] >= self._limit
         seen, reward = self._observe(k), float(rows.rewards[k])
+        rows.over[k] = ended
         if ended and self._mode == AutoresetMode.SAME_STEP:
             info = {"final_obs": seen, "final_info": info, **self.reset(k)}
         else:
             rows.show(k, seen)
-            rows.over[k] = ended
         self._end(k, reward, False, bool(ended))
         return info
 

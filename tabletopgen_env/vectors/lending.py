@@ -17,9 +17,18 @@ import cloudpickle
 import numpy as np
 
 from generator.errors import InputError
+from generator.language.distribution import Needs
 from generator.scene import Scene
 
-from ..scenes import FixedScenes, FreshScenes, SceneRef, SceneSource
+from ..scenes import (
+    FixedScenes,
+    FreshScenes,
+    SceneChoice,
+    SceneRef,
+    SceneSource,
+    SharedScenes,
+    resolve,
+)
 from ..scenes.source import HeldRef, Remembered, record
 from .crossing import make_portable
 
@@ -43,19 +52,27 @@ def is_lent(source: object) -> bool:
     return isinstance(source, SceneSource) and type(source) not in (FixedScenes, FreshScenes)
 
 
-def check_options(options: dict[str, Any]) -> None:
-    """Refuse a reset's scene that would be another one in each process.
+def shared_scene(
+    scene: SceneChoice, needs: Needs, start: SceneChoice, processes: bool
+) -> SceneChoice:
+    """Return the option "scene" of a reset as all slots may be given it.
+
+    A source that has to stay in one place is drawn from by one slot at a time.
 
     Raises:
-        InputError: the scene is a source that has to stay in one place.
+        InputError: it is such a source, or means one, and the slots are in several processes.
+        BundleError: no bundle fits.
     """
-    scene = options.get("scene")
-    if is_lent(scene):
+    source = resolve(scene, needs, start)
+    if not is_lent(source):
+        return scene
+    if processes:
         raise InputError(
-            f"The option 'scene' cannot be a {type(scene).__name__} for slots in several "
+            f"The option 'scene' cannot be a {type(source).__name__} for slots in several "
             "processes, each of which would have its own. Pass it as scenes= when the vector "
             "environment is made, or name fixed scenes."
         )
+    return SharedScenes(source)
 
 
 class AskedScenes:

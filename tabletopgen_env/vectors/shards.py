@@ -30,7 +30,7 @@ from ..scenes import SceneSource
 from .arrays import SharedBlock, lay_out, open_memory, pad
 from .crossing import pack
 from .infos import NUMBERS, InfoReader
-from .lending import AskedScenes, LentScenes, Wish, check_options
+from .lending import AskedScenes, LentScenes, Wish
 from .shard import DONE, STEP, ShardAnswer, ShardEnvs, ShardPlace, serve
 from .slots import Job
 
@@ -107,7 +107,6 @@ class ShardSlots:
 
     def reset(self, seeds: Mapping[int, int | None], options: dict[str, Any]) -> dict[str, Any]:
         """Reset some slots."""
-        check_options(options)
         self._request({
             shard: pack(("reset", (of, options)), "The options of a reset")
             for shard, of in self._share(seeds).items()

@@ -70,17 +70,22 @@ class SlotSet:
             return info
         seen, reward, terminated, truncated, info = self.envs[k].step(self._rows.actions[k])
         ended = bool(terminated or truncated)
+        self._rows.over[k] = ended
         if ended and self._mode == AutoresetMode.SAME_STEP:
             info = {"final_obs": seen, "final_info": info, **self.reset(k)}
         else:
             self._rows.show(k, seen)
-            self._rows.over[k] = ended
         self._end(k, float(reward), bool(terminated), bool(truncated))
         return info
 
     def reset(self, k: int, **given: Any) -> dict[str, Any]:
-        """Reset slot ``k``, which has no episode until that is done; return its info."""
+        """Reset slot ``k``, which has no episode until that is done; return its info.
+
+        An episode that is not over is given up: no curriculum hears of it.
+        """
         rows = self._rows
+        if rows.playing[k] and not rows.over[k]:
+            self.envs[k].unwrapped.give_up()  # type: ignore[attr-defined]
         rows.playing[k] = False
         seen, info = self.envs[k].reset(**given)
         rows.show(k, seen)

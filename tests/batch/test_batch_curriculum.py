@@ -35,7 +35,7 @@ def play(env: TabletopBatchEnv, monkeypatch: pytest.MonkeyPatch) -> list[list[in
         return own(*given) | {"success": first.float()}
 
     monkeypatch.setattr(rewards, "terms", terms)
-    begun = [env.reset(seed=4)[1]["episode"].tolist()]
+    begun = [env.reset(seed=4)[1]["episode_row"].tolist()]
     for _ in range(4):
         for _ in range(2):
             env.step(torch.zeros(2, 5))
@@ -56,7 +56,7 @@ def test_a_batch_draws_by_its_curriculum_and_tells_it_how_episodes_end(monkeypat
     env.prepare(seed=5)
     assert env.swap(wait=True)
     assert env.sampler.counts == pytest.approx(counts, abs=1e-6), "a swap keeps them"
-    drawn = env.reset(seed=1)[1]["episode"]
+    drawn = env.reset(seed=1)[1]["episode_row"]
     assert int(drawn.min()) >= 0 and int(drawn.max()) < len(env.episodes)
 
 

@@ -7,18 +7,23 @@ import numpy as np
 import pytest
 import torch
 from gymnasium.vector import AutoresetMode
+from gymnasium.wrappers.vector import RecordEpisodeStatistics
 from gymnasium.wrappers.vector.array_conversion import ArrayConversion
 from tables import COMPILING, need_warp
 
 from generator.errors import InputError, SceneError
+from tabletopgen_env import STEPS
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.tasks.reach import Reach
+from tabletopgen_env.tasks.task import Task
+from tabletopgen_env.tasks.tidy import Tidy
 
 need_warp()
 pytestmark = [pytest.mark.usefixtures("kernels"), pytest.mark.timeout(COMPILING)]
 
 from tabletopgen_env.batch.decks import DeckConfig  # noqa: E402
-from tabletopgen_env.batch.env import TabletopBatchEnv  # noqa: E402
+from tabletopgen_env.batch.env import TabletopBatchEnv, time_limit  # noqa: E402
 
 SCENES = ["vanity", "coffee-square"]
 EACH = 2
@@ -103,6 +108,8 @@ def test_an_episode_that_ends_is_followed_by_another_within_the_step() -> None:
     assert truncated.all() and not terminated.any()
     assert infos["_final_obs"].all() and infos["final_obs"].shape == seen.shape
     assert not torch.equal(infos["final_obs"], seen)
+    assert infos["_final_info"].all()
+    assert not torch.equal(infos["final_info"]["episode_row"], infos["episode_row"])
     begun = env._row.clone()
     again, _ = env.reset(options={"episodes": begun})
     assert torch.equal(seen, again), "what follows is that episode's start"
@@ -110,7 +117,7 @@ def test_an_episode_that_ends_is_followed_by_another_within_the_step() -> None:
 
 def test_episodes_are_drawn_by_the_seed(lift: TabletopBatchEnv) -> None:
     def rows(seed: int) -> list[int]:
-        return lift.reset(seed=seed)[1]["episode"].tolist()
+        return lift.reset(seed=seed)[1]["episode_row"].tolist()
 
     assert rows(3) == rows(3) and len({tuple(rows(k)) for k in range(5)}) > 1
 
@@ -134,12 +141,76 @@ def test_a_world_that_fails_is_told_counted_and_begun_anew(lift: TabletopBatchEn
     lift.step(still)
     lift.world.state.qvel[1] = torch.nan
     seen, rewards, _, truncated, infos = lift.step(still)
-    assert infos["failed"].tolist() == truncated.tolist() == [False, True, False, False]
+    assert infos["final_info"]["failed"].tolist() == truncated.tolist()
+    assert truncated.tolist() == [False, True, False, False] and not infos["failed"].any()
     assert lift.failures == before + 1 and rewards[1] == 0
-    assert torch.isfinite(seen).all() and torch.isfinite(infos["final_obs"]).all()
+    assert torch.isfinite(seen).all() and torch.equal(infos["final_obs"][1], calm[0][1])
     others = [0, 2, 3]
+    assert torch.equal(infos["final_obs"][others], seen[others])
     assert torch.equal(seen[others], calm[1][others]), "the others go on to the bit"
     assert not lift.step(still)[4]["failed"].any()
+
+
+def test_failing_is_not_rewarded_like_success() -> None:
+    env = batch(2, reward="sparse", observation="goal")
+    env.reset(seed=0)
+    env.world.state.qvel[0] = torch.nan
+    _, rewards, _, _, infos = env.step(torch.zeros(2, 5))
+    assert rewards.tolist() == [-1.0, -1.0] and infos["_final_info"].tolist() == [True, False]
+    assert not infos["final_info"]["success"].any()
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"episodes": [-1, 0, 0, 0]},
+        {"episodes": [0.0, 1.0, 0.0, 0.0]},
+        {"episodes": [0, 0]},
+        {"episodes": [0, 0, 0, 99]},
+        {"episodes": "all"},
+        {"steps": 5},
+        {"steps": [-5, 0, 0, 0]},
+        {"steps": [0, 0, 0, 10**6]},
+        {"steps": [True, False, True, False]},
+        {"reset_mask": "all"},
+    ],
+)
+def test_options_out_of_range_are_refused_before_anything_moves(
+    lift: TabletopBatchEnv, options: dict
+) -> None:
+    rows = lift.reset(seed=1)[1]["episode_row"]
+    with pytest.raises(InputError, match=next(iter(options))):
+        lift.reset(seed=2, options=options)
+    assert torch.equal(lift.step(torch.zeros(4, 5))[4]["episode_row"], rows)
+
+
+def test_all_worlds_are_reset_before_some() -> None:
+    with pytest.raises(InputError, match="Reset all worlds"):
+        batch(2).reset(options={"reset_mask": [True, False]})
+
+
+def test_a_task_of_your_own_has_the_limit_of_what_it_is_made_from() -> None:
+    class NearReach(Reach):
+        pass
+
+    class Sorting(Tidy):
+        pass
+
+    Alone = type("Alone", (Task,), dict.fromkeys(Task.__abstractmethods__))
+    assert time_limit(NearReach()) == STEPS["Reach"] and time_limit(Sorting()) == STEPS["Tidy"]
+    with pytest.raises(InputError, match="max_episode_steps"):
+        time_limit(Alone())
+
+
+def test_statistics_of_gymnasium_count_episodes() -> None:
+    env = RecordEpisodeStatistics(
+        ArrayConversion(batch(2, max_episode_steps=2), env_xp=torch, target_xp=np)
+    )
+    env.reset(seed=0)
+    still = np.zeros((2, 5), np.float32)
+    env.step(still)
+    infos = env.step(still)[4]
+    assert infos["episode"]["l"].tolist() == [2, 2] and env.episode_count == 2
 
 
 def test_goal_observations_follow_the_task() -> None:

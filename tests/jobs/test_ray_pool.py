@@ -2,12 +2,15 @@
 
 import logging
 import os
+import pickle
+import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import CancelledError, Future
 from contextlib import closing
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -169,6 +172,36 @@ def test_other_versions_are_refused(cluster: str, monkeypatch: pytest.MonkeyPatc
         pytest.raises(BackendError, match=r"has mujoco .*, not 1\.0\. Install the same"),
     ):
         result(pool.submit(square, 1))
+
+
+def test_a_task_that_ray_takes_no_more_fails_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    answer: Future[Any] = Future()
+
+    class Reference:
+        def future(self) -> Any:
+            return answer
+
+    class Calls:
+        taken = 0
+
+        def remote(self, *task: Any) -> Any:
+            self.taken += 1
+            if self.taken > 1:
+                raise ConnectionError("Ray is gone")
+            return Reference()
+
+    errors = SimpleNamespace(RayError=ZeroDivisionError, RayTaskError=ZeroDivisionError)
+    stub = SimpleNamespace(
+        is_initialized=lambda: True, exceptions=errors, cancel=lambda *_, **__: None,
+        remote=lambda **_: lambda _: Calls(),
+    )  # fmt: skip
+    monkeypatch.setitem(sys.modules, "ray", stub)
+    with closing(pool_of(1, "anywhere")) as pool:
+        first, second = pool.submit(square, 2), pool.submit(square, 3)
+        answer.set_result(("here", pickle.dumps((True, 4))))
+        assert result(first) == 4
+        with pytest.raises(ConnectionError, match="Ray is gone"):
+            result(second)
 
 
 def test_no_cluster_is_told() -> None:

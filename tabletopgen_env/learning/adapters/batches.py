@@ -19,7 +19,7 @@ class BatchVecEnv(VecEnv):
     """The worlds of a batch with SB3's infos.
 
     An info holds "success" and "is_success"; a world's last one of an episode also
-    "terminal_observation" and "TimeLimit.truncated", and "failed" where its world has failed.
+    "terminal_observation" and "TimeLimit.truncated", and "failed", whether its world has failed.
 
     Args:
         batch: the worlds; closed with this.
@@ -51,14 +51,17 @@ class BatchVecEnv(VecEnv):
         """Step all worlds; return what they see, their rewards, which ended, and their infos."""
         seen, rewards, terminated, truncated, infos = self.batch.step(self._actions)
         done = (terminated | truncated).cpu().numpy()
-        success, failed = (infos[name].cpu().tolist() for name in ("success", "failed"))
-        answers: list[dict[str, Any]] = [{"success": s, "is_success": s} for s in success]
+        answers = [_success(s) for s in infos["success"].cpu().tolist()]
         if done.any():
-            last = as_numpy(infos["final_obs"])
-            for k in np.flatnonzero(done):
-                answers[k]["terminal_observation"] = _pick(last, int(k))
-                answers[k]["TimeLimit.truncated"] = True
-                answers[k]["failed"] = failed[k]
+            last, final = as_numpy(infos["final_obs"]), infos["final_info"]
+            success, failed = (final[name].cpu().tolist() for name in ("success", "failed"))
+            for k in np.flatnonzero(done).tolist():
+                answers[k] = {
+                    **_success(success[k]),
+                    "terminal_observation": _pick(last, k),
+                    "TimeLimit.truncated": True,
+                    "failed": failed[k],
+                }
         return as_numpy(seen), rewards.cpu().numpy().astype(np.float32), done, answers
 
     def close(self) -> None:
@@ -97,6 +100,10 @@ def as_numpy(seen: Tensor | dict[str, Tensor]) -> Any:
     if isinstance(seen, dict):
         return {key: as_numpy(value) for key, value in seen.items()}
     return torch.clone(seen).cpu().numpy()
+
+
+def _success(success: bool) -> dict[str, Any]:
+    return {"success": success, "is_success": success}
 
 
 def _pick(seen: Any, k: int) -> Any:

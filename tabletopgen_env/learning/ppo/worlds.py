@@ -26,7 +26,8 @@ class WorldsStep:
         seen: what the worlds show now, those whose episode ended their new one.
         rewards: of the step.
         terminated: whose episode ended by itself.
-        truncated: whose episode was cut by its time limit, and did not end by itself.
+        truncated: whose episode was cut by its time limit or since its world had failed, and did
+            not end by itself.
         cut: the numbers of the truncated worlds.
         last: what those showed last, a row each.
         success: which worlds reached their goal with this step.
@@ -53,8 +54,7 @@ class TensorWorlds:
 
     Args:
         env: any vector environment that resets itself within a step. With tensors, it says on which
-            ``device`` they are, its ``infos["final_obs"]`` has a row for each world and
-            ``infos["success"]`` is of the step and not of the episode begun after it.
+            ``device`` they are, and its ``infos["final_obs"]`` has a row for each world.
 
     Raises:
         InputError: the environment resets itself otherwise.

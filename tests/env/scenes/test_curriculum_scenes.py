@@ -75,6 +75,15 @@ def test_episodes_are_forgotten_by_halves() -> None:
     assert sampler.counts[[0, 1, 3]].sum() == 0.0  # others keep what they know
 
 
+@pytest.mark.parametrize("halflife", [1e17, float("inf")])
+def test_what_is_never_forgotten_counts_whole(halflife: float) -> None:
+    sampler = DifficultySampler((0.0, 0.5, 1.0), halflife=halflife)
+    for _ in range(3):
+        sampler.record([0, 0, 1], [True, False, False])
+    assert sampler.counts == pytest.approx(np.array([[6, 3], [3, 0]]))
+    assert np.isfinite(sampler.probabilities()).all()
+
+
 def test_many_episodes_at_once_count_as_one_after_the_other() -> None:
     together, apart = DifficultySampler(EDGES), DifficultySampler(EDGES)
     together.record([1] * 6 + [3], [True] * 6 + [False])
@@ -309,11 +318,18 @@ def test_a_curriculum_follows_an_environment() -> None:
     assert source.sampler.counts.sum(0) == pytest.approx([1 + 0.5 ** (1 / 30), 0.0])
 
 
-def test_every_slot_of_a_vector_environment_is_heard() -> None:
-    source = CurriculumScenes([toy_scene(), toy_scene(toy_objects()[:1], name="one")])
-    envs = TabletopVectorEnv(3, scenes=source, task="Reach", max_episode_steps=2)
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
+def test_every_slot_of_a_vector_environment_is_heard(mode: str) -> None:
+    sampler = DifficultySampler(halflife=float("inf"))
+    source = CurriculumScenes([toy_scene(), toy_scene(toy_objects()[:1], name="one")], sampler)
+    envs = TabletopVectorEnv(
+        3, scenes=source, task="Reach", max_episode_steps=2, autoreset_mode=mode
+    )
     envs.reset(seed=0)
-    for _ in range(6):
+    for _ in range(6 if mode == "NextStep" else 4):
         envs.step(envs.action_space.sample())
-    assert round(source.sampler.counts[:, 0].sum()) == 6  # two of each slot have ended
+    assert source.sampler.counts[:, 0].sum() == 6  # two of each slot have ended
+    envs.step(envs.action_space.sample())
+    envs.reset()
+    assert source.sampler.counts[:, 0].sum() == 6, "those that were given up do not count"
     envs.close()

@@ -224,7 +224,8 @@ def test_one_source_is_asked_by_all_processes_and_told_how_episodes_end() -> Non
     )
     for _ in range(3):
         envs.reset(seed=0)
-        envs.step(np.zeros((4, 5)))
+        for _ in range(2):
+            envs.step(np.zeros((4, 5)))
     assert source.draws == 12 and source.records == [False] * 8
     for keys in envs.visit(shard_tasks.key):
         assert {*keys.split(",")} <= {"lent:0", "lent:1"}, "compiled worlds are met again"
@@ -258,6 +259,8 @@ def test_a_pool_is_renewed_for_all_slots_together() -> None:
     assert source.renewals == 2, "12 draws, of which the 5th and the 9th were due"
     with pytest.raises(InputError, match="'scene' cannot be a RefreshingScenes for slots in sev"):
         envs.reset(options={"scene": source})
+    with pytest.raises(InputError, match="'scene' cannot be a CurriculumScenes for slots in sev"):
+        envs.reset(options={"scene": "curriculum:coffee-square"})
     envs.close()
     source.close()
 
