@@ -59,7 +59,7 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
     for owner in owners:
         mine = [k for k, place in enumerate(places) if place.owner == owner]
         body, is_fixed = _read_body(header, owner, [places[k] for k in mine],
-                                    [m for k in mine for m in meshes[k]], shells, what)  # fmt: skip
+                                    [meshes[k] for k in mine], shells, what)  # fmt: skip
         if is_fixed or body.name == table:
             fixed[body.name] = body
         else:
@@ -154,7 +154,7 @@ def _read_body(
     header: Header,
     owner: int,
     places: Sequence[_Place],
-    meshes: Sequence[trimesh.Trimesh],
+    meshes: Sequence[Sequence[trimesh.Trimesh]],
     shells: Mapping[str, tuple[ConvexPart, ...]],
     what: str,
 ) -> tuple[ForeignBody, bool]:
@@ -163,12 +163,13 @@ def _read_body(
     name = printable(str(node.get("name") or f"thing_{owner}")[:100], "A node's name", InputError)
     rotation, scale, position = _split(places[0].owner_matrix, name)
     placed = []
-    for place, mesh in zip(places, meshes, strict=True):
+    for place, pieces in zip(places, meshes, strict=True):
         own = np.linalg.inv(places[0].owner_matrix) @ place.matrix
-        moved = mesh.copy(include_visual=False)
-        moved.apply_transform(np.diag([*scale, 1.0]) @ own)
-        moved.visual = mesh.visual
-        placed.append(moved)
+        for piece in pieces:
+            moved = piece.copy(include_visual=False)
+            moved.apply_transform(np.diag([*scale, 1.0]) @ own)
+            moved.visual = piece.visual
+            placed.append(moved)
     maker = str((header.get("asset") or {}).get("generator", ""))
     surface = surface_of(placed, f"{what}, {name!r}", "trimesh" not in maker, MOST_FACES)
     extras = _extras(node)

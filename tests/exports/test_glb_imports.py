@@ -1,0 +1,63 @@
+"""GLB files of other programs, and of this one, read as bodies."""
+
+import json
+import struct
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from generator.errors import InputError
+from generator.imports import import_scene
+from generator.imports.glb import read_glb
+
+POINTS = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]], np.float32)
+FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], np.uint16)
+RED = {"attributes": {"POSITION": 0}, "indices": 1, "material": 0}
+BLUE = RED | {"material": 1}
+LINES = {"attributes": {"POSITION": 0}, "mode": 1}
+
+
+def write_glb(path: Path, *primitives: dict[str, Any], **changes: Any) -> Path:
+    """A GLB file of a table, and on it a mug that is a mesh of some primitives."""
+    data = POINTS.tobytes() + FACES.tobytes()
+    colors = ([1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0])
+    tree = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0, 1]}],
+        "nodes": [
+            {"name": "table", "mesh": 0},
+            {"name": "mug", "mesh": 1, "translation": [0, 0.1, 0]},
+        ],
+        "meshes": [{"primitives": [RED]}, {"primitives": [*primitives]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": color}} for color in colors],
+        "buffers": [{"byteLength": len(data)}],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": POINTS.nbytes},
+            {"buffer": 0, "byteOffset": POINTS.nbytes, "byteLength": FACES.nbytes},
+        ],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(POINTS), "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5123, "count": FACES.size, "type": "SCALAR"},
+        ],
+    }
+    text = json.dumps(tree | changes).encode()
+    text += b" " * (-len(text) % 4)
+    size = 28 + len(text) + len(data)
+    head = struct.pack("<4sIII4s", b"glTF", 2, size, len(text), b"JSON")
+    path.write_bytes(head + text + struct.pack("<I4s", len(data), b"BIN\0") + data)
+    return path
+
+
+def test_a_mesh_of_several_primitives_keeps_the_colour_of_each(tmp_path: Path) -> None:
+    (mug,) = read_glb(write_glb(tmp_path / "mug.glb", RED, LINES, BLUE)).objects
+    assert len(mug.surface.faces) == 2 * len(FACES)
+    assert {*map(tuple, mug.surface.colors.tolist())} == {(255, 0, 0), (0, 0, 255)}
+    np.testing.assert_allclose(mug.position, [0, 0, 0.1], atol=1e-9)
+
+
+def test_a_body_without_triangles_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="'mug' has no triangles"):
+        import_scene(write_glb(tmp_path / "lines.glb", LINES))
