@@ -22,7 +22,7 @@ from ..scene import TABLE, ConvexPart, Mesh, Scene
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-RESERVED = ("world", "floor", "scene", TABLE)
+RESERVED = ("world", "floor", "scene", "sun", "PhysicsScene", TABLE)
 """Names that objects do not get: exports use them for what else there is."""
 
 SEGMENTS = 32
@@ -114,7 +114,7 @@ def legal_names(names: Iterable[str]) -> list[str]:
     asked = [*names]
     kept = {name for name in asked if _plain(name) == name and name not in RESERVED}
     taken = {*RESERVED, *kept}
-    return [name if name in kept else _free(_plain(name), taken) for name in asked]
+    return [name if name in kept else free_name(_plain(name), taken) for name in asked]
 
 
 def _plain(name: str) -> str:
@@ -123,7 +123,7 @@ def _plain(name: str) -> str:
     return f"_{word}" if word[0].isdigit() else word
 
 
-def _free(word: str, taken: set[str]) -> str:
+def free_name(word: str, taken: set[str]) -> str:
     """Return the word, numbered if it is taken; then it is."""
     name, number = word, 2
     while name in taken:

@@ -4,12 +4,13 @@ The first scene, which viewers show, holds a node for each body with its texture
 "collision" holds the same nodes with a mesh for each convex piece. glTF has y up, so both hang on a
 node that turns z up to y up. A node's ``extras`` have what glTF has no field for: ``mass`` (kg),
 ``center_of_mass`` (metres), ``inertia`` (kg m², rows, about the centre of mass), ``friction``,
-``fixed``, in the body's frame; a piece's are its ``kind`` and ``half_extents``.
+``fixed``, in the body's frame; a piece's are its ``kind`` and ``half_extents``, and the node above
+the pieces has the name of their ``body``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,9 +18,7 @@ from PIL import Image
 
 from ..geometry import quaternion_matrix
 from ..scene import Scene
-from .bodies import ExportBody, ExportPiece, bodies_of
-
-_COLLISION = "_collision"
+from .bodies import RESERVED, ExportBody, ExportPiece, bodies_of, free_name
 
 
 def glb_files(scene: Scene) -> Mapping[str, bytes]:
@@ -29,22 +28,25 @@ def glb_files(scene: Scene) -> Mapping[str, bytes]:
     bodies = bodies_of(scene)
     whole = trimesh.Scene()
     details: dict[str, dict[str, Any]] = {}
+    taken = {*RESERVED, *(body.name for body in bodies)}
     for body in bodies:
         pose = np.eye(4)
         pose[:3, :3], pose[:3, 3] = quaternion_matrix(body.quaternion), body.position
         whole.add_geometry(_draw(body), body.name, body.name, transform=pose)
         details[body.name] = _details(body)
-        shell = body.name + _COLLISION
+        shell = free_name(f"{body.name}_collision", taken)
         whole.graph.update(shell, matrix=pose)
         details[shell] = {"body": body.name}
         for k, piece in enumerate(body.pieces):
-            name = f"{body.name}_part_{k}"
+            name = free_name(f"{body.name}_part_{k}", taken)
             solid = trimesh.Trimesh(piece.vertices, piece.faces, process=False)
             whole.add_geometry(solid, name, name, parent_node_name=shell)
             details[name] = _piece_details(piece)
 
+    roots = [free_name(root, taken) for root in ("y_up", "y_up_collision")]
+
     def arrange(tree: dict[str, Any]) -> None:
-        _arrange(tree, scene.name, details)
+        _arrange(tree, scene.name, details, roots)
 
     packed = whole.export(file_type="glb", tree_postprocessor=arrange, unitize_normals=True)
     assert isinstance(packed, bytes)
@@ -83,17 +85,21 @@ def _piece_details(piece: ExportPiece) -> dict[str, Any]:
     return {"kind": piece.kind, "half_extents": piece.half.tolist()}
 
 
-def _arrange(tree: dict[str, Any], name: str, details: Mapping[str, dict[str, Any]]) -> None:
-    """Give nodes their extras; hang bodies on turned roots, what collides in a scene of its own."""
+def _arrange(
+    tree: dict[str, Any], name: str, details: Mapping[str, dict[str, Any]], roots: Sequence[str]
+) -> None:
+    """Give nodes their extras; hang bodies on turned roots, what collides in a scene of its own.
+
+    ``roots`` are the names of the root of what is drawn and of that of what collides.
+    """
     nodes, (scene,) = tree["nodes"], tree["scenes"]
     for node in nodes:
         if node["name"] in details:
             node["extras"] = details[node["name"]]
-    shells = [k for k in scene["nodes"] if nodes[k]["name"].endswith(_COLLISION)]
+    shells = [k for k in scene["nodes"] if "body" in details[nodes[k]["name"]]]
     drawn = [k for k in scene["nodes"] if k not in shells]
     half = float(np.sqrt(0.5))
-    roots = {"y_up": drawn, "y_up_collision": shells}
-    for root, children in roots.items():
+    for root, children in zip(roots, (drawn, shells), strict=True):
         nodes.append({"name": root, "children": children, "rotation": [-half, 0.0, 0.0, half]})
     first = len(nodes) - len(roots)
     tree["scenes"] = [

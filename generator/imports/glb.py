@@ -224,12 +224,11 @@ def _number(value: object, name: str, what: str) -> float | None:
 def _collision_of(raw: bytes, header: Header, what: str) -> Mapping[str, tuple[ConvexPart, ...]]:
     """Return the convex parts of each body that the scene "collision" has."""
     scenes = header.get("scenes", ())
-    numbers = [k for k, s in enumerate(scenes) if isinstance(s, Mapping) and
-               s.get("name") == _COLLISION]  # fmt: skip
-    if not numbers or numbers[0] == 0:
+    number = next((k for k, s in enumerate(scenes) if k and s.get("name") == _COLLISION), None)
+    if number is None:
         return {}
     try:
-        places = [*_walk(header, numbers[0])]
+        places = [*_walk(header, number)]
     except (KeyError, IndexError, TypeError, ValueError) as error:
         raise InputError(f"{what} is damaged ({type(error).__name__}: {error}).") from error
     parts: dict[str, list[ConvexPart]] = {}

@@ -158,8 +158,9 @@ def from_glb(path: Path) -> dict[str, Found]:
             np.array(more["center_of_mass"]), np.array(more["inertia"]), more["friction"],
             bounds(np.asarray(drawn.geometry[key].vertices)),
         )  # fmt: skip
-    for name in sorted(solid.graph.nodes_geometry, key=lambda n: int(n.rpartition("_")[2])):
-        body = found[name.rpartition("_part_")[0]]
+    above = solid.graph.transforms.parents
+    for name in sorted(solid.graph.nodes_geometry, key=list(nodes).index):
+        body = found[nodes[above[name]]["extras"]["body"]]
         matrix, key = solid.graph[name]
         at = up @ matrix[:3, 3]
         np.testing.assert_allclose(at, body.position, atol=1e-6)

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from command import Shell, command
 from imported import READERS, Found, settle_drift
+from toy import toy_object, toy_scene
 
 import assets_cache
 from generator.bundle import load
@@ -108,6 +109,16 @@ def test_names_become_identifiers_and_stay_apart() -> None:
     assert made[1:3] == ["Kase_Glocke", "Kase_Glocke_2"]
     assert all(name.isidentifier() and name.isascii() for name in made)
     assert len({*made}) == len(asked) and not {*made} & {*RESERVED}
+
+
+@pytest.mark.parametrize("to", [to for to in WRITERS if to != "mjcf"])  # which keeps names
+def test_names_that_the_export_uses_itself_take_no_objects_place(to: str, tmp_path: Path) -> None:
+    needs(to)
+    names = ["mug", "mug_collision", "mug_part_0", "y_up", "y_up_collision", "PhysicsScene", "sun"]
+    size = (0.03, 0.04, 0.05)
+    things = [toy_object(n, size, (k / 10 - 0.3, 0.0)) for k, n in enumerate(names)]
+    scene = toy_scene(tuple(things))
+    check(READERS[to](export(scene, to, tmp_path)), bodies_of(scene))
 
 
 @pytest.mark.slow

@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from toy import toy_object, toy_scene
 
 from generator.errors import InputError
+from generator.exports import export
 from generator.imports import import_scene
 from generator.imports.glb import read_glb
 
@@ -61,3 +63,13 @@ def test_a_mesh_of_several_primitives_keeps_the_colour_of_each(tmp_path: Path) -
 def test_a_body_without_triangles_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="'mug' has no triangles"):
         import_scene(write_glb(tmp_path / "lines.glb", LINES))
+
+
+def test_names_that_an_export_uses_itself_come_back(tmp_path: Path) -> None:
+    names = ["mug", "mug_collision", "mug_part_0", "y_up_collision", "collision"]
+    size = (0.03, 0.04, 0.05)
+    things = [toy_object(n, size, (k / 10 - 0.3, 0.0)) for k, n in enumerate(names)]
+    scene = toy_scene(tuple(things)).replace(name="collision")
+    found = read_glb(export(scene, "glb", tmp_path))
+    assert [body.name for body in found.objects] == names
+    assert [len(body.parts) for body in found.objects] == [1] * len(names)
