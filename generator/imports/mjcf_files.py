@@ -6,6 +6,7 @@ nothing. What could run code, make other files or grow without bounds is refused
 
 from __future__ import annotations
 
+import os
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -87,7 +88,7 @@ class _Reader:
             if child.tag != "include":
                 self.include(child, where)
                 continue
-            path = self._find(child.get("file", ""), where)
+            path = self._find(child.get("file", ""), self.base, where)
             if path in self._included:
                 raise InputError(f"The model includes {str(path)!r} twice, or within itself.")
             root = self.parse(path)
@@ -135,15 +136,28 @@ class _Reader:
             self.files[self._names[path]] = self._read(path, MOST_FILE)
         return self._names[path]
 
-    def _find(self, given: str, where: PurePosixPath) -> PurePosixPath:
-        """Return the path in the folder of a file named in another."""
+    def _find(self, given: str, *places: PurePosixPath) -> PurePosixPath:
+        """Return the path of a file that is named: below the first place that has it, or the last.
+
+        Of an include these are the model's folder and that of the file that names it, as MuJoCo
+        looks for it.
+        """
         path = PurePosixPath(given.replace("\\", "/"))
         if path.is_absolute() or not given or ":" in given:
             raise InputError(
                 f"The model names the file {given[:200]!r}; paths have to be relative, and stay "
                 "inside its folder."
             )
-        return _plain(where / path, given)
+        found = [_plain(place / path) for place in places]
+        for inside in found:
+            if inside is not None and os.path.lexists(self.folder / inside):
+                return inside
+        if found[-1] is None:
+            raise InputError(
+                f"The model names the file {given[:200]!r} outside of its folder. Name a folder "
+                "that holds both (--root)."
+            )
+        return found[-1]
 
     def _read(self, path: PurePosixPath, limit: int) -> bytes:
         raw = read_source(self.folder, str(path), limit)
@@ -153,16 +167,13 @@ class _Reader:
         return raw
 
 
-def _plain(path: PurePosixPath, given: str) -> PurePosixPath:
-    """Return a path without ``..``, which may lead up, but not out of the folder."""
+def _plain(path: PurePosixPath) -> PurePosixPath | None:
+    """Return a path without ``..``, which may lead up; None where it leads out of the folder."""
     parts: list[str] = []
     for part in path.parts:
         if part == "..":
             if not parts:
-                raise InputError(
-                    f"The model names the file {given[:200]!r} outside of its folder. Name a "
-                    "folder that holds both (--root)."
-                )
+                return None
             parts.pop()
         else:
             parts.append(part)

@@ -124,6 +124,23 @@ def test_includes_and_assets_are_found_inside_the_folder(tmp_path: Path, read) -
         read(deep, tmp_path / "assets")
 
 
+@pytest.mark.parametrize("there", ["a/b/it.xml", "it.xml a/b/it.xml", "it.xml a/it.xml"])
+def test_an_include_is_found_where_mujoco_finds_it(there: str, tmp_path: Path) -> None:
+    path = write(tmp_path, '<include file="a/one.xml"/>')
+    (tmp_path / "a/b").mkdir(parents=True)
+    (tmp_path / "a/one.xml").write_text('<m><include file="b/two.xml"/></m>')
+    (tmp_path / "a/b/two.xml").write_text('<m><include file="it.xml"/></m>')
+    for name in there.split():
+        (tmp_path / name).write_text(f'<m><body name="{name}"/></m>')
+    found = gather(path)
+    models = (
+        mujoco.MjModel.from_xml_path(str(path)),
+        mujoco.MjModel.from_xml_string(found.xml, found.files),
+    )
+    first, ours = (model.body(1).name for model in models)
+    assert first == ours == there.split()[0]
+
+
 @pytest.mark.parametrize(
     ("head", "said"),
     [
