@@ -9,7 +9,6 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from ..bundle import BOUNDS
 from ..errors import InputError, SceneError
 from ..geometry import (
     convex_outline,
@@ -42,7 +41,7 @@ from ..scene import (
     names_in,
 )
 from ..scene.triangles import areas
-from .foreign import ForeignBody, ForeignScene
+from .foreign import ForeignBody, ForeignScene, check_count
 
 _MOST_FACES = 24_000  # triangles of a body that stay as they are
 _TEXTURE = 1024  # side of a texture made again, texels
@@ -68,10 +67,7 @@ def build_scene(
         InputError: too many objects, or numbers that no scene holds.
         SceneError: a shape cannot be decomposed, or no object is left.
     """
-    if len(foreign.objects) > BOUNDS.objects:
-        raise InputError(
-            f"The scene has {len(foreign.objects)} objects; at most {BOUNDS.objects} are imported."
-        )
+    check_count(len(foreign.objects))
     table, shift = _build_table(foreign.table)
     names = _free_names([body.name for body in foreign.objects])
     objects = [

@@ -23,7 +23,6 @@ from typing import Any, cast
 import numpy as np
 from jaxtyping import Float
 
-from ..bundle import BOUNDS
 from ..catalogue import build_table
 from ..errors import InputError
 from ..geometry import quaternion_matrix
@@ -33,7 +32,7 @@ from ..meshes.reading.companions import companions
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
 from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
 from .files import read_source
-from .foreign import ForeignBody, ForeignScene
+from .foreign import ForeignBody, ForeignScene, check_count
 
 POSES = "poses.json"
 """Name of the file that says what is where."""
@@ -59,8 +58,7 @@ def read_folder(folder: Path) -> ForeignScene:
         raise InputError(f'{POSES} has no table: {{"file": …}} or {{"size": [x, y, z]}}.')
     if not isinstance(objects, list) or not objects:
         raise InputError(f"{POSES} has no objects: a list of at least one.")
-    if len(objects) > BOUNDS.objects:
-        raise InputError(f"{POSES} has {len(objects)} objects; at most {BOUNDS.objects} are read.")
+    check_count(len(objects))
     bodies = tuple(reader.object(entry, k) for k, entry in enumerate(cast("list[Any]", objects)))
     name = payload.get("name", folder.resolve().name)
     return ForeignScene(

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from ..bundle import BOUNDS
 from ..errors import InputError
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
@@ -60,3 +61,16 @@ class ForeignScene:
     table: ForeignBody
     objects: tuple[ForeignBody, ...]
     warnings: tuple[str, ...] = ()
+
+
+def check_count(objects: int) -> None:
+    """Check how many objects a foreign scene has, before they are read.
+
+    Raises:
+        InputError: a scene holds fewer.
+    """
+    if objects > BOUNDS.objects:
+        raise InputError(
+            f"The scene has {objects} objects; at most {BOUNDS.objects} are imported. Take some "
+            "out of it."
+        )

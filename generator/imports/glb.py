@@ -23,9 +23,10 @@ from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
 from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix
 from ..meshes.reading.inspection import inspect_glb
 from ..meshes.reading.surface import surface_of
+from ..meshes.reading.textures import Pictures
 from ..physics.inertia import MassProperties
 from ..scene import ConvexPart
-from .foreign import ForeignBody, ForeignScene
+from .foreign import ForeignBody, ForeignScene, check_count
 from .mjcf import TABLE_WORDS
 from .shapes import part_of
 
@@ -53,13 +54,15 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
         raise InputError(f"{what} is damaged ({type(error).__name__}: {error}).") from error
     shells = _collision_of(raw, header, what)
     owners = dict.fromkeys(place.owner for place in places)
+    free = [k for k in owners if _extras(header["nodes"][k]).get("fixed") is not True]
+    check_count(len(free) - 1)  # one may be the table
     bodies: list[ForeignBody] = []
     fixed: dict[str, ForeignBody] = {}
-    meshes = _load(raw, header, places)
+    meshes, pictures = _load(raw, header, places), Pictures(what)
     for owner in owners:
         mine = [k for k, place in enumerate(places) if place.owner == owner]
         body, is_fixed = _read_body(header, owner, [places[k] for k in mine],
-                                    [meshes[k] for k in mine], shells, what)  # fmt: skip
+                                    [meshes[k] for k in mine], shells, what, pictures)  # fmt: skip
         if is_fixed or body.name == table:
             fixed[body.name] = body
         else:
@@ -157,6 +160,7 @@ def _read_body(
     meshes: Sequence[Sequence[trimesh.Trimesh]],
     shells: Mapping[str, tuple[ConvexPart, ...]],
     what: str,
+    pictures: Pictures,
 ) -> tuple[ForeignBody, bool]:
     """Return the body of a node, and whether it is fixed."""
     node = header["nodes"][owner]
@@ -171,7 +175,8 @@ def _read_body(
             moved.visual = piece.visual
             placed.append(moved)
     maker = str((header.get("asset") or {}).get("generator", ""))
-    surface = surface_of(placed, f"{what}, {name!r}", "trimesh" not in maker, MOST_FACES)
+    called = f"{what}, {name!r}"
+    surface = surface_of(placed, called, "trimesh" not in maker, MOST_FACES, pictures)
     extras = _extras(node)
     fixed = extras.get("fixed") is True
     body = ForeignBody(

@@ -20,8 +20,9 @@ from ..meshes.reading.surface import ColoredSurface
 from ..meshes.reading.textures import MOST_TEXTURE
 from ..physics.inertia import MassProperties, join_bodies
 from ..scene import ConvexPart
+from ..scene.arrays import PICTURE, frozen_array
 from .compiling import compile_foreign
-from .foreign import ForeignBody, ForeignScene
+from .foreign import ForeignBody, ForeignScene, check_count
 from .mjcf_files import gather
 from .shapes import Solid, hull_corners, solid_part, solid_surface
 
@@ -50,6 +51,7 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
     model = compile_foreign(gather(path, folder), f"the model {path.name!r}")
     reader = _ModelReader(model)
     reader.check_joints()
+    check_count(len(reader.free))
     objects = tuple(reader.body(b) for b in reader.free)
     fixed, name = reader.find_table(table, objects)
     stem = str(model.names[: model.names.find(b"\0")].decode("utf-8", "replace"))
@@ -74,6 +76,7 @@ class _ModelReader:
         self.solid: Bool[np.ndarray, "g"] = (model.geom_contype | model.geom_conaffinity) != 0
         colors = [_color(model, g)[3] > _SEEN for g in range(model.ngeom)]
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
+        self._pictures: dict[tuple[int, bytes], UInt8[np.ndarray, "h w 3"]] = {}
 
     def check_joints(self) -> None:
         """Refuse what is no set of free bodies."""
@@ -249,7 +252,7 @@ class _ModelReader:
     ) -> ColoredSurface:
         """Return geoms as one surface in a frame."""
         pictures: list[UInt8[np.ndarray, "h w 3"]] = []
-        known: dict[bytes, int] = {}
+        known: dict[int, int] = {}
         rows: list[tuple[Any, ...]] = []
         count = 0
         for geom in map(int, geoms):
@@ -259,13 +262,12 @@ class _ModelReader:
             else:
                 vertices, faces = solid_surface(self._solid(geom), self._half(geom))
                 uv = None
-            picture, index = _picture(self.model, geom), -1
+            picture, index = self._picture(geom), -1
             color = _color(self.model, geom)
             if picture is not None and uv is None:
                 color = np.append(picture.reshape(-1, 3).mean(0) / 255, color[3])
             elif picture is not None:
-                key = picture.tobytes()
-                index = known.setdefault(key, len(pictures))
+                index = known.setdefault(id(picture), len(pictures))
                 if index == len(pictures):
                     pictures.append(picture)
             flat = np.round(255 * color[:3].clip(0, 1)).astype(np.uint8)
@@ -280,6 +282,17 @@ class _ModelReader:
         opacity = float(np.clip(np.mean(alphas), 0.05, 1.0)) if max(alphas) < 1 else 1.0
         vertices, faces, uv, colors, picture = columns
         return ColoredSurface(vertices, faces, uv, colors, picture, tuple(pictures), opacity)
+
+    def _picture(self, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
+        """Return a geom's texture in its colour, the same to all that share both; None for none."""
+        texture = _texture(self.model, geom)
+        if texture < 0:
+            return None
+        tint = _color(self.model, geom)[:3].clip(0, 1)
+        key = texture, tint.tobytes()
+        if key not in self._pictures:
+            self._pictures[key] = _tinted(self.model, texture, tint)
+        return self._pictures[key]
 
     def _mesh(
         self, geom: int
@@ -326,11 +339,13 @@ def _repeat(model: mujoco.MjModel, geom: int) -> Float[np.ndarray, "2"]:
     return model.mat_texrepeat[material].astype(np.float64) if material >= 0 else np.ones(2)
 
 
-def _picture(model: mujoco.MjModel, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
-    """Return a geom's texture in its colour; None if it has none. Of a cube, the first side."""
-    texture = _texture(model, geom)
-    if texture < 0:
-        return None
+def _tinted(
+    model: mujoco.MjModel, texture: int, tint: Float[np.ndarray, "3"]
+) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a texture in a colour, read-only, so that meshes share it. Of a cube, the first side.
+
+    Its longest side is at most ``MOST_TEXTURE``.
+    """
     import cv2
 
     height, width = int(model.tex_height[texture]), int(model.tex_width[texture])
@@ -343,5 +358,4 @@ def _picture(model: mujoco.MjModel, geom: int) -> UInt8[np.ndarray, "h w 3"] | N
     if longest > MOST_TEXTURE:
         size = [max(1, side * MOST_TEXTURE // longest) for side in pixels.shape[1::-1]]
         pixels = cv2.resize(pixels, size, interpolation=cv2.INTER_AREA)
-    tint = _color(model, geom)[:3].clip(0, 1)
-    return np.ascontiguousarray(np.round(pixels * tint).astype(np.uint8))
+    return frozen_array(np.round(pixels * tint), *PICTURE, "A texture")

@@ -19,7 +19,7 @@ MOST_XML, MOST_FILE, MOST_TOGETHER = 32 * 2**20, 128 * 2**20, 384 * 2**20
 """Bytes of an XML file, of a mesh or a picture, and of all together."""
 
 MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES, MOST_COPIES = 200_000, 100, 200, 200
-"""Elements of a file, how deep they nest, files included, and copies that a replicate makes."""
+"""Elements of all files, how deep they nest, files, and copies that a replicate makes."""
 
 _REFUSED = {
     "extension": "plugins run code", "plugin": "plugins run code",
@@ -54,10 +54,10 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
         raise InputError(f"{path} is not inside of {home}. Name a folder that holds it.")
     inside = PurePosixPath(place.relative_to(home).as_posix())
     reader = _Reader(home, inside.parent)
-    root = reader.parse(inside)
+    root = reader.parse(inside, 0)
     if root.tag != "mujoco":
         raise InputError(f"{path} is no MJCF: its root is {root.tag[:40]!r}, not 'mujoco'.")
-    reader.include(root, inside.parent)
+    reader.include(root, inside.parent, 1)
     for element in root.iter():
         reader.check(element)
     reader.hand_over(root)
@@ -74,25 +74,32 @@ class _Reader:
     _included: set[PurePosixPath] = field(default_factory=set)
     _names: dict[PurePosixPath, str] = field(default_factory=dict)
     _total: int = 0
+    _elements: int = 0
 
-    def parse(self, path: PurePosixPath) -> ET.Element:
-        """Return the root of an XML file."""
+    def parse(self, path: PurePosixPath, above: int) -> ET.Element:
+        """Return the root of an XML file; ``above`` it are so many elements."""
         self._included.add(path)
         if len(self._included) > MOST_INCLUDES:
             raise InputError(f"The model includes more than {MOST_INCLUDES} files.")
-        return _parse(self._read(path, MOST_XML), str(path))
+        left = MOST_ELEMENTS - self._elements
+        root = _parse(self._read(path, MOST_XML), str(path), above, left)
+        self._elements += sum(1 for _ in root.iter())
+        return root
 
-    def include(self, parent: ET.Element, where: PurePosixPath) -> None:
-        """Put what is included below an element in its place; ``where`` is its file's folder."""
+    def include(self, parent: ET.Element, where: PurePosixPath, depth: int) -> None:
+        """Put what is included below an element in its place.
+
+        ``where`` is its file's folder, ``depth`` counts it and the elements that it stands in.
+        """
         for at, child in reversed([*enumerate(parent)]):
             if child.tag != "include":
-                self.include(child, where)
+                self.include(child, where, depth + 1)
                 continue
             path = self._find(child.get("file", ""), self.base, where)
             if path in self._included:
                 raise InputError(f"The model includes {str(path)!r} twice, or within itself.")
-            root = self.parse(path)
-            self.include(root, path.parent)
+            root = self.parse(path, depth - 1)  # whose children come to stand below ``parent``
+            self.include(root, path.parent, depth)
             parent[at : at + 1] = [*root]
 
     def check(self, element: ET.Element) -> None:
@@ -192,11 +199,15 @@ def _folders(root: ET.Element) -> tuple[dict[str, str], bool]:
 
 
 def _is_few(text: str) -> bool:
-    return text.strip().isdecimal() and int(text[:9]) <= MOST_COPIES
+    digits = text.strip()
+    return digits.isdecimal() and len(digits) < 10 and int(digits) <= MOST_COPIES
 
 
-def _parse(raw: bytes, what: str) -> ET.Element:
-    """Return the root of a bounded XML text without entities."""
+def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:
+    """Return the root of an XML text without entities, of at most ``most`` elements.
+
+    ``above`` elements stand above its root, and count in how deep it nests.
+    """
     if b"<!DOCTYPE" in raw or b"<!ENTITY" in raw or b"\0" in raw:
         raise InputError(f"{what} declares a document type or entities, or is not text.")
     head = raw[:200].lower()
@@ -205,7 +216,7 @@ def _parse(raw: bytes, what: str) -> ET.Element:
     ):
         raise InputError(f"{what} is not UTF-8. Save it as UTF-8.")
     parser = ET.XMLPullParser(("start", "end"))
-    depth = count = 0
+    depth, count = above, 0
     root: ET.Element | None = None
     try:
         for piece in _pieces(raw):
@@ -218,8 +229,11 @@ def _parse(raw: bytes, what: str) -> ET.Element:
                 assert isinstance(element, ET.Element)
                 root = element if root is None else root
                 depth, count = depth + 1, count + 1
-                if depth > MOST_DEPTH or count > MOST_ELEMENTS:
-                    raise InputError(f"{what} nests too deep, or has too many elements.")
+                if depth > MOST_DEPTH or count > most:
+                    raise InputError(
+                        f"{what} nests too deep, or the model has too many elements: at most "
+                        f"{MOST_DEPTH} deep, and {MOST_ELEMENTS} in all its files, are read."
+                    )
         parser.close()
     except (ET.ParseError, ValueError) as error:
         if isinstance(error, InputError):

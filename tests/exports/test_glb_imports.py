@@ -73,3 +73,18 @@ def test_names_that_an_export_uses_itself_come_back(tmp_path: Path) -> None:
     found = read_glb(export(scene, "glb", tmp_path))
     assert [body.name for body in found.objects] == names
     assert [len(body.parts) for body in found.objects] == [1] * len(names)
+
+
+def test_bodies_of_a_file_share_their_pictures(tmp_path: Path) -> None:
+    scene = toy_scene(tuple(toy_object(n, (0.03, 0.04, 0.05), (0.0, 0.0)) for n in "ab"))
+    (first,), (second,) = (
+        body.surface.pictures for body in read_glb(export(scene, "glb", tmp_path)).objects
+    )
+    assert first is second
+
+
+def test_too_many_nodes_are_told_before_any_is_read(tmp_path: Path) -> None:
+    nodes = [{"mesh": 0} for _ in range(202)]
+    path = write_glb(tmp_path / "many.glb", RED, nodes=nodes, scenes=[{"nodes": [*range(202)]}])
+    with pytest.raises(InputError, match="201 objects; at most 200"):
+        read_glb(path)

@@ -24,6 +24,7 @@ from generator.imports.foreign import ForeignScene
 from generator.imports.mjcf import read_mjcf
 from generator.imports.mjcf_files import GatheredModel, gather
 from generator.imports.shapes import part_of, solid_part
+from generator.meshes.coloring import own_texture
 from generator.scene import Object, Scene
 
 TABLE = '<body name="table" pos="1 2 0"><geom type="box" size=".6 .4 .37" pos="0 0 .37"/></body>'
@@ -174,6 +175,8 @@ def test_files_outside_and_code_are_refused(head: str, said: str, tmp_path: Path
         ("<mujoco>" + "<body>" * 150 + "</body>" * 150 + "</mujoco>", "too deep"),
         ("<mujoco>" + "<a/>" * 2001 + "</mujoco>", "too many elements"),
         ('<mujoco><replicate count="100000"/></mujoco>', "replicates"),
+        ('<mujoco><replicate count="0000000009999"/></mujoco>', "replicates"),
+        ('<mujoco><replicate count="          9999"/></mujoco>', "replicates"),
         ('<?xml version="1.0" encoding="utf-7"?><mujoco/>', "UTF-8"),
     ],
 )
@@ -185,6 +188,39 @@ def test_hostile_xml_is_refused(
     path.write_text(text)
     with pytest.raises(InputError, match=said):
         gather(path)
+
+
+@pytest.mark.parametrize("part", ["<a/>" * 90, "<b>" * 40 + "%s" + "</b>" * 40])
+def test_files_that_are_included_count_together(
+    part: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mjcf_files, "MOST_ELEMENTS", 250)
+    more = ["<include file='two.xml'/>", "<include file='three.xml'/>", ""]
+    for name, include in zip(("one", "two", "three"), more, strict=True):
+        text = part % include if "%s" in part else part + include
+        (tmp_path / f"{name}.xml").write_text(f"<m>{text}</m>")
+    with pytest.raises(InputError, match=r"three\.xml nests too deep, or the model has too many"):
+        gather(write(tmp_path, '<include file="one.xml"/>'))
+
+
+def test_too_many_objects_are_told_before_any_is_read(tmp_path: Path, read) -> None:
+    many = "<body><freejoint/><geom size='.01'/></body>" * 201
+    with pytest.raises(InputError, match="201 objects; at most 200"):
+        read(write(tmp_path, TABLE + many))
+
+
+def test_bodies_of_one_material_share_its_picture(tmp_path: Path, read) -> None:
+    head = """<asset><texture name="t" type="2d" builtin="checker" width="8" height="8"/>
+      <material name="a" texture="t"/><material name="b" texture="t" rgba="1 0 0 1"/>
+      <mesh name="m" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1" texcoord="0 0 1 0 0 1 1 1"
+      face="0 2 1 0 1 3 0 3 2 1 2 3"/></asset>"""
+    thing = '<body pos="1 2 .8"><freejoint/><geom type="mesh" mesh="m" material="{}"/></body>'
+    things = "".join(map(thing.format, "aab"))
+    found = read(write(tmp_path, TABLE + things, head)).objects
+    (first,), (second,), (red,) = (body.surface.pictures for body in found)
+    assert first is second and first.shape == (8, 8, 3)
+    assert not red[..., 1:].any() and first[..., 1].any()
+    assert own_texture(found[0].surface).texture is first  # type: ignore[union-attr]
 
 
 @pytest.mark.slow

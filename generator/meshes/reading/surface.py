@@ -113,11 +113,16 @@ def read_surface(
 
 
 def surface_of(
-    parts: list[trimesh.Trimesh], what: str, linear: bool = False, most_faces: int = MOST_FACES
+    parts: list[trimesh.Trimesh],
+    what: str,
+    linear: bool = False,
+    most_faces: int = MOST_FACES,
+    pictures: Pictures | None = None,
 ) -> ColoredSurface:
     """Return meshes in one frame as one surface; ``what`` names them in messages.
 
-    Plain colours are ``linear`` as in glTF, or as they look (trimesh's).
+    Plain colours are ``linear`` as in glTF, or as they look (trimesh's). ``pictures`` are those of
+    all surfaces of a file, which share them.
 
     Raises:
         BackendError: none has faces, they have more than ``most_faces``, or a vertex is not there,
@@ -136,8 +141,10 @@ def surface_of(
             raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
         if len(faces) and not 0 <= faces.min() <= faces.max() < len(part.vertices):
             raise BackendError(f"{what} is damaged: faces name vertices that are not there.")
-    pictures = Pictures(what)
+    pictures = Pictures(what) if pictures is None else pictures
     pieces = [_piece(part, pictures, linear) for part in parts]
+    shown = sorted({k for _, _, k, _ in pieces if k >= 0})
+    places = {-1: -1, **{k: at for at, k in enumerate(shown)}}
     shift = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
     alphas = [alpha for *_, alpha in pieces]
     return ColoredSurface(
@@ -145,8 +152,8 @@ def surface_of(
         np.concatenate([np.asarray(p.faces) + s for p, s in zip(parts, shift, strict=True)]),
         np.concatenate([uv for uv, *_ in pieces]),
         np.concatenate([colors for _, colors, *_ in pieces]),
-        np.repeat([k for _, _, k, _ in pieces], [len(p.faces) for p in parts]),
-        tuple(pictures.kept),
+        np.repeat([places[k] for _, _, k, _ in pieces], [len(p.faces) for p in parts]),
+        tuple(pictures.kept[k] for k in shown),
         float(np.clip(np.mean(alphas), 0.05, 1.0)) if max(alphas) < 1 else 1.0,
     )
 

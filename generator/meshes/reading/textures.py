@@ -22,7 +22,10 @@ _LINEAR = np.arange(256) / 255.0
 
 
 class Pictures:
-    """Textures taken in one after the other; ``kept`` has each of them once for each tint."""
+    """Textures taken in one after the other; ``kept`` has each of them once for each tint.
+
+    They are read-only, so that all meshes that show one share it.
+    """
 
     def __init__(self, what: str, maximum: int = MOST_TEXELS_TOGETHER) -> None:
         """Begin with none; ``what`` names the mesh in messages, ``maximum`` texels are kept."""
@@ -56,6 +59,7 @@ class Pictures:
                 )
             self._places[at] = len(self.kept)
             self.kept.append(plain if (tint == 1).all() else _tint(plain, tint))
+            self.kept[-1].setflags(write=False)
         return self._places[at]
 
     def _key(self, source: Image.Image | bytes) -> Hashable:
