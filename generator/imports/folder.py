@@ -26,7 +26,7 @@ from jaxtyping import Float
 from ..catalogue import build_table
 from ..errors import InputError
 from ..geometry import quaternion_matrix
-from ..io.reading import parse_object, printable
+from ..io.reading import is_number, parse_object, printable
 from ..meshes.reading.bounds import MOST_BYTES
 from ..meshes.reading.companions import companions
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
@@ -178,8 +178,8 @@ def _vector(value: object, count: int, what: str) -> Float[np.ndarray, "k"]:
 
 
 def _number(value: object, what: str, most: float, *, signed: bool = False) -> float:
-    fine = isinstance(value, int | float) and not isinstance(value, bool) and np.isfinite(value)
+    fine = is_number(value, minimum=-1e9, maximum=1e9)
     number = float(cast("float", value)) if fine else 0.0
-    if not fine or (not signed and not 0 < number < most) or abs(number) > 1e9:
+    if not fine or (not signed and not 0 < number < most):
         raise InputError(f"{what} must be a number" + ("." if signed else f" in (0, {most:g})."))
     return number

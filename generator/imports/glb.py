@@ -11,14 +11,14 @@ import io
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import trimesh
 from jaxtyping import Float
 
-from ..errors import InputError, choices
-from ..io.reading import printable, read_regular
+from ..errors import BackendError, InputError, choices
+from ..io.reading import is_number, printable, read_regular
 from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
 from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix
 from ..meshes.reading.inspection import inspect_glb
@@ -48,17 +48,14 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
     what = f"The scene {path.name!r}"
     raw = read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES)
     header = inspect_glb(raw, what)
-    try:
-        places = [*_walk(header, 0)]
-    except (KeyError, IndexError, TypeError, ValueError) as error:
-        raise InputError(f"{what} is damaged ({type(error).__name__}: {error}).") from error
+    places = _places(header, 0, what)
     shells = _collision_of(raw, header, what)
     owners = dict.fromkeys(place.owner for place in places)
     free = [k for k in owners if _extras(header["nodes"][k]).get("fixed") is not True]
     check_count(len(free) - 1)  # one may be the table
     bodies: list[ForeignBody] = []
     fixed: dict[str, ForeignBody] = {}
-    meshes, pictures = _load(raw, header, places), Pictures(what)
+    meshes, pictures = _load(raw, header, places, what), Pictures(what)
     for owner in owners:
         mine = [k for k, place in enumerate(places) if place.owner == owner]
         body, is_fixed = _read_body(header, owner, [places[k] for k in mine],
@@ -104,12 +101,19 @@ class _Place:
     owner_matrix: Float[np.ndarray, "4 4"]
 
 
-def _walk(header: Header, scene: int) -> Iterator[_Place]:
-    """Yield the meshes of a scene; bodies are nodes with extras of one, else the topmost meshes.
+def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
+    """Return the meshes of a scene; bodies are nodes with extras of one, else the topmost meshes.
 
     Raises:
-        ValueError: the nodes are no tree.
+        InputError: the nodes are no tree, or one is no node.
     """
+    try:
+        return [*_walk(header, scene)]
+    except (KeyError, IndexError, TypeError, ValueError, OverflowError) as error:
+        raise InputError(f"{what} is damaged ({type(error).__name__}: {error}).") from error
+
+
+def _walk(header: Header, scene: int) -> Iterator[_Place]:
     nodes: Sequence[Any] = header.get("nodes", ())
     roots = header["scenes"][scene].get("nodes", ())
     said = any("fixed" in _extras(node) or "body" in _extras(node) for node in nodes)
@@ -126,7 +130,10 @@ def _walk(header: Header, scene: int) -> Iterator[_Place]:
         if owner < 0 and starts:
             owner, at = k, matrix
         if "mesh" in node and owner >= 0:
-            yield _Place(k, owner, int(node["mesh"]), matrix, at)
+            mesh = int(node["mesh"])
+            if not 0 <= mesh < len(header.get("meshes", ())):
+                raise Crooked(f"node {k} names a mesh that is not there")
+            yield _Place(k, owner, mesh, matrix, at)
         waiting += [(int(c), matrix, owner, at) for c in reversed(node.get("children", ()))]
 
 
@@ -135,12 +142,19 @@ def _extras(node: object) -> Mapping[str, Any]:
     return found if isinstance(found, Mapping) else {}
 
 
-def _load(raw: bytes, header: Header, places: Sequence[_Place]) -> list[list[trimesh.Trimesh]]:
+def _load(
+    raw: bytes, header: Header, places: Sequence[_Place], what: str
+) -> list[list[trimesh.Trimesh]]:
     """Return the meshes of each place, in its own node's frame."""
     nodes = [{"mesh": place.mesh, "matrix": np.eye(4).ravel().tolist()} for place in places]
     scenes = [{"nodes": [*reversed(range(len(nodes)))]}]  # ``flatten`` takes the last first
     flat = {**header, "nodes": nodes, "scenes": scenes, "scene": 0}
-    loaded = trimesh.load_scene(io.BytesIO(flatten(raw, flat)), file_type="glb", process=False)
+    try:
+        loaded = trimesh.load_scene(io.BytesIO(flatten(raw, flat)), file_type="glb", process=False)
+    except Exception as error:  # whatever a parser may stumble over in a foreign file
+        raise BackendError(
+            f"{what} cannot be read ({type(error).__name__}: {error}). Export it again."
+        ) from error
     parents = loaded.graph.transforms.parents
     found: list[list[trimesh.Trimesh]] = [[] for _ in places]
     for name in loaded.graph.nodes_geometry:
@@ -174,7 +188,8 @@ def _read_body(
             moved.apply_transform(np.diag([*scale, 1.0]) @ own)
             moved.visual = piece.visual
             placed.append(moved)
-    maker = str((header.get("asset") or {}).get("generator", ""))
+    asset = header.get("asset")
+    maker = str(asset.get("generator", "")) if isinstance(asset, Mapping) else ""
     called = f"{what}, {name!r}"
     surface = surface_of(placed, called, "trimesh" not in maker, MOST_FACES, pictures)
     extras = _extras(node)
@@ -210,7 +225,7 @@ def _mass(extras: Mapping[str, Any], name: str) -> MassProperties | None:
     try:
         com = np.array(extras.get("center_of_mass"), np.float64).reshape(3)
         inertia = np.array(extras.get("inertia"), np.float64).reshape(3, 3)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InputError(f"The node {name!r} has no sound centre of mass and inertia.") from error
     least = np.linalg.eigvalsh((inertia + inertia.T) / 2).min() if np.isfinite(inertia).all() else 0
     if not (mass > 0 and np.isfinite(com).all() and least > 0):
@@ -221,9 +236,9 @@ def _mass(extras: Mapping[str, Any], name: str) -> MassProperties | None:
 def _number(value: object, name: str, what: str) -> float | None:
     if value is None:
         return None
-    if isinstance(value, bool) or not isinstance(value, int | float) or not np.isfinite(value):
+    if not is_number(value, minimum=-1e12):
         raise InputError(f"The node {name!r} has no number as its {what}.")
-    return float(value)
+    return float(cast("float", value))
 
 
 def _collision_of(raw: bytes, header: Header, what: str) -> Mapping[str, tuple[ConvexPart, ...]]:
@@ -232,14 +247,12 @@ def _collision_of(raw: bytes, header: Header, what: str) -> Mapping[str, tuple[C
     number = next((k for k, s in enumerate(scenes) if k and s.get("name") == _COLLISION), None)
     if number is None:
         return {}
-    try:
-        places = [*_walk(header, number)]
-    except (KeyError, IndexError, TypeError, ValueError) as error:
-        raise InputError(f"{what} is damaged ({type(error).__name__}: {error}).") from error
+    places = _places(header, number, what)
     parts: dict[str, list[ConvexPart]] = {}
-    for place, meshes in zip(places, _load(raw, header, places), strict=True):
+    for place, meshes in zip(places, _load(raw, header, places, what), strict=True):
         nodes = header["nodes"]
         body, kind = _extras(nodes[place.owner]).get("body"), _extras(nodes[place.node]).get("kind")
+        _split(place.owner_matrix, str(body)[:100])  # which refuses what has no inverse
         own = np.linalg.inv(place.owner_matrix) @ place.matrix
         for mesh in meshes:
             points = np.asarray(mesh.vertices, np.float64) @ own[:3, :3].T + own[:3, 3]

@@ -7,7 +7,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -16,7 +16,7 @@ from generator.bundle import BOUNDS, load_fingerprint, read_inside
 from generator.errors import BundleError, InputError, require, require_seed
 from generator.geometry import quaternion_matrix
 from generator.io.files import write_whole
-from generator.io.reading import parse_object, printable
+from generator.io.reading import is_number, parse_object, printable
 from generator.scene import Pose
 
 from ..files import check_type
@@ -32,7 +32,7 @@ MOST_GRASPS, MOST_TRIALS = 1000, 1000
 """An object has no more labels, and a label no more trials."""
 
 _MOST_FILE, _DEPTH = 64 * 2**20, 6
-_FARTHEST = 10.0  # metres that a grasp may be from an object's centre
+_FARTHEST = 10.0  # metres that a grasp may be from an object's centre; no number is larger
 _COLUMNS = {"position": 3, "quaternion": 4, "width": 0, "opening": 0, "quality": 0, "lifted": 0}
 _DIGITS = {"position": 6, "quaternion": 8, "width": 5, "opening": 5, "quality": 6, "lifted": 6}
 
@@ -227,7 +227,9 @@ def _decode_column(values: object, side: int) -> Float[np.ndarray, "n *k"]:
 
 
 def _number(value: object) -> float:
-    return value if type(value) is float else float(check_type(value, int))
+    if not is_number(value, minimum=-_FARTHEST, maximum=_FARTHEST):
+        raise ValueError(f"{value!r:.40} is no number of a label")
+    return float(cast("float", value))
 
 
 def _decode_file(payload: dict[str, Any]) -> GraspFile:

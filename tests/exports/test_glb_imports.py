@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene
 
-from generator.errors import InputError
+from generator.errors import BackendError, InputError
 from generator.exports import export
 from generator.imports import import_scene
 from generator.imports.glb import read_glb
@@ -88,3 +88,37 @@ def test_too_many_nodes_are_told_before_any_is_read(tmp_path: Path) -> None:
     path = write_glb(tmp_path / "many.glb", RED, nodes=nodes, scenes=[{"nodes": [*range(202)]}])
     with pytest.raises(InputError, match="201 objects; at most 200"):
         read_glb(path)
+
+
+@pytest.mark.parametrize(
+    ("node", "said"),
+    [
+        ({"extras": {"fixed": False, "mass": 10**400}}, "no number as its mass"),
+        ({"extras": {"mass": 1, "inertia": [10**400] * 9, "fixed": False}}, "centre of mass and"),
+        ({"translation": [10**400, 0, 0]}, "damaged"),
+        ({"scale": [0, 0, 0]}, "not placed by"),
+        ({"mesh": 99}, "not there"),
+    ],
+)
+def test_damaged_nodes_are_refused(node: dict[str, Any], said: str, tmp_path: Path) -> None:
+    table = {"name": "table", "mesh": 0, "extras": {"fixed": True}}
+    mug = {"name": "mug", "mesh": 1, "extras": {"fixed": False}} | node
+    with pytest.raises((InputError, BackendError), match=said):
+        read_glb(write_glb(tmp_path / "it.glb", RED, nodes=[table, mug]))
+
+
+@pytest.mark.parametrize("node", [{"mesh": 99}, {"mesh": 1}, {"mesh": 0, "scale": [0, 0, 0]}])
+def test_damaged_collision_shapes_are_refused(node: dict[str, Any], tmp_path: Path) -> None:
+    nodes = [
+        {"name": "table", "mesh": 0, "extras": {"fixed": True}},
+        {"name": "mug", "mesh": 0, "extras": {"fixed": False}},
+        node | {"extras": {"body": "mug"}},
+    ]
+    scenes = [{"nodes": [0, 1]}, {"nodes": [2], "name": "collision"}]
+    odd = RED | {"attributes": {"POSITION": 0, "COLOR_0": 2}}
+    with pytest.raises((InputError, BackendError), match=r"damaged|cannot be read|not placed by"):
+        read_glb(write_glb(tmp_path / "it.glb", odd, nodes=nodes, scenes=scenes))
+
+
+def test_a_header_of_another_kind_is_no_harm(tmp_path: Path) -> None:
+    assert len(read_glb(write_glb(tmp_path / "it.glb", RED, asset=["2.0"])).objects) == 1

@@ -275,6 +275,8 @@ def write_folder(folder: Path, **changes: object) -> Path:
         ({"file": "../box.glb"}, "leaves the folder"),
         ({"file": "box.fbx"}, "GLB and OBJ"),
         ({"mass": -1}, "number in"),
+        ({"mass": 10**400}, "number in"),
+        ({"position": [0, 0, 10**400]}, "must be a number"),
         ({"scale": [1, 0, 1]}, "positive"),
         ({"colour": "red"}, "unknown key 'colour'"),
         ({"up": "x"}, "must be"),

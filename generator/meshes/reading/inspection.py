@@ -45,7 +45,7 @@ _COMPRESSED = {
 _UNDERSTOOD = ("KHR_materials_", "KHR_lights_punctual", "EXT_texture_webp", "KHR_texture_transform")
 _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 _WIDTHS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
-_DAMAGE = (KeyError, IndexError, TypeError, AttributeError, ValueError)
+_DAMAGE = (KeyError, IndexError, TypeError, AttributeError, ValueError, OverflowError)
 
 
 def inspect_glb(
