@@ -26,6 +26,7 @@ its tables by their difficulty. Sorted by random, then plain. The expert knows t
 a table is in a suite because it solved something there from 30 starts."""
 
 _NOTHING = SuiteOutcome(False, 0, 0.0)
+_MARKUP = {ord(letter): f"&#{ord(letter)};" for letter in "&<>|\\`*_~[]{}$"}
 
 
 def read_results(folder: Path) -> list[BenchResult]:
@@ -108,11 +109,17 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
         random = results.get("random")
         by_level = ["–" if random is None else _level(random, level) for level in levels]
         cells = [
-            player.name, _sight(player), *(_cell(results.get(c)) for c in ("plain", "random")),
+            _plain(player.name), _plain(_sight(player)),
+            *(_cell(results.get(c)) for c in ("plain", "random")),
             *by_level, _steps(random or results["plain"]),
         ]  # fmt: skip
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
+
+
+def _plain(text: str) -> str:
+    """Return foreign text as a cell that shows it: what Markdown or HTML would read is escaped."""
+    return text.translate(_MARKUP)
 
 
 def _cell(result: BenchResult | None) -> str:

@@ -1,6 +1,7 @@
 """Results: read only as they were written, compared in pairs, and put on one page."""
 
 import dataclasses
+import html
 import json
 from pathlib import Path
 
@@ -169,6 +170,18 @@ def test_results_of_other_suites_are_not_shown(
         leaderboard.page([dataclasses.replace(own, episodes=own.episodes[1:])])
     with pytest.raises(InputError, match="of test suites"):
         leaderboard.page([dataclasses.replace(own, suite="lift-validation")])
+
+
+def test_text_of_a_result_stays_in_its_cell(lift: tuple[Suite, Suite], tmp_path: Path) -> None:
+    name = "x | **100.0** | <img src=x onerror=alert(1)> `[a](b)` &amp; \\"
+    sees = {"observation": "state | <b>all</b>"}
+    facts = PlayerFacts(name, "function", settings=sees)
+    read = dataclasses.replace(result_of(lift[0], tmp_path / "a.json", "x", set()), player=facts)
+    (row,) = (line for line in leaderboard.page([read]).splitlines() if line.startswith("| x"))
+    cells = row.strip("| ").split(" | ")
+    assert len(cells) == 4 + len(find_suite(lift[0].name).of.levels) + 1
+    assert not set("<>`*[\\") & {*cells[0], *cells[1]}
+    assert [html.unescape(cell) for cell in cells[:2]] == [name, sees["observation"]]
 
 
 def test_the_committed_page_is_that_of_the_committed_results() -> None:
