@@ -17,6 +17,7 @@ import gymnasium as gym
 import numpy as np
 
 from generator.errors import InputError, choices
+from generator.io.reading import printable
 
 from ..settings.keywords import KEYWORDS, keywords_of
 from .instances import Suite
@@ -53,7 +54,8 @@ class PlayerFacts:
     Attributes:
         name: what it is called.
         kind: "random", "zero", "expert", "policy" (a policy file) or "function".
-        digest: the sha256 of a policy file; empty for others.
+        digest: a sha256 of what decides how it plays: of a policy file; of the file of a function's
+            module, and of the policy's own ``digest``. Empty for others.
         settings: its own keywords of the environment.
     """
 
@@ -84,7 +86,8 @@ def find_player(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
     if colon and module and function.isidentifier() and not Path(name).exists():
         policy = _call(module, function)
         settings = _own_settings(getattr(policy, "env", {}), name, suite)
-        return PlayerFacts(name, "function", settings=settings), PolicyPlayer(policy)
+        digest = _digest_of(module, getattr(policy, "digest", ""), name)
+        return PlayerFacts(name, "function", digest, settings), PolicyPlayer(policy)
     return _load(name, suite)
 
 
@@ -127,7 +130,8 @@ class PolicyPlayer:
     not None, the next call gets it as ``state``. A policy may have an ``env``, a dict of keywords
     of the environment (what it sees and how it moves the robot: "observation", "image_size",
     "action" ...), an ``observation_space`` and an ``action_space``, which are compared with the
-    environment's, and a ``reset()``, called when an episode begins.
+    environment's, a ``reset()``, called when an episode begins, and a ``digest``, a short text that
+    stands for what is not in its module's file, such as its weights.
     """
 
     policy: Any
@@ -180,6 +184,18 @@ def _call(module: str, function: str) -> Any:
             "predict(observation, deterministic=True)."
         )
     return policy
+
+
+def _digest_of(module: str, own: object, name: str) -> str:
+    """Return the sha256 of the file of an imported module, its policy's own digest after a NUL.
+
+    Empty if there is neither.
+    """
+    told = printable(own, f"{name}: the policy's digest", InputError).encode()
+    file = getattr(sys.modules.get(module), "__file__", None)
+    source = Path(file).read_bytes() if file and Path(file).is_file() else b""
+    whole = b"\0".join([source, told]) if told else source
+    return hashlib.sha256(whole).hexdigest() if whole else ""
 
 
 def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:

@@ -1,5 +1,6 @@
 """Runs: the same bytes however they were interrupted and whoever played; who may play."""
 
+import hashlib
 import json
 import re
 import sys
@@ -14,6 +15,7 @@ from generator.errors import InputError
 from generator.jobs.pools import PoolOptions
 from tabletopgen_env.bench import running
 from tabletopgen_env.bench.instances import Suite
+from tabletopgen_env.bench.players import find_player
 from tabletopgen_env.bench.playing import FailurePictures, Stage
 from tabletopgen_env.bench.results import read_result
 from tabletopgen_env.bench.running import BenchRun, run_suite
@@ -57,6 +59,14 @@ class Short(Still):
 
     def predict(self, observation, deterministic):
         return np.zeros(3), None
+
+
+class Told(Still):
+    digest = "weights 1"
+
+
+class Loud(Still):
+    digest = b"weights"
 
 
 def number():
@@ -178,7 +188,26 @@ def test_a_function_of_ones_own_plays(
     assert result.player.settings == {"observation": "goal", "image_size": [16, 16]}
 
 
+def test_a_function_whose_module_changed_is_another_policy(
+    suite: Suite, store: Path, tmp_path: Path, module: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, name, run = tmp_path / f"{module}.py", f"{module}:Still", BenchRun(tmp_path, None, store)
+    path = run_suite(suite, name, run)
+    digest = read_result(path).player.digest
+    assert digest == hashlib.sha256(file.read_bytes()).hexdigest()
+    assert find_player(name, suite)[0].digest == digest
+    own = find_player(f"{module}:Told", suite)[0].digest
+    assert len(own) == 64 and own != digest
+    monkeypatch.setattr(sys.modules[module].Told, "digest", "weights 2")
+    assert find_player(f"{module}:Told", suite)[0].digest not in (own, digest)
+    file.write_text(POLICY + "\n\nSTEP = 2\n")
+    monkeypatch.delitem(sys.modules, module)
+    with pytest.raises(InputError, match="something else \\(other player\\)"):
+        run_suite(suite, name, run)
+
+
 @pytest.mark.parametrize(("policy", "why"), [
+    ("Loud", "the policy's digest must be a text"),
     ("Nobody", "makes no policy"),
     ("number", "without predict"),
     ("Deaf", "acts at 10 Hz"),
@@ -207,7 +236,7 @@ def test_shipped_policies_play_their_task(suite: Suite, store: Path, tmp_path: P
 def test_a_policy_file_of_other_spaces_is_refused(suite: Suite, store: Path) -> None:
     import dataclasses
 
-    from tabletopgen_env.bench.players import PolicyPlayer, find_player
+    from tabletopgen_env.bench.players import PolicyPlayer
     from tabletopgen_env.bench.playing import Playing
 
     facts, player = find_player("reach-clone", suite)
