@@ -17,13 +17,12 @@ from jaxtyping import Bool, Float, Int, UInt8
 
 from ..errors import InputError, choices
 from ..meshes.reading.surface import ColoredSurface
-from ..meshes.reading.textures import MOST_TEXTURE
 from ..physics.inertia import MassProperties, join_bodies
 from ..scene import ConvexPart
-from ..scene.arrays import PICTURE, frozen_array
 from .compiling import compile_foreign
 from .foreign import ForeignBody, ForeignScene, check_count
 from .mjcf_files import gather
+from .mjcf_looks import GeomLooks
 from .shapes import Solid, hull_corners, solid_part, solid_surface
 
 if TYPE_CHECKING:
@@ -74,9 +73,9 @@ class _ModelReader:
         self.free = [int(model.jnt_bodyid[j]) for j in range(model.njnt) if
                      model.jnt_type[j] == free]  # fmt: skip
         self.solid: Bool[np.ndarray, "g"] = (model.geom_contype | model.geom_conaffinity) != 0
-        colors = [_color(model, g)[3] > _SEEN for g in range(model.ngeom)]
+        self.looks = GeomLooks(model)
+        colors = [self.looks.color(g)[3] > _SEEN for g in range(model.ngeom)]
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
-        self._pictures: dict[tuple[int, bytes], UInt8[np.ndarray, "h w 3"]] = {}
 
     def check_joints(self) -> None:
         """Refuse what is no set of free bodies."""
@@ -262,8 +261,8 @@ class _ModelReader:
             else:
                 vertices, faces = solid_surface(self._solid(geom), self._half(geom))
                 uv = None
-            picture, index = self._picture(geom), -1
-            color = _color(self.model, geom)
+            picture, index = self.looks.picture(geom), -1
+            color = self.looks.color(geom)
             if picture is not None and uv is None:
                 color = np.append(picture.reshape(-1, 3).mean(0) / 255, color[3])
             elif picture is not None:
@@ -283,17 +282,6 @@ class _ModelReader:
         vertices, faces, uv, colors, picture = columns
         return ColoredSurface(vertices, faces, uv, colors, picture, tuple(pictures), opacity)
 
-    def _picture(self, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
-        """Return a geom's texture in its colour, the same to all that share both; None for none."""
-        texture = _texture(self.model, geom)
-        if texture < 0:
-            return None
-        tint = _color(self.model, geom)[:3].clip(0, 1)
-        key = texture, tint.tobytes()
-        if key not in self._pictures:
-            self._pictures[key] = _tinted(self.model, texture, tint)
-        return self._pictures[key]
-
     def _mesh(
         self, geom: int
     ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
@@ -310,52 +298,5 @@ class _ModelReader:
             np.column_stack([faces.ravel(), which.ravel()]), axis=0, return_inverse=True
         )
         uv = model.mesh_texcoord[model.mesh_texcoordadr[mesh] + pairs[:, 1]].astype(np.float64)
-        repeat = _repeat(model, geom)
-        uv = np.column_stack([uv[:, 0], 1 - uv[:, 1]]) * repeat
+        uv = np.column_stack([uv[:, 0], 1 - uv[:, 1]]) * self.looks.repeat(geom)
         return vertices[pairs[:, 0]], index.reshape(-1, 3), uv
-
-
-def _color(model: mujoco.MjModel, geom: int) -> Float[np.ndarray, "4"]:
-    """Return the rgba of a geom; a material's where it has one, as MuJoCo draws it."""
-    material, own = int(model.geom_matid[geom]), model.geom_rgba[geom]
-    if material < 0 or not np.allclose(own, [0.5, 0.5, 0.5, 1.0]):
-        return own.astype(np.float64)
-    return model.mat_rgba[material].astype(np.float64)
-
-
-def _texture(model: mujoco.MjModel, geom: int) -> int:
-    """Return the number of a geom's texture, -1 if it has none."""
-    import mujoco
-
-    material = int(model.geom_matid[geom])
-    if material < 0:
-        return -1
-    roles = (mujoco.mjtTextureRole.mjTEXROLE_RGB, mujoco.mjtTextureRole.mjTEXROLE_RGBA)
-    return max(int(model.mat_texid[material, int(role)]) for role in roles)
-
-
-def _repeat(model: mujoco.MjModel, geom: int) -> Float[np.ndarray, "2"]:
-    material = int(model.geom_matid[geom])
-    return model.mat_texrepeat[material].astype(np.float64) if material >= 0 else np.ones(2)
-
-
-def _tinted(
-    model: mujoco.MjModel, texture: int, tint: Float[np.ndarray, "3"]
-) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a texture in a colour, read-only, so that meshes share it. Of a cube, the first side.
-
-    Its longest side is at most ``MOST_TEXTURE``.
-    """
-    import cv2
-
-    height, width = int(model.tex_height[texture]), int(model.tex_width[texture])
-    channels, at = int(model.tex_nchannel[texture]), int(model.tex_adr[texture])
-    data = model.tex_data[at : at + height * width * channels].reshape(height, width, channels)
-    pixels = np.repeat(data[..., :1], 3, axis=2) if channels < 3 else data[..., :3]
-    if height == 6 * width:
-        pixels = pixels[:width]
-    longest = max(pixels.shape[:2])
-    if longest > MOST_TEXTURE:
-        size = [max(1, side * MOST_TEXTURE // longest) for side in pixels.shape[1::-1]]
-        pixels = cv2.resize(pixels, size, interpolation=cv2.INTER_AREA)
-    return frozen_array(np.round(pixels * tint), *PICTURE, "A texture")
