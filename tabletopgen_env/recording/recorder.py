@@ -39,8 +39,9 @@ def record(
 
     It is there once it is whole: whatever goes wrong before leaves nothing behind, but for the
     format "lerobot" the episodes that are done, in ``.<name>.part`` beside ``out``. ``resume``
-    continues after these, if there are any, with the same settings (``episodes`` may differ), to
-    the same bytes as without the interruption. ``lerobot`` says how that format keeps pictures.
+    continues after these, if there are any, with the same settings (``episodes`` may differ, but
+    not be less than there are), to the same bytes as without the interruption. ``lerobot`` says how
+    that format keeps pictures.
 
     ``out`` is the dataset's own folder, or file ("hdf5", "robomimic"), which must not be there yet.
     The name of a Minari dataset is its id and ends with a version ("data/lift-v0"); None is
@@ -52,7 +53,7 @@ def record(
 
     Raises:
         InputError: a setting is wrong, a package or a codec is missing, ``out`` is there already,
-            or what is to be resumed is another recording.
+            or what is to be resumed is another recording, or has more episodes already.
         BackendError: no Ray.
         BundleError: no bundle fits the scenes, or one is damaged.
         SceneError: the expert solved none of 50 episodes in a row, or a process that played has
@@ -85,8 +86,9 @@ def write_dataset(
 ) -> Path:
     """Write episodes that are played elsewhere, as ``record`` does those of the expert.
 
-    ``episodes`` returns them; it is called with the number of the first, 0 unless an interrupted
-    recording is resumed. ``env`` is where they are played, and stays open.
+    ``episodes`` returns them, and all are kept, whatever ``config.episodes`` says; it is called
+    with the number of the first, 0 unless an interrupted recording is resumed. ``env`` is where
+    they are played, and stays open.
 
     Raises:
         InputError: as ``record``, or there was not one episode.
@@ -144,8 +146,13 @@ def _play(
     report: Callable[[int, int], None],
 ) -> None:
     """Play what the dataset lacks, and write it."""
-    report(dataset.kept, dataset.resumed_at)
     missing = config.episodes - dataset.kept
+    if missing < 0:
+        raise InputError(
+            f"The interrupted recording has {dataset.kept} episodes already, more than the "
+            f"{config.episodes} asked for. Resume it with episodes={dataset.kept} or more."
+        )
+    report(dataset.kept, dataset.resumed_at)
     if missing > 0:
         rest = replace(config, episodes=missing)
         with closing(play_episodes(rest, env, workers, ray, dataset.resumed_at)) as episodes:

@@ -70,7 +70,7 @@ def teleop(
     Args:
         policy: Name of a shipped policy, a policy file, or a run's folder. It decides what the
             environment shows.
-        config: What to record; noise and keep_failures mean nothing here.
+        config: What to record; episodes, noise and keep_failures mean nothing here.
         out: The dataset's own folder, or file (hdf5, robomimic).
         format: Its format. Of lerobot each kept episode is safe at once: --resume goes on.
         resume: Resume after the episodes that an interrupted recording left beside OUT (lerobot).

@@ -5,6 +5,8 @@ import json
 import os
 import shutil
 import sys
+from collections.abc import Iterator
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +26,8 @@ from tabletopgen_env.recording.lerobot import depth as depths
 from tabletopgen_env.recording.lerobot import videos, writer
 from tabletopgen_env.recording.lerobot.assembly import Limits
 from tabletopgen_env.recording.lerobot.segments import SegmentStore
+from tabletopgen_env.recording.playing import RecordedEpisode
+from tabletopgen_env.recording.recorder import write_dataset
 
 CONFIG = RecordConfig(
     "Lift", scenes=("office-round-*",), episodes=4, cameras=CAMERAS, image_size=SIZE
@@ -303,6 +307,38 @@ def test_what_was_interrupted_goes_on_to_the_same_bytes(
     assert reports[0] == (after, KEPT[after - 1] + 1) and reports[-1] == (4, 6)
     assert contents(out) == contents(dataset)
     assert [path.name for path in out.parent.iterdir()] == ["set"]
+
+
+def test_every_episode_that_was_kept_is_in_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def played(first: int) -> Iterator[RecordedEpisode]:
+        yield from (made_episode(number) for number in range(first, 4))
+
+    def crash(*args: Any) -> None:
+        raise OSError(5, "Input/output error")
+
+    config, out = replace(CONFIG, episodes=1), tmp_path / "set"
+    with closing(config.environment()) as env:
+        with monkeypatch.context() as patch:
+            patch.setattr("tabletopgen_env.recording.lerobot.assembly.join", crash)
+            with pytest.raises(StorageError):
+                write_dataset(config, env, lambda _: map(made_episode, (0, 2)), out, "lerobot")
+        write_dataset(config, env, played, out, "lerobot", resume=True)
+    assert table(out, "meta/episodes")["seed"] == [0, 2, 3]
+
+
+def test_none_is_dropped_where_fewer_are_asked_for(
+    dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "set"
+    with monkeypatch.context() as patch:
+        patch.setattr("tabletopgen_env.recording.lerobot.assembly.join", _interrupt)
+        with pytest.raises(KeyboardInterrupt):
+            record(CONFIG, out, "lerobot")
+    with pytest.raises(InputError, match="has 4 episodes already, more than the 3 asked for"):
+        record(replace(CONFIG, episodes=3), out, "lerobot", resume=True)
+    assert contents(record(CONFIG, out, "lerobot", resume=True)) == contents(dataset)
 
 
 def test_a_failure_while_it_is_put_together_loses_nothing(

@@ -6,7 +6,6 @@ import json
 import shutil
 from collections.abc import Mapping
 from dataclasses import asdict
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -49,7 +48,7 @@ class LeRobotWriter:
     def __init__(
         self, place: Path, config: RecordConfig, env: gym.Env[Any, Any], lerobot: LeRobotConfig
     ) -> None:
-        self._place, self._config, self._lerobot = place, config, lerobot
+        self._place, self._lerobot = place, lerobot
         self._about = describe_dataset(config, env)
         self._fps = int(self._about["fps"])
         space = env.observation_space
@@ -67,7 +66,7 @@ class LeRobotWriter:
         self._segments = SegmentStore(place.parent / "episodes")
         self._tasks: dict[str, int] = {}
         self._frames = self.kept = self.resumed_at = 0
-        for segment in islice(self._segments, config.episodes):
+        for segment in self._segments:
             self._count(segment)
             self.resumed_at = segment.number + 1
 
@@ -106,8 +105,7 @@ class LeRobotWriter:
         raw = read_regular(path, what, StorageError, max_bytes=_MOST_BYTES)
         features = parse_object(raw, f"{what} {str(path)!r}", StorageError)
         info = {"robot_type": _ROBOT, "fps": self._fps}
-        chosen = islice(self._segments, self._config.episodes)
-        assemble(chosen, self._place, features, info, LIMITS)
+        assemble(self._segments, self._place, features, info, LIMITS)
         about = self._about | {"lerobot": asdict(self._lerobot)}
         text = json.dumps(about, indent=4) + "\n"
         (self._place / "meta" / "tabletopgen.json").write_text(text, encoding="utf-8")
