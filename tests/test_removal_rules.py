@@ -19,6 +19,7 @@ ALLOWED = {
     "generator/jobs/workers.py": "the temporary folder that it was made for",
     "generator/jobs/worker.py": "the temporary folder of its pool",
     "tabletopgen_env/recording/publishing.py": "a part folder of its own",
+    "tabletopgen_env/recording/formats/npz_writer.py": "a half-written episode in its part folder",
     "tabletopgen_env/recording/lerobot/segments.py": "half-written episodes in its part folder",
     "tabletopgen_env/recording/lerobot/writer.py": "what is half put together in its part folder",
     "tabletopgen_env/learning/runs.py": "checkpoints of a run, by their pattern in its folder",

@@ -30,7 +30,7 @@ def publish(target: Path) -> Iterator[Path]:
     """
     part = None
     try:
-        with _storing(target):
+        with storing(target):
             target.parent.mkdir(parents=True, exist_ok=True)
             part = Path(tempfile.mkdtemp(".part", f".{target.name}-", target.parent))
             yield part / target.name
@@ -56,7 +56,7 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
     from filelock import FileLock, Timeout
 
     part = target.with_name(f".{target.name}.part")
-    with _storing(target):
+    with storing(target):
         target.parent.mkdir(parents=True, exist_ok=True)
         if part.is_symlink():
             raise InputError(f"{part} leads elsewhere. Remove it, or choose another place.")
@@ -119,7 +119,8 @@ def _appear(made: Path, target: Path) -> None:
 
 
 @contextmanager
-def _storing(target: Path) -> Iterator[None]:
+def storing(target: Path) -> Iterator[None]:
+    """Raise StorageError where the disk refuses what is written for ``target``."""
     try:
         yield
     except OSError as error:

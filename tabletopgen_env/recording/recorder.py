@@ -17,12 +17,15 @@ from generator.scene.provenance import versions
 
 from .config import FORMATS, Format, LeRobotConfig, RecordConfig
 from .formats import RESUMABLE, Writer, check_installed, writer
+from .interrupts import deferring
 from .playing import RecordedEpisode, play_episodes
-from .publishing import publish, publish_in_parts
+from .publishing import publish, publish_in_parts, storing
 
 _LEROBOT = LeRobotConfig()
 _DECISIVE = ("tabletopgen", "mujoco", "numpy", "pyarrow")  # versions that decide the bytes
-_MOST_MISSES = 50  # episodes in a row that may give nothing to keep
+
+MOST_MISSES = 50
+"""How many episodes in a row may give nothing to keep."""
 
 
 def record(
@@ -90,20 +93,33 @@ def write_dataset(
     with the number of the first, 0 unless an interrupted recording is resumed. ``env`` is where
     they are played, and stays open.
 
+    Ctrl-C ends the recording, and those kept until then are the dataset. So they are if something
+    goes wrong later, which is raised then; of the format "lerobot" they wait to be resumed.
+
     Raises:
         InputError: as ``record``, or there was not one episode.
         StorageError: the disk refused.
     """
     target = _check(config, out, format, resume, lerobot)
+    failure: BaseException | None = None
     with (
+        deferring() as playing,
         _publish(target, config, format, resume, lerobot) as place,
         closing(writer(format, place, config, env, lerobot)) as dataset,
     ):
-        for episode in episodes(dataset.resumed_at):
-            dataset.add(episode)
+        try:
+            for episode in playing(episodes(dataset.resumed_at)):
+                dataset.add(episode)
+        except BaseException as error:
+            if dataset.kept == 0 or format in RESUMABLE:
+                raise
+            failure = error
         if dataset.kept == 0:
             raise InputError("No episode was kept, so there is no dataset.")
         dataset.finish()
+    if failure is not None:
+        with storing(target):
+            raise failure
     return target
 
 
@@ -170,7 +186,7 @@ def _write(
     for number, episode in enumerate(episodes, dataset.resumed_at + 1):
         if isinstance(episode, SceneError):
             missed += 1
-            if missed == _MOST_MISSES:
+            if missed == MOST_MISSES:
                 raise SceneError(
                     f"{missed} episodes in a row gave nothing to keep. Use other scenes, another "
                     f"task or less noise. Of the last: {episode}"

@@ -15,13 +15,13 @@ import numpy as np
 from rich.markup import escape
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
-from generator.errors import require_number
+from generator.errors import SceneError, require_number
 
 from ..learning.demonstrations.recorded import Demonstration, stack
 from ..learning.evaluating import Predicts
 from ..recording.config import Format, LeRobotConfig, RecordConfig
 from ..recording.playing import RecordedEpisode, recorded_episode
-from ..recording.recorder import write_dataset
+from ..recording.recorder import MOST_MISSES, write_dataset
 from ..rendering.config import CameraName
 from .inputs import HumanInput
 from .session import TeleopEpisode, TeleopSession, TeleopStatus
@@ -65,7 +65,7 @@ def teleop(
     """Drive the arm by keyboard or gamepad, and keep what you did as a dataset.
 
     With a POLICY it plays until you take over. Ctrl-C, or closing the window, ends the recording;
-    the episodes that you kept are then the dataset.
+    the episodes that you kept are then the dataset, also if something goes wrong.
 
     Args:
         policy: Name of a shipped policy, a policy file, or a run's folder. It decides what the
@@ -93,7 +93,12 @@ def teleop(
                          for n in count(first))  # fmt: skip
                 yield from play(session, driving, env, view, enumerate(seeds, first))
 
-        path = write_dataset(config, env, drive, out, format, resume, lerobot)
+        try:
+            path = write_dataset(config, env, drive, out, format, resume, lerobot)
+        except BaseException:
+            if session.kept and out.exists():
+                print(escape(f"{out}: the episodes kept until then"))
+            raise
     print(escape(f"{path}: {session.kept} episodes kept"))
 
 
@@ -104,31 +109,48 @@ def play(
     view: CameraName,
     seeds: Iterator[tuple[int, int]],
 ) -> Iterator[RecordedEpisode]:
-    """Yield the episodes that a person keeps, until Ctrl-C or the window's end.
+    """Yield the episodes that a person keeps, until the window is closed.
 
     ``seeds`` are the episodes' numbers and seeds. While no page is open nothing moves.
+
+    Raises:
+        SceneError: 50 seeds in a row gave nothing to do.
     """
     frame = 1 / env.metadata["render_fps"]
     base: Any = env.unwrapped
-    try:
-        for number, seed in seeds:
+    for number in _begin_each(session, seeds):
+        done: TeleopEpisode | Literal["dropped"] | None = None
+        while done is None:
+            start = time.monotonic()
+            given = driving.read()
+            if given is None and not hasattr(driving, "address"):
+                return  # the window is closed
+            if given is None:
+                time.sleep(_WAIT)
+                continue
+            done = session.advance(given)
+            driving.show(base.picture(view), session.status)
+            time.sleep(max(0.0, start + frame - time.monotonic()))
+        if done != "dropped":
+            yield as_recorded(done, number)
+
+
+def _begin_each(session: TeleopSession, seeds: Iterator[tuple[int, int]]) -> Iterator[int]:
+    """Begin the episodes that have something to do; yield the number of each."""
+    missed = 0
+    for number, seed in seeds:
+        try:
             session.begin(seed)
-            done: TeleopEpisode | Literal["dropped"] | None = None
-            while done is None:
-                start = time.monotonic()
-                given = driving.read()
-                if given is None and not hasattr(driving, "address"):
-                    return  # the window is closed
-                if given is None:
-                    time.sleep(_WAIT)
-                    continue
-                done = session.advance(given)
-                driving.show(base.picture(view), session.status)
-                time.sleep(max(0.0, start + frame - time.monotonic()))
-            if done != "dropped":
-                yield as_recorded(done, number)
-    except KeyboardInterrupt:
-        return
+        except SceneError as error:
+            missed += 1
+            if missed == MOST_MISSES:
+                raise SceneError(
+                    f"{missed} seeds in a row gave nothing to do. Use other scenes or another "
+                    f"task. Of the last: {error}"
+                ) from error
+            continue
+        missed = 0
+        yield number
 
 
 def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:

@@ -14,7 +14,7 @@ import pytest
 from gymnasium.wrappers import TimeLimit
 from toy import toy_scene
 
-from generator.errors import BackendError, InputError
+from generator.errors import BackendError, InputError, SceneError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.recording.config import RecordConfig
 from tabletopgen_env.recording.recorder import write_dataset
@@ -137,17 +137,14 @@ def test_only_ee_delta_is_driven() -> None:
 
 # -------------------------------------------------------------------------------------- dataset
 class Scripted:
-    """A person who does what a script says, then leaves."""
+    """A person who does what a script says, then closes the window."""
 
     def __init__(self, script: list[HumanInput]) -> None:
         self._script = iter(script)
         self.shown: list[TeleopStatus] = []
 
     def read(self) -> HumanInput | None:
-        try:
-            return next(self._script)
-        except StopIteration:
-            raise KeyboardInterrupt from None
+        return next(self._script, None)
 
     def show(self, picture: np.ndarray, status: TeleopStatus) -> None:
         assert picture.shape == (24, 32, 3)
@@ -181,6 +178,23 @@ def test_what_is_kept_becomes_a_dataset_that_replays(format, tmp_path) -> None:
             seen = env.step(action)[0]
         assert kept["infos/human"].all()
     env.close()
+
+
+def test_seeds_with_nothing_to_do_are_passed_over(env, monkeypatch) -> None:
+    session, begin = TeleopSession(env, "front"), TeleopSession.begin
+
+    def fail(self: TeleopSession, seed: int) -> None:
+        if seed > 1:
+            raise SceneError(f"nothing to do with {seed}")
+        begin(self, seed)
+
+    monkeypatch.setattr(TeleopSession, "begin", fail)
+    monkeypatch.setattr(type(env.unwrapped), "picture", lambda *_: np.zeros((24, 32, 3), np.uint8))
+    person = Scripted([keys("a"), keys("enter"), keys("a"), keys("enter")])
+    made = play(session, person, env, "front", enumerate([0, 2, 1, *[3] * 50]))
+    assert [next(made).number, next(made).number] == [0, 2]
+    with pytest.raises(SceneError, match=r"50 seeds in a row .* nothing to do with 3"):
+        next(made)
 
 
 def test_nothing_kept_is_no_dataset(tmp_path) -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -36,9 +37,9 @@ class Hdf5Writer:
 
     def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
-        group = self._file.create_group(f"episode_{self.kept}")
-        group.attrs.update(episode.facts)
-        fill_group(group, episode.arrays)
+        with whole_group(self._file, f"episode_{self.kept}") as group:
+            group.attrs.update(episode.facts)
+            fill_group(group, episode.arrays)
         self.kept += 1
         self._summaries.add(episode.summaries())
 
@@ -49,6 +50,16 @@ class Hdf5Writer:
     def close(self) -> None:
         """Close the file."""
         self._file.close()
+
+
+@contextmanager
+def whole_group(parent: h5py.Group, name: str) -> Iterator[h5py.Group]:
+    """Give a new group, which goes again if it cannot be filled."""
+    try:
+        yield parent.create_group(name)
+    except BaseException:
+        del parent[name]
+        raise
 
 
 def fill_group(group: h5py.Group, arrays: Mapping[str, Any]) -> None:

@@ -31,7 +31,11 @@ class NpzWriter:
     def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
         path = self._place / f"episode_{self.kept}.npz"
-        np.savez_compressed(path, **dict(_flat(episode.arrays)))
+        try:
+            np.savez_compressed(path, **dict(_flat(episode.arrays)))
+        except BaseException:
+            path.unlink(missing_ok=True)
+            raise
         self._facts.append(dict(episode.facts))
         self.kept += 1
         self._summaries.add(episode.summaries())

@@ -18,7 +18,7 @@ from ..config import RecordConfig
 from ..playing import RecordedEpisode
 from ..summaries import Summaries
 from .about import describe_dataset
-from .hdf5_writer import fill_group
+from .hdf5_writer import fill_group, whole_group
 
 _GYM_TYPE = 2  # of robomimic's EnvType
 _VALID_EVERY = 10  # of so many demonstrations the last is for validation
@@ -49,17 +49,16 @@ class RobomimicWriter:
 
     def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
-        group = self._data.create_group(f"demo_{self.kept}")
         steps = len(episode.rewards)
-        group.attrs.update(episode.facts)
-        group.attrs["num_samples"] = steps
         arrays = {
             "actions": episode.actions,
             "rewards": episode.rewards,
             "dones": (np.arange(1, steps + 1) == steps).astype(np.int64),
             "obs": {name: rows[:-1] for name, rows in _observations(episode).items()},
         }
-        fill_group(group, arrays)
+        with whole_group(self._data, f"demo_{self.kept}") as group:
+            group.attrs.update({**episode.facts, "num_samples": steps})
+            fill_group(group, arrays)
         self.kept += 1
         self._total += steps
         self._summaries.add(episode.summaries())
