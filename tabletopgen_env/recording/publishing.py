@@ -17,6 +17,7 @@ from generator.io.reading import parse_object, read_regular
 
 _KEY = "recording.json"
 _LOCK = "lock"
+_PLACE = "dataset"  # whatever the target is called: no name of what lies beside it
 _MOST_BYTES = 1 << 20  # of the key
 
 
@@ -70,10 +71,10 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
             with FileLock(part / _LOCK, timeout=0):
                 _claim(part, key)
                 try:
-                    yield part / target.name
-                    _appear(part / target.name, target)
+                    yield part / _PLACE
+                    _appear(part / _PLACE, target)
                 except BaseException:
-                    _drop_if_empty(part, target.name)
+                    _drop_if_empty(part)
                     raise
                 shutil.rmtree(part, ignore_errors=True)
         except Timeout as error:
@@ -103,10 +104,10 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
         )
 
 
-def _drop_if_empty(part: Path, name: str) -> None:
+def _drop_if_empty(part: Path) -> None:
     """Remove what is half done, and the folder if nothing is kept in it."""
-    if (part / name).is_dir():
-        shutil.rmtree(part / name, ignore_errors=True)
+    if (part / _PLACE).is_dir():
+        shutil.rmtree(part / _PLACE, ignore_errors=True)
     kept = [p for p in part.iterdir() if p.name not in (_KEY, _LOCK)]
     if not any(p.is_file() or any(p.iterdir()) for p in kept):
         remove_tree(part.parent, part.name)

@@ -328,6 +328,20 @@ def test_every_episode_that_was_kept_is_in_it(
     assert table(out, "meta/episodes")["seed"] == [0, 2, 3]
 
 
+@pytest.mark.parametrize("name", ["episodes", "lock", "recording.json", "dataset"])
+def test_a_dataset_may_have_any_name(
+    name: str, dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / name
+    with monkeypatch.context() as patch:
+        patch.setattr("tabletopgen_env.recording.lerobot.assembly.join", _interrupt)
+        with pytest.raises(KeyboardInterrupt):
+            record(CONFIG, out, "lerobot")
+    reports: list[tuple[int, int]] = []
+    record(CONFIG, out, "lerobot", resume=True, report=lambda *n: reports.append(n))
+    assert reports == [(4, 6)] and contents(out) == contents(dataset)
+
+
 def test_none_is_dropped_where_fewer_are_asked_for(
     dataset: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
