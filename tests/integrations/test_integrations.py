@@ -1,9 +1,11 @@
 """TabletopGen in LeRobot and in vla-eval: as far as it needs neither, and with both."""
 
+import importlib
 import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import gymnasium as gym
 import numpy as np
@@ -93,12 +95,38 @@ def test_an_episode_ends_once_success_has_held() -> None:
     assert not env.step(env.action_space.sample())[2]
 
 
-def test_lerobots_view_has_its_names(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def view(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """LeRobot's view of an environment, without the package, which needs LeRobot."""
     monkeypatch.syspath_prepend(
         str(ROOT / "integrations/lerobot_env_tabletopgen/lerobot_env_tabletopgen")
     )
-    import view  # type: ignore[import-not-found]  # without the package, which needs LeRobot
+    return importlib.import_module("view")
 
+
+def test_a_success_that_does_not_hold_is_none_to_lerobot(
+    view: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    env = view.make_lerobot_env("Lift", ["office-desk"], ["front"], 16, 20, "starts", None)
+    known = env.unwrapped
+    assert not env.reset(seed=0, options={"lerobot_new_rollout": True})[1]["is_success"]
+    assert env.reset(seed=0, options={"target": known.world.names[0]})[1]["target"]
+    inside, now = type(known).step, [True] * (HOLD - 1) + [False] + [True] * HOLD
+    marks = iter(now)
+
+    def step(self: Any, action: Any) -> Any:
+        *rest, info = inside(self, action)
+        success = next(marks)
+        return *rest, {**info, "success": success, "is_success": success}
+
+    monkeypatch.setattr(type(known), "step", step)
+    found = [env.step(np.zeros(5, np.float32)) for _ in now]
+    assert [info["is_success"] for *_, info in found] == [False] * (len(now) - 1) + [True]
+    assert [ended for _, _, ended, _, _ in found] == [info["is_success"] for *_, info in found]
+    env.close()
+
+
+def test_lerobots_view_has_its_names(view: Any) -> None:
     env = view.make_lerobot_env("Lift", ["office-desk"], ["front"], 16, 20, "starts", 7)
     seen, info = env.reset(seed=0)
     assert env.observation_space.contains(seen) and seen["pixels"]["front"].shape == (16, 16, 3)

@@ -10,6 +10,7 @@ import numpy as np
 from gymnasium import spaces
 
 import tabletopgen_env  # registers the environments
+from tabletopgen_env.env import OPTIONS
 from tabletopgen_env.episodes import EndOnSuccess
 
 PROPRIO = 33
@@ -21,10 +22,12 @@ assert tabletopgen_env
 class LeRobotView(gym.ObservationWrapper):
     """Shows "pixels+proprio" by LeRobot's names: ``pixels`` by camera, and ``agent_pos``.
 
-    ``task_description`` is what is to be done in the episode.
+    ``task_description`` is what is to be done in the episode. ``info["is_success"]``, of which
+    LeRobot takes whether it was ever true, is so in the step that ends the episode because success
+    has held, and in no other.
     """
 
-    def __init__(self, env: gym.Env[Any, Any]) -> None:
+    def __init__(self, env: EndOnSuccess) -> None:
         super().__init__(env)
         assert isinstance(env.observation_space, spaces.Dict)
         parts = dict(env.observation_space.spaces)
@@ -34,6 +37,19 @@ class LeRobotView(gym.ObservationWrapper):
         self.observation_space = spaces.Dict({"pixels": spaces.Dict(parts), "agent_pos": agent})
         self.task_description = ""
         self.task = ""
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Begin an episode; options that are LeRobot's own are dropped."""
+        known = {name: value for name, value in (options or {}).items() if name in OPTIONS}
+        seen, info = super().reset(seed=seed, options=known)
+        return seen, {**info, "is_success": False}
+
+    def step(self, action: np.ndarray) -> tuple[dict[str, Any], float, bool, bool, dict[str, Any]]:
+        """Act."""
+        seen, reward, ended, cut, info = super().step(action)
+        return seen, float(reward), ended, cut, {**info, "is_success": ended}
 
     def observation(self, observation: dict[str, Any]) -> dict[str, Any]:
         """Return an observation by LeRobot's names."""
