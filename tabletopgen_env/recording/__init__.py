@@ -52,9 +52,10 @@ LeRobot
 ==================================  ==============================================================
 ``observation.state``               float32 (33): what the robot feels of itself, see
                                     ``proprioception``
-``observation.environment_state``   float32 (247): the flat state's other entries, with
-                                    ``LeRobotConfig.privileged``, or where there are no pictures:
-                                    policies of LeRobot take it as an input if it is there
+``observation.environment_state``   float32 (247, with ``grasp_hint`` 255): the flat state's other
+                                    entries, with ``LeRobotConfig.privileged``, or where there are
+                                    no pictures: policies of LeRobot take it as an input if it is
+                                    there
 ``observation.images.<picture>``    a picture by its key: colours as a video, depth as a video of 12
                                     bits without further loss (1.5 mm at 1 m), labels as PNG; with
                                     ``video="none"`` all to the bit, as PNG and TIFF

@@ -122,15 +122,9 @@ class RecordConfig:
         require_known(self.observation, get_args(PictureMode), "Unknown observation")
         require(self, "noise", minimum=0)
 
-    def environment(self) -> gym.Env[Any, Any]:
-        """Return the environment to record in; its spec makes the same one again.
-
-        Raises:
-            InputError: a setting is wrong.
-            BundleError: no bundle fits the scenes.
-        """
-        import gymnasium as gym
-
+    @property
+    def keywords(self) -> dict[str, Any]:
+        """The keywords of the environment to record in."""
         scenes = self.scenes[0] if len(self.scenes) == 1 else list(self.scenes)
         given = {"scenes": scenes or None, "preset": self.preset,
                  "randomization": self.randomization}  # fmt: skip
@@ -140,4 +134,15 @@ class RecordConfig:
             settings |= {"observation": self.observation, "kinds": list(self.kinds),
                          "cameras": self.cameras[0] if preset else list(self.cameras),
                          "image_size": self.image_size}  # fmt: skip
-        return gym.make(f"tabletopgen_env:TabletopGen/{self.name}-v0", **settings)
+        return settings
+
+    def environment(self) -> gym.Env[Any, Any]:
+        """Return the environment to record in; its spec makes the same one again.
+
+        Raises:
+            InputError: a setting is wrong.
+            BundleError: no bundle fits the scenes.
+        """
+        import gymnasium as gym
+
+        return gym.make(f"tabletopgen_env:TabletopGen/{self.name}-v0", **self.keywords)

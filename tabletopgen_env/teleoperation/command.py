@@ -8,17 +8,16 @@ from contextlib import closing
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
-from typing import Annotated, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol
 
 import gymnasium as gym
 import numpy as np
 from rich.markup import escape
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
-from generator.errors import SceneError, require_number
+from generator.errors import InputError, SceneError, require_number
 
 from ..learning.demonstrations.recorded import Demonstration, stack
-from ..learning.evaluating import Predicts
 from ..recording.config import Format, LeRobotConfig, RecordConfig
 from ..recording.playing import RecordedEpisode, recorded_episode
 from ..recording.recorder import MOST_MISSES, write_dataset
@@ -26,13 +25,16 @@ from ..rendering.config import CameraName
 from .inputs import HumanInput
 from .session import TeleopEpisode, TeleopSession, TeleopStatus
 
+if TYPE_CHECKING:
+    from ..learning.policies import Card, TrainedPolicy
+
 Device = Literal["page", "window"]
 
 SIZE = (480, 640)
 """Height and width of the pictures that the person sees."""
 
 _LEROBOT = LeRobotConfig()
-_NOTHING = HumanInput()
+_OF_POLICY = ("preset", "cameras", "kinds", "image_size", "observation")  # of a config
 _WAIT = 0.05  # seconds between two looks whether a page is open
 
 
@@ -68,8 +70,8 @@ def teleop(
     the episodes that you kept are then the dataset, also if something goes wrong.
 
     Args:
-        policy: Name of a shipped policy, a policy file, or a run's folder. It decides what the
-            environment shows.
+        policy: Name of a shipped policy, a policy file, or a run's folder. It decides the task and
+            what the environment shows, and the randomization if it names one.
         config: What to record; episodes, noise and keep_failures mean nothing here.
         out: The dataset's own folder, or file (hdf5, robomimic).
         format: Its format. Of lerobot each kept episode is safe at once: --resume goes on.
@@ -81,10 +83,16 @@ def teleop(
         lerobot: How a LeRobot dataset holds it.
     """
     require_number("teleop needs --steps", steps, minimum=1, integer=True)
-    acting, shown = _load(policy)
-    player = "human" if policy is None else f"human and {Path(policy).name}"
-    config = replace(config, player=player, task=config.task if shown is None else shown[0])
-    with closing(_environment(config, steps, None if shown is None else shown[1])) as env:
+    config = replace(config, player="human")
+    config.check()
+    acting, own = None, {}
+    if policy is not None:
+        acting = _load(policy)
+        own = dict(acting.card.env)
+        _check_left_out(config, acting.card, policy)
+        player = f"human and {Path(policy).name}"
+        config = replace(config, player=player, task=acting.card.task)
+    with closing(_environment(config, steps, own)) as env:
         session = TeleopSession(env, view, acting)
 
         def drive(first: int) -> Iterator[RecordedEpisode]:
@@ -168,34 +176,42 @@ def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:
     return replace(found, infos={**found.infos, "human": human}, facts=facts)
 
 
-def _load(policy: str | None) -> tuple[Predicts | None, tuple[str, dict[str, Any]] | None]:
-    """Return a policy, and the task and keywords of its environment."""
-    if policy is None:
-        return None, None
+def _load(policy: str) -> TrainedPolicy:
+    """Return a policy."""
     from ..learning.extra import need_sb3
 
     need_sb3()
     from ..learning.policies import find_policy, load_policy
 
-    found = load_policy(find_policy(policy))
-    return found, (found.card.task, dict(found.card.env))
+    return load_policy(find_policy(policy))
 
 
-def _environment(
-    config: RecordConfig, steps: int, shown: dict[str, Any] | None
-) -> gym.Env[Any, Any]:
-    """Return the environment of a config, or of a policy at its scenes, with a longer limit."""
-    if shown is None:
-        made = config.environment()
-        assert made.spec is not None
-        kwargs = dict(made.spec.kwargs)
-        made.close()
-    else:
-        scenes = list(config.scenes) if len(config.scenes) > 1 else next(iter(config.scenes), None)
-        kwargs = {**shown, **({} if scenes is None else {"scenes": scenes})}
+def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
+    """Check that a config asks for nothing that a policy decides.
+
+    Raises:
+        InputError: it does.
+    """
+    usual = RecordConfig()
+    decided = {name: getattr(usual, name) for name in _OF_POLICY}
+    if "randomization" in card.env:
+        decided["randomization"] = usual.randomization
+    given = [name for name, value in decided.items() if getattr(config, name) != value]
+    if config.name not in (usual.name, card.task):
+        given = ["task", *given]
+    if given:
+        flags = ", ".join(f"--{name.replace('_', '-')}" for name in given)
+        raise InputError(
+            f"The policy {policy} does {card.task}, in an environment like the one that it was "
+            f"trained in. Leave out {flags}, or the policy."
+        )
+
+
+def _environment(config: RecordConfig, steps: int, own: dict[str, Any]) -> gym.Env[Any, Any]:
+    """Return the environment of a config and a policy's ``own`` keywords, with a longer limit."""
     return gym.make(
         f"tabletopgen_env:TabletopGen/{config.name}-v0", max_episode_steps=steps,
-        **{**kwargs, "render_mode": "rgb_array", "render_size": SIZE},
+        **{**config.keywords, **own, "render_mode": "rgb_array", "render_size": SIZE},
     )  # fmt: skip
 
 

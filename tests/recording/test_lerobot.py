@@ -25,6 +25,7 @@ from tabletopgen_env.recording import LeRobotConfig, RecordConfig, record
 from tabletopgen_env.recording.lerobot import depth as depths
 from tabletopgen_env.recording.lerobot import videos, writer
 from tabletopgen_env.recording.lerobot.assembly import Limits
+from tabletopgen_env.recording.lerobot.features import features_of
 from tabletopgen_env.recording.lerobot.segments import SegmentStore
 from tabletopgen_env.recording.playing import RecordedEpisode
 from tabletopgen_env.recording.recorder import write_dataset
@@ -245,6 +246,15 @@ def test_the_privileged_state_is_there_if_asked_for(tmp_path: Path) -> None:
     np.testing.assert_array_equal(np.float32(both), first.state[:-1])
     names = told(path, "info.json")["features"]["observation.environment_state"]["names"]
     assert len(names) == len(set(names)) == 247
+
+
+def test_every_entry_of_a_state_has_a_name_of_its_own() -> None:
+    name = "observation.environment_state"
+    for size in (247, 255):  # without and with the grasp hint
+        values = {name: np.zeros((3, size), np.float32)}
+        names = features_of(values, {}, 20, LeRobotConfig())[name]["names"]
+        assert len(names) == len(set(names)) == size
+        assert [n for n in names if n.startswith("grasp_hint.")] == names[247:]
 
 
 def test_files_roll_over_and_rows_name_the_right_one(

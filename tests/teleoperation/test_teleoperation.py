@@ -6,6 +6,7 @@ import urllib.error
 import urllib.request
 from collections.abc import Iterator
 from contextlib import closing, suppress
+from dataclasses import replace
 from typing import Any
 
 import gymnasium as gym
@@ -17,7 +18,9 @@ from toy import toy_scene
 from generator.errors import BackendError, InputError, SceneError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.recording.config import RecordConfig
+from tabletopgen_env.recording.formats.about import describe_dataset
 from tabletopgen_env.recording.recorder import write_dataset
+from tabletopgen_env.teleoperation import command
 from tabletopgen_env.teleoperation.command import play
 from tabletopgen_env.teleoperation.inputs import SLOWLY, VIEWS, HumanInput, Operator
 from tabletopgen_env.teleoperation.page import MOST_BYTES, TeleopPage, read_input
@@ -178,6 +181,60 @@ def test_what_is_kept_becomes_a_dataset_that_replays(format, tmp_path) -> None:
             seen = env.step(action)[0]
         assert kept["infos/human"].all()
     env.close()
+
+
+class Leaving(Scripted):
+    """A scripted person's device, for the command."""
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.slow
+def test_a_policys_dataset_tells_what_was_made(tmp_path, monkeypatch) -> None:
+    pytest.importorskip("stable_baselines3")
+    person = Leaving([REST, keys("enter")])
+    monkeypatch.setattr(command, "SIZE", (24, 32))
+    monkeypatch.setattr(command, "_device", lambda *_: person)
+    config = RecordConfig(scenes=("office-desk",), randomization="light", seed=1)
+    command.teleop("reach-clone", config=config, out=tmp_path / "set")
+    told = json.loads((tmp_path / "set" / "dataset.json").read_text())
+    assert told["environment"]["id"] == "TabletopGen/Reach-v0"
+    assert told["environment"]["kwargs"]["randomization"] == "light"
+    assert told["player"] == "human and reach-clone"
+    assert told["settings"] == {
+        "task": "Reach", "preset": None, "scenes": ["office-desk"], "seed": 1, "cameras": [],
+        "kinds": ["rgb"], "image_size": None, "observation": "pixels+state",
+        "randomization": "light",
+    }  # fmt: skip
+    assert told["episodes"][0]["human_steps"] == 0
+
+
+def test_settings_are_those_of_the_environment_that_was_made() -> None:
+    config = RecordConfig("Lift", scenes=("office-desk",), player="human")
+    own = {"observation": "pixels+proprio", "cameras": ["top"], "kinds": ["depth"],
+           "image_size": {"top": 16}, "randomization": "none"}  # fmt: skip
+    with closing(gym.make("tabletopgen_env:TabletopGen/Lift-v0", scenes="office-desk", **own)) as e:
+        settings = describe_dataset(config, e)["settings"]
+    assert {name: settings[name] for name in own} == own
+    assert settings["scenes"] == ("office-desk",)
+
+
+@pytest.mark.slow
+def test_what_a_policy_decides_is_not_asked_for(tmp_path) -> None:
+    pytest.importorskip("stable_baselines3")
+    cases = (
+        ("reach-clone", {"cameras": ("front",), "image_size": 64}, "--cameras, --image-size"),
+        ("reach-clone", {"task": "Lift", "kinds": ("depth",)}, "does Reach.* --task, --kinds"),
+        ("reach-clone", {"preset": "kitchen", "observation": "pixels+proprio"}, "--preset, --obs"),
+        ("lift-sight", {"randomization": "strong"}, "Leave out --randomization, or"),
+    )
+    for policy, given, reason in cases:
+        config = replace(RecordConfig(scenes=("office-desk",)), **given)
+        with pytest.raises(InputError, match=reason):
+            command.teleop(policy, config=config, out=tmp_path / "set")
+    with pytest.raises(InputError, match=r"Unknown task 'Lif'.*'Lift'"):
+        command.teleop(config=RecordConfig("Lif"), out=tmp_path / "set")
 
 
 def test_seeds_with_nothing_to_do_are_passed_over(env, monkeypatch) -> None:

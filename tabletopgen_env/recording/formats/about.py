@@ -10,18 +10,27 @@ import gymnasium as gym
 
 from generator.scene.provenance import versions
 
-from ..config import RecordConfig
+from ..config import EXPERT, RecordConfig
 
 _VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "numpy")
+_OF_EXPERT = ("episodes", "noise", "keep_failures")  # settings that another player does not heed
 
 
 def describe_dataset(config: RecordConfig, env: gym.Env[Any, Any]) -> dict[str, Any]:
-    """Return environment, player, settings, control rate and versions, as JSON values."""
+    """Return environment, player, settings, control rate and versions, as JSON values.
+
+    The settings are those that had a meaning, and of ``env`` as it is where ``config`` would have
+    made another.
+    """
     assert env.spec is not None
+    meaningless = {"player"} if config.player == EXPERT else {"player", *_OF_EXPERT}
+    settings = {name: v for name, v in asdict(config).items() if name not in meaningless}
+    asked, made = config.keywords, env.spec.kwargs
+    settings |= {name: made.get(name) for name in settings if made.get(name) != asked.get(name)}
     return {
         "environment": json.loads(env.spec.to_json()),
         "player": config.player,
         "fps": env.metadata["render_fps"],
-        "settings": {name: v for name, v in asdict(config).items() if name != "player"},
+        "settings": settings,
         "versions": versions(_VERSIONS),
     }

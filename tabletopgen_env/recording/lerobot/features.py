@@ -56,6 +56,12 @@ STATE_NAMES = (
 )
 """The entries of ``observation.environment_state``: the flat state's after the robot's own."""
 
+HINT_NAMES = (
+    *(f"grasp_hint.from_tool.{k}" for k in _XYZ),
+    *(f"grasp_hint.{k}" for k in ("turn", "opening", "breadth", "rise", "stage")),
+)
+"""Its further entries with ``grasp_hint``."""
+
 _COUNTERS: Mapping[str, str] = MappingProxyType(
     {
         "timestamp": "float32",
@@ -102,7 +108,7 @@ def features_of(
     """Return the entry of each feature in ``meta/info.json``."""
     named = {
         "observation.state": PROPRIO_NAMES,
-        "observation.environment_state": STATE_NAMES,
+        "observation.environment_state": (*STATE_NAMES, *HINT_NAMES),
         "action": ACTION_NAMES,
     }
     found: dict[str, dict[str, Any]] = {}
@@ -111,7 +117,7 @@ def features_of(
         found[name] = {
             "dtype": str(rows.dtype),
             "shape": list(rows.shape[1:]) or [1],
-            "names": None if names is None else list(names),
+            "names": None if names is None else list(names[: rows.shape[1]]),
         }
     for name, rows in pictures.items():
         found[PICTURES + name] = _picture_feature(rows, fps, config)
