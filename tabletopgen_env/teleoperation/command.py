@@ -177,13 +177,15 @@ def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:
 
 
 def _load(policy: str) -> TrainedPolicy:
-    """Return a policy."""
+    """Return a policy by its name, its file or its run."""
     from ..learning.extra import need_sb3
 
     need_sb3()
     from ..learning.policies import find_policy, load_policy
+    from ..learning.runs import kept_policy
 
-    return load_policy(find_policy(policy))
+    path = Path(policy)
+    return load_policy(kept_policy(path) if path.is_dir() else find_policy(policy))
 
 
 def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
