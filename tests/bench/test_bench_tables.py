@@ -4,7 +4,7 @@ import dataclasses
 from pathlib import Path
 
 import pytest
-from conftest import ANYWHERE, suites_of
+from tiny_suites import ANYWHERE, suites_of
 
 from generator.bundle import digest, load_digest
 from generator.errors import BundleError, InputError, SceneError
