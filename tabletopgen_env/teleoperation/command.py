@@ -35,6 +35,7 @@ SIZE = (480, 640)
 
 _LEROBOT = LeRobotConfig()
 _OF_POLICY = ("preset", "cameras", "kinds", "image_size", "observation")  # of a config
+_KEPT = ("state", "pixels+state", "pixels+proprio")  # observations that datasets hold
 _WAIT = 0.05  # seconds between two looks whether a page is open
 
 
@@ -189,11 +190,18 @@ def _load(policy: str) -> TrainedPolicy:
 
 
 def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
-    """Check that a config asks for nothing that a policy decides.
+    """Check that datasets hold what a policy sees, and that a config asks for nothing it decides.
 
     Raises:
-        InputError: it does.
+        InputError: they do not, or it does.
     """
+    mode, geometry = (card.env.get(name) for name in ("observation", "geometry"))
+    if mode not in (None, *_KEPT) or geometry not in (None, "none"):
+        raise InputError(
+            f"The policy {policy} sees {mode or 'state'!r}"
+            f"{f' with {geometry!r}' if geometry else ''}, which datasets do not hold. Drive with "
+            f"one that sees {', '.join(map(repr, _KEPT))}."
+        )
     usual = RecordConfig()
     decided = {name: getattr(usual, name) for name in _OF_POLICY}
     if "randomization" in card.env:

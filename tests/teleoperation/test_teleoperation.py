@@ -237,6 +237,16 @@ def test_what_a_policy_decides_is_not_asked_for(tmp_path) -> None:
         command.teleop(config=RecordConfig("Lif"), out=tmp_path / "set")
 
 
+@pytest.mark.parametrize("env", [{"observation": "goal"}, {"geometry": "height_map"}])
+def test_policies_of_what_no_dataset_holds_are_refused(env, tmp_path, monkeypatch) -> None:
+    pytest.importorskip("stable_baselines3")
+    acting = command._load("reach-clone")
+    other = replace(acting, card=replace(acting.card, env=env))
+    monkeypatch.setattr(command, "_load", lambda _: other)
+    with pytest.raises(InputError, match="which datasets do not hold"):
+        command.teleop("mine", config=RecordConfig(), out=tmp_path / "set")
+
+
 def test_seeds_with_nothing_to_do_are_passed_over(env, monkeypatch) -> None:
     session, begin = TeleopSession(env, "front"), TeleopSession.begin
 
