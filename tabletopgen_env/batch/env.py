@@ -50,9 +50,11 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
     ``deck.episodes`` episodes of each scene, which ``TabletopEnv`` drew beforehand.
 
     ``infos`` holds, as tensors with one row a world, "reward_terms" by name, "success" (and
-    "is_success"), "goals" (the active goal's index, and how many there are), "episode" (its row in
-    ``episodes``), and "failed": worlds that overflowed or diverged. Such a world's episode is
-    truncated without a reward, counted (``failures``) and followed by another; the others go on.
+    "is_success"), "goals" (the active goal's index, and how many there are), "episode_row" (its row
+    in ``episodes``), and "failed": worlds that overflowed or diverged. Such a world's episode is
+    truncated with the least reward, counted (``failures``) and followed by another; the others go
+    on. In a step that ends episodes, "final_info" holds the same of these, all else is of those
+    that have begun.
 
     A world simulates in single precision and without sleeping; otherwise it is ``TabletopEnv``'s.
 
