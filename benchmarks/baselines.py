@@ -160,8 +160,8 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
         "none either, but height maps around target and goal, in which the policy learned to "
         "find grasps; with `-sight` neither state nor hint, but pictures with depth, masks of the "
         "target (of Lift), calibrations and proprioception. The `rule-` rows are of a few lines "
-        "that go where the hint points and learn nothing. Steps are of the environment, or of cloning the "
-        "states with advice. "
+        "that go where the hint points and learn nothing. Steps are of the environment, or of "
+        "cloning the states with advice. "
         "Minutes are of the whole training, tables made and validation included. Interval: "
         "Wilson, 95 %, of a policy at tables like these; the seeds play at the same tables.",
         "",
