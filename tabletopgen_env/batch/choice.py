@@ -13,9 +13,9 @@ from ..scenes.finding import graded_of
 class EpisodeChoice:
     """Draws episodes of a deck, on the host, and remembers which world plays which.
 
-    A bin of difficulty is drawn by ``sampler`` from those that the deck has episodes of, then one
-    of its episodes, all equally likely. What episodes came to stays with the sampler when another
-    deck is held.
+    A bin of difficulty is drawn by ``sampler``, which knows how many episodes the deck has of each,
+    then one of its episodes, all equally likely. What episodes came to stays with the sampler when
+    another deck is held.
 
     Args:
         sampler: the success rates by difficulty; one with a single bin draws uniformly.
@@ -42,7 +42,7 @@ class EpisodeChoice:
 
     def draw(self, worlds: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:
         """Draw an episode for each of some worlds; return their rows in the deck."""
-        bins = self.sampler.sample(self._rng, len(worlds), self._counts > 0)
+        bins = self.sampler.sample(self._rng, len(worlds), self._counts)
         within = (self._rng.random(len(worlds)) * self._counts[bins]).astype(int)
         rows = self._by_bin[(np.cumsum(self._counts) - self._counts)[bins] + within]
         self._playing[worlds] = rows

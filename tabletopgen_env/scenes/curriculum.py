@@ -18,13 +18,16 @@ from .sampler import DifficultySampler
 from .source import HeldRef, Remembered, SceneRef, SceneSource, close, record
 from .splitting import SplitRule, admitting
 
+_NEW = 4.0  # weight of a scene that was not drawn yet
+
 
 @dataclass(eq=False)
 class CurriculumScenes:
     """Draws scenes of another source by their difficulty and by how episodes there have ended.
 
     It holds the ``size`` scenes last met. For each draw the source draws one more, and of all held
-    one is chosen: a bin of difficulty by ``sampler``, then a scene of it, all equally likely.
+    one is chosen: a bin of difficulty by ``sampler``, then a scene of it. One that was not drawn
+    yet counts four times as much, since most is learned of what is new.
     ``record`` is told how each episode ended, and at which scene, so that episodes in flight at the
     same time count where they belong.
 
@@ -46,6 +49,7 @@ class CurriculumScenes:
     size: int = 32
     _source: SceneSource = field(init=False, repr=False)
     _held: list[SceneRef] = field(default_factory=list, init=False, repr=False)
+    _drawn: set[str] = field(default_factory=set[str], init=False, repr=False)
     _known: Remembered[float] = field(default_factory=Remembered, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -70,9 +74,13 @@ class CurriculumScenes:
         """Draw a scene; its reference says how difficult it is."""
         self._meet(self._source.draw(rng))
         bins = self.sampler.bins(np.array([ref.difficulty for ref in self._held], float))
-        present = np.bincount(bins, minlength=len(self.sampler.counts)) > 0
-        [chosen] = self.sampler.sample(rng, 1, present)
-        return self._held[int(rng.choice(np.flatnonzero(bins == chosen)))]
+        weights = np.array([1.0 if ref.key in self._drawn else _NEW for ref in self._held])
+        amounts = np.bincount(bins, weights, minlength=len(self.sampler.counts))
+        [chosen] = self.sampler.sample(rng, 1, amounts)
+        within = weights * (bins == chosen)
+        ref = self._held[int(rng.choice(len(within), p=within / within.sum()))]
+        self._drawn.add(ref.key)
+        return ref
 
     def record(self, ref: SceneRef, success: bool) -> None:
         """Take the end of an episode at a scene into account."""
@@ -94,6 +102,7 @@ class CurriculumScenes:
         others = [ref for ref in self._held if ref.key != drawn.key and is_there(ref)]
         [met] = [ref for ref in self._held if ref.key == drawn.key] or [self._rate(drawn)]
         self._held = [*others, met][-self.size :]
+        self._drawn &= {ref.key for ref in self._held}
 
     def _rate(self, ref: SceneRef) -> SceneRef:
         """Return the reference with its difficulty."""

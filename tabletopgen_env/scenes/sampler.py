@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Float, Int, Real
 from numpy.typing import ArrayLike
 
 from generator.errors import InputError
@@ -26,12 +26,13 @@ class DifficultySampler:
     A bin's rate is p = (s + 1) / (n + 2) of s successes in n episodes, older episodes counting
     less: half after ``halflife`` others of the same bin. Its potential is p (1 - p), which is
     highest where half of the episodes succeed, and for bins without any yet (S. Tzannetos et al.,
-    "Proximal curriculum for reinforcement learning agents", TMLR 2023). A bin is drawn with
-    probability ``explore`` / bins + (1 - ``explore``) potential / sum of potentials.
+    "Proximal curriculum for reinforcement learning agents", TMLR 2023). A bin that holds a share w
+    of what there is is drawn with probability ``explore`` w + (1 - ``explore``) w potential / sum
+    of w potential, so that without any episodes all there is is equally likely.
 
     Attributes:
         edges: of the bins, b + 1 rising numbers; what lies outside is in the first or last bin.
-        explore: share of draws that are uniform over the bins, in (0, 1]; 1 draws uniformly.
+        explore: share of draws that are uniform over all there is, in (0, 1]; 1 draws uniformly.
         halflife: episodes of a bin after which one counts half; inf never forgets.
         counts: episodes and successes of each bin, decayed.
 
@@ -65,17 +66,17 @@ class DifficultySampler:
         found = np.searchsorted(self.edges[1:-1], np.asarray(difficulties, float), side="right")
         return np.asarray(found)
 
-    def probabilities(self, present: Bool[np.ndarray, "b"] | None = None) -> Float[np.ndarray, "b"]:
-        """Return how likely each bin is drawn, of those ``present``; None for all."""
-        there = np.ones(len(self.counts), bool) if present is None else np.asarray(present, bool)
-        potential = np.where(there, self.rates * (1 - self.rates), 0.0)
-        return self.explore * there / there.sum() + (1 - self.explore) * potential / potential.sum()
+    def probabilities(self, amounts: Real[np.ndarray, "b"] | None = None) -> Float[np.ndarray, "b"]:
+        """Return how likely each bin is drawn; ``amounts`` is how much it holds, None is alike."""
+        held = np.ones(len(self.counts)) if amounts is None else np.asarray(amounts, float)
+        potential = held * self.rates * (1 - self.rates)
+        return self.explore * held / held.sum() + (1 - self.explore) * potential / potential.sum()
 
     def sample(
-        self, rng: np.random.Generator, n: int, present: Bool[np.ndarray, "b"] | None = None
+        self, rng: np.random.Generator, n: int, amounts: Real[np.ndarray, "b"] | None = None
     ) -> Int[np.ndarray, "n"]:
-        """Draw ``n`` bins, of those ``present``."""
-        return rng.choice(len(self.counts), size=n, p=self.probabilities(present))
+        """Draw ``n`` bins, by how much each holds; none that holds nothing."""
+        return rng.choice(len(self.counts), size=n, p=self.probabilities(amounts))
 
     def record(self, bins: ArrayLike, successes: ArrayLike) -> None:
         """Take episodes that ended together into account, in whatever order they are given."""

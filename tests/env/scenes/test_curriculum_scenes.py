@@ -62,8 +62,12 @@ def test_what_half_succeeds_at_is_drawn_most_and_nothing_never() -> None:
 
 def test_only_what_is_present_is_drawn() -> None:
     sampler = DifficultySampler(EDGES)
-    present = np.array([True, False, False, True])
-    assert set(sampler.sample(np.random.default_rng(0), 200, present).tolist()) == {0, 3}
+    held = np.array([3, 0, 0, 1])
+    assert sampler.probabilities(held) == pytest.approx([0.75, 0, 0, 0.25])
+    sampler.record([0, 3] * 50, [True, True, True, False] * 25)
+    chances = sampler.probabilities(held)
+    assert chances[3] > 0.6 and chances[0] >= 0.2 * 0.75, "a fifth is as there is"
+    assert set(sampler.sample(np.random.default_rng(0), 200, held).tolist()) == {0, 3}
     assert set(sampler.sample(np.random.default_rng(0), 200).tolist()) == {0, 1, 2, 3}
 
 
@@ -151,6 +155,20 @@ def test_so_many_scenes_are_held_those_met_last() -> None:
         source.draw(rng)
     assert len({ref.key for ref in source._held}) == len(source._held) == 3
     assert len(of_quarters(size=1).draw(rng).key) == 1
+
+
+def test_new_scenes_are_preferred() -> None:
+    class Endless:
+        number = 0
+
+        def draw(self, rng: np.random.Generator) -> SceneRef:
+            self.number += 1
+            return SceneRef(str(self.number), unread, float(rng.random()))
+
+    source, rng = CurriculumScenes(Endless(), DifficultySampler(EDGES)), np.random.default_rng(0)
+    drawn = [source.draw(rng).key for _ in range(200)]
+    assert len({*drawn[:10]}) >= 7 and len({*drawn}) > 150
+    assert len(source._drawn) <= source.size
 
 
 def test_a_difficulty_that_is_not_known_is_found_once() -> None:
