@@ -6,7 +6,7 @@
 Each row is a batch of so many worlds at the scenes, random actions, episodes that end and begin
 anew at other tables (a twentieth of them in each step), and one exchange of the bank in the middle.
 The clock runs over steps alone, after a warm-up; a GPU is waited for before each reading. Memory is
-what the device has less of than before the batch was made. "failed" are episodes that overflowed or
+what the device, or on a CPU this process, has taken since before the batch was made. "failed" are episodes that overflowed or
 diverged. The table goes to ``results/worlds_DEVICE.md``.
 """
 
@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import torch
+from pace.sharded import resident
 from posing.tables import where
 
 from tabletopgen_env.batch.decks import DeckConfig
@@ -58,7 +59,7 @@ def parser() -> argparse.ArgumentParser:
 def measure(args: argparse.Namespace, worlds: int) -> WorldsRow:
     """Step one batch."""
     device = torch.device(args.device)
-    free = free_bytes(device)
+    before = _taken(device)
     env = TabletopBatchEnv(
         worlds, args.scenes, task=args.task, device=device, max_objects=args.objects,
         randomization="starts", max_episode_steps=EPISODE,
@@ -77,7 +78,7 @@ def measure(args: argparse.Namespace, worlds: int) -> WorldsRow:
         return begun
 
     steps(3)
-    memory = free - free_bytes(device)
+    memory = _taken(device) - before
     begin, begun = _now(device), 0
     begun += steps(args.steps // 2)
     env.world.swap(env.bank)
@@ -90,6 +91,13 @@ def measure(args: argparse.Namespace, worlds: int) -> WorldsRow:
     )  # fmt: skip
     env.close()
     return row
+
+
+def _taken(device: torch.device) -> float:
+    """Return how much memory of a GPU, or of this process on a CPU, is taken, bytes."""
+    if device.type == "cuda":
+        return -free_bytes(device)
+    return 2**20 * resident("self")
 
 
 def _now(device: torch.device) -> float:
