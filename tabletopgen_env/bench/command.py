@@ -54,7 +54,8 @@ def make_tables(
 
     Args:
         suites: Names of suites; "all" for those of all tasks.
-        out: Folder the bundles go into; the user cache if left out, where "run" looks for them.
+        out: Folder the bundles go into; if left out, bench in the user cache, where "run" looks for
+            them and no search by name does.
         pool: Who makes them.
     """
     from .tables import make_tables as make
@@ -95,7 +96,8 @@ def run_policy(
             own FILE:test.
         out: Folder the results go into.
         name: What the policy is called in the results; its own name if left out.
-        tables: Folder of the tables, made there if they are missing; the user cache if left out.
+        tables: Folder of the tables, made there if they are missing; if left out, bench in the user
+            cache.
         pool: Who plays.
         pictures: What is kept of episodes that fail.
     """

@@ -52,7 +52,8 @@ class BenchRun:
     Attributes:
         out: the folder of the result.
         name: what the policy is called in the result; None for its own name.
-        tables: the folder of the tables, made there if they are missing; None for the store.
+        tables: the folder of the tables, made there if they are missing; None for "bench" in the
+            user's cache.
         pool: who plays.
         pictures: what is kept of episodes that fail.
     """

@@ -7,7 +7,8 @@ from contextlib import closing
 from functools import partial
 from pathlib import Path
 
-import assets_cache
+import platformdirs
+
 from generator.bundle import digest, load_digest, save
 from generator.errors import BundleError, SceneError, require_number
 from generator.io.files import check_folder
@@ -21,8 +22,11 @@ _CERTIFIED_BY = ("tabletopgen", "mujoco", "numpy")
 
 
 def store_of(folder: Path | None) -> Path:
-    """Return where tables are kept: ``folder``, else the user's store of bundles."""
-    return assets_cache.user_root() if folder is None else folder
+    """Return where tables are kept: ``folder``, else "bench" in the user's cache.
+
+    That is no place of ``assets_cache``, so that no name or glob of a training finds test tables.
+    """
+    return Path(platformdirs.user_cache_dir("tabletopgen")) / "bench" if folder is None else folder
 
 
 def name_of(suites: TaskSuites, table: SuiteTable) -> str:

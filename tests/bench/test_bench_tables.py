@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 from tiny_suites import ANYWHERE, suites_of
 
+import assets_cache
 from generator.bundle import digest, load_digest
-from generator.errors import BundleError, InputError, SceneError
+from generator.errors import BundleError, InputError, MissingError, SceneError
 from generator.jobs.pools import PoolOptions
 from tabletopgen_env.bench import tables
 from tabletopgen_env.bench.instances import SuiteTable, TaskSuites
@@ -34,6 +35,19 @@ def test_a_table_is_made_again(composed: TaskSuites, tmp_path: Path) -> None:
     before = (path / "scene.json").stat().st_mtime_ns
     assert list(tables.make_tables(composed, composed.tables, tmp_path)) == [path]
     assert (path / "scene.json").stat().st_mtime_ns == before
+
+
+def test_the_search_by_name_does_not_find_tables_in_the_cache(
+    composed: TaskSuites, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    (path,) = tables.make_tables(composed, composed.tables)
+    assert path.parent == tmp_path / "tabletopgen" / "bench"
+    assert tables.find_table(composed, composed.tables[0]) == path
+    assert assets_cache.entries() and path not in assets_cache.entries()
+    with pytest.raises(MissingError):
+        assets_cache.find("bench-tiny-*")
 
 
 def test_another_table_than_the_suite_says_is_refused(composed: TaskSuites, tmp_path: Path) -> None:
