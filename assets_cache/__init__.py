@@ -11,6 +11,7 @@ by one rename, so readers and writers need no lock.
 
 from .store import STARTER as STARTER
 from .store import add as add
+from .store import check_own as check_own
 from .store import check_removable as check_removable
 from .store import clear as clear
 from .store import entries as entries

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import platformdirs
 
-from generator.errors import BundleError, MissingError, StorageError, choices
+from generator.errors import BundleError, InputError, MissingError, StorageError, choices
 
 if TYPE_CHECKING:
     from generator.scene import Scene
@@ -109,6 +109,19 @@ def check_removable(path: Path, root: Path) -> None:
     """
     if path.resolve().parent != root.resolve() or _ships(root):
         raise StorageError(f"{path} is not in the store {root}; only what is there is removed.")
+
+
+def check_own(path: Path) -> None:
+    """Check that a bundle may be written to.
+
+    Raises:
+        InputError: it ships with the package.
+    """
+    if _ships(path.resolve().parent):
+        raise InputError(
+            f"{path} ships with the package and is never written to. Copy its folder to a place of "
+            "your own, and name the copy by its path."
+        )
 
 
 def clear(cache: str | Path | None = None) -> int:

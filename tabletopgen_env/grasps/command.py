@@ -13,7 +13,7 @@ from generator.errors import InputError, escape
 from generator.io.files import check_target
 from generator.jobs.pools import PoolOptions
 
-from .labels import GraspTerms, read_grasps
+from .labels import FILE, GraspTerms, read_grasps
 
 Reporter = Callable[[int, int, str], None]
 """Is told how many objects of how many are done, and the name of the last."""
@@ -37,7 +37,8 @@ def grasps(
 
     A bundle gets `grasps.json`: poses of the hand in each object's frame with width and quality,
     the share of the trials in which a Panda's hand held the object. Bundles with labels on the same
-    terms are skipped, and an interrupted command resumes with the objects that are left.
+    terms are skipped, and an interrupted command resumes with the objects that are left. Shipped
+    bundles are never written to: copy one's folder and name the copy.
 
     Args:
         bundles: Names, digests, globs or paths of bundles, or folders of them.
@@ -64,12 +65,15 @@ def grasps(
     waiting = [path for path in found if again or not is_labelled(path, terms)]
     if len(waiting) < len(found):
         print(f"{len(found) - len(waiting)} of {len(found)} bundles are labelled already.")
+    for path in waiting:
+        assets_cache.check_own(path)
     with _showing(waiting) as report:
         for path in waiting:
             made = label_bundle(path, terms, pool, report)
             for name, labels in made.labels.items():
                 best = f", best {labels.quality.max():.2f}" if len(labels) else ""
                 print(escape(f"{path.name}: {name}: {len(labels)} grasps{best}"), flush=True)
+            print(escape(str(path / FILE)), flush=True)
     if picture is not None:
         from generator.bundle import load
         from generator.io.pictures import write_picture

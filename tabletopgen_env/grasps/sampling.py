@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import platformdirs
 
+import assets_cache
 from generator.bundle import load, load_fingerprint
 from generator.errors import BundleError, InputError, StorageError, require_number
 from generator.io.files import remove_tree, write_whole
@@ -111,7 +112,7 @@ def label_bundle(
     told how many objects of how many are done, and the name of the last.
 
     Raises:
-        InputError: ``pool`` is out of range.
+        InputError: ``pool`` is out of range, or the bundle ships with the package.
         BackendError: no Ray.
         BundleError: the bundle cannot be read.
         SceneError: an object cannot be built, or a process has ended abruptly.
@@ -119,6 +120,7 @@ def label_bundle(
     """
     require_number("Labelling needs workers", pool.workers, minimum=1, maximum=1024, integer=True)
     folder = Path(path)
+    assets_cache.check_own(folder)
     scene, fingerprint = load(folder), load_fingerprint(folder)
     begun = _Begun(fingerprint, terms)
     labels = {o.name: kept for o in scene.objects if (kept := begun.read(o.name)) is not None}

@@ -1,6 +1,7 @@
 """Grasp labels: where they are, what the trials say, and the file in the bundle."""
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from command import Shell
 from toy import toy_object, toy_scene
 
+import assets_cache
 from generator.bundle import load_fingerprint, save, verify
 from generator.errors import BundleError, InputError
 from generator.geometry import quaternion_matrix
@@ -181,6 +183,24 @@ def test_labels_that_are_a_link_or_no_json_are_refused(made: Path, tmp_path: Pat
 def test_terms_out_of_range_are_refused(settings: dict) -> None:
     with pytest.raises(InputError):
         GraspTerms(**settings)
+
+
+def test_shipped_bundles_are_not_written_to(
+    made: Path, store: Path, monkeypatch: pytest.MonkeyPatch, labels: GraspLabels, shell: Shell
+) -> None:
+    monkeypatch.setattr(sampling, "sample_grasps", lambda thing, terms: labels)
+    (made / FILE).unlink(missing_ok=True)
+    (shipped,) = assets_cache.find("coffee-square")
+    said = shell("grasps", str(made), "coffee-square", code=2).err
+    assert "ships with the package" in said and "Copy its folder" in said
+    assert not (made / FILE).exists(), "nothing is labelled before it is refused"
+    with pytest.raises(InputError, match="ships with the package"):
+        label_bundle(shipped, FEW)
+    assert not (shipped / FILE).exists()
+    copy = shutil.copytree(shipped, store / shipped.name)
+    said = shell("grasps", str(copy), str(made)).out.splitlines()
+    assert {str(copy / FILE), str(made / FILE)} <= {*said}
+    assert read_grasps(copy)
 
 
 @pytest.mark.slow
