@@ -179,7 +179,7 @@ def import_(
     parts. The scene is settled and judged.
 
     Args:
-        source: A MJCF file (.xml), a GLB file, a folder with poses.json, or an exported folder.
+        source: A MJCF file (.xml), a GLB file, a folder with poses.json, or a MJCF export's folder.
         out: Folder the bundle goes into; the user cache if left out.
         options: How it is read.
         allow_failed: Publish the scene even if it fails its physical gate.

@@ -52,8 +52,13 @@ def read_folder(folder: Path) -> ForeignScene:
     """
     reader = _FolderReader(folder)
     payload = parse_object(reader.read(POSES, _MOST_POSES), POSES, InputError)
-    _check_keys(payload, {"table", "objects", "name"}, POSES)
     table, objects = payload.get("table"), payload.get("objects")
+    if isinstance(table, dict) and "quaternion_wxyz" in table:
+        raise InputError(
+            f"{folder / POSES} is that of a URDF export, which is not read. Export the scene as "
+            "GLB or MJCF and import that."
+        )
+    _check_keys(payload, {"table", "objects", "name"}, POSES)
     if not isinstance(table, dict):
         raise InputError(f'{POSES} has no table: {{"file": …}} or {{"size": [x, y, z]}}.')
     if not isinstance(objects, list) or not objects:

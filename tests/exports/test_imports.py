@@ -153,6 +153,12 @@ def test_sources_that_are_none_are_refused(tmp_path: Path) -> None:
         import_scene(tmp_path)
 
 
+def test_the_folder_of_a_urdf_export_is_refused_as_such(tmp_path: Path) -> None:
+    scene = toy_scene((toy_object("box_1", (0.05, 0.03, 0.04), (0.0, 0.0)),))
+    with pytest.raises(InputError, match=r"of a URDF export.*GLB or MJCF"):
+        import_scene(export(scene, "urdf", tmp_path, "toy"))
+
+
 @pytest.mark.slow
 def test_a_folder_of_files_becomes_a_scene(tmp_path: Path) -> None:
     scene = import_scene(write_folder(tmp_path, category="book", friction=0.5, scale=1.0))
