@@ -100,7 +100,8 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             for this process and ``threads``. See ``Processes``.
         autoreset_mode: what follows an episode's end: "NextStep" (the next step resets the slot and
             its action is ignored), "SameStep" (the slot is reset at once; what it saw last is in
-            ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (reset it yourself).
+            ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (reset it yourself);
+            Gymnasium's ``AutoresetMode`` and the names of its members do, too.
         max_episode_steps: the time limit; None for none (the registered ids have theirs).
         settings: those of ``TabletopEnv``; ``cache`` is how many compiled worlds each slot keeps,
             and how many scenes all slots of a process share.

@@ -38,11 +38,13 @@ def check_actions(actions: Any, count: int, space: spaces.Box) -> Float[np.ndarr
 
 
 def read_mode(mode: str | AutoresetMode) -> AutoresetMode:
-    """Return what follows an episode's end.
+    """Return what follows an episode's end, of a mode's value ("NextStep") or name ("NEXT_STEP").
 
     Raises:
         InputError: there is no such mode.
     """
+    if isinstance(mode, str) and mode in AutoresetMode.__members__:
+        return AutoresetMode[mode]
     if not isinstance(mode, AutoresetMode):
         require_known(mode, [m.value for m in AutoresetMode], "Unknown autoreset mode")
     return AutoresetMode(mode)

@@ -17,6 +17,7 @@ from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import SceneRef, resolve
 from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.vectors.checks import read_mode
 from tabletopgen_env.world.worlds import Masters
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
@@ -157,6 +158,11 @@ def test_masters_keep_the_scenes_used_last() -> None:
 def test_wrong_settings_are_explained(settings, message) -> None:
     with pytest.raises(InputError, match=message):
         TabletopVectorEnv(**{"num_envs": 2, "scenes": toy_scene(), **settings})
+
+
+@pytest.mark.parametrize("mode", AutoresetMode)
+def test_autoreset_modes_go_by_value_or_name(mode: AutoresetMode) -> None:
+    assert read_mode(mode) is read_mode(mode.value) is read_mode(mode.name) is mode
 
 
 def test_wrong_calls_are_explained() -> None:
