@@ -71,11 +71,11 @@ def record(episodes: int, pool: PoolOptions) -> str:
 def evaluate(episodes: int, pool: PoolOptions) -> str:
     """Play a policy, and return the digest of the results."""
     from tabletopgen_env.learning.evaluating import SEED, seeds
-    from tabletopgen_env.learning.policies import find_policy, load_policy
+    from tabletopgen_env.learning.policies import load_policy
     from tabletopgen_env.learning.trial import PolicyTrial
     from tabletopgen_env.scenes.source import close
 
-    policy = load_policy(find_policy("reach-clone"))
+    policy = load_policy("reach-clone")
     trial = PolicyTrial(policy.card.task, policy.card.env, "fresh", policy)
     if pool != PoolOptions():
         return digest(map(repr, trial.play_apart(seeds(SEED, episodes), pool)))

@@ -33,7 +33,7 @@ from tabletopgen_env.batch.env import TabletopBatchEnv, time_limit
 from tabletopgen_env.env import make_env
 from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.learning.policies import TrainedPolicy, load_policy, shipped_policies
+from tabletopgen_env.learning.policies import TrainedPolicy, load_policy
 from tabletopgen_env.scenes import FixedScenes, resolve
 from tabletopgen_env.statistics import newcombe, wilson
 
@@ -155,7 +155,7 @@ def measure(args: argparse.Namespace) -> Row:
     begin = time.perf_counter()
     policy = None
     if args.policy != EXPERT:
-        policy = load_policy(shipped_policies().get(args.policy, Path(args.policy)))
+        policy = load_policy(args.policy)
     scenes = scenes_within(args.scenes, args.objects)
     with closing(TabletopBatchEnv(
         args.worlds, scenes, args.task, args.device, max_objects=args.objects,

@@ -241,14 +241,12 @@ def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
 
 def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
     """Return a policy with what is known of it."""
-    from .policies import find_policy, load_policy
+    from .policies import load_policy
     from .runs import kept_policy
 
     path = Path(name)
     if path.is_dir():
         path = kept_policy(path)
-    elif path.suffix != ".zip":
-        path = find_policy(name)
     if path.suffix == ".zip":
         return _load_zip(path, trust, recipe)
     policy = load_policy(path)

@@ -198,16 +198,15 @@ def shipped_policies() -> dict[str, Path]:
     return {path.stem: path for path in sorted(SHIPPED.glob("*.safetensors"))}
 
 
-def load_policy(path: str | Path) -> TrainedPolicy:
-    """Read a policy file.
+def load_policy(name: str | Path) -> TrainedPolicy:
+    """Read the policy of a shipped policy's name ("reach-clone"), or of a file's path.
 
     Raises:
         InputError: there is none, it is too large, damaged, of another version, or no policy.
     """
-    path = Path(path)
+    path = Path(name)
     try:
-        if not path.is_file():
-            raise InputError(f"There is no policy file {path}.")
+        path = find_policy(name)
         if path.stat().st_size > MOST_BYTES:
             raise InputError(f"{path} has more than a policy file's {MOST_BYTES} bytes.")
         with safe_open(path, framework="pt") as file:
@@ -232,20 +231,20 @@ def load_policy(path: str | Path) -> TrainedPolicy:
     return TrainedPolicy(card, actor)
 
 
-def find_policy(name: str) -> Path:
+def find_policy(name: str | Path) -> Path:
     """Return the file of a shipped policy's name, or of a path.
 
     Raises:
         InputError: neither is there.
     """
-    shipped = shipped_policies()
-    if name in shipped:
-        return shipped[name]
-    path = Path(name)
+    shipped, path = shipped_policies(), Path(name)
+    if str(name) in shipped:
+        return shipped[str(name)]
     if path.is_file():
         return path
     raise InputError(
-        f"There is no policy {name!r}: neither a file nor a shipped one." + choices(name, shipped)
+        f"There is no policy {str(name)!r}: neither a file nor a shipped one."
+        + choices(str(name), shipped)
     )
 
 

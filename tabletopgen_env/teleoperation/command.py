@@ -182,11 +182,11 @@ def _load(policy: str) -> TrainedPolicy:
     from ..learning.extra import need_sb3
 
     need_sb3()
-    from ..learning.policies import find_policy, load_policy
+    from ..learning.policies import load_policy
     from ..learning.runs import kept_policy
 
     path = Path(policy)
-    return load_policy(kept_policy(path) if path.is_dir() else find_policy(policy))
+    return load_policy(kept_policy(path) if path.is_dir() else policy)
 
 
 def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:

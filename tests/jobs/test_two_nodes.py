@@ -25,7 +25,7 @@ from tabletopgen_env.certificates.certificate import FILE, Terms
 from tabletopgen_env.certificates.certify import certify
 from tabletopgen_env.core.goal_rows import GoalRows
 from tabletopgen_env.learning.evaluating import seeds
-from tabletopgen_env.learning.policies import find_policy, load_policy
+from tabletopgen_env.learning.policies import load_policy
 from tabletopgen_env.learning.trial import PolicyTrial
 from tabletopgen_env.recording import RecordConfig, record
 from tabletopgen_env.tasks.registry import task_named
@@ -75,7 +75,7 @@ def test_a_recording_is_the_same(
 
 
 def test_an_evaluation_is_the_same(others: PoolOptions) -> None:
-    policy = load_policy(find_policy("reach-clone"))
+    policy = load_policy("reach-clone")
     trial = PolicyTrial(policy.card.task, policy.card.env, "fresh", policy)
     alone = list(trial.play_here(seeds(5, 4), trial.source()))
     assert list(trial.play_apart(seeds(5, 4), others)) == alone

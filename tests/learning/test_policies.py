@@ -187,7 +187,7 @@ def test_damaged_files_are_refused(policy: TrainedPolicy, tmp_path: Path) -> Non
         path.write_bytes(content)
         with pytest.raises(InputError, match="no sound policy file"):
             load_policy(path)
-    with pytest.raises(InputError, match="no policy file"):
+    with pytest.raises(InputError, match="no policy '"):
         load_policy(tmp_path)
 
 
@@ -268,6 +268,10 @@ def test_policies_are_found_by_name_or_path(policy, tmp_path: Path, monkeypatch)
     assert find_policy("reach-one") == find_policy(str(path)) == path
     with pytest.raises(InputError, match="Did you mean 'reach-one'"):
         find_policy("reach-on")
+    one, other = load_policy("reach-one"), load_policy(path)
+    assert one.card == other.card == policy.card
+    with pytest.raises(InputError, match="Did you mean 'reach-one'"):
+        load_policy("reach-on")
 
 
 def test_pictures_have_no_policy_files(small) -> None:
