@@ -147,8 +147,9 @@ def enjoy(
     Warns if it was trained at some of the tables.
 
     Args:
-        policy: Name of a shipped policy, a policy file, a run's folder (its best policy), or a zip
-            of Stable-Baselines3.
+        policy: Name of a shipped policy (reach-clone, reach-sight, lift-clone, lift-sight,
+            pickplace-clone), a policy file, a run's folder (its best policy), or a zip of
+            Stable-Baselines3.
         scenes: Where; of those made on demand only the held-out side.
         episodes: How many.
         seed: The same seed plays the same episodes.

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tabletopgen_env.learning.commands import enjoy
 from tabletopgen_env.learning.evaluating import play, seeds
 from tabletopgen_env.learning.making import single_env, source_of
 from tabletopgen_env.learning.policies import load_policy, shipped_policies
@@ -13,6 +14,11 @@ def test_there_are_some_and_they_are_small() -> None:
     named = {"reach-clone", "reach-sight", "lift-clone", "lift-sight", "pickplace-clone"}
     assert named <= set(SHIPPED)
     assert all(path.stat().st_size < 2_000_000 for path in SHIPPED.values())
+
+
+def test_the_help_of_enjoy_names_every_shipped_policy() -> None:
+    words = {word.strip("(),.") for word in (enjoy.__doc__ or "").split()}
+    assert {*SHIPPED} <= words
 
 
 @pytest.mark.slow
