@@ -6,8 +6,8 @@
 Each row is a batch of so many worlds at the scenes, random actions, episodes that end and begin
 anew at other tables (a twentieth of them in each step), and one exchange of the bank in the middle.
 The clock runs over steps alone, after a warm-up; a GPU is waited for before each reading. Memory is
-what the device, or on a CPU this process, has taken since before the batch was made. "failed" are episodes that overflowed or
-diverged. The table goes to ``results/worlds_DEVICE.md``.
+what the device, or on a CPU this process, has taken since before the batch was made. "failed" are
+episodes that overflowed or diverged. The table goes to ``results/worlds_DEVICE.md``.
 """
 
 from __future__ import annotations
