@@ -59,7 +59,7 @@ def parser() -> argparse.ArgumentParser:
 def measure(args: argparse.Namespace, worlds: int) -> WorldsRow:
     """Step one batch."""
     device = torch.device(args.device)
-    before = _taken(device)
+    before = _memory_of(device)
     env = TabletopBatchEnv(
         worlds, args.scenes, task=args.task, device=device, max_objects=args.objects,
         randomization="starts", max_episode_steps=EPISODE,
@@ -78,7 +78,7 @@ def measure(args: argparse.Namespace, worlds: int) -> WorldsRow:
         return begun
 
     steps(3)
-    memory = _taken(device) - before
+    memory = _memory_of(device) - before
     begin, begun = _now(device), 0
     begun += steps(args.steps // 2)
     env.world.swap(env.bank)
@@ -93,7 +93,7 @@ def measure(args: argparse.Namespace, worlds: int) -> WorldsRow:
     return row
 
 
-def _taken(device: torch.device) -> float:
+def _memory_of(device: torch.device) -> float:
     """Return how much memory of a GPU, or of this process on a CPU, is taken, bytes."""
     if device.type == "cuda":
         return -free_bytes(device)
