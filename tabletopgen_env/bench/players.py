@@ -204,16 +204,11 @@ def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
 
     need_sb3()
     from ..learning.policies import find_policy, load_policy, shipped_policies
-    from ..learning.runs import kept_policy
 
-    path = Path(name)
-    if path.is_dir():
-        path = kept_policy(path)
-    elif not path.is_file() and name not in shipped_policies():
+    if not Path(name).exists() and name not in shipped_policies():
         known = (*SIMPLE, *shipped_policies(), "FILE", "module:function")
         raise InputError(f"There is no policy {name!r}." + choices(name, known))
-    else:
-        path = find_policy(name)
+    path = find_policy(name)
     policy = load_policy(path)
     if policy.card.task != suite.of.task:
         raise InputError(

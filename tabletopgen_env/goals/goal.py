@@ -55,6 +55,9 @@ REACHED = 0.02
 RAISED = (0.08, 0.24)
 """Between which heights above where it stood a thing counts as lifted, metres."""
 
+ASTRAY = 0.25
+"""How far aside of where it stood a lifted thing may be, metres."""
+
 UPRIGHT = float(np.cos(np.deg2rad(30.0)))
 """Least cosine between the world's up and what was up at the start of things that stand."""
 
@@ -64,7 +67,6 @@ GAP = 0.005
 LYING = 0.01
 """Height above the table up to which a pushed thing lies on it, metres."""
 
-_ASTRAY = 0.25  # how far aside a lifted thing may be, metres
 _ON_TOP = 0.015  # metres by which the height of a stacked thing may differ
 
 
@@ -148,7 +150,7 @@ class Raised(Goal):
     def _region(self) -> Region:
         low, high = RAISED
         center = self.start + np.array([0.0, 0.0, (low + high) / 2])
-        return Region(center, np.array([_ASTRAY, _ASTRAY, (high - low) / 2]))
+        return Region(center, np.array([ASTRAY, ASTRAY, (high - low) / 2]))
 
     def settled(self, world: World) -> bool:
         """Return whether both fingers hold it."""

@@ -242,14 +242,12 @@ def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
 
 def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
     """Return a policy with what is known of it."""
-    from .policies import load_policy
-    from .runs import kept_policy
+    from .policies import find_policy, load_policy
 
     path = Path(name)
-    if path.is_dir():
-        path = kept_policy(path)
-    if path.suffix == ".zip":
+    if path.suffix == ".zip" and not path.is_dir():
         return _load_zip(path, trust, recipe)
+    path = find_policy(name)
     policy = load_policy(path)
     card, seen = policy.card, policy.card.validation
     message = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "

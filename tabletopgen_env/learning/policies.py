@@ -33,6 +33,7 @@ from ..tasks.names import NAMES
 from .algorithms.learner import Learner
 from .networks.actor import Actor, Shape, Squash, shape_of, tensors_of
 from .recipes import Network, Recipe, as_texts, network_of
+from .runs import kept_policy
 
 SHIPPED = Path(__file__).with_name("trained")
 """Where the policies are that the package ships."""
@@ -232,12 +233,14 @@ def load_policy(name: str | Path) -> TrainedPolicy:
 
 
 def find_policy(name: str | Path) -> Path:
-    """Return the file of a shipped policy's name, or of a path.
+    """Return the file of a shipped policy's name, of a run's folder, or of a path.
 
     Raises:
-        InputError: neither is there.
+        InputError: none of them is there, or the folder holds no policy.
     """
     shipped, path = shipped_policies(), Path(name)
+    if path.is_dir():
+        return kept_policy(path)
     if str(name) in shipped:
         return shipped[str(name)]
     if path.is_file():

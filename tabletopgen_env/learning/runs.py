@@ -231,7 +231,10 @@ def kept_policy(path: Path) -> Path:
     for file in (BEST, LATEST):
         if (path / file).is_file():
             return path / file
-    raise InputError(f"{path} holds no policy yet: neither {BEST} nor {LATEST}.")
+    raise InputError(
+        f"There is no policy {str(path)!r}: the folder holds no policy yet, neither {BEST} nor "
+        f"{LATEST}."
+    )
 
 
 def read_rows(path: Path) -> list[EvaluationRow]:

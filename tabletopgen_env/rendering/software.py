@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from .kinds import Profile
 
 _ROUND = 24  # sides of a drawn cylinder
+_KEPT = 64  # round shapes of different sizes whose triangles are kept
 _FACING = 0.7  # how much of the headlight what is seen gets on average
 _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
@@ -140,20 +142,31 @@ def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, n
         vertices, faces = _hull(np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T * size)
     elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
         half = size[1] + (size[0] if kind == mujoco.mjtGeom.mjGEOM_CAPSULE else 0.0)
-        scale = [size[0], size[0], half]
-        turn = np.linspace(0, 2 * np.pi, _ROUND, endpoint=False)
-        ring = np.column_stack([np.cos(turn), np.sin(turn)])
-        low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (-1.0, 1.0))
-        vertices, faces = _hull(np.concatenate([low, high]) * scale)
+        vertices, faces = _cylinder(float(size[0]), float(half))
     elif kind in (mujoco.mjtGeom.mjGEOM_SPHERE, mujoco.mjtGeom.mjGEOM_ELLIPSOID):
         radii = size if kind == mujoco.mjtGeom.mjGEOM_ELLIPSOID else np.full(3, size[0])
-        k_ = np.arange(200) + 0.5
-        polar, turn = np.arccos(1 - k_ / 100), np.pi * (1 + 5**0.5) * k_
-        ball = [np.cos(turn) * np.sin(polar), np.sin(turn) * np.sin(polar), np.cos(polar)]
-        vertices, faces = _hull(np.column_stack(ball) * radii)
+        vertices, faces = _ellipsoid(*radii.tolist())
     else:
         return None
     return vertices, faces, np.zeros((len(vertices), 2))
+
+
+@lru_cache(_KEPT)
+def _cylinder(radius: float, half: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return an upright cylinder; kept, since the marker asks for it in each picture."""
+    turn = np.linspace(0, 2 * np.pi, _ROUND, endpoint=False)
+    ring = np.column_stack([np.cos(turn), np.sin(turn)])
+    low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (-1.0, 1.0))
+    return _hull(np.concatenate([low, high]) * [radius, radius, half])
+
+
+@lru_cache(_KEPT)
+def _ellipsoid(*radii: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return an ellipsoid; kept, since the marker asks for a ball in each picture."""
+    k = np.arange(200) + 0.5
+    polar, turn = np.arccos(1 - k / 100), np.pi * (1 + 5**0.5) * k
+    ball = [np.cos(turn) * np.sin(polar), np.sin(turn) * np.sin(polar), np.cos(polar)]
+    return _hull(np.column_stack(ball) * radii)
 
 
 def _hull(points: Float[np.ndarray, "n 3"]) -> tuple[np.ndarray, np.ndarray]:

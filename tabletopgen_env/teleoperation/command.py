@@ -183,10 +183,8 @@ def _load(policy: str) -> TrainedPolicy:
 
     need_sb3()
     from ..learning.policies import load_policy
-    from ..learning.runs import kept_policy
 
-    path = Path(policy)
-    return load_policy(kept_policy(path) if path.is_dir() else policy)
+    return load_policy(policy)
 
 
 def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:

@@ -26,6 +26,7 @@ from tabletopgen_env.learning.policies import (
     policy_from,
     save_policy,
 )  # fmt: skip
+from tabletopgen_env.learning.runs import BEST, LATEST
 from tabletopgen_env.observations.modes import observation_space
 from tabletopgen_env.rendering.config import ObservationConfig
 
@@ -266,6 +267,14 @@ def test_policies_are_found_by_name_or_path(policy, tmp_path: Path, monkeypatch)
     path = save_policy(policy, tmp_path / "reach-one.safetensors")
     monkeypatch.setattr(policies, "SHIPPED", tmp_path)
     assert find_policy("reach-one") == find_policy(str(path)) == path
+    run = tmp_path / "run"
+    run.mkdir()
+    with pytest.raises(InputError, match="holds no policy yet"):
+        find_policy(run)
+    latest = save_policy(policy, run / LATEST)
+    assert find_policy(run) == latest
+    best = save_policy(policy, run / BEST)
+    assert find_policy(str(run)) == best and load_policy(run).card == policy.card
     with pytest.raises(InputError, match="Did you mean 'reach-one'"):
         find_policy("reach-on")
     one, other = load_policy("reach-one"), load_policy(path)

@@ -25,10 +25,12 @@ from jaxtyping import Bool, Float, Num
 from torch import Tensor
 from torch.nn import functional
 
+from ...goals.goal import ASTRAY, RAISED, REACHED
 from ...observations.bounds import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS
 from ...observations.height_map import CELL, CELLS, MAPS, STEP
 from ...observations.proprioception import SHARED
 from ...rendering.views import DEPTH_FAR, SLOTS
+from ...tasks.reach import Reach
 
 STATE = len(ROBOT_BOUNDS) + SLOTS * len(SLOT_BOUNDS) + len(GOAL_BOUNDS)
 """Entries of an estimated state."""
@@ -45,10 +47,10 @@ _HAND = ((-0.05, -0.13, -0.30), (0.05, 0.13, 0.02))  # the hand's box, its own f
 _ABOVE = 0.10  # metres above the tool from which on points may be the arm's
 _CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # command, metres, metres a second
 _WITHIN = 0.04  # metres from the target's box to the tool in a grasp
-_RAISED = (0.25, 0.25, 0.08)  # semi-axes of the region of Lift, metres
-_RISE = 0.16  # from where the target stands to the region's middle, metres
-_BALL = 0.02  # the marker's radius and the region's of Reach, metres
-_REACHED = (_BALL, _BALL, _BALL)
+_RAISED = (ASTRAY, ASTRAY, (RAISED[1] - RAISED[0]) / 2)  # semi-axes of Lift's region, metres
+_RISE = sum(RAISED) / 2  # from where the target stands to the region's middle, metres
+_REACHED = (REACHED, REACHED, REACHED)  # semi-axes of Reach's region, metres
+_BALL = Reach.marker_radius
 _SEEDS, _FITS = 12, 6  # points around which the ball is looked for, and steps of a fit
 _NEAR_BALL = 0.003  # metres from the ball's surface within which points are of it
 _GREEN, _RED_SHARE, _BLUE_SHARE = 60.0, 0.40, 0.60  # the marker's: least green; others' most
