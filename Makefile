@@ -9,7 +9,7 @@ PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 # Modules are compiled once, not anew by each process that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo check test test-fast test-catalogue lint format types docs build clean
+.PHONY: demo check test test-fast test-catalogue lint format types web docs build clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -23,6 +23,16 @@ $(VENV)/.installed-dev: $(VENV)/.installed
 	$(PIP) -c constraints.txt -e '.[dev]'
 	touch $@
 
+WEB_SOURCES := $(shell find web -path web/node_modules -prune -o -type f -print)
+
+web/node_modules/.package-lock.json: web/package.json web/package-lock.json
+	cd web && npm ci --no-audit --no-fund
+
+tabletopgen_web/static/study.html: $(WEB_SOURCES) | web/node_modules/.package-lock.json
+	cd web && npm run --silent check && npm run --silent build -- --logLevel warn
+
+web: tabletopgen_web/static/study.html  ## the web pages, from TypeScript, with npm
+
 demo: $(VENV)/.installed  ## a text and a picture to bundles, the Panda moves an object on each
 	$(BIN)/python examples/demo.py --out out
 
@@ -33,7 +43,7 @@ test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of array
 	$(MAKE) test-fast
 	$(PYTEST) -m slow
 
-test-fast: $(VENV)/.installed-dev
+test-fast: $(VENV)/.installed-dev $(if $(shell command -v npm),web)
 	TABLETOPGEN_CHECK_ARRAYS=1 $(PYTEST) -m "not slow"
 
 test-catalogue: $(VENV)/.installed-dev  ## the catalogue's tests on every category, not on some

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
-PACKAGES = ("generator", "tabletopgen_env", "assets_cache", "research")
+PACKAGES = ("generator", "tabletopgen_env", "tabletopgen_web", "assets_cache", "research")
 
 # The layers, foundations first. A module may import its own part and the rows listed before it,
 # never another part of its own row. It belongs to the longest name here that it starts with.
@@ -52,6 +52,10 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("tabletopgen_env.recording", "tabletopgen_env.bench"),
     ("tabletopgen_env.teleoperation",),
     ("tabletopgen_env", "assets_cache.make_starter"),
+    ("tabletopgen_web.frontend",),
+    ("tabletopgen_web.page",),
+    ("tabletopgen_web.studio", "tabletopgen_web.study"),
+    ("tabletopgen_web",),
     ("research",),
 )
 # What the environments may use of the generator: values, bundles and whole scenes.
@@ -203,11 +207,12 @@ def foreign(path: Path) -> set[str]:
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
     used, learning, recording, cloud = set(), set(), set(), set()
-    many, hub, others, by_hand = set(), set(), set(), set()
+    many, hub, others, by_hand, served = set(), set(), set(), set(), set()
     extras = {
         "tabletopgen_env.learning": learning,
         "tabletopgen_env.recording": recording,
         "tabletopgen_env.teleoperation": by_hand,
+        "tabletopgen_web.studio": served,
         "generator.calls": cloud,
         "generator.backends.cloud": cloud,
         "generator.backends.modelers": cloud,
@@ -225,6 +230,7 @@ def test_what_is_imported_is_what_is_installed() -> None:
     assert many - declared() == declared("ray")
     assert others - declared() == declared("usd")
     assert by_hand - declared() == declared("teleop")
+    assert served - declared() == declared("studio")
     assert cloud - declared() <= declared("cloud")
     assert hub - declared() <= declared("huggingface")
     assert {line.split("==")[0] for line in constraints()} >= declared()

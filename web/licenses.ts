@@ -1,0 +1,46 @@
+/** Writes `licenses.md`: the licences of every package whose code is in the built pages. */
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import type { Plugin } from "vite";
+
+const HERE = dirname(fileURLToPath(import.meta.url));
+
+interface Package {
+  name: string;
+  version: string;
+  license: string;
+  dependencies?: Record<string, string>;
+}
+
+const read = (path: string): Package => JSON.parse(readFileSync(path, "utf8")) as Package;
+
+/** Returns the text of a package's licence; Apache's is this project's own where it ships none. */
+function textOf(folder: string, license: string): string {
+  const found = readdirSync(folder).find((name) => /^licen[cs]e/i.test(name));
+  if (found) return readFileSync(join(folder, found), "utf8");
+  if (license === "Apache-2.0") return readFileSync(join(HERE, "..", "LICENSE"), "utf8");
+  throw new Error(`${folder} has no licence file, and its licence is ${license}.`);
+}
+
+function collect(names: string[], seen: Map<string, string>): void {
+  for (const name of names) {
+    const folder = join(HERE, "node_modules", name);
+    if (seen.has(name) || !existsSync(folder)) continue;
+    const { version, license, dependencies } = read(join(folder, "package.json"));
+    seen.set(name, `## ${name} ${version} (${license})\n\n${textOf(folder, license).trim()}\n`);
+    collect(Object.keys(dependencies ?? {}), seen);
+  }
+}
+
+export function licenses(): Plugin {
+  return {
+    name: "licenses",
+    generateBundle() {
+      const seen = new Map<string, string>();
+      collect(Object.keys(read(join(HERE, "package.json")).dependencies ?? {}), seen);
+      const source = ["# Licences of what these pages contain\n", ...seen.values()].join("\n");
+      this.emitFile({ type: "asset", fileName: "licenses.md", source });
+    },
+  };
+}
