@@ -1,6 +1,8 @@
 """Bundles: a scene as a folder that anyone can load, and back."""
 
 from .bounds import BOUNDS as BOUNDS
+from .copying import copy as copy
+from .copying import read_files as read_files
 from .folder import SCHEMA as SCHEMA
 from .folder import check as check
 from .folder import check_name as check_name

@@ -38,7 +38,9 @@ from .segments import Segments, decode_segments, encode_segments
 SCHEMA = 1
 """Version of ``scene.json``; other versions are refused."""
 
-_BESIDE = frozenset({"certificate.json", "grasps.json", "ledger.json"})  # need not be listed
+BESIDE = frozenset({"certificate.json", "grasps.json", "ledger.json"})
+"""Files in a bundle's folder that ``scene.json`` need not list."""
+
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 _FOLDER = re.compile(r".*-([0-9a-f]{12})")
 _PICTURE = re.compile(r"[a-z][a-z0-9_]*")
@@ -77,7 +79,7 @@ def save(
     digest = hashlib.sha256(truth).hexdigest()[:12]
     try:
         files["scene.json"] = truth
-        return publish(Path(folder), f"{scene.name}-{digest}", files, beside=_BESIDE)
+        return publish(Path(folder), f"{scene.name}-{digest}", files, beside=BESIDE)
     except OSError as error:
         raise StorageError(
             f"The bundle of {scene.name!r} cannot be written to {folder}: "
@@ -122,7 +124,7 @@ def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | No
     name = f"{stem}.png"
     if name not in listed:
         return None
-    return decode_png(_read_listed(folder, name, listed[name]), name)
+    return decode_png(read_listed(folder, name, listed[name]), name)
 
 
 @steady
@@ -135,7 +137,7 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
     folder = Path(path)
     listed = read_truth(folder)["files"]
     names = [name for name in listed if "/" not in name and name.endswith(".png")]
-    return {n.removesuffix(".png"): _read_listed(folder, n, listed[n]) for n in names}
+    return {n.removesuffix(".png"): read_listed(folder, n, listed[n]) for n in names}
 
 
 @steady
@@ -171,7 +173,7 @@ def check(path: str | Path) -> list[str]:
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
         f"{folder} holds {name}, which scene.json does not list"
-        for name in sorted(found - listed - _BESIDE)
+        for name in sorted(found - listed - BESIDE)
     ]
 
 
@@ -266,7 +268,7 @@ def _read_segments(folder: Path, payload: dict[str, Any]) -> Segments | None:
         return None
     if SEGMENTS_PATH not in payload["files"]:
         raise BundleError(f"{folder} lists instances, but no {SEGMENTS_PATH}.")
-    raw = _read_listed(folder, SEGMENTS_PATH, payload["files"][SEGMENTS_PATH])
+    raw = read_listed(folder, SEGMENTS_PATH, payload["files"][SEGMENTS_PATH])
     return decode_segments(payload["instances"], raw)
 
 
@@ -298,7 +300,7 @@ def _contents(folder: Path, listed: Mapping[str, Any]) -> dict[str, bytes]:
     """Check every listed file; return those that the scene is made of."""
     contents: dict[str, bytes] = {}
     for name, entry in listed.items():
-        content = _read_listed(folder, name, entry)
+        content = read_listed(folder, name, entry)
         if name.startswith(("meshes/", "textures/")) or name == "scene.xml":
             contents[name] = content
         elif name.endswith(".png"):
@@ -306,8 +308,12 @@ def _contents(folder: Path, listed: Mapping[str, Any]) -> dict[str, bytes]:
     return contents
 
 
-def _read_listed(folder: Path, name: str, entry: Any) -> bytes:
-    """Read one listed file and compare it with its entry."""
+def read_listed(folder: Path, name: str, entry: Any) -> bytes:
+    """Read one listed file and compare it with its entry in ``scene.json``.
+
+    Raises:
+        BundleError: it is missing, or not what was listed.
+    """
     content = read_inside(folder, name, entry["bytes"])
     if _fingerprint(content) != entry:
         raise BundleError(f"{folder}: {name} was changed after it was written.")

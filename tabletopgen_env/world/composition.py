@@ -56,11 +56,16 @@ TIMESTEP = 0.002
 """Simulation step, seconds."""
 
 
-def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
-    """Return the specification of ``scene`` with ``robot`` at ``mount``."""
+def compose(
+    scene: Scene, robot: Panda, mount: Mount, spec: mujoco.MjSpec | None = None
+) -> mujoco.MjSpec:
+    """Return the specification of ``scene`` with ``robot`` at ``mount``.
+
+    The robot is added to ``spec``, the scene's own; None for a fresh one.
+    """
     import mujoco
 
-    spec = scene_spec(scene)
+    spec = spec or scene_spec(scene)
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.impratio = FRICTION_STIFFNESS  # what the gripper holds does not creep

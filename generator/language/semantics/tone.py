@@ -76,7 +76,7 @@ def read_tone(prompt: str, sentences: Sequence[Sentence]) -> Tone:
     style = drawn or next((word for word in true if word in STYLES), "plain")
     full: list[Density] = [_DENSITIES[word] for word in true if word in _DENSITIES]
     density = full[0] if full else "normal"
-    return Tone(_theme(words), _theme(unnamed.split()), style, density, people)
+    return Tone(find_theme(words), find_theme(unnamed.split()), style, density, people)
 
 
 def _blank(text: str, spans: Iterable[Span]) -> str:
@@ -109,8 +109,8 @@ def _split_style(text: str) -> tuple[str, str | None]:
     return text, None
 
 
-def _theme(words: Sequence[str]) -> str | None:
-    """Return the theme whose longest phrase occurs in the text."""
+def find_theme(words: Sequence[str]) -> str | None:
+    """Return the theme whose longest phrase occurs in a text, given by its words in lower case."""
     text = f" {' '.join(words)} "
     singular = f" {' '.join(lexicon.singular(w) for w in words)} "
     found = [

@@ -1,0 +1,99 @@
+"""The command that makes a static page of bundles: ``page``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Literal
+
+from tyro import conf
+from tyro.conf import OmitArgPrefixes, Positional
+
+from generator.errors import InputError, escape
+from generator.io.files import check_folder
+
+PageFormat = Literal["mjcf", "urdf", "sdf", "glb", "usd", "usdz"]
+
+
+@dataclass(frozen=True)
+class PageOptions:
+    """What the page holds of each scene.
+
+    Attributes:
+        formats: Exports to download beside the bundle; usd and usdz need the extra "usd".
+        episodes: The most episodes of the scripted expert to play back, one for each task.
+        no_robot: Leave out the arm, and with it the episodes.
+    """
+
+    formats: tuple[PageFormat, ...] = ("glb", "urdf", "sdf")
+    episodes: int = 2
+    no_robot: bool = False
+
+
+_PAGE = PageOptions()
+
+
+def page(
+    bundles: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="BUNDLE [BUNDLE ...]")],
+    /,
+    *,
+    out: Path,
+    title: str = "Tables",
+    options: OmitArgPrefixes[PageOptions] = _PAGE,
+) -> int:
+    """Make a static page of bundles: a gallery, and every scene live in the browser.
+
+    The page simulates with MuJoCo's WebAssembly and needs no server of its own: put the folder on
+    any static host, or run `python -m http.server` in it. It loads nothing from elsewhere.
+
+    Args:
+        bundles: Names, digests, globs or paths; "starter" for the shipped tables.
+        out: The page's folder. A page that is there already makes way.
+        title: What the gallery is called.
+        options: What it holds of each scene.
+    """
+    import assets_cache
+
+    from .scene_folder import FolderOptions
+    from .site import write_site
+
+    if not bundles:
+        raise InputError("Name at least one bundle; `tabletopgen cache list` shows what there is.")
+    if options.episodes < 0:
+        raise InputError(f"--episodes is a number from 0 on, got {options.episodes}.")
+    check_folder(out.absolute().parent)
+    found = list(dict.fromkeys(p for wanted in bundles for p in assets_cache.find(wanted)))
+    chosen = FolderOptions(tuple(options.formats), options.episodes, not options.no_robot)
+    with _progress(len(found)) as report:
+        site = write_site(found, out, title, chosen, report)
+    print(escape(str(site.path)))
+    for row in site.scenes:
+        if row.error is not None:
+            print(escape(f"  {row.id} is listed, but not shown: {row.error}"))
+    shown = sum(row.error is None for row in site.scenes)
+    print(
+        f"  {shown} scenes, {site.bytes / 1e6:.1f} MB; to look at them: "
+        f"python -m http.server --directory {escape(str(out))}"
+    )
+    return 0 if shown else 1
+
+
+@contextmanager
+def _progress(scenes: int) -> Iterator[Callable[[str, str], None]]:
+    """Show how many scenes are done, on standard error."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("starting", total=scenes)
+        seen: list[str] = []
+
+        def report(scene: str, what: str) -> None:
+            if scene not in seen:
+                seen.append(scene)
+            bar.update(task, completed=len(seen) - 1, description=escape(f"{scene}: {what}"))
+
+        yield report

@@ -1,0 +1,115 @@
+"""Episodes of the expert, recorded to be played back in the browser."""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float32
+
+from generator.errors import SceneError, require_known
+from tabletopgen_env.tasks.names import NAMES
+
+CONTROL_HZ = 20
+"""Recorded states in a second."""
+
+TRIES = 4
+"""Seeds that are tried for an episode that the expert solves."""
+
+
+@dataclass(frozen=True, eq=False)
+class RecordedPlay:
+    """One episode as states of the composed model (``robot.robot_document``).
+
+    ``rows`` has a row for the start and one for each control step: qpos of the model (metres,
+    radians, quaternions wxyz), then the position of the goal's marker in the world (metres).
+    """
+
+    task: str
+    instruction: str
+    success: bool
+    seed: int
+    rows: Float32[np.ndarray, "t w"]
+
+    @property
+    def seconds(self) -> float:
+        """How long it lasts."""
+        return (len(self.rows) - 1) / CONTROL_HZ
+
+    def to_bytes(self) -> bytes:
+        """Return the file: a header's length (uint32, little-endian), the header, the rows."""
+        header = {
+            "task": self.task,
+            "instruction": self.instruction,
+            "success": self.success,
+            "seed": self.seed,
+            "hz": CONTROL_HZ,
+            "frames": len(self.rows),
+            "nq": self.rows.shape[1] - 3,
+        }
+        text = json.dumps(header, sort_keys=True)
+        text += " " * (-(len(text) + 4) % 4)
+        raw = text.encode()
+        return struct.pack("<I", len(raw)) + raw + self.rows.astype("<f4").tobytes()
+
+
+@dataclass(frozen=True)
+class EpisodeRow:
+    """What the page says of a recorded episode."""
+
+    task: str
+    instruction: str
+    file: str
+    seconds: float
+    success: bool
+
+    @staticmethod
+    def of(play: RecordedPlay, file: str) -> EpisodeRow:
+        """Return the row of an episode that lies in ``file``."""
+        return EpisodeRow(play.task, play.instruction, file, round(play.seconds, 2), play.success)
+
+    def plain(self) -> dict[str, object]:
+        """Return it as JSON values."""
+        return asdict(self)
+
+
+def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> RecordedPlay:
+    """Have the scripted expert play one episode of a task at a bundle.
+
+    Of the seeds from ``seed`` on, at most ``tries``, the first one counts that it solves, else the
+    last one that it can try.
+
+    Raises:
+        InputError: there is no such task.
+        SceneError: the scene offers nothing to do in this task.
+    """
+    import gymnasium as gym
+
+    import tabletopgen_env as _  # noqa: F401 - registers the environments
+    from tabletopgen_env.learning.demonstrations.recorded import demonstrate
+
+    require_known(task, NAMES, "No task is called")
+    env = gym.make(f"TabletopGen/{task}-v0", scenes=str(bundle), action="ee_delta")
+    play = None
+    try:
+        for number in range(seed, seed + tries):
+            rows: list[np.ndarray] = []
+
+            def keep(_info: dict[str, object], rows: list[np.ndarray] = rows) -> None:
+                data = env.get_wrapper_attr("world").data
+                rows.append(np.concatenate([data.qpos, data.mocap_pos[0]]).astype(np.float32))
+
+            shown = demonstrate(env, number, report=keep)
+            if shown is None:
+                continue
+            play = RecordedPlay(task, shown.instruction, shown.solved, number, np.stack(rows))
+            if play.success:
+                break
+    finally:
+        env.close()
+    if play is None:
+        raise SceneError(f"The expert knows no way to do {task} at {bundle.name}.")
+    return play

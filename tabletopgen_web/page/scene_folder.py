@@ -1,0 +1,207 @@
+"""One scene's folder of a page: the bundle as it is, the robot's model, episodes, downloads.
+
+``view.json`` lists it all (``SceneFiles`` in ``web/src/data.ts``); the studio serves such folders,
+too.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from generator.bundle import read_files
+from generator.errors import SceneError, TabletopError
+from generator.exports import ALONE, WRITERS
+from generator.scene import Scene
+from generator.scene.provenance import plain
+
+from .episodes import EpisodeRow, record_play
+from .robot import START, robot_document
+from .rows import SCHEMA, SceneRow, read_row
+
+VIEW = "view.json"
+"""The file of a scene's folder that lists the others."""
+
+THUMBNAIL = "thumbnail.jpg"
+
+SHOWN = ("PickPlace", "Stack", "Tidy", "Swap", "Sequence", "Lift", "Push", "Reach")
+"""Tasks whose episodes are shown, those first that show most."""
+
+_LABELS = {
+    "mjcf": "MJCF, every mesh a file",
+    "urdf": "URDF",
+    "sdf": "SDF",
+    "glb": "glTF (GLB)",
+    "usd": "USD",
+    "usdz": "USDZ",
+}
+_PICTURES = ("reference", "preview")  # the first that there is lies over the view
+_THUMB = (480, 360)
+_QUALITY = 82
+_EPOCH = (1980, 1, 1, 0, 0, 0)  # of all files in an archive: the same scene gives the same bytes
+
+
+@dataclass(frozen=True)
+class FolderOptions:
+    """What a scene's folder holds besides the scene.
+
+    Attributes:
+        formats: exports to offer, keys of ``generator.exports.WRITERS``.
+        episodes: most episodes of the expert, one a task.
+        robot: also put the arm at the table, which episodes need.
+    """
+
+    formats: tuple[str, ...] = ("glb", "urdf", "sdf")
+    episodes: int = 2
+    robot: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class SceneFolder:
+    """The files of a scene's folder by their path in it, and what a gallery shows of the scene."""
+
+    row: SceneRow
+    files: Mapping[str, bytes]
+
+
+def scene_folder(
+    bundle: Path,
+    options: FolderOptions | None = None,
+    report: Callable[[str], None] = lambda _: None,
+) -> SceneFolder:
+    """Return the folder of a bundle.
+
+    Args:
+        bundle: the bundle's folder; it is read once and checked as ``load_verified`` does.
+        options: what else it holds.
+        report: called with what is being made ("PickPlace", "glb").
+
+    Raises:
+        BundleError: the bundle is damaged.
+    """
+    options = options or FolderOptions()
+    row, scene = read_row(bundle, verified=True)
+    if scene is None:
+        return SceneFolder(row, {})
+    held = read_files(bundle)
+    files = {f"bundle/{name}": content for name, content in held.items()}
+    shown = {n: f"bundle/{n}" for n in held if n.startswith(("meshes/", "textures/"))}
+    view: dict[str, Any] = {
+        "schema": SCHEMA,
+        "scene": {"xml": "bundle/scene.xml", "files": shown, "start": "settled"},
+        "arm": None,
+        "picture": _picture(held),
+        "episodes": [],
+    }
+    if options.robot:
+        report("robot")
+        view["arm"], view["episodes"] = _robot(bundle, scene, row, options, files, shown, report)
+    view["downloads"] = _downloads(bundle.name, scene, held, options.formats, files, report)
+    row = replace(row, thumbnail=_thumbnail(held, files))
+    view["row"] = plain(row)
+    files[VIEW] = json.dumps(view, sort_keys=True, ensure_ascii=False).encode()
+    return SceneFolder(row, files)
+
+
+def _robot(
+    bundle: Path,
+    scene: Scene,
+    row: SceneRow,
+    options: FolderOptions,
+    files: dict[str, bytes],
+    shown: Mapping[str, str],
+    report: Callable[[str], None],
+) -> tuple[dict[str, Any] | None, list[dict[str, object]]]:
+    """Add the scene with the arm, and episodes; return what ``view.json`` says of them."""
+    try:
+        files["arm/scene.xml"] = robot_document(scene, frozenset(shown)).encode()
+    except SceneError:  # nowhere to stand: the scene is shown without it
+        return None, []
+    arm = {"xml": "arm/scene.xml", "files": dict(shown), "start": START}
+    rows: list[dict[str, object]] = []
+    certified = {t.task for t in row.certificate.tasks if t.certified} if row.certificate else None
+    for task in SHOWN:
+        if len(rows) >= options.episodes:
+            break
+        if certified is not None and task not in certified:
+            continue
+        report(task)
+        try:
+            play = record_play(bundle, task)
+        except TabletopError:  # nothing to do in this task
+            continue
+        if not play.success:
+            continue
+        path = f"episodes/{task.lower()}.bin"
+        files[path] = play.to_bytes()
+        rows.append(EpisodeRow.of(play, path).plain())
+    return arm, rows
+
+
+def _downloads(
+    name: str,
+    scene: Scene,
+    held: Mapping[str, bytes],
+    formats: Sequence[str],
+    files: dict[str, bytes],
+    report: Callable[[str], None],
+) -> list[dict[str, Any]]:
+    """Add the bundle and its exports as one file each; return what ``view.json`` says of them."""
+    made = {f"{name}.zip": ("Bundle (MJCF)", _archive(name, held))}
+    for kind in formats:
+        report(kind)
+        written = WRITERS[kind](scene)
+        if kind in ALONE:
+            (content,) = written.values()
+            made[f"{name}.{kind}"] = (_LABELS[kind], content)
+        else:
+            made[f"{name}-{kind}.zip"] = (_LABELS[kind], _archive(f"{name}-{kind}", written))
+    rows = []
+    for file, (label, content) in made.items():
+        files[f"downloads/{file}"] = content
+        rows.append({"label": label, "file": f"downloads/{file}", "bytes": len(content)})
+    return rows
+
+
+def _archive(folder: str, files: Mapping[str, bytes]) -> bytes:
+    """Return a zip file of a folder; the same files give the same bytes."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(files):
+            entry = zipfile.ZipInfo(f"{folder}/{name}", _EPOCH)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, files[name])
+    return made.getvalue()
+
+
+def _picture(held: Mapping[str, bytes]) -> dict[str, Any] | None:
+    """Return what ``view.json`` says of the picture that was taken from the scene's camera."""
+    from generator.bundle.contents import picture_size
+
+    for kind in _PICTURES:
+        if (raw := held.get(f"{kind}.png")) is not None:
+            width, height = picture_size(raw, f"{kind}.png")
+            return {"file": f"bundle/{kind}.png", "width": width, "height": height, "kind": kind}
+    return None
+
+
+def _thumbnail(held: Mapping[str, bytes], files: dict[str, bytes]) -> str | None:
+    """Add a small picture of the scene as it simulates; return its path, None without one."""
+    from PIL import Image
+
+    raw = held.get("preview.png", held.get("reference.png"))
+    if raw is None:
+        return None
+    with Image.open(io.BytesIO(raw), formats=["PNG"]) as picture:
+        small = picture.convert("RGB")
+    small.thumbnail(_THUMB, Image.Resampling.LANCZOS)
+    made = io.BytesIO()
+    small.save(made, "JPEG", quality=_QUALITY, optimize=True)
+    files[THUMBNAIL] = made.getvalue()
+    return THUMBNAIL

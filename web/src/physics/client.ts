@@ -1,0 +1,69 @@
+/** The page's side of the physics worker. */
+import type { Command, Frame, ModelData, Reply, State } from "./protocol";
+
+interface Waiting {
+  resolve: (value: ModelData | State | null) => void;
+  reject: (reason: Error) => void;
+}
+
+export class Physics {
+  private readonly worker: Worker;
+  private readonly waiting = new Map<number, Waiting>();
+  private next = 1;
+
+  /**
+   * @param onFrame - called with every frame to draw.
+   * @param onBreak - called once if the worker itself fails: no WebAssembly, out of memory.
+   */
+  constructor(
+    private readonly onFrame: (frame: Frame) => void,
+    onBreak: (message: string) => void,
+  ) {
+    this.worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    this.worker.onmessage = (event: MessageEvent<Reply>) => this.heed(event.data);
+    this.worker.onerror = (event) => {
+      const message = event.message || "The physics could not be started in this browser.";
+      for (const { reject } of this.waiting.values()) reject(new Error(message));
+      this.waiting.clear();
+      onBreak(message);
+    };
+  }
+
+  async load(xml: string, files: [string, Uint8Array][], start: string): Promise<ModelData> {
+    return (await this.ask({ kind: "load", xml, files, start })) as ModelData;
+  }
+
+  async state(): Promise<State> {
+    return (await this.ask({ kind: "state" })) as State;
+  }
+
+  /** Sends a command; resolves when it has been done. */
+  ask(command: Command): Promise<ModelData | State | null> {
+    const id = this.next++;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject });
+      this.worker.postMessage({ ...command, id });
+    });
+  }
+
+  /** Sends a command of which nothing is awaited. */
+  tell(command: Command): void {
+    this.ask(command).catch((error: unknown) => console.warn("physics:", error));
+  }
+
+  close(): void {
+    this.worker.terminate();
+    this.waiting.clear();
+  }
+
+  private heed(reply: Reply): void {
+    if (reply.kind === "frame") {
+      this.onFrame(reply.frame);
+      return;
+    }
+    const waiting = this.waiting.get(reply.id);
+    this.waiting.delete(reply.id);
+    if (reply.kind === "done") waiting?.resolve(reply.value);
+    else waiting?.reject(new Error(reply.message));
+  }
+}

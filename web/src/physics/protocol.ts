@@ -1,0 +1,131 @@
+/**
+ * What the page and its physics worker say to each other.
+ *
+ * Units are metres, kilograms, radians and seconds; quaternions are wxyz, as in MuJoCo. The world
+ * frame is the bundle's: +z up, +y away from who looks at the picture.
+ */
+
+export type Vector = [number, number, number];
+export type Quaternion = [number, number, number, number];
+
+/** MuJoCo's `mjtGeom`, of the types that scenes here are made of. */
+export const GEOM = {
+  plane: 0,
+  sphere: 2,
+  capsule: 3,
+  ellipsoid: 4,
+  cylinder: 5,
+  box: 6,
+  mesh: 7,
+} as const;
+
+/** A mesh as triangles without shared corners, so that each corner has its normal and uv. */
+export interface MeshData {
+  positions: Float32Array;
+  normals: Float32Array;
+  uvs: Float32Array | null;
+}
+
+/** An image of 8-bit RGBA; its first row is v = 0. */
+export interface TextureData {
+  width: number;
+  height: number;
+  pixels: Uint8Array;
+}
+
+export interface MaterialData {
+  rgba: number[];
+  texture: number;
+  specular: number;
+  shininess: number;
+}
+
+export interface GeomData {
+  name: string;
+  body: number;
+  type: number;
+  size: Vector;
+  position: Vector;
+  quaternion: Quaternion;
+  rgba: number[];
+  group: number;
+  mesh: number;
+  material: number;
+  collides: boolean;
+}
+
+export interface BodyData {
+  name: string;
+  mass: number;
+  /** Whether it moves freely, as the objects of a table do. */
+  free: boolean;
+  /** Address of a free body in qpos. */
+  qpos: number;
+  /** Whether anything moves it: it is not welded to the world. */
+  moves: boolean;
+}
+
+export interface CameraData {
+  name: string;
+  position: Vector;
+  quaternion: Quaternion;
+  /** Vertical field of view, degrees. */
+  fovy: number;
+}
+
+export interface ModelData {
+  bodies: BodyData[];
+  geoms: GeomData[];
+  meshes: MeshData[];
+  materials: MaterialData[];
+  textures: TextureData[];
+  cameras: CameraData[];
+  nq: number;
+  timestep: number;
+  /** Whether the Panda stands at the table. */
+  arm: boolean;
+}
+
+/** What is drawn of an instant. */
+export interface Frame {
+  /** Simulated seconds. */
+  time: number;
+  running: boolean;
+  /** Position and quaternion of every body, seven numbers each. */
+  poses: Float32Array;
+  /** Centre of mass of every body, three numbers each; null unless it is shown. */
+  centres: Float32Array | null;
+  /** Position, normal and force (newtons) of every contact, seven numbers each; likewise. */
+  contacts: Float32Array | null;
+}
+
+/** The commands a person gives the arm: the action of `ee_delta`, each in [-1, 1]. */
+export type ArmAction = [number, number, number, number, number];
+
+export type Command =
+  | { kind: "load"; xml: string; files: [string, Uint8Array][]; start: string }
+  | { kind: "run"; running: boolean }
+  | { kind: "speed"; factor: number }
+  | { kind: "step"; steps: number }
+  | { kind: "reset" }
+  | { kind: "show"; centres: boolean; contacts: boolean }
+  | { kind: "drag"; body: number; grip: Vector; target: Vector }
+  | { kind: "release" }
+  | { kind: "pose"; qpos: Float32Array; marker: Float32Array | null }
+  | { kind: "arm"; action: ArmAction | null }
+  | { kind: "state" };
+
+export type Request = Command & { id: number };
+
+export interface State {
+  time: number;
+  qpos: number[];
+  qvel: number[];
+  ctrl: number[];
+  contacts: number;
+}
+
+export type Reply =
+  | { kind: "done"; id: number; value: ModelData | State | null }
+  | { kind: "failed"; id: number; message: string }
+  | { kind: "frame"; frame: Frame };

@@ -1,0 +1,111 @@
+/** The physics worker: MuJoCo's WebAssembly, stepped in real time, apart from the page's thread. */
+import loadMujoco, { type MainModule } from "@mujoco/mujoco";
+import type { Frame, ModelData, Reply, Request, State } from "./protocol";
+import { Simulation } from "./simulation";
+
+/** Most simulated seconds that are made up for at once; a slow machine falls behind real time. */
+const MOST_BEHIND = 0.05;
+/** Milliseconds between two frames, and the most that steps may take of them. */
+const FRAME = 16;
+const BUSY = 12;
+
+const wanted: Promise<MainModule> = loadMujoco();
+let simulation: Simulation | null = null;
+let running = false;
+let speed = 1;
+let shown = { centres: false, contacts: false };
+let owed = 0;
+let last = 0;
+let timer = 0;
+
+const send = (reply: Reply, transfer: Transferable[] = []): void => self.postMessage(reply, { transfer });
+
+function sendFrame(): void {
+  if (!simulation) return;
+  const frame: Frame = simulation.frame(running, shown.centres, shown.contacts);
+  const buffers = [frame.poses.buffer, frame.centres?.buffer, frame.contacts?.buffer];
+  send({ kind: "frame", frame }, buffers.filter((b): b is ArrayBuffer => b !== undefined));
+}
+
+function tick(): void {
+  if (!simulation || !running) return;
+  const now = performance.now();
+  owed = Math.min(owed + ((now - last) / 1000) * speed, MOST_BEHIND);
+  last = now;
+  const { timestep } = simulation;
+  while (owed >= timestep && performance.now() - now < BUSY) {
+    simulation.step(1);
+    owed -= timestep;
+  }
+  sendFrame();
+  timer = self.setTimeout(tick, Math.max(FRAME - (performance.now() - now), 1));
+}
+
+function run(now: boolean): void {
+  self.clearTimeout(timer);
+  running = now;
+  owed = 0;
+  last = performance.now();
+  if (running) tick();
+  else sendFrame();
+}
+
+async function load(request: Request & { kind: "load" }): Promise<ModelData> {
+  const mujoco = await wanted;
+  run(false);
+  simulation?.delete();
+  simulation = null;
+  simulation = Simulation.compile(mujoco, request.xml, request.files, request.start);
+  return simulation.described;
+}
+
+function heed(request: Request): State | null {
+  if (!simulation) throw new Error("No scene is loaded.");
+  switch (request.kind) {
+    case "run":
+      run(request.running);
+      return null;
+    case "speed":
+      speed = request.factor;
+      return null;
+    case "step":
+      simulation.step(request.steps);
+      break;
+    case "reset":
+      simulation.reset();
+      break;
+    case "show":
+      shown = { centres: request.centres, contacts: request.contacts };
+      break;
+    case "drag":
+      simulation.hold(request.body, request.grip, request.target);
+      return null;
+    case "release":
+      simulation.release();
+      return null;
+    case "pose":
+      simulation.pose(request.qpos, request.marker);
+      break;
+    case "arm":
+      simulation.drive(request.action);
+      return null;
+    case "state":
+      return simulation.state();
+    case "load":
+      return null;
+  }
+  if (!running) sendFrame();
+  return null;
+}
+
+self.onmessage = async (event: MessageEvent<Request>): Promise<void> => {
+  const request = event.data;
+  try {
+    const value = request.kind === "load" ? await load(request) : heed(request);
+    send({ kind: "done", id: request.id, value });
+    if (request.kind === "load") sendFrame();
+  } catch (error) {
+    const message = error instanceof Error ? error.message : String(error);
+    send({ kind: "failed", id: request.id, message: message.trim() });
+  }
+};

@@ -1,0 +1,341 @@
+/** A live scene: physics, drawing, pointer and keys together; the interface observes its signals. */
+import { computed, signal } from "@preact/signals";
+import * as THREE from "three";
+import { fetchData, fetchEpisode, fetchModel, PageError, type EpisodeRow, type SceneFiles } from "../data";
+import { Physics } from "../physics/client";
+import type { Frame, ModelData, State } from "../physics/protocol";
+import { Driving } from "./driving";
+import { Marks } from "./marks";
+import { BuiltModel } from "./meshes";
+import { Playback } from "./playback";
+import { Pointer, type Grip } from "./pointer";
+import { Stage } from "./stage";
+
+export type Mode = "scene" | "arm" | "episode";
+
+export interface Hover {
+  name: string;
+  x: number;
+  y: number;
+}
+
+export class Engine {
+  readonly ready = signal(false);
+  readonly error = signal<string | null>(null);
+  readonly running = signal(false);
+  readonly time = signal(0);
+  readonly mode = signal<Mode>("scene");
+  readonly hover = signal<Hover | null>(null);
+  readonly selected = signal<string | null>(null);
+  readonly parts = signal(false);
+  readonly centres = signal(false);
+  readonly contacts = signal(false);
+  /** Whether the camera is that of the picture, and how much of the picture lies over the view. */
+  readonly inPicture = signal(false);
+  readonly onion = signal(0);
+  readonly gripper = signal<"open" | "closed">("open");
+  readonly playback = signal<Playback | null>(null);
+  readonly playTime = signal(0);
+  readonly playing = computed(() => (this.playback.value ? this.playTime.value >= 0 && this.playback.value.playing : false));
+  /** What a click on a thing does beside selecting it; set by the studio. */
+  onSelect: (name: string | null) => void = () => {};
+  files: SceneFiles | null = null;
+  stage: Stage | null = null;
+  private physics: Physics;
+  private model: BuiltModel | null = null;
+  private marks: Marks | null = null;
+  private pointer: Pointer | null = null;
+  private readonly driving = new Driving();
+  private base = "";
+  private ticking = 0;
+  private last = 0;
+  private closed = false;
+
+  constructor() {
+    this.physics = this.start();
+  }
+
+  private start(): Physics {
+    return new Physics(
+      (frame) => this.show(frame),
+      (message) => (this.error.value = `The physics stopped: ${message}`),
+    );
+  }
+
+  /** Draws on a canvas; a message in `error` says so where the browser cannot. */
+  attach(canvas: HTMLCanvasElement): void {
+    try {
+      this.stage = new Stage(canvas);
+    } catch {
+      this.error.value = "This browser gives no WebGL, which the 3D view needs. Switch on hardware acceleration, or use another browser.";
+      return;
+    }
+    this.stage.onMove = () => {
+      this.inPicture.value = false;
+      this.onion.value = 0;
+    };
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      if (!this.closed) this.error.value = "The graphics memory ran out. Close other tabs, then load this page again.";
+    });
+    this.pointer = new Pointer(canvas, this.stage, () => this.model, {
+      hover: (body, x, y) => this.point(body, x, y),
+      click: (body) => this.select(body),
+      drag: (grip, target) => this.drag(grip, target),
+      release: () => this.release(),
+      movable: (body) => this.mode.value !== "episode" && (this.model?.data.bodies[body]?.moves ?? false),
+    });
+  }
+
+  /** Opens a scene's folder. */
+  async open(base: string, running = true): Promise<void> {
+    this.base = base;
+    this.error.value = null;
+    try {
+      if (typeof WebAssembly !== "object") {
+        throw new PageError("This browser has no WebAssembly, which the physics needs. Use a newer browser.");
+      }
+      this.files = await fetchData<SceneFiles>(`${base}view.json`);
+      await this.load("scene");
+      this.run(running);
+      this.ready.value = true;
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  private fail(error: unknown): void {
+    if (this.closed) return;
+    const words = error instanceof Error ? error.message : String(error);
+    this.error.value = error instanceof PageError ? words : `This scene cannot be shown: ${words}`;
+  }
+
+  private async load(what: "scene" | "arm"): Promise<ModelData> {
+    const files = what === "arm" ? this.files?.arm : this.files?.scene;
+    if (!files) throw new PageError("No robot can be put at this table.");
+    const [xml, parts] = await fetchModel(this.base, files);
+    const data = await this.physics.load(xml, parts, files.start);
+    if (this.closed || !this.stage) return data;
+    const first = this.model === null;
+    this.model?.dispose();
+    this.marks?.dispose();
+    this.model = new BuiltModel(data, this.stage.renderer.capabilities.getMaxAnisotropy());
+    this.marks = new Marks(data.bodies.flatMap((body, k) => (body.moves ? [k] : [])));
+    this.stage.scene.add(this.model.root, this.marks.root);
+    this.model.showParts(this.parts.value);
+    await this.tellShown();
+    if (first || what === "arm") this.lookFrom("front");
+    return data;
+  }
+
+  // ---------------------------------------------------------------------------------- simulation
+
+  run(running: boolean): void {
+    this.running.value = running;
+    this.physics.tell({ kind: "run", running });
+  }
+
+  step(steps = 1): void {
+    this.run(false);
+    this.physics.tell({ kind: "step", steps });
+  }
+
+  reset(): void {
+    this.physics.tell({ kind: "reset" });
+  }
+
+  /** Advances by a number of steps, paused; returns the state. For scripts and tests. */
+  async advance(steps: number): Promise<State> {
+    this.run(false);
+    await this.physics.ask({ kind: "step", steps });
+    return this.physics.state();
+  }
+
+  state(): Promise<State> {
+    return this.physics.state();
+  }
+
+  bodies(): { name: string; qpos: number }[] {
+    return this.model?.data.bodies.map(({ name, qpos }) => ({ name, qpos })) ?? [];
+  }
+
+  /** Where a body is on the canvas, in pixels from its corner; for scripts and tests. */
+  locate(name: string): { x: number; y: number } | null {
+    const k = this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
+    const group = this.model?.bodies[k]?.group;
+    if (!group || !this.stage) return null;
+    const at = group.getWorldPosition(new THREE.Vector3()).project(this.stage.camera);
+    const box = this.stage.renderer.domElement.getBoundingClientRect();
+    return { x: ((at.x + 1) / 2) * box.width, y: ((1 - at.y) / 2) * box.height };
+  }
+
+  // ---------------------------------------------------------------------------------------- modes
+
+  /** Puts the arm at the table, or takes it away; the scene starts anew. */
+  async setMode(mode: Mode): Promise<void> {
+    if (this.mode.value === mode) return;
+    const before = this.mode.value;
+    this.stopPlayback();
+    this.driving.clear();
+    try {
+      if ((before === "scene") !== (mode === "scene")) await this.load(mode === "scene" ? "scene" : "arm");
+      else this.reset();
+      this.mode.value = mode;
+      this.run(mode !== "episode");
+      if (mode === "arm") this.drive();
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  async play(row: EpisodeRow): Promise<void> {
+    try {
+      const episode = await fetchEpisode(this.base + row.file);
+      await this.setMode("episode");
+      if (!this.model || this.error.value) return;
+      if (episode.nq !== this.model.data.nq) throw new PageError("This episode is of another scene.");
+      this.run(false);
+      this.playback.value = new Playback(episode, this.model.data);
+      this.last = performance.now();
+      this.tickPlayback();
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  setPlaying(playing: boolean): void {
+    const { value } = this.playback;
+    if (!value) return;
+    if (playing && value.time >= value.duration) value.seek(0);
+    value.playing = playing;
+    this.last = performance.now();
+    this.tickPlayback();
+  }
+
+  seek(seconds: number): void {
+    this.playback.value?.seek(seconds);
+    this.tickPlayback();
+  }
+
+  private stopPlayback(): void {
+    cancelAnimationFrame(this.ticking);
+    this.playback.value = null;
+  }
+
+  private tickPlayback(): void {
+    cancelAnimationFrame(this.ticking);
+    const { value } = this.playback;
+    if (!value) return;
+    const now = performance.now();
+    value.advance((now - this.last) / 1000);
+    this.last = now;
+    this.physics.tell({ kind: "pose", ...value.now() });
+    this.playTime.value = value.time;
+    if (value.playing) this.ticking = requestAnimationFrame(() => this.tickPlayback());
+    else this.playTime.value = value.time + 1e-9; // whoever observes it sees that it has ended
+  }
+
+  // ----------------------------------------------------------------------------------------- keys
+
+  /** Heeds a key that drives the arm; returns whether it does. */
+  key(event: KeyboardEvent, down: boolean): boolean {
+    if (this.mode.value !== "arm" || !this.driving.key(event, down)) return false;
+    this.gripper.value = this.driving.gripper;
+    this.drive();
+    return true;
+  }
+
+  /** Holds down a key of the arm; for buttons on the screen. */
+  press(key: string, down: boolean): void {
+    this.key(new KeyboardEvent(down ? "keydown" : "keyup", { key }), down);
+  }
+
+  releaseKeys(): void {
+    this.driving.clear();
+    if (this.mode.value === "arm") this.drive();
+  }
+
+  private drive(): void {
+    const camera = this.stage?.camera.getWorldDirection(new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
+    const k = this.model?.data.bodies.findIndex((body) => body.name === "panda/link0") ?? -1;
+    const base = this.model?.bodies[k]?.group;
+    const ahead = new THREE.Vector3(1, 0, 0).applyQuaternion(base?.quaternion ?? new THREE.Quaternion());
+    const turn = Math.atan2(camera.y, camera.x) - Math.atan2(ahead.y, ahead.x);
+    this.physics.tell({ kind: "arm", action: this.driving.action(turn) });
+  }
+
+  // ----------------------------------------------------------------------------------------- view
+
+  lookFrom(side: "front" | "top"): void {
+    if (!this.model) return;
+    this.stage?.lookFrom(this.model.root, side);
+    this.inPicture.value = false;
+    this.onion.value = 0;
+  }
+
+  /** Looks as the picture does, with some of it over the view. */
+  lookAsPicture(onion: number): void {
+    const picture = this.files?.picture;
+    const camera = this.model?.data.cameras.find(({ name }) => name === "reference");
+    if (!picture || !camera || !this.stage) return;
+    const top = this.files?.row.table.size[2] ?? 0.7;
+    if (!this.inPicture.value) this.stage.enterPicture({ camera, aspect: picture.width / picture.height }, top);
+    this.inPicture.value = true;
+    this.onion.value = onion;
+  }
+
+  setShown(what: "parts" | "centres" | "contacts", on: boolean): void {
+    this[what].value = on;
+    if (what === "parts") this.model?.showParts(on);
+    void this.tellShown();
+    this.stage?.draw();
+  }
+
+  private async tellShown(): Promise<void> {
+    await this.physics.ask({ kind: "show", centres: this.centres.value, contacts: this.contacts.value });
+  }
+
+  select(body: number): void {
+    const found = this.model?.data.bodies[body];
+    this.selected.value = found?.free ? found.name : null;
+    this.onSelect(this.selected.value);
+  }
+
+  private point(body: number, x: number, y: number): void {
+    const name = this.model?.data.bodies[body]?.name ?? "";
+    this.hover.value = body > 0 && name ? { name, x, y } : null;
+  }
+
+  private drag(grip: Grip, target: THREE.Vector3): void {
+    if (!this.running.value) this.run(true);
+    const { body, local } = grip;
+    this.physics.tell({ kind: "drag", body, grip: local.toArray(), target: target.toArray() });
+    const group = this.model?.bodies[body]?.group;
+    this.marks?.showRope(group ? group.localToWorld(local.clone()) : null, target);
+    this.stage?.draw();
+  }
+
+  private release(): void {
+    this.physics.tell({ kind: "release" });
+    this.marks?.showRope(null, null);
+    this.stage?.draw();
+  }
+
+  private show(frame: Frame): void {
+    this.time.value = frame.time;
+    this.model?.place(frame.poses);
+    this.marks?.showCentres(frame.centres);
+    this.marks?.showContacts(frame.contacts);
+    this.stage?.draw();
+  }
+
+  close(): void {
+    this.closed = true;
+    this.stopPlayback();
+    this.physics.close();
+    this.pointer?.dispose();
+    this.marks?.dispose();
+    this.model?.dispose();
+    this.stage?.dispose();
+  }
+}

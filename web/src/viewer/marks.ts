@@ -1,0 +1,88 @@
+/** Marks over the scene: centres of mass, contacts, and the line along which a thing is pulled. */
+import * as THREE from "three";
+
+const MOST_CONTACTS = 400;
+const NEWTON = 0.03; // metres that a newton is drawn long
+const LONGEST = 0.15;
+
+export class Marks {
+  readonly root = new THREE.Group();
+  private readonly centres: THREE.InstancedMesh;
+  private readonly spots: THREE.InstancedMesh;
+  private readonly forces: THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial>;
+  private readonly rope: THREE.Line<THREE.BufferGeometry, THREE.LineBasicMaterial>;
+
+  constructor(private readonly shownBodies: number[]) {
+    const over = { depthTest: false, transparent: true };
+    this.centres = new THREE.InstancedMesh(
+      new THREE.SphereGeometry(0.006, 16, 12),
+      new THREE.MeshBasicMaterial({ color: 0xd97706, ...over }),
+      Math.max(shownBodies.length, 1),
+    );
+    this.spots = new THREE.InstancedMesh(
+      new THREE.SphereGeometry(0.003, 10, 8),
+      new THREE.MeshBasicMaterial({ color: 0xdc2626, ...over }),
+      MOST_CONTACTS,
+    );
+    this.forces = new THREE.LineSegments(lines(2 * MOST_CONTACTS), new THREE.LineBasicMaterial({ color: 0xdc2626, ...over }));
+    this.rope = new THREE.Line(lines(2), new THREE.LineBasicMaterial({ color: 0x2563eb, ...over }));
+    for (const mark of [this.centres, this.spots, this.forces, this.rope]) {
+      mark.visible = false;
+      mark.frustumCulled = false;
+      mark.renderOrder = 10;
+      this.root.add(mark);
+    }
+  }
+
+  showCentres(positions: Float32Array | null): void {
+    this.centres.visible = positions !== null;
+    if (!positions) return;
+    const place = new THREE.Matrix4();
+    this.shownBodies.forEach((body, k) => {
+      place.makeTranslation(positions[3 * body]!, positions[3 * body + 1]!, positions[3 * body + 2]!);
+      this.centres.setMatrixAt(k, place);
+    });
+    this.centres.count = this.shownBodies.length;
+    this.centres.instanceMatrix.needsUpdate = true;
+  }
+
+  showContacts(rows: Float32Array | null): void {
+    this.spots.visible = this.forces.visible = rows !== null;
+    if (!rows) return;
+    const count = Math.min(rows.length / 7, MOST_CONTACTS);
+    const ends = this.forces.geometry.getAttribute("position") as THREE.BufferAttribute;
+    const place = new THREE.Matrix4();
+    for (let k = 0; k < count; k++) {
+      const [x, y, z, nx, ny, nz, force] = rows.subarray(7 * k, 7 * k + 7) as unknown as number[];
+      const long = Math.min(force! * NEWTON, LONGEST);
+      this.spots.setMatrixAt(k, place.makeTranslation(x!, y!, z!));
+      ends.setXYZ(2 * k, x!, y!, z!);
+      ends.setXYZ(2 * k + 1, x! + nx! * long, y! + ny! * long, z! + nz! * long);
+    }
+    this.spots.count = count;
+    this.spots.instanceMatrix.needsUpdate = true;
+    ends.needsUpdate = true;
+    this.forces.geometry.setDrawRange(0, 2 * count);
+  }
+
+  showRope(from: THREE.Vector3 | null, to: THREE.Vector3 | null): void {
+    this.rope.visible = from !== null && to !== null;
+    if (!from || !to) return;
+    const ends = this.rope.geometry.getAttribute("position") as THREE.BufferAttribute;
+    ends.setXYZ(0, from.x, from.y, from.z);
+    ends.setXYZ(1, to.x, to.y, to.z);
+    ends.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.root.removeFromParent();
+    for (const mark of [this.centres, this.spots, this.forces, this.rope]) {
+      mark.geometry.dispose();
+      (mark.material as THREE.Material).dispose();
+    }
+  }
+}
+
+function lines(points: number): THREE.BufferGeometry {
+  return new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * points), 3));
+}

@@ -1,0 +1,58 @@
+/** Plays a recorded episode: poses between its frames, at its own pace. */
+import type { Episode } from "../data";
+import type { ModelData } from "../physics/protocol";
+
+export class Playback {
+  /** Seconds since its beginning. */
+  time = 0;
+  playing = true;
+  private readonly quaternions: number[];
+
+  constructor(
+    readonly episode: Episode,
+    model: ModelData,
+  ) {
+    this.quaternions = model.bodies.filter((body) => body.free).map((body) => body.qpos + 3);
+  }
+
+  get duration(): number {
+    return (this.episode.frames - 1) / this.episode.hz;
+  }
+
+  advance(seconds: number): void {
+    if (!this.playing) return;
+    this.time = Math.min(this.time + seconds, this.duration);
+    if (this.time >= this.duration) this.playing = false;
+  }
+
+  seek(seconds: number): void {
+    this.time = Math.min(Math.max(seconds, 0), this.duration);
+  }
+
+  /** Returns qpos and the marker's place now. */
+  now(): { qpos: Float32Array; marker: Float32Array } {
+    const { rows, nq, hz, frames } = this.episode;
+    const width = nq + 3;
+    const at = this.time * hz;
+    const first = Math.min(Math.floor(at), frames - 2);
+    const share = Math.min(at - first, 1);
+    const a = rows.subarray(first * width, (first + 1) * width);
+    const b = rows.subarray((first + 1) * width, (first + 2) * width);
+    const row = a.map((value, k) => value + share * (b[k]! - value));
+    for (const k of this.quaternions) blend(row, a, b, k, share);
+    return { qpos: row.subarray(0, nq), marker: row.subarray(nq) };
+  }
+}
+
+/** Writes the normalised mean of two quaternions at `k`, the short way round. */
+function blend(row: Float32Array, a: Float32Array, b: Float32Array, k: number, share: number): void {
+  let dot = 0;
+  for (let i = 0; i < 4; i++) dot += a[k + i]! * b[k + i]!;
+  const sign = dot < 0 ? -1 : 1;
+  let length = 0;
+  for (let i = 0; i < 4; i++) {
+    row[k + i] = (1 - share) * a[k + i]! + share * sign * b[k + i]!;
+    length += row[k + i]! ** 2;
+  }
+  for (let i = 0; i < 4; i++) row[k + i]! /= Math.sqrt(length) || 1;
+}
