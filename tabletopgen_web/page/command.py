@@ -28,7 +28,7 @@ class PageOptions:
     """
 
     formats: tuple[PageFormat, ...] = ("glb", "urdf", "sdf")
-    episodes: int = 2
+    episodes: int = 4
     no_robot: bool = False
 
 

@@ -57,7 +57,7 @@ class FolderOptions:
     """
 
     formats: tuple[str, ...] = ("glb", "urdf", "sdf")
-    episodes: int = 2
+    episodes: int = 4
     robot: bool = True
 
 

@@ -1,4 +1,5 @@
 /** The page's side of the physics worker. */
+import { mujocoModule } from "./module";
 import type { Command, Frame, ModelData, Reply, State } from "./protocol";
 
 interface Waiting {
@@ -19,6 +20,7 @@ export class Physics {
     private readonly onFrame: (frame: Frame) => void,
     onBreak: (message: string) => void,
   ) {
+    mujocoModule().catch(() => {}); // begun early; who loads a scene hears of a failure
     this.worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     this.worker.onmessage = (event: MessageEvent<Reply>) => this.heed(event.data);
     this.worker.onerror = (event) => {
@@ -30,7 +32,8 @@ export class Physics {
   }
 
   async load(xml: string, files: [string, Uint8Array][], start: string): Promise<ModelData> {
-    return (await this.ask({ kind: "load", xml, files, start })) as ModelData;
+    const module = await mujocoModule();
+    return (await this.ask({ kind: "load", module, xml, files, start })) as ModelData;
   }
 
   async state(): Promise<State> {

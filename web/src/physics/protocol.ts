@@ -103,7 +103,7 @@ export interface Frame {
 export type ArmAction = [number, number, number, number, number];
 
 export type Command =
-  | { kind: "load"; xml: string; files: [string, Uint8Array][]; start: string }
+  | { kind: "load"; module: WebAssembly.Module; xml: string; files: [string, Uint8Array][]; start: string }
   | { kind: "run"; running: boolean }
   | { kind: "speed"; factor: number }
   | { kind: "step"; steps: number }

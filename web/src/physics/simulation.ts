@@ -19,6 +19,7 @@ export class Simulation {
   readonly described: ModelData;
   private drag: Drag | null = null;
   private arm: Arm | null = null;
+  private readonly flags: number;
 
   private constructor(
     private readonly mujoco: MainModule,
@@ -27,6 +28,7 @@ export class Simulation {
     private readonly key: number,
   ) {
     this.described = describe(mujoco, model);
+    this.flags = model.opt.enableflags;
     if (this.described.arm) this.arm = new Arm(mujoco, model, data);
     this.reset();
   }
@@ -80,6 +82,15 @@ export class Simulation {
       if (this.drag) this.pull(this.drag);
       this.mujoco.mj_step(this.model, this.data);
     }
+  }
+
+  /** Lets resting things sleep, as the document says, or keeps all awake: what sleeps has no contacts. */
+  allowSleep(allowed: boolean): void {
+    const bits = this.mujoco.mjtEnableBit as unknown as Record<string, { value: number }>;
+    const sleep = bits["mjENBL_SLEEP"]?.value ?? 0;
+    const { opt } = this.model;
+    opt.enableflags = allowed ? this.flags : this.flags & ~sleep;
+    if (!allowed) this.mujoco.mj_forward(this.model, this.data);
   }
 
   drive(action: ArmAction | null): void {

@@ -9,7 +9,7 @@ const MOST_BEHIND = 0.05;
 const FRAME = 16;
 const BUSY = 12;
 
-const wanted: Promise<MainModule> = loadMujoco();
+let mujoco: Promise<MainModule> | null = null;
 let simulation: Simulation | null = null;
 let running = false;
 let speed = 1;
@@ -50,12 +50,22 @@ function run(now: boolean): void {
   else sendFrame();
 }
 
+/** Starts MuJoCo from its compiled module. */
+function start(module: WebAssembly.Module): Promise<MainModule> {
+  return loadMujoco({
+    instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
+      void WebAssembly.instantiate(module, imports).then(done);
+      return {};
+    },
+  });
+}
+
 async function load(request: Request & { kind: "load" }): Promise<ModelData> {
-  const mujoco = await wanted;
+  const found = await (mujoco ??= start(request.module));
   run(false);
   simulation?.delete();
   simulation = null;
-  simulation = Simulation.compile(mujoco, request.xml, request.files, request.start);
+  simulation = Simulation.compile(found, request.xml, request.files, request.start);
   return simulation.described;
 }
 
@@ -76,6 +86,7 @@ function heed(request: Request): State | null {
       break;
     case "show":
       shown = { centres: request.centres, contacts: request.contacts };
+      simulation.allowSleep(!request.contacts);
       break;
     case "drag":
       simulation.hold(request.body, request.grip, request.target);

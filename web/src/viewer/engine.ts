@@ -3,7 +3,7 @@ import { computed, signal } from "@preact/signals";
 import * as THREE from "three";
 import { fetchData, fetchEpisode, fetchModel, PageError, type EpisodeRow, type SceneFiles } from "../data";
 import { Physics } from "../physics/client";
-import type { Frame, ModelData, State } from "../physics/protocol";
+import type { ArmAction, Frame, ModelData, State } from "../physics/protocol";
 import { Driving } from "./driving";
 import { Marks } from "./marks";
 import { BuiltModel } from "./meshes";
@@ -50,6 +50,7 @@ export class Engine {
   private ticking = 0;
   private last = 0;
   private closed = false;
+  private unseen = false;
 
   constructor() {
     this.physics = this.start();
@@ -123,8 +124,8 @@ export class Engine {
     this.marks = new Marks(data.bodies.flatMap((body, k) => (body.moves ? [k] : [])));
     this.stage.scene.add(this.model.root, this.marks.root);
     this.model.showParts(this.parts.value);
+    this.unseen = first || what === "arm"; // the first frame says where things are
     await this.tellShown();
-    if (first || what === "arm") this.lookFrom("front");
     return data;
   }
 
@@ -133,6 +134,21 @@ export class Engine {
   run(running: boolean): void {
     this.running.value = running;
     this.physics.tell({ kind: "run", running });
+  }
+
+  /** Plays or pauses whatever is shown. */
+  toggle(): void {
+    if (this.mode.value === "episode") this.setPlaying(!this.playing.value);
+    else this.run(!this.running.value);
+  }
+
+  /** Begins whatever is shown anew. */
+  restart(): void {
+    if (this.mode.value !== "episode") this.reset();
+    else {
+      this.seek(0);
+      this.setPlaying(true);
+    }
   }
 
   step(steps = 1): void {
@@ -148,6 +164,17 @@ export class Engine {
   async advance(steps: number): Promise<State> {
     this.run(false);
     await this.physics.ask({ kind: "step", steps });
+    return this.physics.state();
+  }
+
+  /** Drives the arm by a list of actions, a twentieth of a second each; returns the state. */
+  async act(actions: ArmAction[]): Promise<State> {
+    this.run(false);
+    await this.physics.ask({ kind: "reset" });
+    for (const action of actions) {
+      await this.physics.ask({ kind: "arm", action });
+      await this.physics.ask({ kind: "step", steps: 25 });
+    }
     return this.physics.state();
   }
 
@@ -257,18 +284,28 @@ export class Engine {
 
   private drive(): void {
     const camera = this.stage?.camera.getWorldDirection(new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
-    const k = this.model?.data.bodies.findIndex((body) => body.name === "panda/link0") ?? -1;
-    const base = this.model?.bodies[k]?.group;
+    const base = this.robot();
     const ahead = new THREE.Vector3(1, 0, 0).applyQuaternion(base?.quaternion ?? new THREE.Quaternion());
     const turn = Math.atan2(camera.y, camera.x) - Math.atan2(ahead.y, ahead.x);
     this.physics.tell({ kind: "arm", action: this.driving.action(turn) });
+  }
+
+  /** The robot's base, if it is there. */
+  private robot(): THREE.Object3D | undefined {
+    const k = this.model?.data.bodies.findIndex((body) => body.name === "panda/link0") ?? -1;
+    return this.model?.bodies[k]?.group;
   }
 
   // ----------------------------------------------------------------------------------------- view
 
   lookFrom(side: "front" | "top"): void {
     if (!this.model) return;
-    this.stage?.lookFrom(this.model.root, side);
+    const height = this.files?.row.table.size[2] ?? 0.7;
+    const robot = this.robot()?.position;
+    // With the robot there, from across the table and a little aside.
+    const azimuth = robot ? Math.atan2(-robot.x, robot.y) + 0.6 : -0.45;
+    if (side === "top") this.stage?.frame(this.model.root, height - 0.05, robot ? azimuth - 0.6 : 0, 1.5);
+    else this.stage?.frame(this.model.root, height - 0.3, azimuth);
     this.inPicture.value = false;
     this.onion.value = 0;
   }
@@ -323,7 +360,11 @@ export class Engine {
 
   private show(frame: Frame): void {
     this.time.value = frame.time;
-    this.model?.place(frame.poses);
+    if (!this.model?.place(frame.poses) && !frame.centres && !frame.contacts) return;
+    if (this.unseen) {
+      this.unseen = false;
+      this.lookFrom("front");
+    }
     this.marks?.showCentres(frame.centres);
     this.marks?.showContacts(frame.contacts);
     this.stage?.draw();

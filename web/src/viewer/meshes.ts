@@ -9,6 +9,9 @@ export const COLLISION_GROUP = 3;
 /** Distinct colours of collision parts, in turn. */
 const PART_COLORS = [0x3b82f6, 0xf59e0b, 0x10b981, 0xec4899, 0x8b5cf6, 0x14b8a6, 0xef4444, 0x84cc16];
 
+/** Changes of a pose that nobody sees, metres or parts of a quaternion. */
+const STILL = 2e-5;
+
 export interface BuiltBody {
   group: THREE.Group;
   visual: THREE.Mesh[];
@@ -18,6 +21,7 @@ export interface BuiltBody {
 export class BuiltModel {
   readonly root = new THREE.Group();
   readonly bodies: BuiltBody[];
+  private placed: Float32Array = new Float32Array(0);
   private readonly owned: { dispose(): void }[] = [];
 
   constructor(
@@ -48,13 +52,16 @@ export class BuiltModel {
     }
   }
 
-  /** Moves every body to its place in a frame. */
-  place(poses: Float32Array): void {
+  /** Moves every body to its place in a frame; returns whether any of them moved visibly. */
+  place(poses: Float32Array): boolean {
+    if (this.placed.length === poses.length && poses.every((v, k) => Math.abs(v - this.placed[k]!) < STILL)) return false;
+    this.placed = poses;
     this.bodies.forEach(({ group }, k) => {
       const p = 7 * k;
       group.position.set(poses[p]!, poses[p + 1]!, poses[p + 2]!);
       group.quaternion.set(poses[p + 4]!, poses[p + 5]!, poses[p + 6]!, poses[p + 3]!);
     });
+    return true;
   }
 
   /** Shows the convex parts that collide, in place of what is drawn. */
@@ -120,6 +127,7 @@ function surface(rgba: number[], shininess: number, map?: THREE.Texture): THREE.
     opacity,
     depthWrite: opacity > 0.9,
     side: opacity < 1 ? THREE.DoubleSide : THREE.FrontSide,
+    shadowSide: THREE.DoubleSide,
   });
 }
 

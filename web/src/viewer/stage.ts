@@ -1,7 +1,6 @@
 /** Where a scene is drawn: renderer, light, floor, camera; it draws only when something changed. */
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import type { CameraData } from "../physics/protocol";
 
 /** A view that a picture was taken from: of its camera, in a frame of its proportions. */
@@ -14,18 +13,22 @@ export interface PictureView {
 /** Milliseconds a drawing may take before the next ones are drawn coarser. */
 const SLOW = 45;
 const COARSEST = 0.6;
+/** Milliseconds without a change after which a coarse drawing is made anew, fine. */
+const STILL = 250;
 
 export class Stage {
   readonly scene = new THREE.Scene();
   readonly camera = new THREE.PerspectiveCamera(38, 1, 0.02, 30);
   readonly controls: OrbitControls;
   readonly renderer: THREE.WebGLRenderer;
-  private readonly sun = new THREE.DirectionalLight(0xfff4e6, 2.2);
+  private readonly sun = new THREE.DirectionalLight(0xfff4e6, 2.3);
   private readonly floor: THREE.Mesh<THREE.CircleGeometry, THREE.ShadowMaterial>;
   private readonly watcher: ResizeObserver;
   private picture: PictureView | null = null;
   private asked = 0;
-  private ratio = Math.min(window.devicePixelRatio || 1, 2);
+  private readonly finest = Math.min(window.devicePixelRatio || 1, 2);
+  private ratio = this.finest;
+  private still = 0;
   /** Called when the person moves the camera. */
   onMove: () => void = () => {};
 
@@ -37,13 +40,12 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.camera.up.set(0, 0, 1);
-    const room = new RoomEnvironment();
-    room.rotation.x = Math.PI / 2;
-    const baker = new THREE.PMREMGenerator(this.renderer);
-    this.scene.environment = baker.fromScene(room, 0.04).texture;
-    this.scene.environmentIntensity = 0.55;
-    this.scene.environmentRotation.set(Math.PI / 2, 0, 0);
-    baker.dispose();
+    // No environment map: to blur one takes seconds where no graphics card helps.
+    const sky = new THREE.HemisphereLight(0xf4f7ff, 0xb8a894, 1.9);
+    sky.position.set(0, 0, 1);
+    const fill = new THREE.DirectionalLight(0xdfe8ff, 0.55);
+    fill.position.set(1.4, 0.6, 1.1);
+    this.scene.add(sky, fill);
     this.scene.add(this.sun, this.sun.target);
     this.floor = new THREE.Mesh(new THREE.CircleGeometry(6, 64), new THREE.ShadowMaterial({ opacity: 0.22 }));
     this.floor.receiveShadow = true;
@@ -61,9 +63,9 @@ export class Stage {
 
   dispose(): void {
     cancelAnimationFrame(this.asked);
+    clearTimeout(this.still);
     this.watcher.disconnect();
     this.controls.dispose();
-    this.scene.environment?.dispose();
     this.floor.geometry.dispose();
     this.floor.material.dispose();
     this.renderer.dispose();
@@ -75,17 +77,23 @@ export class Stage {
     if (!this.asked) this.asked = requestAnimationFrame(() => this.render());
   }
 
-  /** Looks at what is there, from in front and above, so that all of it is in view. */
-  frame(root: THREE.Object3D, azimuth = -0.5, elevation = 0.5): void {
+  /**
+   * Looks at what is there from in front and above, at all that is higher than `lowest` metres.
+   *
+   * @param azimuth - 0 looks along +y, a positive one moves the camera towards +x.
+   */
+  frame(root: THREE.Object3D, lowest: number, azimuth = -0.45, elevation = 0.55): void {
     const box = new THREE.Box3().setFromObject(root, false);
     if (box.isEmpty()) box.set(new THREE.Vector3(-0.5, -0.5, 0), new THREE.Vector3(0.5, 0.5, 1));
+    const whole = box.clone();
+    box.min.z = Math.min(Math.max(box.min.z, lowest), box.max.z - 0.05);
     const centre = box.getCenter(new THREE.Vector3());
     const radius = box.getSize(new THREE.Vector3()).length() / 2;
-    this.light(centre, radius);
+    this.light(whole);
     this.picture = null;
     this.camera.fov = 38;
     const half = Math.min(this.camera.fov / 2, (Math.atan(Math.tan((this.camera.fov * Math.PI) / 360) * this.camera.aspect) * 180) / Math.PI);
-    const far = (radius * 0.92) / Math.sin((half * Math.PI) / 180);
+    const far = (radius * 0.86) / Math.sin((half * Math.PI) / 180);
     const out = new THREE.Vector3(
       Math.sin(azimuth) * Math.cos(elevation),
       -Math.cos(azimuth) * Math.cos(elevation),
@@ -99,9 +107,26 @@ export class Stage {
     this.draw();
   }
 
-  /** Looks from above, or again from in front. */
-  lookFrom(root: THREE.Object3D, side: "front" | "top"): void {
-    this.frame(root, side === "top" ? 0 : -0.5, side === "top" ? 1.5 : 0.5);
+  /** Turns the camera about what it looks at, by radians. */
+  turn(azimuth: number, polar: number): void {
+    this.leavePicture();
+    const out = this.camera.position.clone().sub(this.controls.target);
+    const turned = new THREE.Spherical().setFromVector3(new THREE.Vector3(out.x, out.z, -out.y));
+    turned.theta += azimuth;
+    turned.phi = Math.min(Math.max(turned.phi + polar, 0.05), this.controls.maxPolarAngle);
+    const to = new THREE.Vector3().setFromSpherical(turned);
+    this.camera.position.copy(this.controls.target).add(new THREE.Vector3(to.x, -to.z, to.y));
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Moves the camera to `factor` times its distance. */
+  zoom(factor: number): void {
+    this.leavePicture();
+    const out = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
+    this.camera.position.copy(this.controls.target).add(out);
+    this.controls.update();
+    this.draw();
   }
 
   /** Looks as the scene's picture does, until the person moves the camera. */
@@ -126,8 +151,9 @@ export class Stage {
     this.onMove();
   }
 
-  private light(centre: THREE.Vector3, radius: number): void {
-    const span = Math.max(radius * 1.25, 0.6);
+  private light(box: THREE.Box3): void {
+    const centre = box.getCenter(new THREE.Vector3());
+    const span = Math.max(box.getSize(new THREE.Vector3()).length() * 0.6, 0.5);
     this.sun.position.set(centre.x - 0.9, centre.y - 1.1, centre.z + 2.4);
     this.sun.target.position.copy(centre);
     this.sun.castShadow = true;
@@ -135,9 +161,9 @@ export class Stage {
     this.sun.shadow.mapSize.set(size, size);
     Object.assign(this.sun.shadow.camera, { left: -span, right: span, top: span, bottom: -span, near: 0.1, far: 3 + 2 * span });
     this.sun.shadow.camera.updateProjectionMatrix();
-    this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.normalBias = 0.008;
-    this.sun.shadow.radius = 4;
+    this.sun.shadow.bias = -0.0006;
+    this.sun.shadow.normalBias = 0.0015;
+    this.sun.shadow.radius = 3;
   }
 
   /** Fits the field of view to the picture's frame, which lies whole in the canvas. */
@@ -152,25 +178,32 @@ export class Stage {
 
   private resize(): void {
     const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
-    const width = Math.max(Math.round(box.width), 1);
-    const height = Math.max(Math.round(box.height), 1);
-    this.renderer.setPixelRatio(this.ratio);
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
+    this.camera.aspect = Math.max(box.width, 1) / Math.max(box.height, 1);
     this.camera.updateProjectionMatrix();
     this.fit();
+    this.setRatio(this.ratio);
     this.draw();
+  }
+
+  private setRatio(ratio: number): void {
+    const box = (this.canvas.parentElement ?? this.canvas).getBoundingClientRect();
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(Math.max(Math.round(box.width), 1), Math.max(Math.round(box.height), 1), false);
   }
 
   private render(): void {
     this.asked = 0;
+    clearTimeout(this.still);
     const begun = performance.now();
     if (!this.picture && this.controls.update()) this.draw();
+    if (this.renderer.getPixelRatio() !== this.ratio) this.setRatio(this.ratio);
     this.renderer.render(this.scene, this.camera);
-    const took = performance.now() - begun;
-    if (took > SLOW && this.ratio > COARSEST) {
-      this.ratio = Math.max(this.ratio * 0.8, COARSEST);
-      this.resize();
-    }
+    if (performance.now() - begun > SLOW) this.ratio = Math.max(this.ratio * 0.8, COARSEST);
+    if (this.ratio < this.finest) this.still = window.setTimeout(() => this.renderFine(), STILL);
+  }
+
+  private renderFine(): void {
+    this.setRatio(this.finest);
+    this.renderer.render(this.scene, this.camera);
   }
 }

@@ -1,0 +1,108 @@
+"""Debian's Chromium for the tests of the pages, and sites served to it."""
+
+import shutil
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+
+_OPTIONS = (
+    "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    "--disable-quic", "--no-first-run",
+    "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",  # nothing but the test's server
+)  # fmt: skip
+
+AXE = Path(__file__).parents[1] / "web" / "node_modules" / "axe-core" / "axe.min.js"
+
+ENGINE = "[...window.tabletopgen.values()][0]"
+READY = (
+    "n => [...(window.tabletopgen?.values() ?? [])]"
+    ".filter(e => e.ready.value || e.error.value).length >= n"
+)
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """Yield a browser; the test is skipped, and says so loudly, where there is none."""
+    if CHROMIUM is None:
+        words = "Chromium is not installed (apt-get install chromium): the pages are NOT TESTED."
+        warnings.warn(words, stacklevel=2)
+        pytest.skip(words)
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=CHROMIUM, args=[*_OPTIONS])
+        yield browser
+        browser.close()
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, format: str, *args: Any) -> None:
+        pass
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """Serve a folder as `python -m http.server` does; yield its address."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
+    thread = Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_address[1]}/"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join(5)
+
+
+class Watched:
+    """A page of the browser that notes what went wrong in it."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.faults: list[str] = []
+        page.on("console", self._heed)
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+
+    def _heed(self, message: Any) -> None:
+        if message.type in ("error", "warning") and "GPU stall" not in message.text:
+            self.faults.append(message.text)
+
+
+def opened(browser: Browser, **options: Any) -> Watched:
+    """Open a fresh page, without anything kept of others."""
+    return Watched(browser.new_context(**options).new_page())
+
+
+def wait_for_scenes(page: Page, count: int = 1) -> None:
+    """Wait until so many scenes of the page are live, or have failed."""
+    page.wait_for_function(READY, arg=count, timeout=60_000)
+
+
+def axe_faults(page: Page) -> list[str]:
+    """Return the serious and critical faults that axe finds."""
+    page.add_script_tag(content=AXE.read_text(encoding="utf-8"))
+    found = page.evaluate("() => axe.run()")["violations"]
+    return [
+        f"{f['id']}: {f['help']} at {[n['target'] for n in f['nodes']][:3]}"
+        for f in found
+        if f["impact"] in ("serious", "critical")
+    ]
+
+
+def axe_share(page: Page) -> float:
+    """Return the share of axe's rules that hold, of those that apply, by weight of impact."""
+    page.add_script_tag(content=AXE.read_text(encoding="utf-8"))
+    done = page.evaluate("() => axe.run()")
+    weight = {"minor": 1, "moderate": 3, "serious": 7, "critical": 10}
+    passed = sum(weight.get(rule["impact"] or "", 3) for rule in done["passes"])
+    failed = sum(weight[rule["impact"]] for rule in done["violations"])
+    return passed / (passed + failed)

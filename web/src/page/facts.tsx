@@ -1,0 +1,139 @@
+/** What is known of a scene: things, gate, certificate, downloads. */
+import type { CertificateRow, Download, GateRow, SceneFiles, ThingRow } from "../data";
+
+const cm = (size: readonly number[]): string => size.map((v) => (100 * v).toFixed(1)).join(" × ");
+
+const small = (metres: number): string =>
+  metres < 1e-3 ? `${(1e6 * metres).toFixed(0)} µm` : `${(1e3 * metres).toFixed(1)} mm`;
+
+const bytes = (n: number): string => (n < 1e6 ? `${Math.ceil(n / 1e3)} kB` : `${(n / 1e6).toFixed(1)} MB`);
+
+export function Facts({ files, base, selected }: { files: SceneFiles; base: string; selected: string | null }) {
+  const { row } = files;
+  return (
+    <div class="stack">
+      {row.warnings.length > 0 && (
+        <section class="panel">
+          <h2>Notes</h2>
+          {row.warnings.map((words) => (
+            <p class="small" key={words}>
+              {words}
+            </p>
+          ))}
+        </section>
+      )}
+      <Things things={row.things} table={row.table.size} selected={selected} />
+      {row.gate && <Gate gate={row.gate} />}
+      {row.certificate && <Certificate certificate={row.certificate} />}
+      <Downloads downloads={files.downloads} base={base} />
+    </div>
+  );
+}
+
+function Things({ things, table, selected }: { things: ThingRow[]; table: readonly number[]; selected: string | null }) {
+  return (
+    <section class="panel">
+      <h2>Objects</h2>
+      <div class="scroll" tabIndex={0} role="region" aria-label="Objects">
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">name</th>
+              <th scope="col">size, cm</th>
+              <th scope="col" class="number">
+                kg
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {things.map((thing) => (
+              <tr key={thing.name} aria-current={thing.name === selected ? "true" : undefined}>
+                <td>{thing.name}</td>
+                <td>{cm(thing.size)}</td>
+                <td class="number">{thing.mass.toFixed(3)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="small quiet">Table {cm(table)} cm</p>
+    </section>
+  );
+}
+
+function Gate({ gate }: { gate: GateRow }) {
+  return (
+    <section class="panel">
+      <h2>
+        Physical gate: <span class={gate.passed ? "good" : "bad"}>{gate.passed ? "passed" : "failed"}</span>
+      </h2>
+      <table>
+        <tbody>
+          <tr>
+            <th scope="row">deepest overlap</th>
+            <td class="number">{small(gate.penetration)}</td>
+          </tr>
+          <tr>
+            <th scope="row">largest drift</th>
+            <td class="number">{small(gate.drift)}</td>
+          </tr>
+          <tr>
+            <th scope="row">largest tilt</th>
+            <td class="number">{((180 / Math.PI) * gate.tilt).toFixed(3)}°</td>
+          </tr>
+        </tbody>
+      </table>
+      {gate.failures.map((words) => (
+        <p class="small bad" key={words}>
+          {words}
+        </p>
+      ))}
+    </section>
+  );
+}
+
+function Certificate({ certificate }: { certificate: CertificateRow }) {
+  return (
+    <section class="panel">
+      <h2>Certificate of the scripted expert</h2>
+      <table>
+        <thead>
+          <tr>
+            <th scope="col">task</th>
+            <th scope="col" class="number">
+              certified
+            </th>
+            <th scope="col" class="number">
+              solved
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {certificate.tasks.map(({ task, certified, instances, rate }) => (
+            <tr key={task}>
+              <th scope="row">{task}</th>
+              <td class="number">
+                {certified} of {instances}
+              </td>
+              <td class="number">{(100 * rate).toFixed(0)} %</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
+
+export function Downloads({ downloads, base }: { downloads: Download[]; base: string }) {
+  if (downloads.length === 0) return null;
+  return (
+    <section class="panel">
+      <h2>Downloads</h2>
+      {downloads.map(({ label, file, bytes: size }) => (
+        <a key={file} href={base + file} download>
+          {label} <span class="quiet small">({bytes(size)})</span>
+        </a>
+      ))}
+    </section>
+  );
+}

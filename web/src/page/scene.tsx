@@ -1,0 +1,92 @@
+/** A scene of the gallery on its own page, alone or beside others. */
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import type { Gallery, SceneRow } from "../data";
+import type { Engine } from "../viewer/engine";
+import { Viewer } from "../viewer/viewer";
+import { Facts } from "./facts";
+
+const folder = (row: SceneRow): string => `scenes/${encodeURIComponent(row.id)}/`;
+
+export function ScenePage({ gallery, row }: { gallery: Gallery; row: SceneRow }) {
+  const engine = useSignal<Engine | null>(null);
+  const at = gallery.scenes.indexOf(row);
+  const near = (step: number): SceneRow | undefined => gallery.scenes.filter((r) => !r.error)[at + step];
+  useEffect(() => {
+    document.title = `${row.name} – ${gallery.title}`;
+  }, [row]);
+  return (
+    <>
+      <header class="bar">
+        <a href="#/">{gallery.title}</a>
+        <h1>{row.name}</h1>
+        <nav class="row end" aria-label="Other tables">
+          {near(-1) && <a href={`#/scene/${encodeURIComponent(near(-1)!.id)}`}>Previous</a>}
+          {near(1) && <a href={`#/scene/${encodeURIComponent(near(1)!.id)}`}>Next</a>}
+          <Beside gallery={gallery} row={row} />
+        </nav>
+      </header>
+      <main id="main" class="page">
+        {row.prompt && <p>“{row.prompt}”</p>}
+        <div class="sides">
+          <Viewer base={folder(row)} label={row.name} onEngine={(found) => (engine.value = found)} />
+          {engine.value?.ready.value && engine.value.files && (
+            <Facts files={engine.value.files} base={folder(row)} selected={engine.value.selected.value} />
+          )}
+        </div>
+        <p class="small quiet">
+          Drag a thing to pull it, let go to throw it; hold Shift to move it level. Drag beside things to turn the view.
+        </p>
+      </main>
+    </>
+  );
+}
+
+function Beside({ gallery, row }: { gallery: Gallery; row: SceneRow }) {
+  return (
+    <label class="row small">
+      Beside
+      <select
+        onChange={(event) => {
+          const other = event.currentTarget.value;
+          if (other) location.hash = `#/beside/${encodeURIComponent(row.id)}/${encodeURIComponent(other)}`;
+        }}
+      >
+        <option value="">…</option>
+        {gallery.scenes.map((other) => !other.error && other.id !== row.id && <option value={other.id}>{other.name}</option>)}
+      </select>
+    </label>
+  );
+}
+
+export function BesidePage({ gallery, rows }: { gallery: Gallery; rows: SceneRow[] }) {
+  return (
+    <>
+      <header class="bar">
+        <a href="#/">{gallery.title}</a>
+        <h1>{rows.map((row) => row.name).join(" and ")}</h1>
+      </header>
+      <main id="main" class="page">
+        <div class="pair">
+          {rows.map((row) => (
+            <section key={row.id} class="stack" aria-label={row.name}>
+              <h2>{row.name}</h2>
+              <p class="small quiet">{row.prompt}</p>
+              <Viewer base={folder(row)} label={row.name} small />
+            </section>
+          ))}
+        </div>
+      </main>
+    </>
+  );
+}
+
+/** The viewer alone, for a frame in another page. */
+export function EmbeddedPage({ row }: { row: SceneRow }) {
+  return (
+    <main id="main" class="embedded">
+      <h1 class="hidden">{row.name}</h1>
+      <Viewer base={folder(row)} label={row.name} small />
+    </main>
+  );
+}

@@ -1,0 +1,286 @@
+/** A scene in the page: the canvas, its tools, and what went wrong. */
+import { useComputed, useSignal } from "@preact/signals";
+import { useEffect, useMemo, useRef } from "preact/hooks";
+import { KEYS } from "./driving";
+import { Engine } from "./engine";
+
+export interface ViewerProps {
+  /** The scene's folder, with a slash at its end. */
+  base: string;
+  label: string;
+  /** Only what fits into another page: no arm, no picture. */
+  small?: boolean;
+  onEngine?: (engine: Engine) => void;
+}
+
+declare global {
+  interface Window {
+    /** The live scenes of this page by their folder, for scripts and tests. */
+    tabletopgen?: Map<string, Engine>;
+  }
+}
+
+export function Viewer({ base, label, small = false, onEngine }: ViewerProps) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const engine = useMemo(() => new Engine(), [base]);
+  useEffect(() => {
+    if (canvas.current) engine.attach(canvas.current);
+    const known = (window.tabletopgen ??= new Map<string, Engine>());
+    known.set(base, engine);
+    onEngine?.(engine);
+    if (!engine.error.value) void engine.open(base);
+    return () => {
+      known.delete(base);
+      engine.close();
+    };
+  }, [engine]);
+  const loading = useComputed(() => !engine.ready.value && !engine.error.value);
+  return (
+    <div class="viewer">
+      <div class="view">
+        <canvas
+          key={base}
+          ref={canvas}
+          tabIndex={0}
+          role="application"
+          aria-label={`3D view of ${label}. Arrow keys turn the view, plus and minus zoom, space plays or pauses.`}
+          onKeyDown={(event) => heed(engine, event)}
+          onKeyUp={(event) => engine.key(event, false) && event.preventDefault()}
+          onBlur={() => engine.releaseKeys()}
+        />
+        <Overlays engine={engine} base={base} />
+        {loading.value && (
+          <div class="over" role="status">
+            Loading the scene …
+          </div>
+        )}
+      </div>
+      <Tools engine={engine} small={small} />
+    </div>
+  );
+}
+
+function Overlays({ engine, base }: { engine: Engine; base: string }) {
+  const picture = engine.ready.value ? engine.files?.picture : null;
+  const hover = engine.hover.value;
+  return (
+    <>
+      {picture && engine.onion.value > 0 && (
+        <img class="onion" alt="" src={base + picture.file} style={{ opacity: engine.onion.value }} />
+      )}
+      {hover && (
+        <span class="name" style={{ left: `${hover.x}px`, top: `${hover.y}px` }}>
+          {hover.name.replace("panda/", "robot: ")}
+        </span>
+      )}
+      {engine.ready.value && <Clock engine={engine} />}
+      {engine.error.value && (
+        <div class="over" role="alert">
+          <p>{engine.error.value}</p>
+        </div>
+      )}
+    </>
+  );
+}
+
+function Clock({ engine }: { engine: Engine }) {
+  const time = engine.mode.value === "episode" ? engine.playTime.value : engine.time.value;
+  return <span class="clock">{time.toFixed(1)} s</span>;
+}
+
+/** Space plays or pauses, arrows turn the camera; with the arm at the table, its keys drive. */
+function heed(engine: Engine, event: KeyboardEvent): void {
+  if (engine.key(event, true)) {
+    event.preventDefault();
+    return;
+  }
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const turns: Record<string, [number, number]> = {
+    ArrowLeft: [-0.1, 0],
+    ArrowRight: [0.1, 0],
+    ArrowUp: [0, -0.07],
+    ArrowDown: [0, 0.07],
+  };
+  const turn = turns[event.key];
+  if (turn) engine.stage?.turn(...turn);
+  else if (event.key === "+" || event.key === "=") engine.stage?.zoom(0.9);
+  else if (event.key === "-") engine.stage?.zoom(1 / 0.9);
+  else if (event.key === " ") engine.toggle();
+  else return;
+  event.preventDefault();
+}
+
+function Tools({ engine, small }: { engine: Engine; small: boolean }) {
+  const off = !engine.ready.value || engine.error.value !== null;
+  const mode = engine.mode.value;
+  const running = mode === "episode" ? engine.playing.value : engine.running.value;
+  return (
+    <div class="stack">
+      <div class="tools" role="toolbar" aria-label="Simulation">
+        <button disabled={off} onClick={() => engine.toggle()}>
+          {running ? "Pause" : "Play"}
+        </button>
+        <button disabled={off || mode === "episode"} onClick={() => engine.step(10)}>
+          Step
+        </button>
+        <button disabled={off} onClick={() => engine.restart()}>
+          Reset
+        </button>
+        <span class="gap" />
+        <button disabled={off} onClick={() => engine.lookFrom("front")}>
+          Front
+        </button>
+        <button disabled={off} onClick={() => engine.lookFrom("top")}>
+          Above
+        </button>
+        {!small && <Picture engine={engine} off={off} />}
+        <span class="gap" />
+        <Toggle engine={engine} what="parts" off={off}>
+          Collision parts
+        </Toggle>
+        <Toggle engine={engine} what="centres" off={off}>
+          Centres of mass
+        </Toggle>
+        <Toggle engine={engine} what="contacts" off={off}>
+          Contacts
+        </Toggle>
+      </div>
+      {!small && <Robot engine={engine} off={off} />}
+    </div>
+  );
+}
+
+function Toggle(props: { engine: Engine; what: "parts" | "centres" | "contacts"; off: boolean; children: string }) {
+  const { engine, what, off, children } = props;
+  const on = engine[what].value;
+  return (
+    <button disabled={off} aria-pressed={on} onClick={() => engine.setShown(what, !on)}>
+      {children}
+    </button>
+  );
+}
+
+function Picture({ engine, off }: { engine: Engine; off: boolean }) {
+  const picture = engine.ready.value ? engine.files?.picture : null;
+  if (!picture) return null;
+  const word = picture.kind === "reference" ? "Picture" : "Render";
+  return (
+    <>
+      <button disabled={off} aria-pressed={engine.inPicture.value} onClick={() => engine.lookAsPicture(0.5)}>
+        As the {word.toLowerCase()}
+      </button>
+      {engine.inPicture.value && (
+        <label>
+          {word} over the view
+          <input
+            type="range"
+            min="0"
+            max="1"
+            step="0.05"
+            value={engine.onion.value}
+            onInput={(event) => engine.lookAsPicture(Number(event.currentTarget.value))}
+          />
+        </label>
+      )}
+    </>
+  );
+}
+
+function Robot({ engine, off }: { engine: Engine; off: boolean }) {
+  if (!engine.ready.value || !engine.files?.arm) return null;
+  const mode = engine.mode.value;
+  const { episodes } = engine.files;
+  return (
+    <div class="stack">
+      <div class="tools" role="group" aria-label="Robot">
+        <button disabled={off} aria-pressed={mode === "arm"} onClick={() => void engine.setMode(mode === "arm" ? "scene" : "arm")}>
+          Drive the Panda
+        </button>
+        {episodes.map((row) => (
+          <button key={row.file} disabled={off} onClick={() => void engine.play(row)}>
+            Watch: {row.instruction}
+          </button>
+        ))}
+        {mode === "episode" && <button onClick={() => void engine.setMode("scene")}>Back to the scene</button>}
+      </div>
+      {mode === "episode" && <Timeline engine={engine} />}
+      {mode === "arm" && <Pad engine={engine} />}
+    </div>
+  );
+}
+
+function Timeline({ engine }: { engine: Engine }) {
+  const play = engine.playback.value;
+  if (!play) return null;
+  return (
+    <label class="row">
+      <span class="small">{play.episode.instruction}</span>
+      <input
+        class="grow"
+        style={{ flex: "1 1 10rem" }}
+        type="range"
+        min="0"
+        max={play.duration}
+        step="0.05"
+        aria-label="Place in the episode, seconds"
+        value={Math.min(engine.playTime.value, play.duration)}
+        onInput={(event) => engine.seek(Number(event.currentTarget.value))}
+      />
+      <span class="small quiet">{play.duration.toFixed(1)} s</span>
+    </label>
+  );
+}
+
+const PAD: readonly [string, string, string][] = [
+  ["q", "↺", "turn the hand left"],
+  ["w", "↑", "away"],
+  ["e", "↻", "turn the hand right"],
+  ["r", "Up", "up"],
+  ["a", "←", "left"],
+  ["s", "↓", "nearer"],
+  ["d", "→", "right"],
+  ["f", "Down", "down"],
+];
+
+function Pad({ engine }: { engine: Engine }) {
+  const help = useSignal(false);
+  return (
+    <div class="stack">
+      <div class="pad" role="group" aria-label="Drive the arm">
+        {PAD.map(([key, sign, words]) => (
+          <button
+            key={key}
+            aria-label={words}
+            title={words}
+            onPointerDown={() => engine.press(key, true)}
+            onPointerUp={() => engine.press(key, false)}
+            onPointerLeave={() => engine.press(key, false)}
+            onKeyDown={(event) => event.key === "Enter" && engine.press(key, true)}
+            onKeyUp={(event) => event.key === "Enter" && engine.press(key, false)}
+          >
+            {sign}
+          </button>
+        ))}
+      </div>
+      <div class="tools">
+        <button aria-pressed={engine.gripper.value === "closed"} onClick={() => engine.press(" ", true)}>
+          {engine.gripper.value === "open" ? "Close the gripper" : "Open the gripper"}
+        </button>
+        <button aria-expanded={help.value} onClick={() => (help.value = !help.value)}>
+          Keys
+        </button>
+      </div>
+      {help.value && (
+        <p class="small">
+          With the view focused:{" "}
+          {KEYS.map(([keys, words]) => (
+            <span key={keys}>
+              <kbd>{keys}</kbd> {words}
+              {" · "}
+            </span>
+          ))}
+        </p>
+      )}
+    </div>
+  );
+}
