@@ -1,0 +1,165 @@
+"""The static page's files, without a browser: rows, scene folders, the site."""
+
+import io
+import json
+import shutil
+import struct
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from assets_cache.store import find
+from generator.bundle import load, read_files, verify
+from generator.errors import BackendError, InputError, StorageError
+from tabletopgen_web import frontend
+from tabletopgen_web.page.episodes import record_play
+from tabletopgen_web.page.robot import robot_document
+from tabletopgen_web.page.rows import read_row
+from tabletopgen_web.page.scene_folder import FolderOptions, scene_folder
+from tabletopgen_web.page.site import write_site
+
+QUICK = FolderOptions(formats=(), episodes=0, robot=False)
+
+
+@pytest.fixture(scope="module")
+def bundle() -> Path:
+    return find("kitchen-cutting")[0]
+
+
+@pytest.fixture
+def static(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A front end that is not the real one, so that nothing is built."""
+    folder = tmp_path / "static"
+    (folder / "assets").mkdir(parents=True)
+    for name in frontend.PAGES:
+        (folder / name).write_text(name)
+    (folder / "assets" / "page.js").write_text("1")
+    monkeypatch.setattr(frontend, "STATIC", folder)
+    return folder
+
+
+def test_a_row_says_what_a_bundle_holds(bundle: Path) -> None:
+    row, scene = read_row(bundle)
+    assert scene is not None
+    assert row.theme == "kitchen"
+    assert [t.name for t in row.things] == [o.name for o in scene.objects]
+    assert row.gate is not None
+    assert row.gate.passed
+    assert row.certificate is not None
+    assert 0 < row.certificate.certified <= row.certificate.instances
+    assert row.difficulty is not None
+    assert 0 < row.difficulty < 1
+
+
+def test_a_row_of_what_is_no_bundle_says_why(tmp_path: Path, bundle: Path) -> None:
+    newer = tmp_path / bundle.name
+    shutil.copytree(bundle, newer)
+    truth = (newer / "scene.json").read_text().replace('"schema": 1', '"schema": 99')
+    (newer / "scene.json").write_text(truth)
+    row, scene = read_row(newer)
+    assert scene is None
+    assert row.error is not None
+    assert "schema 99" in row.error
+    missing, _ = read_row(tmp_path / "none-0123456789ab")
+    assert missing.error is not None
+
+
+def test_a_scene_folder_holds_the_bundle_and_downloads(bundle: Path, tmp_path: Path) -> None:
+    made = scene_folder(bundle, FolderOptions(formats=("glb", "urdf"), episodes=1))
+    again = scene_folder(bundle, FolderOptions(formats=("glb", "urdf"), episodes=1))
+    assert dict(made.files) == dict(again.files)
+    view = json.loads(made.files["view.json"])
+    named = [
+        view["scene"]["xml"], *view["scene"]["files"].values(), view["picture"]["file"],
+        *(d["file"] for d in view["downloads"]), *(e["file"] for e in view["episodes"]),
+        view["row"]["thumbnail"], view["arm"]["xml"],
+    ]  # fmt: skip
+    assert {*named} <= {*made.files}
+    archive = zipfile.ZipFile(io.BytesIO(made.files[f"downloads/{bundle.name}.zip"]))
+    archive.extractall(tmp_path)
+    assert verify(tmp_path / bundle.name) == []
+    assert load(tmp_path / bundle.name).name == "kitchen-cutting"
+
+
+def test_an_episode_fits_the_model_with_the_robot(bundle: Path) -> None:
+    import mujoco
+
+    _, scene = read_row(bundle)
+    assert scene is not None
+    files = read_files(bundle)
+    text = robot_document(scene, frozenset(files))
+    model = mujoco.MjModel.from_xml_string(text, dict(files))
+    play = record_play(bundle, "PickPlace")
+    assert play.success
+    assert play.rows.shape[1] == model.nq + 3
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
+    assert np.abs(data.qpos - play.rows[0, :-3]).max() < 1e-5
+    raw = play.to_bytes()
+    (length,) = struct.unpack("<I", raw[:4])
+    header = json.loads(raw[4 : 4 + length])
+    assert (4 + length) % 4 == 0
+    assert len(raw) - 4 - length == 4 * header["frames"] * (header["nq"] + 3)
+
+
+def test_what_the_expert_cannot_do_is_an_error(bundle: Path) -> None:
+    with pytest.raises(InputError, match="No task is called 'Juggle'"):
+        record_play(bundle, "Juggle")
+
+
+def test_a_site_is_written_whole_and_replaces_only_a_site(
+    bundle: Path, tmp_path: Path, static: Path
+) -> None:
+    out = tmp_path / "site"
+    broken = tmp_path / "broken-0123456789ab"
+    broken.mkdir()
+    (broken / "scene.json").write_text("{")
+    site = write_site([bundle, broken], out, "Mine", QUICK)
+    assert {"index.html", "assets", "gallery.json", "scenes"} <= {p.name for p in out.iterdir()}
+    assert (out / "index.html").read_text() == "page.html"
+    gallery = json.loads((out / "gallery.json").read_text())
+    assert gallery["title"] == "Mine"
+    assert [s["error"] is None for s in gallery["scenes"]] == [True, False]
+    assert (out / gallery["scenes"][0]["thumbnail"]).is_file()
+    files = [p for p in out.rglob("*") if p.is_file() and p.name != ".tabletopgen-page"]
+    assert abs(site.bytes - sum(p.stat().st_size for p in files)) < 100
+    before = {p.relative_to(out): p.read_bytes() for p in files}
+    write_site([bundle, broken], out, "Mine", QUICK)
+    assert {p.relative_to(out): p.read_bytes() for p in files} == before
+    foreign = tmp_path / "foreign"
+    foreign.mkdir()
+    (foreign / "thesis.tex").touch()
+    with pytest.raises(InputError, match="holds something else"):
+        write_site([bundle], foreign, options=QUICK)
+    assert (foreign / "thesis.tex").exists()
+    with pytest.raises(InputError, match="Two bundles"):
+        write_site([bundle, bundle], out, options=QUICK)
+
+
+def test_a_site_that_fails_leaves_nothing(
+    bundle: Path, tmp_path: Path, static: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object, **__: object) -> int:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(StorageError, match="No space left"):
+        write_site([bundle], tmp_path / "site", options=QUICK)
+    assert {p.name for p in tmp_path.iterdir()} == {"static"}
+
+
+@pytest.mark.parametrize("checkout", [True, False])
+def test_a_missing_front_end_says_what_is_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, checkout: bool
+) -> None:
+    source = tmp_path / "web"
+    source.mkdir()
+    if checkout:
+        (source / "package-lock.json").touch()
+    monkeypatch.setattr(frontend, "STATIC", tmp_path / "static")
+    monkeypatch.setattr(frontend, "SOURCE", source)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(BackendError, match=r"Node\.js" if checkout else "Install tabletopgen"):
+        frontend.static_folder()
