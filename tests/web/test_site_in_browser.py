@@ -115,8 +115,8 @@ def test_a_recorded_episode_plays_to_its_end(browser: Browser, site: str) -> Non
     page = watched.page
     show(page, site, CUTTING)
     page.get_by_role("button", name="Watch: put the tomato into the bowl").click()
-    until(page, f"{ENGINE}.playback.value !== null")
-    until(page, f"{ENGINE}.playback.value.time >= {ENGINE}.playback.value.duration")
+    until(page, f"{ENGINE}.player.playback.value !== null")
+    until(page, f"{ENGINE}.player.playback.value.time >= {ENGINE}.player.playback.value.duration")
     rows, qpos = rows_of(page), state(page)["qpos"]
     tomato, bowl = (np.array(qpos[rows[n] : rows[n] + 3]) for n in ("tomato_1", "bowl_1"))
     assert np.linalg.norm((tomato - bowl)[:2]) < 0.06

@@ -1,5 +1,5 @@
 /** A live scene: physics, drawing, pointer and keys together; the interface observes its signals. */
-import { computed, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
 import * as THREE from "three";
 import { fetchData, fetchEpisode, fetchModel, PageError, type EpisodeRow, type SceneFiles } from "../data";
 import { Physics } from "../physics/client";
@@ -7,7 +7,8 @@ import type { ArmAction, Frame, ModelData, State } from "../physics/protocol";
 import { Driving } from "./driving";
 import { Marks } from "./marks";
 import { BuiltModel } from "./meshes";
-import { Playback } from "./playback";
+import { Placing, type Move } from "./placing";
+import { Player } from "./player";
 import { Pointer, type Grip } from "./pointer";
 import { Stage } from "./stage";
 
@@ -34,11 +35,13 @@ export class Engine {
   readonly inPicture = signal(false);
   readonly onion = signal(0);
   readonly gripper = signal<"open" | "closed">("open");
-  readonly playback = signal<Playback | null>(null);
-  readonly playTime = signal(0);
-  readonly playing = computed(() => (this.playback.value ? this.playTime.value >= 0 && this.playback.value.playing : false));
-  /** What a click on a thing does beside selecting it; set by the studio. */
-  onSelect: (name: string | null) => void = () => {};
+  readonly player = new Player((qpos, marker) => this.physics.tell({ kind: "pose", qpos, marker }));
+  /** Whether dragging a thing moves it to a new place, in place of pulling it. */
+  readonly editing = signal(false);
+  /** Called when a person has put a thing elsewhere, while `editing`. */
+  onMoved: (name: string, move: Move) => void = () => {};
+  /** The view to begin with (`Stage.view`); null for the usual one. */
+  firstView: number[] | null = null;
   files: SceneFiles | null = null;
   stage: Stage | null = null;
   private physics: Physics;
@@ -47,9 +50,8 @@ export class Engine {
   private pointer: Pointer | null = null;
   private readonly driving = new Driving();
   private base = "";
-  private ticking = 0;
-  private last = 0;
   private closed = false;
+  private placing: Placing | null = null;
   private unseen = false;
 
   constructor() {
@@ -82,9 +84,10 @@ export class Engine {
     this.pointer = new Pointer(canvas, this.stage, () => this.model, {
       hover: (body, x, y) => this.point(body, x, y),
       click: (body) => this.select(body),
-      drag: (grip, target) => this.drag(grip, target),
+      drag: (grip, target, shift) => this.drag(grip, target, shift),
       release: () => this.release(),
-      movable: (body) => this.mode.value !== "episode" && (this.model?.data.bodies[body]?.moves ?? false),
+      movable: (body) => this.movable(body),
+      level: () => this.editing.value,
     });
   }
 
@@ -138,7 +141,7 @@ export class Engine {
 
   /** Plays or pauses whatever is shown. */
   toggle(): void {
-    if (this.mode.value === "episode") this.setPlaying(!this.playing.value);
+    if (this.mode.value === "episode") this.player.setPlaying(!this.player.playing.value);
     else this.run(!this.running.value);
   }
 
@@ -146,8 +149,8 @@ export class Engine {
   restart(): void {
     if (this.mode.value !== "episode") this.reset();
     else {
-      this.seek(0);
-      this.setPlaying(true);
+      this.player.seek(0);
+      this.player.setPlaying(true);
     }
   }
 
@@ -202,7 +205,7 @@ export class Engine {
   async setMode(mode: Mode): Promise<void> {
     if (this.mode.value === mode) return;
     const before = this.mode.value;
-    this.stopPlayback();
+    this.player.stop();
     this.driving.clear();
     try {
       if ((before === "scene") !== (mode === "scene")) await this.load(mode === "scene" ? "scene" : "arm");
@@ -215,51 +218,23 @@ export class Engine {
     }
   }
 
-  async play(row: EpisodeRow): Promise<void> {
+  /** Plays an episode of the scene's folder. */
+  play(row: EpisodeRow): Promise<void> {
+    return this.playFile(this.base + row.file);
+  }
+
+  /** Plays the episode at an address. */
+  async playFile(url: string): Promise<void> {
     try {
-      const episode = await fetchEpisode(this.base + row.file);
+      const episode = await fetchEpisode(url);
       await this.setMode("episode");
       if (!this.model || this.error.value) return;
       if (episode.nq !== this.model.data.nq) throw new PageError("This episode is of another scene.");
       this.run(false);
-      this.playback.value = new Playback(episode, this.model.data);
-      this.last = performance.now();
-      this.tickPlayback();
+      this.player.start(episode, this.model.data);
     } catch (error) {
       this.fail(error);
     }
-  }
-
-  setPlaying(playing: boolean): void {
-    const { value } = this.playback;
-    if (!value) return;
-    if (playing && value.time >= value.duration) value.seek(0);
-    value.playing = playing;
-    this.last = performance.now();
-    this.tickPlayback();
-  }
-
-  seek(seconds: number): void {
-    this.playback.value?.seek(seconds);
-    this.tickPlayback();
-  }
-
-  private stopPlayback(): void {
-    cancelAnimationFrame(this.ticking);
-    this.playback.value = null;
-  }
-
-  private tickPlayback(): void {
-    cancelAnimationFrame(this.ticking);
-    const { value } = this.playback;
-    if (!value) return;
-    const now = performance.now();
-    value.advance((now - this.last) / 1000);
-    this.last = now;
-    this.physics.tell({ kind: "pose", ...value.now() });
-    this.playTime.value = value.time;
-    if (value.playing) this.ticking = requestAnimationFrame(() => this.tickPlayback());
-    else this.playTime.value = value.time + 1e-9; // whoever observes it sees that it has ended
   }
 
   // ----------------------------------------------------------------------------------------- keys
@@ -335,7 +310,6 @@ export class Engine {
   select(body: number): void {
     const found = this.model?.data.bodies[body];
     this.selected.value = found?.free ? found.name : null;
-    this.onSelect(this.selected.value);
   }
 
   private point(body: number, x: number, y: number): void {
@@ -343,19 +317,54 @@ export class Engine {
     this.hover.value = body > 0 && name ? { name, x, y } : null;
   }
 
-  private drag(grip: Grip, target: THREE.Vector3): void {
-    if (!this.running.value) this.run(true);
-    const { body, local } = grip;
-    this.physics.tell({ kind: "drag", body, grip: local.toArray(), target: target.toArray() });
+  private movable(body: number): boolean {
+    const found = this.model?.data.bodies[body];
+    if (!found || this.mode.value === "episode") return false;
+    return this.editing.value ? found.free && this.mode.value === "scene" : found.moves;
+  }
+
+  private drag(grip: Grip, target: THREE.Vector3, shift: boolean): void {
+    const { body, local, held } = grip;
     const group = this.model?.bodies[body]?.group;
-    this.marks?.showRope(group ? group.localToWorld(local.clone()) : null, target);
+    if (!group) return;
+    if (this.editing.value) {
+      if (!this.placing) {
+        this.select(body);
+        this.placing = new Placing(group, held);
+      }
+      this.placing.drag(target, shift);
+    } else {
+      if (!this.running.value) this.run(true);
+      this.physics.tell({ kind: "drag", body, grip: local.toArray(), target: target.toArray() });
+      this.marks?.showRope(group.localToWorld(local.clone()), target);
+    }
     this.stage?.draw();
   }
 
   private release(): void {
-    this.physics.tell({ kind: "release" });
-    this.marks?.showRope(null, null);
+    const move = this.placing?.end();
+    if (this.placing) {
+      this.placing = null;
+      if (move && this.selected.value) this.onMoved(this.selected.value, move);
+    } else {
+      this.physics.tell({ kind: "release" });
+      this.marks?.showRope(null, null);
+    }
     this.stage?.draw();
+  }
+
+  /** Begins or ends editing: the scene rests as it was settled. */
+  edit(on: boolean): void {
+    this.editing.value = on;
+    if (!on) return;
+    this.run(false);
+    this.reset();
+  }
+
+  /** Draws everything where the simulation has it, after a move that was refused. */
+  putBack(): void {
+    this.model?.forget();
+    this.reset();
   }
 
   private show(frame: Frame): void {
@@ -364,6 +373,8 @@ export class Engine {
     if (this.unseen) {
       this.unseen = false;
       this.lookFrom("front");
+      if (this.firstView && this.stage) this.stage.view = this.firstView;
+      this.firstView = null;
     }
     this.marks?.showCentres(frame.centres);
     this.marks?.showContacts(frame.contacts);
@@ -372,7 +383,7 @@ export class Engine {
 
   close(): void {
     this.closed = true;
-    this.stopPlayback();
+    this.player.stop();
     this.physics.close();
     this.pointer?.dispose();
     this.marks?.dispose();

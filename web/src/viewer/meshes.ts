@@ -64,6 +64,11 @@ export class BuiltModel {
     return true;
   }
 
+  /** Has the next frame place everything, whatever it was before. */
+  forget(): void {
+    this.placed = new Float32Array(0);
+  }
+
   /** Shows the convex parts that collide, in place of what is drawn. */
   showParts(on: boolean): void {
     for (const { visual, collision } of this.bodies) {

@@ -5,8 +5,9 @@ import type { Stage } from "./stage";
 
 export interface Grip {
   body: number;
-  /** Where it is held, in the body's frame. */
+  /** Where it is held, in the body's frame, and where that was in the world. */
   local: THREE.Vector3;
+  held: THREE.Vector3;
 }
 
 export interface PointerEvents {
@@ -14,10 +15,12 @@ export interface PointerEvents {
   hover(body: number, x: number, y: number): void;
   /** A body was clicked, not dragged; -1 for none. */
   click(body: number): void;
-  drag(grip: Grip, target: THREE.Vector3): void;
+  drag(grip: Grip, target: THREE.Vector3, shift: boolean): void;
   release(): void;
   /** Whether a body can be dragged. */
   movable(body: number): boolean;
+  /** Whether things are dragged in a level plane, with or without Shift. */
+  level(): boolean;
 }
 
 /** Pixels that a press may move and still be a click. */
@@ -69,8 +72,9 @@ export class Pointer {
     this.pressed = { x: event.clientX, y: event.clientY, body, id: event.pointerId };
     const group = this.model()?.bodies[body]?.group;
     if (!found || !group || !this.events.movable(body)) return;
-    this.grip = { body, local: group.worldToLocal(found.point.clone()) };
-    const normal = event.shiftKey ? new THREE.Vector3(0, 0, 1) : this.stage.camera.getWorldDirection(new THREE.Vector3());
+    this.grip = { body, local: group.worldToLocal(found.point.clone()), held: found.point.clone() };
+    const level = event.shiftKey || this.events.level();
+    const normal = level ? new THREE.Vector3(0, 0, 1) : this.stage.camera.getWorldDirection(new THREE.Vector3());
     this.plane.setFromNormalAndCoplanarPoint(normal, found.point);
     this.stage.controls.enabled = false; // the camera stays while a thing is dragged
     this.canvas.setPointerCapture(event.pointerId);
@@ -80,7 +84,7 @@ export class Pointer {
     if (this.grip) {
       this.aim(event);
       const target = this.ray.ray.intersectPlane(this.plane, new THREE.Vector3());
-      if (target) this.events.drag(this.grip, target);
+      if (target) this.events.drag(this.grip, target, event.shiftKey);
       return;
     }
     if (event.buttons !== 0 || event.pointerType === "touch") return;

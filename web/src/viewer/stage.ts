@@ -107,6 +107,19 @@ export class Stage {
     this.draw();
   }
 
+  /** Where the camera is and what it looks at, to be had again elsewhere. */
+  get view(): number[] {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  set view(numbers: number[]) {
+    this.leavePicture();
+    this.camera.position.fromArray(numbers, 0);
+    this.controls.target.fromArray(numbers, 3);
+    this.controls.update();
+    this.draw();
+  }
+
   /** Turns the camera about what it looks at, by radians. */
   turn(azimuth: number, polar: number): void {
     this.leavePicture();

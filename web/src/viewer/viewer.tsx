@@ -84,7 +84,7 @@ function Overlays({ engine, base }: { engine: Engine; base: string }) {
 }
 
 function Clock({ engine }: { engine: Engine }) {
-  const time = engine.mode.value === "episode" ? engine.playTime.value : engine.time.value;
+  const time = engine.mode.value === "episode" ? engine.player.time.value : engine.time.value;
   return <span class="clock">{time.toFixed(1)} s</span>;
 }
 
@@ -113,7 +113,7 @@ function heed(engine: Engine, event: KeyboardEvent): void {
 function Tools({ engine, small }: { engine: Engine; small: boolean }) {
   const off = !engine.ready.value || engine.error.value !== null;
   const mode = engine.mode.value;
-  const running = mode === "episode" ? engine.playing.value : engine.running.value;
+  const running = mode === "episode" ? engine.player.playing.value : engine.running.value;
   return (
     <div class="stack">
       <div class="tools" role="toolbar" aria-label="Simulation">
@@ -210,7 +210,7 @@ function Robot({ engine, off }: { engine: Engine; off: boolean }) {
 }
 
 function Timeline({ engine }: { engine: Engine }) {
-  const play = engine.playback.value;
+  const play = engine.player.playback.value;
   if (!play) return null;
   return (
     <label class="row">
@@ -223,8 +223,8 @@ function Timeline({ engine }: { engine: Engine }) {
         max={play.duration}
         step="0.05"
         aria-label="Place in the episode, seconds"
-        value={Math.min(engine.playTime.value, play.duration)}
-        onInput={(event) => engine.seek(Number(event.currentTarget.value))}
+        value={Math.min(engine.player.time.value, play.duration)}
+        onInput={(event) => engine.player.seek(Number(event.currentTarget.value))}
       />
       <span class="small quiet">{play.duration.toFixed(1)} s</span>
     </label>

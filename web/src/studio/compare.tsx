@@ -1,0 +1,30 @@
+/** Scenes side by side: seeds of one text, variants of one table. */
+import { Viewer } from "../viewer/viewer";
+import { api } from "./api";
+import { scenes } from "./store";
+
+export function ComparePage({ ids }: { ids: string[] }) {
+  const rows = ids.map((id) => scenes.value.find((row) => row.id === id));
+  return (
+    <>
+      <h1>Side by side</h1>
+      <div class="pair">
+        {rows.map((row, k) =>
+          row ? (
+            <section key={row.id} class="stack" aria-label={row.name}>
+              <h2>
+                <a href={`#/scene/${encodeURIComponent(row.id)}`}>{row.name}</a>
+              </h2>
+              <p class="small quiet">{row.prompt}</p>
+              <Viewer base={api.folder(row.id)} label={row.name} small />
+            </section>
+          ) : (
+            <p key={ids[k]} class="quiet">
+              There is no scene {ids[k]}.
+            </p>
+          ),
+        )}
+      </div>
+    </>
+  );
+}

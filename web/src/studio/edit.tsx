@@ -1,0 +1,215 @@
+/** A scene of the studio: looked at, changed by mouse or words, saved, tried with the expert. */
+import { useSignal, type Signal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { Facts } from "../page/facts";
+import type { Engine } from "../viewer/engine";
+import type { Move } from "../viewer/placing";
+import { Viewer } from "../viewer/viewer";
+import { api, type EditAction, type EditRow, type JobRequest } from "./api";
+import { EnvironmentPanel } from "./environment";
+import { attempt, begin, refreshScenes, scenes, scenesRead, tell, whenOver } from "./store";
+
+const STYLES = ["plain", "cartoon", "low-poly"];
+
+/** What an edit asks for, beside the scene. */
+export interface Edit {
+  action: EditAction;
+  words: string[];
+  to?: [number, number];
+  turn?: number;
+}
+
+export function EditPage({ id }: { id: string }) {
+  const row = scenes.value.find((scene) => scene.id === id);
+  const engine = useSignal<Engine | null>(null);
+  const busy = useSignal<string | null>(null);
+  const view = useRef<number[] | null>(null);
+  useEffect(() => {
+    if (row) document.title = `${row.name} – TabletopGen studio`;
+  }, [row?.name]);
+
+  const edit = async (asked: Edit): Promise<void> => {
+    if (busy.value) return;
+    const request: JobRequest = { kind: "edit", scene: id, ...asked };
+    busy.value = `${asked.action} …`;
+    const job = await begin(request);
+    const over = job && (await whenOver(job.id));
+    busy.value = null;
+    if (over?.state === "done" && over.result?.scene) {
+      view.current = engine.value?.stage?.view ?? null;
+      await refreshScenes();
+      location.hash = `#/scene/${encodeURIComponent(over.result.scene)}`;
+      tell(`${over.title}: done; the table was settled and passed its gate.`);
+    } else {
+      if (over) tell(over.error ?? `The edit ${over.state}.`, true);
+      engine.value?.putBack();
+    }
+  };
+
+  const keep = (found: Engine): void => {
+    engine.value = found;
+    found.firstView = view.current;
+    found.onMoved = (name, move) => void edit(wordsOf(name, move));
+    if (row?.editable) found.edit(true);
+  };
+
+  if (!row) return <p class="quiet">{scenesRead.value ? `There is no scene ${id}.` : "Reading the scenes …"}</p>;
+  if (row.error) return <p class="message">{row.error}</p>;
+  const files = engine.value?.ready.value ? engine.value.files : null;
+  return (
+    <div class="stack">
+      <div class="row">
+        <h1>{row.name}</h1>
+        <History id={id} />
+        {row.in === "workspace" && (
+          <button
+            class="primary"
+            onClick={() =>
+              void attempt(async () => {
+                await api.save(id);
+                await refreshScenes();
+                tell(`${row.name} is in your store now: tabletopgen view ${row.id}`);
+              })
+            }
+          >
+            Save to the store
+          </button>
+        )}
+        <span class="small quiet" role="status">
+          {busy.value}
+        </span>
+      </div>
+      {row.prompt && <p class="quiet">“{row.prompt}”</p>}
+      <div class="sides">
+        <div class="stack">
+          <Viewer base={api.folder(id)} label={row.name} onEngine={keep} />
+          {engine.value?.ready.value && <EnvironmentPanel id={id} engine={engine.value} />}
+        </div>
+        <div class="stack">
+          {engine.value?.ready.value && row.editable && <EditPanel engine={engine.value} names={row.things.map((t) => t.name)} busy={busy} edit={edit} />}
+          {files && <Facts files={files} base={api.folder(id)} selected={engine.value?.selected.value ?? null} />}
+        </div>
+      </div>
+    </div>
+  );
+}
+
+export function wordsOf(name: string, move: Move): Edit {
+  return { action: "move", words: [name], to: move.to, ...(move.turn ? { turn: move.turn } : {}) };
+}
+
+/** Back to what a scene was edited from, and forth to what was made of it last. */
+function History({ id }: { id: string }) {
+  const chain = useSignal<EditRow[]>([]);
+  useEffect(() => {
+    chain.value = [];
+    void attempt(async () => {
+      chain.value = await api.history(id);
+    });
+  }, [id]);
+  const before = chain.value.filter((step) => step.exists && step.id !== id).at(-1);
+  const after = scenes.value.filter((row) => row.parent === id).at(-1);
+  const go = (to: string): void => {
+    location.hash = `#/scene/${encodeURIComponent(to)}`;
+  };
+  return (
+    <div class="row" role="group" aria-label="History">
+      <button disabled={!before} onClick={() => before && go(before.id)}>
+        Undo
+      </button>
+      <button disabled={!after} onClick={() => after && go(after.id)}>
+        Redo
+      </button>
+    </div>
+  );
+}
+
+interface EditPanelProps {
+  engine: Engine;
+  names: string[];
+  busy: Signal<string | null>;
+  edit: (asked: Edit) => Promise<void>;
+}
+
+function EditPanel({ engine, names, busy, edit }: EditPanelProps) {
+  const chosen = engine.selected.value;
+  const off = busy.value !== null;
+  const turn = useSignal(0);
+  const editing = engine.editing.value;
+  return (
+    <section class="panel" aria-label="Edit">
+      <h2>Edit</h2>
+      <label class="row">
+        <input type="checkbox" checked={editing} onChange={(event) => engine.edit(event.currentTarget.checked)} />
+        Drag things to new places; Shift turns them
+      </label>
+      <label class="field">
+        Thing
+        <select value={chosen ?? ""} onChange={(event) => (engine.selected.value = event.currentTarget.value || null)}>
+          <option value="">choose one, or click it</option>
+          {names.map((name) => (
+            <option key={name}>{name}</option>
+          ))}
+        </select>
+      </label>
+      {chosen && (
+        <>
+          <div class="field">
+            <span>Turn, degrees</span>
+            <div class="row">
+              <input type="number" aria-label="Degrees, counter-clockwise" min="-180" max="180" step="5" value={turn.value} onInput={(event) => (turn.value = Number(event.currentTarget.value))} />
+              <button disabled={off || turn.value === 0} onClick={() => void edit({ action: "move", words: [chosen], turn: turn.value })}>
+                Turn
+              </button>
+            </div>
+          </div>
+          <Words label="Move it" hint="left of the laptop" verb="Move" off={off} run={(words) => edit({ action: "move", words: [chosen, words] })} />
+          <Words label="Put something else in its place" hint="a teapot" verb="Swap" off={off} run={(words) => edit({ action: "swap", words: [chosen, words] })} />
+          <button disabled={off} onClick={() => void edit({ action: "remove", words: [chosen] })}>
+            Remove {chosen}
+          </button>
+        </>
+      )}
+      <Words label="Add" hint="a red mug left of the laptop" verb="Add" off={off} run={(words) => edit({ action: "add", words: [words] })} />
+      <div class="field">
+        <span>Style {chosen ? `of ${chosen}` : "of everything"}</span>
+        <div class="row">
+          {STYLES.map((style) => (
+            <button key={style} disabled={off} onClick={() => void edit({ action: "restyle", words: chosen ? [style, chosen] : [style] })}>
+              {style}
+            </button>
+          ))}
+        </div>
+      </div>
+    </section>
+  );
+}
+
+interface WordsProps {
+  label: string;
+  hint: string;
+  verb: string;
+  off: boolean;
+  run: (words: string) => Promise<void>;
+}
+
+function Words({ label, hint, verb, off, run }: WordsProps) {
+  const words = useSignal("");
+  return (
+    <form
+      class="field"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (words.value.trim()) void run(words.value.trim());
+      }}
+    >
+      <label class="field">
+        {label}
+        <span class="row">
+          <input type="text" maxLength={400} placeholder={hint} value={words.value} onInput={(event) => (words.value = event.currentTarget.value)} />
+          <button disabled={off || !words.value.trim()}>{verb}</button>
+        </span>
+      </label>
+    </form>
+  );
+}

@@ -1,0 +1,55 @@
+/** One job: its stages with what each found, as they come, and what it made. */
+import { useEffect } from "preact/hooks";
+import { api } from "./api";
+import { Controls, Progress } from "./jobs";
+import { jobs } from "./store";
+
+export function JobPage({ id }: { id: string }) {
+  const job = jobs.value.get(id);
+  const made = job?.state === "done" ? job.result?.scene : null;
+  useEffect(() => {
+    document.title = job ? job.title : "TabletopGen studio";
+  }, [job?.title]);
+  if (!job) return <p class="quiet">There is no such job. It may have been removed.</p>;
+  const stages = [...new Set(job.figures.map((figure) => figure.stage))];
+  return (
+    <div class="stack">
+      <h1>{job.title}</h1>
+      <div class="row" role="status">
+        <Progress job={job} />
+        <Controls job={job} />
+      </div>
+      {typeof job.request["picture"] === "string" && <img class="thumb" alt="The picture it is made from" src={api.picture(job.request["picture"])} />}
+      {made && (
+        <p>
+          <a class="button" href={`#/scene/${encodeURIComponent(made)}`}>
+            Open the table
+          </a>
+        </p>
+      )}
+      {stages.map((stage) => (
+        <section key={stage} class="panel">
+          <h2>{stage}</h2>
+          <div class="figures">
+            {job.figures
+              .filter((figure) => figure.stage === stage)
+              .map((figure) => (
+                <figure key={figure.url}>
+                  <a href={figure.url} target="_blank" rel="noreferrer">
+                    <img src={figure.url} alt={`${figure.name} of the stage ${stage}`} />
+                  </a>
+                  <figcaption class="small quiet">{figure.name.replaceAll("_", " ")}</figcaption>
+                </figure>
+              ))}
+          </div>
+        </section>
+      ))}
+      {job.log && (
+        <details class="panel">
+          <summary>Log</summary>
+          <pre tabIndex={0}>{job.log}</pre>
+        </details>
+      )}
+    </div>
+  );
+}

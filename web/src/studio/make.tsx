@@ -1,0 +1,243 @@
+/** The form that begins a table: a text or a picture, who answers, what it would cost. */
+import { useSignal, type Signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { api, type EstimateRow, type ExplainedRow, type JobRequest, type PictureRow } from "./api";
+import { attempt, begin, studio, tell } from "./store";
+
+type Way = "compose" | "generate";
+
+/** Roles of what the embedded planner did not understand. */
+const UNREAD = new Set(["unknown", "not understood", "ignored"]);
+
+const MOST_VARIANTS = 8;
+
+export function MakeForm() {
+  const text = useSignal("");
+  const picture = useSignal<PictureRow | null>(null);
+  const way = useSignal<Way>("compose");
+  const seed = useSignal(0);
+  const variants = useSignal(1);
+  const backends = useSignal<Record<string, string>>({});
+  const budget = useSignal("");
+  const estimate = useSignal<EstimateRow | null>(null);
+  const kind = (): Way => (picture.value ? "generate" : way.value);
+
+  const request = (number: number): JobRequest => ({
+    kind: kind(),
+    seed: number,
+    ...(picture.value ? { picture: picture.value.picture } : { text: text.value.trim() }),
+    ...(kind() === "generate" ? { ...backends.value, ...(budget.value ? { budget: Number(budget.value) } : {}) } : {}),
+  });
+
+  const submit = async (event: Event): Promise<void> => {
+    event.preventDefault();
+    if (!picture.value && !text.value.trim()) {
+      tell("Describe a table, or drop a picture of one.", true);
+      return;
+    }
+    const begun = [];
+    for (let k = 0; k < variants.value; k++) begun.push(await begin(request(seed.value + k)));
+    const first = begun[0];
+    if (first && begun.length === 1) location.hash = `#/job/${first.id}`;
+  };
+
+  return (
+    <form class="panel" onSubmit={(event) => void submit(event)}>
+      <label class="stack">
+        Describe the table
+        <textarea
+          rows={4}
+          maxLength={4000}
+          placeholder="A wooden desk with a laptop, two mugs and a plant behind the laptop"
+          value={text.value}
+          disabled={picture.value !== null}
+          onInput={(event) => (text.value = event.currentTarget.value)}
+        />
+      </label>
+      <Understood text={text} />
+      <Drop picture={picture} />
+      {!picture.value && (
+        <fieldset>
+          <legend>How</legend>
+          <label class="row">
+            <input type="radio" name="way" checked={way.value === "compose"} onChange={() => (way.value = "compose")} />
+            Compose: seconds, from the catalogue
+          </label>
+          <label class="row">
+            <input type="radio" name="way" checked={way.value === "generate"} onChange={() => (way.value = "generate")} />
+            Generate: the whole method, by way of a picture; about half a minute
+          </label>
+        </fieldset>
+      )}
+      <div class="filters">
+        <label>
+          Seed
+          <input type="number" min="0" max="2147483647" step="1" value={seed.value} onInput={(event) => (seed.value = Math.max(0, Math.trunc(Number(event.currentTarget.value) || 0)))} />
+        </label>
+        <label>
+          Variants
+          <input
+            type="number"
+            min="1"
+            max={MOST_VARIANTS}
+            step="1"
+            value={variants.value}
+            onInput={(event) => (variants.value = Math.min(Math.max(1, Math.trunc(Number(event.currentTarget.value) || 1)), MOST_VARIANTS))}
+          />
+        </label>
+      </div>
+      {kind() === "generate" && <Backends chosen={backends} budget={budget} />}
+      <div class="row">
+        <button class="primary" type="submit">
+          {variants.value > 1 ? `Make ${variants.value} tables` : "Make the table"}
+        </button>
+        {kind() === "generate" && (
+          <button type="button" onClick={() => void attempt(async () => (estimate.value = await api.estimate(request(seed.value))))}>
+            What would it cost?
+          </button>
+        )}
+      </div>
+      {estimate.value && kind() === "generate" && <Costs estimate={estimate.value} />}
+    </form>
+  );
+}
+
+/** What is understood of the text, as it is typed. */
+function Understood({ text }: { text: Signal<string> }) {
+  const rows = useSignal<ExplainedRow[]>([]);
+  useEffect(() => {
+    const asked = text.value.trim();
+    if (!asked) {
+      rows.value = [];
+      return;
+    }
+    const timer = setTimeout(() => {
+      api
+        .explain(asked)
+        .then((found) => {
+          if (text.value.trim() === asked) rows.value = found;
+        })
+        .catch(() => (rows.value = [])); // it is told when the table is made
+    }, 400);
+    return () => clearTimeout(timer);
+  }, [text.value]);
+  if (rows.value.length === 0) return null;
+  return (
+    <details open>
+      <summary>What is understood</summary>
+      <div class="scroll" tabIndex={0} role="region" aria-label="What is understood">
+        <table>
+          <tbody>
+            {rows.value.map((row, k) => (
+              <tr key={k} class={UNREAD.has(row.role) ? "bad" : undefined}>
+                <th scope="row">{row.role}</th>
+                <td>“{row.phrase}”</td>
+                <td>{row.meaning}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </details>
+  );
+}
+
+function Drop({ picture }: { picture: Signal<PictureRow | null> }) {
+  const over = useSignal(false);
+  const busy = useSignal(false);
+  const take = async (file: File | undefined): Promise<void> => {
+    if (!file) return;
+    busy.value = true;
+    const found = await attempt(() => api.upload(file));
+    busy.value = false;
+    if (found) picture.value = found;
+  };
+  if (picture.value) {
+    return (
+      <div class="row">
+        <img class="thumb" src={api.picture(picture.value.picture)} alt="The picture that is made into a table" />
+        <span class="small quiet">
+          {picture.value.width} × {picture.value.height}
+        </span>
+        <button type="button" onClick={() => (picture.value = null)}>
+          Use a text instead
+        </button>
+      </div>
+    );
+  }
+  return (
+    <label
+      class={over.value ? "drop over" : "drop"}
+      onDragOver={(event) => {
+        event.preventDefault();
+        over.value = true;
+      }}
+      onDragLeave={() => (over.value = false)}
+      onDrop={(event) => {
+        event.preventDefault();
+        over.value = false;
+        void take(event.dataTransfer?.files[0]);
+      }}
+    >
+      {busy.value ? "Reading the picture …" : "or drop a picture of a tabletop here, or choose one"}
+      <input type="file" accept="image/png,image/jpeg,image/webp" onChange={(event) => void take(event.currentTarget.files?.[0])} />
+    </label>
+  );
+}
+
+function Backends({ chosen, budget }: { chosen: Signal<Record<string, string>>; budget: Signal<string> }) {
+  const known = studio.value;
+  if (!known) return null;
+  const set = (role: string, name: string): void => {
+    const { [role]: _, ...rest } = chosen.value;
+    chosen.value = name ? { ...rest, [role]: name } : rest;
+  };
+  const paid = known.backends.some((b) => b.charges && Object.values(chosen.value).includes(b.name));
+  return (
+    <details>
+      <summary>Who answers</summary>
+      <div class="filters">
+        {known.roles.map((role) => (
+          <label key={role}>
+            {role}
+            <select value={chosen.value[role] ?? ""} onChange={(event) => set(role, event.currentTarget.value)}>
+              <option value="">embedded</option>
+              {known.backends
+                .filter((b) => b.name !== "embedded" && b.roles.includes(role))
+                .map((b) => (
+                  <option key={b.name} value={b.name} disabled={!b.available}>
+                    {b.name}
+                    {b.available ? "" : ` (needs ${b.lacks})`}
+                  </option>
+                ))}
+            </select>
+          </label>
+        ))}
+        <label>
+          Most it may cost
+          <input type="number" min="0" step="0.01" placeholder={paid ? "no limit" : "free"} value={budget.value} onInput={(event) => (budget.value = event.currentTarget.value)} />
+        </label>
+      </div>
+    </details>
+  );
+}
+
+function Costs({ estimate }: { estimate: EstimateRow }) {
+  return (
+    <div role="status" class="stack small">
+      {estimate.asks_servers ? (
+        <>
+          <p>The first calls would be:</p>
+          <ul>
+            {estimate.calls.map((line, k) => (
+              <li key={k}>{line}</li>
+            ))}
+          </ul>
+          <p class="quiet">Nothing was sent; what comes after depends on the answers.</p>
+        </>
+      ) : (
+        <p>No server would be asked: it costs nothing.</p>
+      )}
+    </div>
+  );
+}

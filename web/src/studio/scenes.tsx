@@ -1,0 +1,81 @@
+/** The studio's scenes as cards; some can be chosen and compared. */
+import { useSignal } from "@preact/signals";
+import { contents } from "../page/search";
+import { api, type StudioScene } from "./api";
+import { attempt, refreshScenes, scenes, scenesRead, tell } from "./store";
+
+const PLACES = { workspace: "made here", store: "in your store", shipped: "shipped" } as const;
+const MOST = 4;
+
+export function ScenesPanel({ all = false }: { all?: boolean }) {
+  const chosen = useSignal<string[]>([]);
+  const words = useSignal("");
+  const shown = scenes.value.filter(
+    (row) => (all || row.in === "workspace") && words.value.toLowerCase().split(/\s+/).every((word) => `${row.name} ${row.prompt} ${row.things.map((t) => t.label).join(" ")}`.toLowerCase().includes(word)),
+  );
+  const choose = (id: string): void => {
+    chosen.value = chosen.value.includes(id) ? chosen.value.filter((other) => other !== id) : [...chosen.value, id].slice(-MOST);
+  };
+  return (
+    <section class="stack" aria-label="Scenes">
+      <div class="row">
+        <h2>{all ? "Scenes" : "Made here"}</h2>
+        {all && (
+          <label class="row">
+            Search
+            <input type="search" value={words.value} onInput={(event) => (words.value = event.currentTarget.value)} />
+          </label>
+        )}
+        {chosen.value.length > 1 && (
+          <a class="button" href={`#/compare/${chosen.value.map(encodeURIComponent).join("/")}`}>
+            Compare {chosen.value.length} side by side
+          </a>
+        )}
+        {!all && <a href="#/scenes">All scenes</a>}
+      </div>
+      {shown.length === 0 && <p class="quiet">{scenesRead.value ? "No scenes yet." : "Reading the scenes …"}</p>}
+      <ul class="cards">
+        {shown.map((row) => (
+          <li key={row.id}>
+            <SceneCard row={row} chosen={chosen.value.includes(row.id)} onChoose={() => choose(row.id)} />
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function SceneCard({ row, chosen, onChoose }: { row: StudioScene; chosen: boolean; onChoose: () => void }) {
+  const remove = async (): Promise<void> => {
+    if (!confirm(`Remove ${row.name} from the studio's folder?`)) return;
+    await attempt(() => api.discard(row.id));
+    tell(`${row.name} was removed.`);
+    await refreshScenes();
+  };
+  return (
+    <article class="card">
+      {row.error ? <div class="picture" /> : <img class="picture" loading="lazy" alt="" src={row.thumbnail ?? ""} />}
+      <div class="text">
+        <h3>{row.error ? row.name : <a href={`#/scene/${encodeURIComponent(row.id)}`}>{row.name}</a>}</h3>
+        {row.error ? <p class="bad small">{row.error}</p> : <p class="small quiet">{contents(row).map(([label, n]) => (n > 1 ? `${n} × ${label}` : label)).join(", ")}</p>}
+        <div class="tags">
+          <span class="tag">{PLACES[row.in]}</span>
+          {row.gate && <span class={`tag ${row.gate.passed ? "good" : "bad"}`}>gate {row.gate.passed ? "passed" : "failed"}</span>}
+        </div>
+        <div class="row">
+          {!row.error && (
+            <label class="row small">
+              <input type="checkbox" checked={chosen} onChange={onChoose} aria-label={`Compare ${row.name}`} />
+              Compare
+            </label>
+          )}
+          {row.in === "workspace" && (
+            <button class="slim" aria-label={`Remove ${row.name}`} onClick={() => void remove()}>
+              Remove
+            </button>
+          )}
+        </div>
+      </div>
+    </article>
+  );
+}

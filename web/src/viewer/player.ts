@@ -1,0 +1,58 @@
+/** Plays an episode frame by frame, and tells how far it is. */
+import { computed, signal } from "@preact/signals";
+import type { Episode } from "../data";
+import type { ModelData } from "../physics/protocol";
+import { Playback } from "./playback";
+
+export class Player {
+  readonly playback = signal<Playback | null>(null);
+  /** Seconds since the episode's beginning. */
+  readonly time = signal(0);
+  private readonly ended = signal(true);
+  readonly playing = computed(() => this.playback.value !== null && !this.ended.value);
+  private asked = 0;
+  private last = 0;
+
+  /** @param show - draws an instant. */
+  constructor(private readonly show: (qpos: Float32Array, marker: Float32Array) => void) {}
+
+  start(episode: Episode, model: ModelData): void {
+    this.stop();
+    this.playback.value = new Playback(episode, model);
+    this.setPlaying(true);
+  }
+
+  stop(): void {
+    cancelAnimationFrame(this.asked);
+    this.playback.value = null;
+    this.ended.value = true;
+  }
+
+  setPlaying(playing: boolean): void {
+    const { value } = this.playback;
+    if (!value) return;
+    if (playing && value.time >= value.duration) value.seek(0);
+    value.playing = playing;
+    this.last = performance.now();
+    this.tick();
+  }
+
+  seek(seconds: number): void {
+    this.playback.value?.seek(seconds);
+    this.tick();
+  }
+
+  private tick(): void {
+    cancelAnimationFrame(this.asked);
+    const { value } = this.playback;
+    if (!value) return;
+    const now = performance.now();
+    value.advance((now - this.last) / 1000);
+    this.last = now;
+    const { qpos, marker } = value.now();
+    this.show(qpos, marker);
+    this.time.value = value.time;
+    this.ended.value = !value.playing;
+    if (value.playing) this.asked = requestAnimationFrame(() => this.tick());
+  }
+}
