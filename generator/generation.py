@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -113,7 +113,4 @@ class Generation:
 
     def save_figures(self, folder: str | Path) -> tuple[Path, ...]:
         """Write the pictures and JSON of the paper's Sec. 6.1 (Figs. 8-14) into ``folder``."""
-        return save_figures(
-            Path(folder), self.reference, self.instances, self.view, self.models, self.rotations,
-            self.alignment, self.scene,
-        )  # fmt: skip
+        return save_figures(Path(folder), {f.name: getattr(self, f.name) for f in fields(self)})

@@ -17,7 +17,7 @@ from .method.publish import Reconstruction, publish
 from .method.reference import DepthSource, Source, fetch, fetch_depth, refer, source_digest
 from .method.refinement import refine_scene
 from .method.rotation import estimate_rotations
-from .method.stopwatch import Stopwatch
+from .method.stopwatch import Stopwatch, Watch
 from .scene import Instance, Intrinsics, Provenance, Reference, Scene
 from .scene.provenance import plain, scene_name, versions
 
@@ -35,6 +35,7 @@ def generate(
     intrinsics: Intrinsics | None = None,
     name: str | None = None,
     progress: Progress | None = None,
+    watch: Watch | None = None,
 ) -> Generation:
     """Turn a text or one picture of a tabletop into a simulated table.
 
@@ -49,6 +50,8 @@ def generate(
         intrinsics: of the picture; they go with ``depth``.
         name: name of the scene; None makes one from the text, or "picture".
         progress: called as each stage starts.
+        watch: called as each stage ends, with its name and what was found until then, by names of
+            fields of ``Generation``; ``method.figures.draw_stage`` makes pictures of it.
 
     Raises:
         InputError: the source cannot be used, or the seed is not a whole number in range.
@@ -61,7 +64,7 @@ def generate(
     config = config or Config()
     b.check()  # what is missing is told before any work
     guesser = pose_guesser(b.reasoner) if config.without else None
-    clock = Stopwatch(STAGES, progress)
+    clock = Stopwatch(STAGES, progress, watch)
     step = clock.step
 
     step()  # Sec. 3: text to plan to reference image; a picture passes through
@@ -73,23 +76,23 @@ def generate(
     if reference.plan is not None and config.supplement:
         b, config = b.for_text(), config.for_text()
 
-    step()  # Sec. 3.1: list, detect, segment, complete
+    step(reference=reference)  # Sec. 3.1: list, detect, segment, complete
     reference, instances = extract(
         reference, b.reasoner, b.segmenter, b.imager, seed, config.extraction,
         complete_each=b.each("imager"),
     )  # fmt: skip
 
-    step()  # Sec. 3.3: the camera's azimuth and elevation; Fig. 22: commonsense sizes
+    step(reference=reference, instances=instances)  # Sec. 3.3: the view; Fig. 22: usual sizes
     view = b.reasoner.estimate_view(reference, instances[0])
     sizes = b.reasoner.estimate_sizes(reference, instances, view)
 
-    step()  # Sec. 3.2: image to 3D, canonical alignment
+    step(view=view, sizes=sizes)  # Sec. 3.2: image to 3D, canonical alignment
     models = make_models(
         reference, instances, sizes, view, b.modeler, b.reasoner,
         model_each=b.each("modeler"), review_each=b.each("reasoner"),
     )  # fmt: skip
 
-    step()  # Sec. 3.3, DRO: Eqs. 1-4; left out (Sec. 4.3), the reasoner says the yaws
+    step(models=models)  # Sec. 3.3, DRO: Eqs. 1-4; left out (Sec. 4.3), the reasoner says the yaws
     if guesser is not None and "dro" in config.without:
         rotations = ask_rotations(reference, instances, sizes, view, guesser)
     else:
@@ -97,7 +100,7 @@ def generate(
             reference, instances, models, view, b.encoder, config.rotation, seed
         )
 
-    step()  # Sec. 3.3, TSA: Eqs. 5-6; left out (Sec. 4.3), the reasoner says places and sizes
+    step(rotations=rotations)  # Sec. 3.3, TSA: Eqs. 5-6; left out, the reasoner says the layout
     if guesser is not None and "tsa" in config.without:
         alignment = ask_layout(
             reference, instances, models, sizes, rotations, view, b.reasoner, guesser
@@ -108,7 +111,7 @@ def generate(
             b.imager, b.segmenter, b.reasoner, config.alignment,
         )  # fmt: skip
 
-    step()  # beyond the paper: everything together against all outlines; depth knows better
+    step(alignment=alignment)  # beyond the paper: all together against all outlines, without depth
     unrefined = depth is not None or config.without
     placements = alignment.placements
     height, width = reference.image.shape[:2]
@@ -117,7 +120,7 @@ def generate(
         replace(config.refinement, steps=0) if unrefined else config.refinement, seed,
     )  # fmt: skip
 
-    step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
+    step(refinement=refined)  # Sec. 3.4: bodies with mass, friction, convex parts; settled, judged
     warnings = _warn_hidden(reference, instances) + alignment.warnings
     found = Reconstruction(
         reference, instances, sizes, models, view, alignment.table_scale,
@@ -134,7 +137,7 @@ def generate(
         scene = _with_warnings(scene, told)
     return Generation(
         reference, instances, view, sizes, models, rotations, alignment, refined, scene,
-        clock.stop(), match,
+        clock.stop(scene=scene), match,
     )  # fmt: skip
 
 

@@ -14,7 +14,7 @@ import torch
 from generator.backends import Backends
 from generator.errors import InputError, SceneError, TabletopError
 from generator.generation import STAGES, Config, Generation
-from generator.method.figures import bundle_images
+from generator.method.figures import bundle_images, draw_stage
 from generator.method.publish import WORSE
 from generator.method.refinement import outline_misfit
 from generator.method.rotation import RotationConfig
@@ -111,12 +111,13 @@ def test_no_byte_depends_on_how_many_threads_compute(from_text: Generation, tmp_
 @pytest.mark.slow
 def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     """The drawn picture goes in again without its plan: nothing but pixels to go by."""
-    stages = []
+    stages, ended = [], []
     begin = time.perf_counter()
     again = generate(
         np.asarray(from_text.reference.image),
         seed=3,
         progress=lambda stage, number, total: stages.append((stage, number, total)),
+        watch=lambda stage, found: ended.append((stage, found)),
     )
     assert again.scene.plan is None
     assert again.scene.provenance.source_sha256
@@ -127,6 +128,11 @@ def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     assert [s for s, _, _ in stages] == list(again.seconds) == list(STAGES)
     assert 0.95 * whole < sum(s.wall for s in again.seconds.values()) < whole
     assert all(s.wall > 0 and s.cpu >= 0 for s in again.seconds.values())
+    assert [s for s, _ in ended] == list(STAGES)
+    known = [len(found) for _, found in ended]
+    assert known == sorted(known) and known[-1] == len(dataclasses.fields(Generation)) - 2
+    figures = {stem: stage for stage, found in ended for stem in draw_stage(stage, found)}
+    assert {figures["fig09_detection"], figures["fig11_rotation"]} == {"extraction", "rotation"}
     before, after = again.scene.report.misfit or (0.0, 0.0)
     assert 0 < after <= before + WORSE
     shown = again.reference.image.shape[1::-1]

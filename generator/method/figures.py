@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from jaxtyping import UInt8
@@ -14,12 +16,13 @@ from ..io.files import write_file
 from ..io.pictures import write_picture
 from ..render.picture import TOP_DOWN, framing_camera, render_scene
 from ..render.raster import place, render
-from ..render.sheet import draw_boxes, grid
+from ..render.sheet import BOX_COLORS, draw_boxes, grid
 from ..scene import TABLE, Instance, Model, Reference, Rotation, Scene, TopView, View
 from ..scene.paper_json import to_paper
 from .alignment import Alignment
 
 _STUDIO = View(azimuth=np.deg2rad(30.0), elevation=np.deg2rad(30.0), fov=np.deg2rad(25.0))
+_Pictures = dict[str, UInt8[np.ndarray, "_h _w 3"]]
 
 
 def model_picture(
@@ -44,40 +47,92 @@ def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
     return render_scene(scene, width=960, height=720).image
 
 
-def save_figures(
-    folder: Path,
-    reference: Reference,
-    instances: tuple[Instance, ...],
-    view: View,
-    models: Mapping[str, Model],
-    rotations: Mapping[str, Rotation],
-    alignment: Alignment,
-    scene: Scene,
-) -> tuple[Path, ...]:
-    """Write the figures into ``folder`` (made if missing); return their paths.
+def draw_stage(stage: str, found: Mapping[str, Any]) -> dict[str, UInt8[np.ndarray, "_h _w 3"]]:
+    """Draw what a stage of ``pipeline.generate`` found, by file stem; nothing of some stages.
+
+    ``found`` is what its ``watch`` is called with as the stage ends: fields of a ``Generation``.
+    """
+    return _DRAWERS[stage](found) if stage in _DRAWERS else {}
+
+
+def save_figures(folder: Path, found: Mapping[str, Any]) -> tuple[Path, ...]:
+    """Write all figures of the fields of a ``Generation`` into ``folder``; return their paths.
+
+    The folder is made if it is missing.
 
     Raises:
         StorageError: the folder cannot be written.
     """
-    things = [i for i in instances if i.name != TABLE]
-    pictures = {
-        "fig08_reference": np.asarray(reference.image),
-        "fig09_completion": _completion(reference, things),
-        "fig10_canonical_models": grid(list(map(model_picture, models.values())), list(models), 5),
-        "fig11_rotation": _rotations([i for i in things if i.name in rotations], models,
-                                     rotations, view),
-        "scene_front": preview(scene),
-        "scene_top": render_scene(scene, TOP_DOWN, 960, 720).image,
-    }  # fmt: skip
-    if alignment.top_view is not None:
-        seen = alignment.top_view
-        pictures["fig13_top_view"] = draw_boxes(seen.image, seen.boxes)
+    pictures = {k: v for draw in _DRAWERS.values() for k, v in draw(found).items()}
     written = [write_picture(image, folder / f"{stem}.png") for stem, image in pictures.items()]
+    alignment: Alignment = found["alignment"]
     texts = to_paper(alignment.placements, alignment.anchor)
     for stem, value in zip(("fig12_rotation", "fig14_alignment"), texts, strict=True):
         text = json.dumps(value, indent=2) + "\n"
         written.append(write_file(text.encode(), folder / f"{stem}.json"))
     return tuple(written)
+
+
+# --------------------------------------------------------------------------------------- by stage
+
+
+def _draw_reference(found: Mapping[str, Any]) -> _Pictures:
+    return {"fig08_reference": np.asarray(found["reference"].image)}
+
+
+def _draw_extraction(found: Mapping[str, Any]) -> _Pictures:
+    reference, things = found["reference"], _things(found)
+    return {
+        "fig09_detection": _detection(reference, things),
+        "fig09_completion": _completion(reference, things),
+    }
+
+
+def _draw_modeling(found: Mapping[str, Any]) -> _Pictures:
+    models: Mapping[str, Model] = found["models"]
+    return {
+        "fig10_canonical_models": grid(list(map(model_picture, models.values())), list(models), 5)
+    }
+
+
+def _draw_rotation(found: Mapping[str, Any]) -> _Pictures:
+    rotations = found["rotations"]
+    things = [i for i in _things(found) if i.name in rotations]
+    return {"fig11_rotation": _rotations(things, found["models"], rotations, found["view"])}
+
+
+def _draw_alignment(found: Mapping[str, Any]) -> _Pictures:
+    seen: TopView | None = found["alignment"].top_view
+    return {} if seen is None else {"fig13_top_view": draw_boxes(seen.image, seen.boxes)}
+
+
+def _draw_assembly(found: Mapping[str, Any]) -> _Pictures:
+    scene: Scene = found["scene"]
+    top = render_scene(scene, TOP_DOWN, 960, 720).image
+    return {"scene_front": preview(scene), "scene_top": top}
+
+
+_DRAWERS: Mapping[str, Callable[[Mapping[str, Any]], _Pictures]] = MappingProxyType({
+    "reference": _draw_reference,
+    "extraction": _draw_extraction,
+    "modeling": _draw_modeling,
+    "rotation": _draw_rotation,
+    "alignment": _draw_alignment,
+    "assembly": _draw_assembly,
+})  # fmt: skip
+
+
+def _things(found: Mapping[str, Any]) -> list[Instance]:
+    return [i for i in found["instances"] if i.name != TABLE]
+
+
+def _detection(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray, "h w 3"]:
+    """What was found: each thing's visible pixels in a tint of their own, and its box."""
+    image = np.array(reference.image)
+    for index, thing in enumerate(things):
+        tint = np.array(BOX_COLORS[index % len(BOX_COLORS)], float)
+        image[thing.mask] = (0.55 * image[thing.mask] + 0.45 * tint).astype(np.uint8)
+    return draw_boxes(image, {thing.name: thing.box for thing in things})
 
 
 def _completion(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray, "h w 3"]:

@@ -9,7 +9,8 @@ from jaxtyping import Float, UInt8
 from PIL import Image, ImageDraw, ImageFont
 
 _INK = (40, 44, 52)
-_BOX_COLORS = ((214, 69, 65), (31, 119, 180), (44, 140, 60), (148, 90, 180), (220, 130, 20))
+BOX_COLORS = ((214, 69, 65), (31, 119, 180), (44, 140, 60), (148, 90, 180), (220, 130, 20))
+"""Colours of named boxes, in turn."""
 
 
 def grid(
@@ -47,7 +48,7 @@ def draw_boxes(
     picture = Image.fromarray(np.ascontiguousarray(image)).convert("RGB")
     draw, font = ImageDraw.Draw(picture), ImageFont.load_default(max(12, picture.width // 70))
     for index, (name, box) in enumerate(boxes.items()):
-        color = _BOX_COLORS[index % len(_BOX_COLORS)]
+        color = BOX_COLORS[index % len(BOX_COLORS)]
         x0, y0, x1, y1 = (float(v) for v in box)
         draw.rectangle((x0, y0, max(x0, x1 - 1), max(y0, y1 - 1)), outline=color, width=2)
         draw.text((x0 + 3, y0 - 2), name, color, font, anchor="ls")
