@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
+from ..backends.paying import calls_folder, roles_of
 from ..errors import InputError, escape, require_number, require_seed
 from ..io.files import check_folder
 from ..jobs.pools import PoolOptions
-from .paying import NO_CALLS, USUAL, Calls, Chosen, calls_folder, lines_of, roles_of
+from .paying import NO_CALLS, USUAL, Calls, Chosen, lines_of
 from .printing import emit
 
 if TYPE_CHECKING:

@@ -2,35 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Annotated
 
-import numpy as np
 from tyro import conf
 from tyro.conf import OmitArgPrefixes, Positional
 
+from ..backends.paying import save_ledger, scene_key
 from ..errors import DryRunError, InputError, require_seed
+from ..scene import EditKind
 from . import paying
 from .paying import NO_CALLS, NOBODY, Calls, Chosen
 from .printing import print_scene, progress
 from .store import one, store
 
 if TYPE_CHECKING:
-    from ..backends import Backends
-    from ..editing import Edited
+    from ..editing.wording import WordedEdit
 
-Action = Literal["swap", "add", "remove", "move", "restyle"]
-
-_MOVES = 'move NAME "left of the laptop", or move NAME --to X Y, or move NAME --turn DEGREES'
-FORMS: dict[Action, tuple[int, int, str]] = {
-    "swap": (2, 2, 'swap NAME "a banjo"'),
-    "add": (1, 1, 'add "a red mug left of the laptop"'),
-    "remove": (1, 1, "remove NAME"),
-    "move": (1, 2, _MOVES),
-    "restyle": (1, 99, "restyle STYLE [NAME ...]"),
-}
-"""The fewest and the most words that each action is given, and what they are."""
+FORMS: Mapping[EditKind, str] = MappingProxyType({
+    "swap": 'swap NAME "a banjo"',
+    "add": 'add "a red mug left of the laptop"',
+    "remove": "remove NAME",
+    "move": 'move NAME "left of the laptop", or move NAME --to X Y, or move NAME --turn DEGREES',
+    "restyle": "restyle STYLE [NAME ...]",
+})  # fmt: skip
+"""How each action is put."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +50,7 @@ _MOVE = MoveOptions()
 
 def edit(
     bundle: Annotated[Positional[str], conf.arg(metavar="BUNDLE")],
-    action: Positional[Action],
+    action: Positional[EditKind],
     words: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="[NAME] [WORDS]")],
     /,
     *,
@@ -87,9 +86,12 @@ def edit(
     """
     import assets_cache
 
+    from ..editing.wording import WordedEdit
+
     require_seed(seed)
     path, folder = one(bundle), store(out)
-    _check_form(action, words, target)
+    asked = WordedEdit(action, words, target.to, target.turn, seed)
+    _check_form(asked)
     if replace:
         if out is not None:
             raise InputError("--replace puts the bundle where the old one is; leave out --out.")
@@ -97,53 +99,26 @@ def edit(
     session = calls.session()
     chosen = mix.select(session) if mix.given else None
     who = None if chosen is None else chosen.identity()
-    scene = paying.scene_key("edit", path.name, action, words, target.to, target.turn, seed, who)
+    scene = scene_key("edit", path.name, action, words, target.to, target.turn, seed, who)
     try:
         with paying.answering(session, scene), progress(quiet=json) as shown:
             if shown is not None:
                 shown(action, 1, 1)
-            edited = _edit(path, action, words, target, seed, chosen)
+            edited = asked.apply(path, chosen)
             if calls.dry_run:  # it came to no call
                 raise DryRunError("")
             made = edited.save(path.parent if replace else folder)
     except DryRunError as error:
         return paying.print_dry_run(error, json, mix, chosen)
-    paying.save_ledger(session, made)
+    save_ledger(session, made)
     if replace and made.resolve() != path.resolve():
         assets_cache.remove(path, path.parent)
     return print_scene(made, edited.scene, json, session=session)
 
 
-def _check_form(action: Action, words: tuple[str, ...], target: MoveOptions) -> None:
-    fewest, most, form = FORMS[action]
-    fits = fewest <= len(words) <= most
-    if action == "move":
-        ways = (len(words) == 2) + (target.to is not None)
-        fits = fits and (ways == 1 or (ways == 0 and target.turn is not None))
-    elif target != _MOVE:
-        raise InputError(f"--to and --turn go with move, not with {action}.")
-    if not fits:
-        raise InputError(f"Say tabletopgen edit BUNDLE {form}; got {' '.join(words)!r}.")
-
-
-def _edit(
-    path: Path,
-    action: Action,
-    words: tuple[str, ...],
-    target: MoveOptions,
-    seed: int,
-    backends: Backends | None,
-) -> Edited:
-    from .. import editing
-
-    if action == "swap":
-        return editing.swap(path, words[0], words[1], seed, backends)
-    if action == "add":
-        return editing.add(path, words[0], seed, backends)
-    if action == "remove":
-        return editing.remove(path, words[0])
-    if action == "move":
-        where = words[1] if len(words) == 2 else target.to
-        yaw = 0.0 if target.turn is None else float(np.deg2rad(target.turn))
-        return editing.move(path, words[0], where, yaw, seed, backends)
-    return editing.restyle(path, words[0], words[1:], seed, backends)
+def _check_form(asked: WordedEdit) -> None:
+    if asked.action != "move" and not (asked.to is None and asked.turn is None):
+        raise InputError(f"--to and --turn go with move, not with {asked.action}.")
+    if not asked.is_complete:
+        form = FORMS[asked.action]
+        raise InputError(f"Say tabletopgen edit BUNDLE {form}; got {' '.join(asked.words)!r}.")

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 from tyro.conf import Positional, arg
 
 from ..backends import Backends
+from ..backends.paying import scene_key
 from ..errors import DryRunError, InputError, escape
-from .paying import NO_CALLS, Calls, answering, print_dry_run, scene_key
+from .paying import NO_CALLS, Calls, answering, print_dry_run
 from .printing import emit
 from .store import find, one, some
 

@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
+from ..backends.paying import save_ledger, scene_key
 from ..errors import DryRunError, InputError, SceneError, escape, exit_code, require_seed
 from ..imports.options import ImportOptions
 from ..io.files import check_folder
@@ -103,7 +104,7 @@ def generate(
     session = calls.session()
     chosen = mix.select(session)
     what = Path(source) if is_picture_name(source) else source
-    scene = paying.scene_key("generate", what, depth, intrinsics, seed, without, chosen.identity())
+    scene = scene_key("generate", what, depth, intrinsics, seed, without, chosen.identity())
     try:
         with paying.answering(session, scene), progress(quiet=json) as shown:
             if calls.dry_run and not chosen.asks_servers():
@@ -119,7 +120,7 @@ def generate(
             path = generation.save(folder, allow_failed=output.allow_failed)
     except DryRunError as error:
         return paying.print_dry_run(error, json, mix, chosen)
-    paying.save_ledger(session, path)
+    save_ledger(session, path)
     seconds = generation.seconds if timings else None
     match = generation.match
     done = print_scene(path, generation.scene, json, seconds, session, match)

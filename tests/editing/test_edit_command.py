@@ -80,7 +80,7 @@ def test_one_role_named_is_enough_to_have_it_drawn(monkeypatch: pytest.MonkeyPat
         asked.append(backends)
         raise InputError("enough")
 
-    monkeypatch.setattr("generator.editing.swap", swap)
+    monkeypatch.setattr("generator.editing.actions.swap", swap)
     for more in ((), ("--modeler", "folder")):
         assert command("edit", "vanity", "swap", "lipstick_1", "a mug", *more) == 2
     nobody, drawn = asked

