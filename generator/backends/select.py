@@ -56,8 +56,12 @@ TABLE: Mapping[str, Mapping[str, str]] = {
 """Backend name, then question set, to the class that answers; loaded when selected."""
 
 
-def _check_names(default: str, roles: Mapping[str, Any]) -> None:
-    """Raise BackendError where a role's name, or ``default`` for it, is unknown or no answer."""
+def check_names(default: str, roles: Mapping[str, Any]) -> None:
+    """Check who answers each role, by names.
+
+    Raises:
+        BackendError: a role's name, or ``default`` for it, is unknown, or does not answer it.
+    """
     if default not in TABLE:
         raise BackendError(f"Unknown backend {default!r}.{choices(default, TABLE)}")
     names = {role: pick for role in PROTOCOLS if isinstance(pick := roles.get(role, default), str)}
@@ -137,7 +141,7 @@ class Backends:
         for role in roles:
             if role not in PROTOCOLS:
                 raise BackendError(f"Unknown role {role!r}.{choices(role, PROTOCOLS)}")
-        _check_names(default, roles)
+        check_names(default, roles)
         shared = Session() if session is None else session
         chosen = {role: roles.get(role, default) for role in PROTOCOLS}
         return cls(

@@ -1,0 +1,120 @@
+"""Fields of a JSON object from outside: each is checked as it is read, unknown ones are refused."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from generator.errors import InputError, choices, require_known, require_number, require_seed
+
+MOST_SHOWN = 60
+"""Characters of a wrong value that a message repeats."""
+
+
+class Fields:
+    """Reads the fields of an object; ``end`` refuses what was not read.
+
+    Raises:
+        InputError: by each method, of a value of another type or out of range; the sentence names
+            the field.
+    """
+
+    def __init__(self, payload: object, what: str) -> None:
+        if not isinstance(payload, Mapping):
+            raise InputError(f"{what} is a JSON object, not {type(payload).__name__}.")
+        self._payload: Mapping[str, Any] = payload
+        self._what = what
+        self._known: set[str] = set()
+
+    def _get(self, name: str) -> Any:
+        self._known.add(name)
+        return self._payload.get(name)
+
+    def text(self, name: str, max_length: int, *, multiline: bool = False) -> str:
+        """Return a text that is neither missing nor blank."""
+        found = self.optional_text(name, max_length, multiline=multiline)
+        if found is None:
+            raise InputError(f"{self._what} needs {name}, a text.")
+        return found
+
+    def optional_text(self, name: str, max_length: int, *, multiline: bool = False) -> str | None:
+        """Return a text, None where it is missing or null."""
+        found = self._get(name)
+        if found is None:
+            return None
+        _check_text(found, name, max_length, multiline)
+        return found
+
+    def seed(self) -> int:
+        """Return the field ``seed``; 0 where it is missing."""
+        found = self._get("seed")
+        if found is None:
+            return 0
+        require_seed(found)
+        return found
+
+    def number(self, name: str, minimum: float, maximum: float) -> float | None:
+        """Return a number, None where it is missing or null."""
+        found = self._get(name)
+        if found is None:
+            return None
+        require_number(f"{self._what} needs {name}", found, minimum=minimum, maximum=maximum)
+        return float(found)
+
+    def choice(self, name: str, known: Collection[str]) -> str:
+        """Return one of the texts ``known``."""
+        found = self.optional_choice(name, known)
+        if found is None:
+            raise InputError(f"{self._what} needs {name}.{choices('', known)}")
+        return found
+
+    def optional_choice(self, name: str, known: Collection[str]) -> str | None:
+        """Return one of the texts ``known``, None where it is missing or null."""
+        found = self._get(name)
+        if found is None:
+            return None
+        if not isinstance(found, str):
+            raise InputError(f"{name} is a text, not {type(found).__name__}.")
+        require_known(found[:MOST_SHOWN], known, f"{self._what}: {name} cannot be")
+        return found
+
+    def texts(self, name: str, max_count: int, max_length: int) -> tuple[str, ...]:
+        """Return a list of texts; empty where it is missing."""
+        found = self._get(name)
+        if found is None:
+            return ()
+        if not isinstance(found, list) or len(found) > max_count:
+            raise InputError(f"{name} is a list of at most {max_count} texts.")
+        for each in found:
+            _check_text(each, name, max_length, multiline=False)
+        return tuple(found)
+
+    def pair(self, name: str, size: float) -> tuple[float, float] | None:
+        """Return two numbers from ``-size`` to ``size``, None where it is missing or null."""
+        found = self._get(name)
+        if found is None:
+            return None
+        if not isinstance(found, list) or len(found) != 2:
+            raise InputError(f"{name} is a list of two numbers.")
+        for each in found:
+            require_number(f"{name} needs each", each, minimum=-size, maximum=size)
+        return float(found[0]), float(found[1])
+
+    def end(self) -> None:
+        """Refuse fields that were not read."""
+        for name in self._payload:
+            if name not in self._known:
+                hint = choices(name[:MOST_SHOWN], self._known)
+                raise InputError(f"{self._what} has no field {name[:MOST_SHOWN]!r}.{hint}")
+
+
+def _check_text(found: object, name: str, max_length: int, multiline: bool) -> None:
+    if not isinstance(found, str):
+        raise InputError(f"{name} is a text, not {type(found).__name__}.")
+    if not found.strip():
+        raise InputError(f"{name} is empty.")
+    if len(found) > max_length:
+        raise InputError(f"{name} has {len(found)} characters; at most {max_length} are read.")
+    shown = found.replace("\n", " ").replace("\r", " ").replace("\t", " ") if multiline else found
+    if not shown.isprintable():
+        raise InputError(f"{name} holds characters that cannot be printed.")

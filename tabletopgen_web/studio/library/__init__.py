@@ -1,0 +1,1 @@
+"""What the studio keeps besides jobs: scenes, uploaded pictures, answers of studies."""

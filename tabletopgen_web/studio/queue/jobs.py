@@ -1,0 +1,283 @@
+"""Jobs and their events, kept through whatever ends the server."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import secrets
+import sqlite3
+import time
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any, cast
+
+from ..contracts import (
+    EventType,
+    FigureRow,
+    JobEvent,
+    JobKind,
+    JobResult,
+    JobRow,
+    JobState,
+    StageRow,
+    encode,
+)
+from ..refusals import RefusedError
+from ..specs import read_spec, title_of
+from .database import open_database, storing, transaction
+
+QUEUE_LIMIT = 200
+"""Jobs that wait or run at most."""
+
+MOST_LOG = 64 * 2**10
+"""Characters of a job's log that are kept, its end."""
+
+MOST_INTERRUPTED = 3
+"""After so many runs that ended with the server, a job is not begun again by itself."""
+
+_MOST_JOBS = 5000  # kept; the oldest that are over make way
+_MOST_DELETED = 1000  # removals that clients can still hear of
+_OVER = ("done", "failed", "cancelled", "interrupted")
+_RESUMABLE = ("failed", "cancelled", "interrupted")
+
+
+class JobStore:
+    """The queue, and the history of what happened; for one thread.
+
+    ``changed`` is called after each change. What the disk refuses is a StorageError.
+
+    Raises:
+        StorageError: the database cannot be used.
+    """
+
+    def __init__(self, path: Path, changed: Callable[[], None] = lambda: None) -> None:
+        self._path, self.changed = path, changed
+        self._database = open_database(path)
+
+    def close(self) -> None:
+        """Close the database."""
+        self._database.close()
+
+    # --------------------------------------------------------------------------------------- read
+
+    def get(self, job: str) -> JobRow:
+        """Return a job with its log (RefusedError: there is none)."""
+        rows = self._select("SELECT * FROM jobs WHERE id = ?", job)
+        if not rows:
+            raise RefusedError(404, f"There is no job {job[:80]!r}.")
+        return self._row(rows[0], whole=True)
+
+    def list_jobs(self) -> list[JobRow]:
+        """Return all jobs without their logs, the newest first."""
+        rows = self._select("SELECT * FROM jobs ORDER BY number DESC")
+        figures: dict[str, dict[str, FigureRow]] = {}
+        for job, data in self._select("SELECT job, data FROM events WHERE type = 'figure'"):
+            shown = FigureRow(**json.loads(data))
+            figures.setdefault(job, {})[shown.name] = shown
+        return [self._row(row, figures=figures.get(row["id"], {})) for row in rows]
+
+    def events(self, since: int, limit: int = 200) -> list[JobEvent]:
+        """Return the events after the one numbered ``since``, in order."""
+        rows = self._select("SELECT * FROM events WHERE seq > ? ORDER BY seq LIMIT ?", since, limit)
+        return [
+            JobEvent(r["seq"], r["job"], r["type"], r["time"], json.loads(r["data"])) for r in rows
+        ]
+
+    @property
+    def last_event(self) -> int:
+        """The number of the newest event there has been; 0 before the first."""
+        rows = self._select("SELECT seq FROM sqlite_sequence WHERE name = 'events'")
+        return rows[0][0] if rows else 0
+
+    # ------------------------------------------------------------------------------------- change
+
+    def add(self, request: Mapping[str, Any]) -> JobRow:
+        """Queue a job, as ``specs.read_spec`` reads it.
+
+        Raises:
+            InputError: it is no such job.
+            RefusedError: the queue is full.
+        """
+        spec = read_spec(request)
+        job, now = secrets.token_hex(6), time.time()
+        with self._changing():
+            (busy,) = self._database.execute(
+                "SELECT count(*) FROM jobs WHERE state IN ('queued', 'running')"
+            ).fetchone()
+            if busy >= QUEUE_LIMIT:
+                raise RefusedError(
+                    429, f"{busy} jobs wait or run, which is the limit. Wait for one to end."
+                )
+            self._database.execute(
+                "INSERT INTO jobs (id, kind, title, request, state, created, queued) "
+                "VALUES (?, ?, ?, ?, 'queued', ?, ?)",
+                (job, request["kind"], title_of(spec), json.dumps(request), now, now),
+            )
+            self._tell(job, "state", {"state": "queued", "kind": request["kind"]})
+            self._drop_old()
+        return self.get(job)
+
+    def take(self) -> JobRow | None:
+        """Begin the job that has waited longest; None if none waits."""
+        if not (rows := self._select(
+            "SELECT id FROM jobs WHERE state = 'queued' ORDER BY queued, number LIMIT 1"
+        )):  # fmt: skip
+            return None
+        job = rows[0]["id"]
+        with self._changing():
+            self._database.execute(
+                "UPDATE jobs SET state = 'running', started = ?, finished = NULL, stage = NULL, "
+                "error = NULL, result = NULL, log = '', runs = runs + 1 WHERE id = ?",
+                (time.time(), job),
+            )
+            self._tell(job, "state", {"state": "running"})
+        return self.get(job)
+
+    def note_stage(self, job: str, stage: StageRow) -> None:
+        """Write down that a stage has begun."""
+        with self._changing():
+            self._database.execute(
+                "UPDATE jobs SET stage = ? WHERE id = ?", (json.dumps(encode(stage)), job)
+            )
+            self._tell(job, "stage", encode(stage))
+
+    def note_figure(self, job: str, figure: FigureRow) -> None:
+        """Write down that a picture can be fetched."""
+        with self._changing():
+            self._tell(job, "figure", encode(figure))
+
+    def note_log(self, job: str, text: str) -> None:
+        """Add to what the job's process wrote."""
+        with self._changing():
+            self._database.execute(
+                "UPDATE jobs SET log = substr(log || ?, -?) WHERE id = ?", (text, MOST_LOG, job)
+            )
+            self._tell(job, "log", {"text": text})
+
+    def finish(
+        self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None
+    ) -> None:
+        """Write down how a job ended."""
+        told = None if result is None else encode(result)
+        with self._changing():
+            self._database.execute(
+                "UPDATE jobs SET state = ?, finished = ?, error = ?, result = ? WHERE id = ?",
+                (state, time.time(), error, None if told is None else json.dumps(told), job),
+            )
+            if told is not None:
+                self._tell(job, "result", told)
+            self._tell(job, "state", {"state": state, **({"error": error} if error else {})})
+
+    def resume(self, job: str) -> JobRow:
+        """Queue a job again that failed, was cancelled or interrupted, just as it was asked for.
+
+        Raises:
+            RefusedError: there is none, or it is in another state.
+        """
+        state = self.get(job).state
+        if state not in _RESUMABLE:
+            raise RefusedError(409, f"The job is {state}; only jobs that ended without a result "
+                                    "are resumed.")  # fmt: skip
+        self._requeue(job, runs=0)
+        return self.get(job)
+
+    def delete(self, job: str) -> None:
+        """Remove a job that is over, and its events.
+
+        Raises:
+            RefusedError: there is none, or it is not over.
+        """
+        state = self.get(job).state
+        if state not in _OVER:
+            raise RefusedError(409, f"The job is {state}; cancel it first.")
+        with self._changing():
+            self._remove(job)
+
+    def recover(self) -> list[str]:
+        """Queue the jobs again that were running when the server ended; return their ids.
+
+        A job with which the server ended again and again stays interrupted.
+        """
+        rows = self._select("SELECT id, runs FROM jobs WHERE state IN ('running', 'interrupted') "
+                            "AND (state = 'running' OR error IS NULL)")  # fmt: skip
+        queued = []
+        for row in rows:
+            job, often = row["id"], row["runs"] >= MOST_INTERRUPTED
+            error = None
+            if often:
+                error = (
+                    f"The studio ended {row['runs']} times while this job ran; it is not begun "
+                    "again by itself."
+                )
+            self.finish(job, "interrupted", error)
+            if not often:
+                self._requeue(job, row["runs"])
+                queued.append(job)
+        return queued
+
+    # ------------------------------------------------------------------------------------ helpers
+
+    def _requeue(self, job: str, runs: int) -> None:
+        with self._changing():
+            self._database.execute(
+                "UPDATE jobs SET state = 'queued', queued = ?, runs = ?, error = NULL, "
+                "stage = NULL WHERE id = ?", (time.time(), runs, job),
+            )  # fmt: skip
+            self._tell(job, "state", {"state": "queued"})
+
+    def _remove(self, job: str) -> None:
+        self._database.execute("DELETE FROM events WHERE job = ?", (job,))
+        self._database.execute("DELETE FROM jobs WHERE id = ?", (job,))
+        self._tell(job, "state", {"state": "deleted"})
+        self._database.execute(
+            "DELETE FROM events WHERE job NOT IN (SELECT id FROM jobs) AND seq NOT IN (SELECT seq "
+            "FROM events WHERE job NOT IN (SELECT id FROM jobs) ORDER BY seq DESC LIMIT ?)",
+            (_MOST_DELETED,),
+        )
+
+    def _drop_old(self) -> None:
+        (count,) = self._database.execute("SELECT count(*) FROM jobs").fetchone()
+        if count > _MOST_JOBS:
+            old = self._database.execute(
+                f"SELECT id FROM jobs WHERE state IN {_OVER} ORDER BY number LIMIT ?",
+                (count - _MOST_JOBS,),
+            ).fetchall()
+            for (job,) in old:
+                self._remove(job)
+
+    def _tell(self, job: str, kind: EventType, data: Mapping[str, Any]) -> None:
+        self._database.execute(
+            "INSERT INTO events (job, type, time, data) VALUES (?, ?, ?, ?)",
+            (job, kind, time.time(), json.dumps(data)),
+        )
+
+    @contextlib.contextmanager
+    def _changing(self) -> Iterator[None]:
+        """Make the changes of a block one transaction, and say so afterwards."""
+        with storing(self._path), transaction(self._database):
+            yield
+        self.changed()
+
+    def _select(self, query: str, *values: Any) -> list[sqlite3.Row]:
+        with storing(self._path):
+            cursor = self._database.cursor()
+            cursor.row_factory = sqlite3.Row
+            return cursor.execute(query, values).fetchall()
+
+    def _row(
+        self, row: sqlite3.Row, figures: Mapping[str, FigureRow] | None = None, whole: bool = False
+    ) -> JobRow:
+        if figures is None:
+            told = self._select(
+                "SELECT data FROM events WHERE job = ? AND type = 'figure' ORDER BY seq", row["id"]
+            )
+            shown = [FigureRow(**json.loads(data)) for (data,) in told]
+            figures = {each.name: each for each in shown}
+        stage, result = row["stage"], row["result"]
+        return JobRow(
+            row["id"], cast("JobKind", row["kind"]), cast("JobState", row["state"]), row["title"],
+            json.loads(row["request"]), row["created"], row["started"], row["finished"],
+            row["runs"], StageRow(**json.loads(stage)) if stage else None,
+            tuple(figures.values()), row["error"],
+            JobResult(**json.loads(result)) if result else None, row["log"] if whole else "",
+        )  # fmt: skip

@@ -1,0 +1,187 @@
+"""The process of one job: what it is told, what it says, and how it ends.
+
+It is told one line of JSON and says lines of JSON; it ends when its standard input is closed, which
+also happens where this process is killed. It has a session of its own, so that its own children end
+with it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import os
+import signal
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from generator.calls.http.redaction import redact
+from generator.errors import BackendError, TabletopError, escape
+from generator.io.reading import parse_object
+
+MODULE = "tabletopgen_web.studio.worker"
+"""What the process runs."""
+
+GRACE = 10.0
+"""Seconds that a job has, once it is cancelled, until its process is killed."""
+
+_MOST_LINE = 2**20  # bytes of a message
+_MOST_TOLD = 500  # characters of a line of the log
+_MOST_LINES = 400  # of the log of one run
+_PIECE = 8192
+_AFTER = 5.0  # seconds that pipes may stay open after the process has ended
+
+
+@dataclass(frozen=True)
+class JobEnding:
+    """How a process ended: ``code`` as ``subprocess`` says it; ``late``: it took too long."""
+
+    code: int
+    late: bool = False
+
+    def describe(self) -> str:
+        """Return a sentence about a process that ended without saying why."""
+        if self.late:
+            return "The job took too long and was ended."
+        if self.code == -signal.SIGKILL:
+            return "The job's process was killed; the machine may be short of memory."
+        if self.code < 0:
+            return f"The job's process crashed with signal {-self.code}."
+        return f"The job's process ended with code {self.code} and said nothing; see its log."
+
+
+class JobProcess:
+    """Runs one job, and passes on what it says.
+
+    Args:
+        order: what the process is told.
+        heard: called with each message of the process.
+        logged: called with each line that the process writes besides, without secrets.
+    """
+
+    def __init__(
+        self,
+        order: Mapping[str, Any],
+        heard: Callable[[dict[str, Any]], None],
+        logged: Callable[[str], None] = lambda text: None,
+    ) -> None:
+        self._order, self._heard, self._logged = order, heard, logged
+        self._process: asyncio.subprocess.Process | None = None
+        self._failure: TabletopError | None = None
+        self._ending: asyncio.Task[None] | None = None
+        self.cancelled = False
+
+    async def run(self, seconds: float | None = None) -> JobEnding:
+        """Run the job to its end, which comes after ``seconds`` at the latest.
+
+        Raises:
+            BackendError: no process can be started, or it says what cannot be understood.
+            TabletopError: what ``heard`` or ``logged`` raised; the process was ended.
+        """
+        process = await self._start()
+        late = False
+        reading = asyncio.gather(self._listen(process), self._read_log(process))
+        try:
+            async with asyncio.timeout(seconds):
+                await process.wait()
+        except TimeoutError:
+            late = True
+        finally:
+            _kill(process)  # what is left of its session, if anything
+            await process.wait()
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(reading, _AFTER)
+            if process.stdin is not None:
+                process.stdin.close()
+            if self._ending is not None:
+                self._ending.cancel()
+        if self._failure is not None:
+            raise self._failure
+        assert process.returncode is not None
+        return JobEnding(process.returncode, late)
+
+    def cancel(self) -> None:
+        """Ask the process to end; it is killed where it does not within the grace."""
+        self.cancelled = True
+        if self._process is not None and self._ending is None:
+            self._ending = asyncio.create_task(self._end(self._process))
+
+    async def _start(self) -> asyncio.subprocess.Process:
+        path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
+        try:
+            self._process = await asyncio.create_subprocess_exec(
+                sys.executable, "-P", "-m", MODULE,
+                stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
+                stderr=asyncio.subprocess.PIPE, start_new_session=True, limit=_MOST_LINE,
+                env={**os.environ, "PYTHONPATH": path},
+            )  # fmt: skip
+        except OSError as error:
+            raise BackendError(
+                f"No process can be started for the job: {error.strerror or error}. Try again "
+                "when the machine has less to do."
+            ) from error
+        assert self._process.stdin is not None
+        with contextlib.suppress(ConnectionError):  # it has ended already
+            self._process.stdin.write(json.dumps(self._order).encode() + b"\n")
+            await self._process.stdin.drain()
+        if self.cancelled:
+            self.cancel()
+        return self._process
+
+    async def _end(self, process: asyncio.subprocess.Process) -> None:
+        with contextlib.suppress(ProcessLookupError):
+            process.send_signal(signal.SIGINT)
+        await asyncio.sleep(GRACE)
+        _kill(process)
+
+    async def _listen(self, process: asyncio.subprocess.Process) -> None:
+        assert process.stdout is not None
+        try:
+            while line := await process.stdout.readline():
+                self._heard(parse_object(line, "What a job's process said", BackendError))
+        except TabletopError as error:
+            self._give_up(process, error)
+        except (ValueError, TypeError, KeyError):  # longer than a message, or none that is known
+            self._give_up(process, BackendError("The job's process said what nobody understands."))
+
+    async def _read_log(self, process: asyncio.subprocess.Process) -> None:
+        assert process.stderr is not None
+        rest, count = b"", 0
+        while piece := await process.stderr.read(_PIECE):
+            *lines, rest = (rest + piece).replace(b"\r", b"\n").split(b"\n")
+            rest = rest[-_PIECE:]
+            for line in lines:
+                count += self._log(process, line, count)
+        self._log(process, rest, count)
+
+    def _log(self, process: asyncio.subprocess.Process, line: bytes, count: int) -> bool:
+        text = escape(redact(line.decode("utf-8", "replace"), _secrets())).strip()[:_MOST_TOLD]
+        if not text or count > _MOST_LINES:
+            return False
+        if count == _MOST_LINES:
+            text = "(more lines are not kept)"
+        try:
+            self._logged(text + "\n")
+        except TabletopError as error:
+            self._give_up(process, error)
+        return True
+
+    def _give_up(self, process: asyncio.subprocess.Process, error: TabletopError) -> None:
+        if self._failure is None:
+            self._failure = error
+        _kill(process)
+
+
+def _secrets() -> list[str]:
+    """Return what the environment holds under names of keys."""
+    marks = ("KEY", "SECRET", "TOKEN", "PASSWORD")
+    return [v for k, v in os.environ.items() if any(m in k.upper() for m in marks) and len(v) > 7]
+
+
+def _kill(process: asyncio.subprocess.Process) -> None:
+    """Kill the session of a process."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)

@@ -1,0 +1,139 @@
+"""Takes jobs from the queue, some at a time, and writes down what comes of them."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from generator.errors import StorageError, TabletopError
+
+from ..contracts import FigureRow, JobResult, JobRow, JobState, StageRow
+from ..refusals import RefusedError
+from .jobs import JobStore
+from .process import JobProcess
+
+Order = Callable[[JobRow], Mapping[str, Any]]
+"""Makes of a job what its process is told; a TabletopError says why it cannot be begun."""
+
+_LOG = logging.getLogger(__name__)
+_AGAIN = 2.0  # seconds between two tries to write how a job ended
+_MOST_ERROR = 2000  # characters of a message
+
+
+class Runner:
+    """Has the jobs of a store done by processes, ``workers`` at a time."""
+
+    def __init__(self, store: JobStore, order: Order, workers: int) -> None:
+        self._store, self._order, self._workers = store, order, workers
+        self._running: dict[str, JobProcess] = {}
+        self._unsaved: dict[str, tuple[JobState, str | None, JobResult | None]] = {}
+        self._work = asyncio.Event()
+
+    def wake(self) -> None:
+        """Look whether jobs wait."""
+        self._work.set()
+
+    async def run(self) -> None:
+        """Do jobs until this is cancelled; those that run then are interrupted."""
+        async with asyncio.TaskGroup() as group:
+            for _ in range(self._workers):
+                group.create_task(self._serve())
+
+    def cancel(self, job: str) -> JobRow:
+        """Cancel a job that waits or runs.
+
+        Raises:
+            RefusedError: there is none, or it is over.
+        """
+        row = self._store.get(job)
+        if row.state == "queued":
+            self._store.finish(job, "cancelled")
+        elif row.state == "running":
+            if job in self._running:
+                self._running[job].cancel()
+        else:
+            raise RefusedError(409, f"The job is {row.state}; there is nothing to cancel.")
+        return self._store.get(job)
+
+    async def _serve(self) -> None:
+        while True:
+            try:
+                self._save_endings()
+                job = self._store.take()
+            except StorageError:  # the disk is full: try again later
+                await asyncio.sleep(_AGAIN)
+                continue
+            if job is not None:
+                await self._do(job)
+                continue
+            self._work.clear()
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._work.wait(), _AGAIN)
+
+    async def _do(self, job: JobRow) -> None:
+        """Do one job; whatever becomes of it is written down."""
+        said: dict[str, Any] = {}
+        try:
+            work = JobProcess(
+                self._order(job), lambda message: self._hear(job.id, message, said),
+                lambda text: self._store.note_log(job.id, text),
+            )  # fmt: skip
+            self._running[job.id] = work
+            try:
+                ending = await work.run()
+            except asyncio.CancelledError:
+                self._finish(job.id, "interrupted")
+                raise
+            finally:
+                self._running.pop(job.id, None)
+        except TabletopError as error:
+            self._finish(job.id, "failed", str(error))
+            return
+        except Exception:  # a defect of ours fails the job, not the server
+            _LOG.exception("The job %s could not be done.", job.id)
+            self._finish(job.id, "failed", "The studio itself failed; its terminal says how.")
+            return
+        if "result" in said and ending.code == 0:
+            self._finish(job.id, "done", result=said["result"])
+        elif work.cancelled:
+            self._finish(job.id, "cancelled")
+        else:
+            self._finish(job.id, "failed", said.get("error") or ending.describe())
+
+    def _hear(self, job: str, message: Mapping[str, Any], said: dict[str, Any]) -> None:
+        """Write down what a process says; ``said`` keeps its last words."""
+        kind = message.get("type")
+        if kind == "stage":
+            stage = StageRow(message["name"], message["number"], message["total"])
+            self._store.note_stage(job, stage)
+        elif kind == "figure":
+            url = f"/api/jobs/{job}/figures/{message['name']}"
+            self._store.note_figure(job, FigureRow(message["name"], message["stage"], url))
+        elif kind == "result":
+            said["result"] = _as_result(job, message)
+        elif kind == "error":
+            said["error"] = str(message["message"])[:_MOST_ERROR]
+
+    def _finish(
+        self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None
+    ) -> None:
+        self._unsaved[job] = state, error, result
+        with contextlib.suppress(StorageError):  # it is tried again before the next job
+            self._save_endings()
+
+    def _save_endings(self) -> None:
+        for job, (state, error, result) in list(self._unsaved.items()):
+            self._store.finish(job, state, error, result)
+            del self._unsaved[job]
+
+
+def _as_result(job: str, message: Mapping[str, Any]) -> JobResult:
+    file = message.get("file")
+    return JobResult(
+        scene=message.get("scene"), file=file,
+        url=f"/api/jobs/{job}/files/{file}" if file else None,
+        bytes=message.get("bytes"), facts=message.get("facts", {}),
+    )  # fmt: skip

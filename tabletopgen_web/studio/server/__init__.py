@@ -1,0 +1,1 @@
+"""The HTTP side: who may ask, how much they may send, and which errors they get."""

@@ -1,0 +1,1 @@
+"""What the process of a job does, a module a kind."""

@@ -1,0 +1,56 @@
+"""Jobs that make a file of a scene: episodes and exports."""
+
+from __future__ import annotations
+
+import io
+import tempfile
+import zipfile
+from pathlib import Path
+from typing import Any
+
+from generator.io.files import make_private, write_whole
+
+from ..page_parts import play_episode
+from ..specs import EpisodeSpec, ExportSpec
+from .order import JobOrder, Telling
+
+_EPOCH = (1980, 1, 1, 0, 0, 0)  # of every file in an archive: the same scene gives the same bytes
+
+
+def record(spec: EpisodeSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
+    """Do a job of the kind "episode"."""
+    telling.stage("playing", 1, 1)
+    played = play_episode(order.start, spec.task, spec.seed)
+    facts = {"success": played.success, "steps": played.steps, "task": spec.task}
+    return _keep(order, f"{spec.task.lower()}-{spec.seed}.episode", played.content, facts)
+
+
+def export_scene(spec: ExportSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
+    """Do a job of the kind "export": a file, or a zip archive where the format is a folder."""
+    from generator.bundle import load
+    from generator.exports import export
+
+    telling.stage("exporting", 1, 1)
+    scene = load(order.start)
+    make_private(order.files)
+    with tempfile.TemporaryDirectory(dir=order.files, prefix=".export-") as folder:
+        made = export(scene, spec.format, folder, order.start.name)
+        if made.is_file():
+            return _keep(order, made.name, made.read_bytes(), {})
+        return _keep(order, f"{made.name}.zip", _pack(made), {})
+
+
+def _pack(folder: Path) -> bytes:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in sorted(p for p in folder.rglob("*") if p.is_file()):
+            name = f"{folder.name}/{path.relative_to(folder).as_posix()}"
+            archive.writestr(zipfile.ZipInfo(name, _EPOCH), path.read_bytes(),
+                             zipfile.ZIP_DEFLATED)  # fmt: skip
+    return packed.getvalue()
+
+
+def _keep(order: JobOrder, name: str, content: bytes, facts: dict[str, Any]) -> dict[str, Any]:
+    make_private(order.files)
+    write_whole(order.files / name, content, "The file", "Free space there.")
+    return {"file": name, "bytes": len(content), "facts": facts}

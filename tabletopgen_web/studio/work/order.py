@@ -1,0 +1,98 @@
+"""What the process of a job is told, and how it speaks of its progress."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from generator.errors import InputError
+from generator.io.files import write_whole
+from generator.io.png import encode_png
+
+_STEM = re.compile(r"[a-z0-9_]{1,64}")
+
+
+@dataclass(frozen=True)
+class JobOrder:
+    """One line of JSON from the server.
+
+    Attributes:
+        kind: that of the job, or "estimate".
+        request: the job, as it was asked for.
+        scenes: the workspace, which new bundles go into.
+        figures: the folder of this job's pictures.
+        files: the folder of this job's files.
+        bundle: the scene that the job begins with.
+        picture: the uploaded picture.
+    """
+
+    kind: str
+    request: Mapping[str, Any]
+    scenes: Path
+    figures: Path
+    files: Path
+    bundle: Path | None = None
+    picture: Path | None = None
+
+    @classmethod
+    def parse(cls, payload: Mapping[str, Any]) -> JobOrder:
+        """Return the order that JSON values say."""
+        paths = {k: Path(payload[k]) for k in ("scenes", "figures", "files")}
+        more = {k: Path(v) for k in ("bundle", "picture") if (v := payload.get(k))}
+        return cls(payload["kind"], payload["request"], **paths, **more)
+
+    def plain(self) -> dict[str, Any]:
+        """Return it as JSON values."""
+        paths = ("scenes", "figures", "files", "bundle", "picture")
+        told = {k: None if (v := getattr(self, k)) is None else str(v) for k in paths}
+        return {"kind": self.kind, "request": dict(self.request), **told}
+
+    @property
+    def start(self) -> Path:
+        """The scene that the job begins with (InputError: it has none)."""
+        if self.bundle is None:
+            raise InputError("The job names no scene.")
+        return self.bundle
+
+
+class Telling:
+    """Says lines of JSON to the server: stages, figures, a result or an error."""
+
+    def __init__(self, file: BinaryIO, figures: Path) -> None:
+        self._file, self._figures = file, figures
+        self._lock = threading.Lock()
+
+    def say(self, **message: Any) -> None:
+        """Say one message; where nobody listens any more, this process ends."""
+        try:
+            with self._lock:
+                self._file.write(json.dumps(message).encode() + b"\n")
+                self._file.flush()
+        except OSError:
+            os._exit(1)
+
+    def stage(self, name: str, number: int, total: int) -> None:
+        """Say that a stage begins."""
+        self.say(type="stage", name=name, number=number, total=total)
+
+    def show(self, stage: str, pictures: Mapping[str, np.ndarray | bytes]) -> None:
+        """Write pictures of a stage by their stems, each whole, and say so.
+
+        Raises:
+            StorageError: the disk refuses.
+        """
+        for stem, picture in pictures.items():
+            assert _STEM.fullmatch(stem), stem
+            content = picture if isinstance(picture, bytes) else encode_png(picture)
+            self._figures.mkdir(parents=True, exist_ok=True)
+            path = self._figures / f"{stem}.png"
+            write_whole(path, content, "A figure", "Free space there.")
+            self.say(type="figure", name=path.name, stage=stage)

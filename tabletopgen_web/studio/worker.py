@@ -1,0 +1,98 @@
+"""The process of one job: ``python -m tabletopgen_web.studio.worker``, started by the server.
+
+It reads its order, a line of JSON, from standard input, and says lines of JSON on standard output:
+stages, figures, then a result or an error. Whatever else is printed goes to standard error. It ends
+as soon as its input is closed, so that it never outlives the server.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import traceback
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from generator.errors import TabletopError
+from generator.io.reading import parse_object
+
+from .specs import ComposeSpec, EditSpec, EpisodeSpec, ExportSpec, GenerateSpec, read_spec
+from .work.estimating import estimate
+from .work.files import export_scene, record
+from .work.order import JobOrder, Telling
+from .work.scenes import compose_scene, edit_scene, generate_scene
+
+_MOST_BYTES = 2**20  # of an order
+
+
+def do(order: JobOrder, telling: Telling) -> Mapping[str, Any]:
+    """Do a job; return what it made.
+
+    Raises:
+        TabletopError: it cannot be done.
+    """
+    if order.kind == "estimate":
+        return estimate(order, telling)
+    spec = read_spec(order.request)
+    match spec:
+        case GenerateSpec():
+            return generate_scene(spec, order, telling)
+        case ComposeSpec():
+            return compose_scene(spec, order, telling)
+        case EditSpec():
+            return edit_scene(spec, order, telling)
+        case EpisodeSpec():
+            return record(spec, order, telling)
+        case ExportSpec():
+            return export_scene(spec, order, telling)
+
+
+def main() -> int:
+    """Do the job that standard input says; return the process's exit code."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a background process ignores it
+    speech = _take_over_output()
+    line = sys.stdin.buffer.readline(_MOST_BYTES)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    telling = Telling(speech, Path())
+    try:
+        order = JobOrder.parse(parse_object(line, "An order", TabletopError))
+        telling = Telling(speech, order.figures)
+        telling.say(type="result", **do(order, telling))
+        return 0
+    except KeyboardInterrupt:
+        return 130
+    except TabletopError as error:
+        telling.say(type="error", message=str(error))
+    except MemoryError:
+        telling.say(type="error", message="The machine has too little memory for this job.")
+    except OSError as error:
+        where = f" ({error.filename})" if error.filename else ""
+        telling.say(type="error", message=f"The disk refuses{where}: {error.strerror or error}.")
+    except Exception as error:
+        traceback.print_exc()
+        told = f"{type(error).__name__}: {error}"
+        telling.say(type="error", message=f"This should not happen: {told}. See the log.")
+    return 1
+
+
+def _take_over_output() -> BinaryIO:
+    """Return what the server reads; what is printed from here on goes to standard error."""
+    speech = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    return speech
+
+
+def _end_with_parent() -> None:
+    """Wait until the input is closed, then end this process and its children."""
+    while os.read(sys.stdin.fileno(), 4096):
+        pass
+    if os.getpgrp() == os.getpid():
+        os.killpg(0, signal.SIGKILL)
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
