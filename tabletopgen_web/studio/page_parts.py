@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-import shutil
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from generator.bundle.bounds import BOUNDS
 
 
 @dataclass(frozen=True)
@@ -19,8 +20,20 @@ class PlayedEpisode:
 
 
 def write_view(bundle: Path, folder: Path) -> None:
-    """Write a bundle into an empty folder as the viewer loads it: ``view.json`` and its files."""
-    shutil.copytree(bundle, folder / "bundle")
+    """Write a bundle into an empty folder as the viewer loads it: ``view.json`` and its files.
+
+    Raises:
+        BundleError: the bundle is damaged.
+        OSError: the disk refuses.
+    """
+    from generator.bundle import load, read_inside
+    from generator.bundle.folder import read_truth
+
+    load(bundle)
+    for name in (*read_truth(bundle)["files"], "scene.json"):
+        target = folder / "bundle" / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(read_inside(bundle, name, BOUNDS.file_bytes))
     files = sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file())
     sizes = {name: (folder / name).stat().st_size for name in files}
     view = {"schema": 1, "id": bundle.name, "files": sizes}

@@ -1,0 +1,63 @@
+"""The command ``studio``."""
+
+from __future__ import annotations
+
+import secrets
+import sys
+from pathlib import Path
+
+from generator.errors import BackendError, InputError, escape, require_number
+
+
+def studio(
+    *,
+    port: int = 0,
+    host: str = "127.0.0.1",
+    folder: Path | None = None,
+    workers: int = 1,
+    no_browser: bool = False,
+) -> int:
+    """Open a page of this machine to make, change and look at tables.
+
+    The page is served to this machine alone, and to those that know the token in the printed
+    address. Jobs wait in a queue that outlives the studio.
+
+    Args:
+        port: Where it listens; 0 for any port that is free.
+        host: Another address than this machine's own lets other machines in.
+        folder: Where jobs, pictures and new scenes are kept; the user state folder if left out.
+        workers: How many jobs run at a time.
+        no_browser: Print the address and open no browser.
+    """
+    try:
+        import starlette  # noqa: F401
+        import uvicorn  # noqa: F401
+    except ImportError as error:
+        raise BackendError(
+            f"The studio needs the package {error.name}: pip install 'tabletopgen[studio]'."
+        ) from error
+    from ..frontend import static_folder
+    from .folder import StudioFolder
+    from .queue.database import open_database
+    from .server.application import make_application
+    from .server.guard import Access
+    from .server.listening import bind, serve
+
+    require_number("studio needs --port", port, minimum=0, maximum=65535, integer=True)
+    require_number("studio needs --workers", workers, minimum=1, maximum=64, integer=True)
+    if not host.strip():
+        raise InputError("studio needs --host, an address of this machine.")
+    place = StudioFolder.usual() if folder is None else StudioFolder(folder.absolute())
+    static = static_folder()
+    with place.locking(), bind(host, port) as listening:
+        open_database(place.database).close()  # what is wrong with it is said before all else
+        access = Access(host, listening.getsockname()[1], secrets.token_urlsafe(24))
+        if not access.is_local:
+            print(escape(
+                f"warning: {host} lets other machines in, unencrypted; whoever knows the token can "
+                "use this studio and what it may pay for."
+            ), file=sys.stderr)  # fmt: skip
+        place.announce(access.address)
+        app = make_application(place, access, static, workers)
+        serve(app, listening, access.link, not no_browser)
+    return 0

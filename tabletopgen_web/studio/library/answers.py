@@ -1,0 +1,89 @@
+"""Answers of studies, as raters send them: JSON objects, a file a rater."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from generator.errors import StorageError
+from generator.io.files import make_private, write_whole
+from generator.io.reading import parse_json, read_regular
+
+from ..refusals import RefusedError
+
+MOST_BYTES = 2**20
+"""Of one answer."""
+
+_NAME = re.compile(r"[a-z0-9-]{1,64}")
+_MOST_RATER_BYTES = 16 * 2**20
+_MOST_RATERS, _MOST_STUDIES = 1000, 1000
+
+
+@dataclass(frozen=True)
+class AnswerBook:
+    """The answers below a folder: ``<study>/<rater>.json``, a list of objects each."""
+
+    folder: Path
+
+    def add(self, study: str, rater: str, answer: Mapping[str, Any]) -> int:
+        """Add an answer to a rater's; return how many there are now.
+
+        Raises:
+            RefusedError: an id is none, or there are too many answers.
+            StorageError: the disk refuses, or what is there is damaged.
+        """
+        folder, path = self._find(study), self._path(study, rater)
+        if not path.exists() and (
+            (not folder.exists() and _count(self.folder) >= _MOST_STUDIES)
+            or (folder.exists() and _count(folder) >= _MOST_RATERS)
+        ):
+            raise RefusedError(507, "There are too many raters or studies; no more are kept.")
+        kept = [*self._read(path), dict(answer)]
+        content = json.dumps(kept, ensure_ascii=False, indent=1).encode()
+        if len(content) > _MOST_RATER_BYTES:
+            raise RefusedError(507, f"{rater} has sent too many answers; no more are kept.")
+        make_private(folder)
+        write_whole(path, content, "The answer", "Free space there.")
+        return len(kept)
+
+    def read(self, study: str) -> dict[str, list[Any]]:
+        """Return the answers of a study by rater.
+
+        Raises:
+            RefusedError: the id is none.
+            StorageError: what is there is damaged.
+        """
+        folder = self._find(study)
+        if not folder.is_dir():
+            return {}
+        paths = sorted(p for p in folder.glob("*.json") if _NAME.fullmatch(p.stem))
+        return {path.stem: self._read(path) for path in paths}
+
+    def _find(self, study: str) -> Path:
+        return self.folder / _check(study, "study")
+
+    def _path(self, study: str, rater: str) -> Path:
+        return self._find(study) / f"{_check(rater, 'rater')}.json"
+
+    def _read(self, path: Path) -> list[Any]:
+        if not path.exists():
+            return []
+        raw = read_regular(path, "The answers", StorageError, max_bytes=_MOST_RATER_BYTES)
+        found = parse_json(raw, f"{path}", StorageError)
+        if not isinstance(found, list):
+            raise StorageError(f"{path} is no list of answers. It is left as it is.")
+        return found
+
+
+def _check(name: object, what: str) -> str:
+    if not isinstance(name, str) or not _NAME.fullmatch(name):
+        raise RefusedError(422, f"{what} is 1 to 64 of the characters a-z, 0-9 and -.")
+    return name
+
+
+def _count(folder: Path) -> int:
+    return sum(1 for _ in folder.iterdir())

@@ -1,0 +1,71 @@
+"""Uploaded pictures: looked at by their content, whatever they are called."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from generator.errors import InputError
+from generator.io.files import write_whole
+from generator.io.png import encode_png
+from generator.io.reading import read_regular
+
+from ..contracts import PictureRow
+from ..refusals import RefusedError
+from ..specs import PICTURE_ID
+
+MOST_BYTES = 20 * 2**20
+"""Of an uploaded picture."""
+
+_SIGNATURE = re.compile(
+    rb"\x89PNG\r\n\x1a\n|\xff\xd8\xff|RIFF....WEBP|BM|II\*\0|MM\0\*|GIF8[79]a", re.DOTALL
+)
+_ADVICE = "Free space there."
+
+
+@dataclass(frozen=True)
+class PictureShelf:
+    """The uploaded pictures of a folder, by ids that are made of their content."""
+
+    folder: Path
+
+    def add(self, data: bytes) -> PictureRow:
+        """Keep a picture; the same one again is kept once.
+
+        Raises:
+            RefusedError: it is no picture by its content.
+            InputError: it is damaged, too small, or has too many pixels.
+            StorageError: the disk refuses.
+        """
+        from generator.method.reference import ReferenceConfig, read_image
+
+        if not _SIGNATURE.match(data):
+            raise RefusedError(
+                415, "This is no PNG, JPEG, WebP, BMP, TIFF or GIF picture, whatever it is called."
+            )
+        image = read_image(data, ReferenceConfig(max_bytes=MOST_BYTES))
+        name = hashlib.sha256(data).hexdigest()[:32]
+        write_whole(self.folder / f"{name}.png", encode_png(image), "The picture", _ADVICE)
+        write_whole(self.folder / name, data, "The picture", _ADVICE)
+        return PictureRow(name, image.shape[1], image.shape[0])
+
+    def path(self, name: str) -> Path:
+        """Return where a picture lies, as it was uploaded.
+
+        Raises:
+            RefusedError: there is none of that id.
+        """
+        if not PICTURE_ID.fullmatch(name) or not (self.folder / name).is_file():
+            raise RefusedError(404, f"There is no picture {name[:80]!r}.")
+        return self.folder / name
+
+    def read_shown(self, name: str) -> bytes:
+        """Return a picture as a PNG, upright and at the size that it is worked at.
+
+        Raises:
+            RefusedError: there is none of that id.
+        """
+        shown = self.path(name).with_suffix(".png")
+        return read_regular(shown, "The picture", InputError, max_bytes=4 * MOST_BYTES)

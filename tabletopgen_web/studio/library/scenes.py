@@ -1,0 +1,215 @@
+"""The scenes of a studio: its workspace, the shipped bundles, the user's store."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import assets_cache
+from generator.bundle import discard, load_pictures, load_verified, put_in_place, read_inside
+from generator.bundle.bounds import BOUNDS
+from generator.bundle.publishing import publish, staging_in
+from generator.errors import BundleError, StorageError
+from generator.io.files import remove_tree
+
+from ..contracts import EditRow, ScenePlace, SceneRow
+from ..folder import StudioFolder
+from ..page_parts import write_view
+from ..refusals import RefusedError
+from ..specs import SCENE_ID
+from .rows import list_edits, read_facts, read_row
+
+_BESIDE = ("certificate.json", "grasps.json", "ledger.json")
+_Stamp = tuple[int, int, int]
+
+
+class SceneLibrary:
+    """Finds scenes by their ids, and changes those of the workspace; safe for threads."""
+
+    def __init__(self, folder: StudioFolder) -> None:
+        self._folder = folder
+        self._lock, self._preparing = threading.Lock(), threading.Lock()
+        self._rows: dict[Path, tuple[_Stamp, SceneRow]] = {}
+
+    def find(self, scene: str) -> tuple[Path, ScenePlace]:
+        """Return a scene's bundle, and where it lies.
+
+        Raises:
+            RefusedError: there is none.
+        """
+        found = self._places().get(scene) if SCENE_ID.fullmatch(scene) else None
+        if found is None:
+            raise RefusedError(404, f"There is no scene {scene[:120]!r}.")
+        return found
+
+    def list_rows(self) -> list[SceneRow]:
+        """Return a row for every scene: the workspace's first, the newest before the others."""
+        rows = [(path, self._read_row(path, place)) for path, place in self._places().values()]
+        order = {"workspace": 0, "store": 1, "shipped": 2}
+        rows.sort(key=lambda each: (order[each[1].place], -_age(each[0]), each[1].id))
+        return [row for _, row in rows]
+
+    def row(self, scene: str) -> SceneRow:
+        """Return a scene's row (RefusedError: there is none)."""
+        return self._read_row(*self.find(scene))
+
+    def read_thumbnail(self, scene: str) -> bytes:
+        """Return a scene's picture as PNG.
+
+        Raises:
+            RefusedError: there is no such scene, or it has no picture.
+            BundleError: it is damaged.
+        """
+        picture = load_pictures(self.find(scene)[0]).get("preview")
+        if picture is None:
+            raise RefusedError(404, f"{scene} keeps no picture.")
+        return picture
+
+    def view_file(self, scene: str, name: str) -> Path:
+        """Return a file of a scene as the viewer loads it, which is prepared once.
+
+        Raises:
+            RefusedError: there is no such scene or file.
+            BundleError: the scene is damaged.
+            StorageError: the disk refuses.
+        """
+        folder = self._prepare(scene)
+        files = {p.relative_to(folder).as_posix(): p for p in folder.rglob("*") if p.is_file()}
+        if name not in files:
+            raise RefusedError(404, f"{scene} has no file {name[:120]!r}.")
+        return files[name]
+
+    def save(self, scene: str) -> SceneRow:
+        """Copy a scene of the workspace into the user's store, checked and whole.
+
+        Raises:
+            RefusedError: there is none, or it is not in the workspace.
+            BundleError: it is damaged.
+            StorageError: the disk refuses.
+        """
+        path, place = self.find(scene)
+        if place != "workspace":
+            raise RefusedError(409, f"{scene} is not in the workspace; it is kept already.")
+        load_verified(path)
+        names = [*read_facts(path)["files"], "scene.json"]
+        names += [name for name in _BESIDE if (path / name).is_file()]
+        files = {name: read_inside(path, name, BOUNDS.file_bytes) for name in names}
+        try:
+            made = publish(assets_cache.user_root(), scene, files, beside=_BESIDE)
+        except OSError as error:
+            raise StorageError(
+                f"{scene} cannot be saved to {assets_cache.user_root()}: "
+                f"{error.strerror or error}. Free space there."
+            ) from error
+        return self._read_row(made, "store")
+
+    def delete(self, scene: str) -> None:
+        """Remove a scene from the workspace.
+
+        Raises:
+            RefusedError: there is none, or it is not in the workspace.
+            StorageError: it cannot be removed.
+        """
+        path, place = self.find(scene)
+        if place != "workspace":
+            raise RefusedError(409, f"{scene} is not in the workspace; only what is there is "
+                                    "removed.")  # fmt: skip
+        try:
+            discard(path)
+        except OSError as error:
+            raise StorageError(
+                f"{scene} cannot be removed: {error.strerror or error}. Remove it by hand."
+            ) from error
+        remove_tree(self._folder.views, scene)
+
+    def history(self, scene: str) -> tuple[list[EditRow], list[str]]:
+        """Return the steps that led to a scene, it being the last, and the scenes edited from it.
+
+        Raises:
+            RefusedError: there is none.
+            BundleError: it is damaged.
+        """
+        path, _ = self.find(scene)
+        facts = read_facts(path)
+        known = self._places()
+        try:
+            steps = _list_steps(facts, scene, {name[-12:]: name for name in known})
+        except (TypeError, LookupError, AttributeError) as error:
+            raise BundleError(f"{scene}: its history is damaged. Make it again.") from error
+        children = [row.id for row in self.list_rows() if row.parent and row.parent[-12:]
+                    == scene[-12:]]  # fmt: skip
+        return steps, children
+
+    # ------------------------------------------------------------------------------------ helpers
+
+    def _places(self) -> dict[str, tuple[Path, ScenePlace]]:
+        """Return all bundles by their ids; the workspace's come before the others."""
+        found: dict[str, tuple[Path, ScenePlace]] = {}
+        own = assets_cache.user_root().resolve()
+        for path in assets_cache.entries():
+            if SCENE_ID.fullmatch(path.name):
+                found[path.name] = path, "store" if path.parent.resolve() == own else "shipped"
+        for path in self._folder.scenes.iterdir():
+            if SCENE_ID.fullmatch(path.name) and not path.is_symlink():
+                found[path.name] = path, "workspace"
+        return found
+
+    def _read_row(self, path: Path, place: ScenePlace) -> SceneRow:
+        try:
+            status = (path / "scene.json").stat()
+            stamp = status.st_mtime_ns, status.st_size, status.st_ino
+        except OSError:
+            return read_row(path, place)
+        with self._lock:
+            kept = self._rows.get(path)
+        if kept is not None and kept[0] == stamp and kept[1].place == place:
+            return kept[1]
+        row = read_row(path, place)
+        with self._lock:
+            self._rows[path] = stamp, row
+        return row
+
+    def _prepare(self, scene: str) -> Path:
+        path, _ = self.find(scene)
+        target = self._folder.views / scene
+        with self._preparing:
+            if (target / "view.json").is_file():
+                return target
+            try:
+                with staging_in(self._folder.views) as staging:
+                    write_view(path, staging)
+                    staging.chmod(0o755)
+                    put_in_place(staging, target, lambda: False)
+            except BundleError:
+                raise
+            except OSError as error:
+                raise StorageError(
+                    f"{scene} cannot be prepared for the viewer: {error.strerror or error}. Free "
+                    "space there."
+                ) from error
+        return target
+
+
+def _list_steps(
+    facts: Mapping[str, Any], scene: str, by_digest: Mapping[str, str]
+) -> list[EditRow]:
+    edits = list_edits(facts)
+    digests = [str(edit["edited"])[:12] for edit in edits] + [scene[-12:]]
+    asked: list[tuple[str, str, tuple[str, ...]]] = [
+        ("made", str(facts["provenance"].get("prompt") or ""), ())
+    ]
+    asked += [(str(e["kind"]), str(e["asked"]), tuple(map(str, e["names"]))) for e in edits]
+    return [
+        EditRow(by_digest.get(digest, f"{facts['name']}-{digest}"), digest, kind, words, names,
+                digest in by_digest)
+        for digest, (kind, words, names) in zip(digests, asked, strict=True)
+    ]  # fmt: skip
+
+
+def _age(path: Path) -> float:
+    try:
+        return path.stat().st_mtime
+    except OSError:  # it is being removed
+        return 0.0

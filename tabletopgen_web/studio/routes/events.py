@@ -1,0 +1,89 @@
+"""What happens to jobs, as server-sent events; who cannot keep up is dropped, not waited for."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route
+from starlette.types import Receive, Scope, Send
+
+from generator.errors import InputError
+
+from ..contracts import encode
+from ..refusals import RefusedError
+from ..server.services import StudioServices, services_of
+
+HEARTBEAT = 15.0
+"""Seconds without an event after which a comment is sent."""
+
+SLOW = 10.0
+"""Seconds that a client may leave what it was sent unread."""
+
+_MOST = 10**15
+
+
+async def listen(request: Request) -> Response:
+    """The events after ``since``, or after the one that the client had last; then new ones."""
+    services = services_of(request)
+    if services.listeners.locked():
+        raise RefusedError(503, "Too many pages listen to this studio. Close some.")
+    said = request.headers.get("last-event-id") or request.query_params.get("since") or "0"
+    if not said.isascii() or not said.isdecimal() or len(said) > 15:
+        raise InputError(f"since is the number of an event, not {said[:40]!r}.")
+    since = int(said)
+    if since > services.store.last_event:  # of another studio's folder
+        since = 0
+    return EventStream(services, since)
+
+
+class EventStream(Response):
+    """Sends events until the client goes, or does not read on."""
+
+    def __init__(self, services: StudioServices, since: int) -> None:
+        super().__init__(media_type="text/event-stream; charset=utf-8")
+        self._services, self._since = services, since
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer the request."""
+        headers = [(k, v) for k, v in self.raw_headers if k != b"content-length"]
+        await send({"type": "http.response.start", "status": 200, "headers": headers})
+        async with self._services.listeners:
+            sending = asyncio.create_task(self._send(send))
+            leaving = asyncio.create_task(_gone(receive))
+            try:
+                await asyncio.wait([sending, leaving], return_when=asyncio.FIRST_COMPLETED)
+            finally:
+                for task in (sending, leaving):
+                    task.cancel()
+                await asyncio.gather(sending, leaving, return_exceptions=True)
+
+    async def _send(self, send: Send) -> None:
+        await _write(send, b"retry: 1000\n\n")
+        while True:
+            change = self._services.changes.next()
+            events = self._services.store.events(self._since)
+            if events:
+                lines = [f"id: {e.seq}\ndata: {json.dumps(encode(e))}\n\n" for e in events]
+                await _write(send, "".join(lines).encode())
+                self._since = events[-1].seq
+                continue
+            try:
+                await asyncio.wait_for(change.wait(), HEARTBEAT)
+            except TimeoutError:
+                await _write(send, b": still here\n\n")
+
+
+async def _write(send: Send, content: bytes) -> None:
+    async with asyncio.timeout(SLOW):
+        await send({"type": "http.response.body", "body": content, "more_body": True})
+
+
+async def _gone(receive: Receive) -> None:
+    while (await receive())["type"] != "http.disconnect":
+        pass
+
+
+ROUTES = (Route("/api/events", listen, methods=["GET"]),)

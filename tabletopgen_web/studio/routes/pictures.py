@@ -1,0 +1,34 @@
+"""Uploaded pictures."""
+
+from __future__ import annotations
+
+import asyncio
+
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route
+
+from ..library.pictures import MOST_BYTES
+from ..server.bodies import read_body
+from ..server.services import services_of
+from .answering import answer, answer_picture
+
+
+async def add_picture(request: Request) -> Response:
+    """Keep the picture that is the body."""
+    services = services_of(request)
+    async with services.uploads:
+        data = await read_body(request, MOST_BYTES)
+        return answer(await asyncio.to_thread(services.pictures.add, data), 201)
+
+
+async def get_picture(request: Request) -> Response:
+    """A picture as it is worked at, as PNG."""
+    shelf = services_of(request).pictures
+    return answer_picture(await asyncio.to_thread(shelf.read_shown, request.path_params["picture"]))
+
+
+ROUTES = (
+    Route("/api/pictures", add_picture, methods=["POST"]),
+    Route("/api/pictures/{picture}", get_picture, methods=["GET"]),
+)

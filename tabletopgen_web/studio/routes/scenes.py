@@ -1,0 +1,71 @@
+"""Scenes: listed, looked at, kept, removed."""
+
+from __future__ import annotations
+
+import asyncio
+
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route
+
+from ..server.bodies import read_json
+from ..server.services import services_of
+from .answering import answer, answer_file, answer_picture
+
+
+async def list_scenes(request: Request) -> Response:
+    """All scenes."""
+    return answer({"scenes": await asyncio.to_thread(services_of(request).scenes.list_rows)})
+
+
+async def get_scene(request: Request) -> Response:
+    """One scene's row."""
+    row = services_of(request).scenes.row
+    return answer(await asyncio.to_thread(row, request.path_params["scene"]))
+
+
+async def delete_scene(request: Request) -> Response:
+    """Remove a scene from the workspace."""
+    delete = services_of(request).scenes.delete
+    await asyncio.to_thread(delete, request.path_params["scene"])
+    return Response(status_code=204)
+
+
+async def save_scene(request: Request) -> Response:
+    """Copy a scene of the workspace into the user's store."""
+    from ..fields import Fields
+
+    Fields(await read_json(request), "The body").end()
+    save = services_of(request).scenes.save
+    return answer(await asyncio.to_thread(save, request.path_params["scene"]), 201)
+
+
+async def get_history(request: Request) -> Response:
+    """The steps that led to a scene, and the scenes edited from it."""
+    scene = request.path_params["scene"]
+    steps, later = await asyncio.to_thread(services_of(request).scenes.history, scene)
+    return answer({"scene": scene, "steps": steps, "later": later})
+
+
+async def get_thumbnail(request: Request) -> Response:
+    """A scene's picture."""
+    read = services_of(request).scenes.read_thumbnail
+    return answer_picture(await asyncio.to_thread(read, request.path_params["scene"]))
+
+
+async def get_view(request: Request) -> Response:
+    """A file of a scene as the viewer loads it: ``view.json`` names the others."""
+    find = services_of(request).scenes.view_file
+    scene, path = request.path_params["scene"], request.path_params["path"]
+    return answer_file(await asyncio.to_thread(find, scene, path))
+
+
+ROUTES = (
+    Route("/api/scenes", list_scenes, methods=["GET"]),
+    Route("/api/scenes/{scene}", get_scene, methods=["GET"]),
+    Route("/api/scenes/{scene}", delete_scene, methods=["DELETE"]),
+    Route("/api/scenes/{scene}/save", save_scene, methods=["POST"]),
+    Route("/api/scenes/{scene}/history", get_history, methods=["GET"]),
+    Route("/api/scenes/{scene}/thumbnail.png", get_thumbnail, methods=["GET"]),
+    Route("/api/scenes/{scene}/{path:path}", get_view, methods=["GET"]),
+)

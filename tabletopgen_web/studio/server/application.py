@@ -1,0 +1,109 @@
+"""The application: endpoints, their errors, and what runs beside them."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+from collections.abc import AsyncIterator
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import Response
+from starlette.routing import Route
+from starlette.types import ASGIApp
+
+from generator.errors import TabletopError
+
+from ..folder import StudioFolder
+from ..queue.jobs import JobStore
+from ..refusals import status_of
+from ..routes import asking, events, jobs, pages, pictures, scenes, studies
+from ..routes.answering import answer
+from .guard import Access, StudioGuard
+from .services import StudioServices
+
+_LOG = logging.getLogger(__name__)
+
+ROUTES: tuple[Route, ...] = (
+    *asking.ROUTES, *jobs.ROUTES, *events.ROUTES, *pictures.ROUTES, *scenes.ROUTES,
+    *studies.ROUTES,
+)  # fmt: skip
+"""The endpoints; what is asked for besides are files of the page."""
+
+
+def make_application(
+    folder: StudioFolder, access: Access, static: Path, workers: int = 1
+) -> ASGIApp:
+    """Return the studio's application. Its folder is locked by the caller.
+
+    Args:
+        folder: where it keeps everything.
+        access: who may ask.
+        static: the folder of the built page.
+        workers: how many jobs run at a time.
+    """
+    files = pages.list_files(static)
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: Starlette) -> AsyncIterator[None]:
+        folder.make()
+        store = JobStore(folder.database)
+        with contextlib.closing(store):
+            services = StudioServices(folder, workers, files, store)
+            app.state.services = services
+            store.recover()
+            running = asyncio.create_task(services.runner.run())
+            try:
+                yield
+            finally:
+                running.cancel()
+                with contextlib.suppress(asyncio.CancelledError):
+                    await running
+
+    app = Starlette(
+        routes=list(ROUTES),
+        lifespan=lifespan,
+        exception_handlers={
+            TabletopError: _refuse, HTTPException: _refuse_route, OSError: _refuse_disk,
+            ClientDisconnect: _give_up, Exception: _fail,
+        },
+    )  # fmt: skip
+    app.router.redirect_slashes = False
+    app.router.default = pages.show
+    return StudioGuard(app, access)
+
+
+async def _refuse(request: Request, error: Exception) -> Response:
+    assert isinstance(error, TabletopError)
+    status = status_of(error)
+    if status == 500:
+        return await _fail(request, error)
+    refused = answer({"error": str(error)}, status)
+    if status in (408, 413):
+        refused.headers["connection"] = "close"  # what is still to come is not read
+    return refused
+
+
+async def _refuse_route(request: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    if error.status_code == 405:
+        return answer({"error": f"{request.method} is no method of this path."}, 405, error.headers)
+    return answer({"error": str(error.detail)}, error.status_code, error.headers)
+
+
+async def _refuse_disk(request: Request, error: Exception) -> Response:
+    assert isinstance(error, OSError)
+    _LOG.warning("The disk refuses: %s", error)
+    return answer({"error": f"The disk refuses: {error.strerror or error}."}, 507)
+
+
+async def _give_up(request: Request, error: Exception) -> Response:
+    return answer({"error": "The request ended early."}, 400)
+
+
+async def _fail(request: Request, error: Exception) -> Response:
+    _LOG.error("%s %s failed", request.method, request.url.path, exc_info=error)
+    return answer({"error": "The studio itself failed; its terminal says how."}, 500)

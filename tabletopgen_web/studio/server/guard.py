@@ -1,0 +1,165 @@
+"""Who may ask: the page that the printed address opens, and programs that know its token.
+
+Every request must be addressed to this server by its own name (else a foreign name that leads here
+could read it), and what changes something must come from its own page. Every answer says that
+nothing may be embedded, guessed, kept or passed on.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+import secrets
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from urllib.parse import parse_qs, urlsplit
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import cookie_parser
+from starlette.responses import JSONResponse, RedirectResponse, Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+HEADERS: Mapping[str, str] = MappingProxyType(
+    {
+        "content-security-policy": (
+            "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; "
+            "connect-src 'self' blob:; img-src 'self' blob: data:; style-src 'self'; "
+            "font-src 'self'; media-src 'self' blob:; base-uri 'none'; form-action 'none'; "
+            "frame-ancestors 'none'"
+        ),
+        "x-content-type-options": "nosniff",
+        "referrer-policy": "no-referrer",
+        "cache-control": "no-store",
+        "cross-origin-opener-policy": "same-origin",
+        "cross-origin-embedder-policy": "require-corp",
+        "cross-origin-resource-policy": "same-origin",
+    }
+)
+"""Of every answer."""
+
+_SAFE = ("GET", "HEAD")
+
+
+@dataclass(frozen=True)
+class Access:
+    """Where the server listens, and the token that opens it."""
+
+    host: str
+    port: int
+    token: str
+
+    @property
+    def address(self) -> str:
+        """The server's address, without the token."""
+        host = f"[{self.host}]" if ":" in self.host else self.host
+        return f"http://{host}:{self.port}/"
+
+    @property
+    def link(self) -> str:
+        """What to open in a browser; it has the token."""
+        return f"{self.address}?token={self.token}"
+
+    @property
+    def cookie(self) -> str:
+        """The name of the cookie; browsers keep one jar for all ports of a host."""
+        return f"tabletopgen-studio-{self.port}"
+
+    @property
+    def is_local(self) -> bool:
+        """Whether this machine alone reaches the server."""
+        return _is_loopback(self.host)
+
+    def knows(self, token: str) -> bool:
+        """Tell whether a token is the one."""
+        return secrets.compare_digest(token.encode("utf-8", "replace"), self.token.encode())
+
+    def is_own(self, netloc: str) -> bool:
+        """Tell whether ``host:port``, as a request says it, means this server."""
+        try:
+            parts = urlsplit(f"//{netloc}")
+            host, port = (parts.hostname or "").lower(), parts.port or 80
+        except ValueError:
+            return False
+        if port != self.port or parts.netloc != netloc or "@" in netloc or not host:
+            return False
+        if host == "localhost" or host == self.host.lower() or _is_loopback(host):
+            return True
+        return not self.is_local and _is_ip(host)
+
+
+class StudioGuard:
+    """Wraps the application; see the module."""
+
+    def __init__(self, app: ASGIApp, access: Access) -> None:
+        self._app, self._access = app, access
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer a request, or pass it on."""
+        if scope["type"] == "lifespan":
+            await self._app(scope, receive, send)
+            return
+
+        async def send_guarded(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                headers = MutableHeaders(scope=message)
+                for name, value in HEADERS.items():
+                    headers[name] = value
+            await send(message)
+
+        if scope["type"] != "http":
+            await send({"type": "websocket.close", "code": 1008})
+            return
+        answer = self._refuse(scope)
+        await (self._app if answer is None else answer)(scope, receive, send_guarded)
+
+    def _refuse(self, scope: Scope) -> Response | None:
+        """Return the answer of a request that is not passed on."""
+        headers = Headers(scope=scope)
+        hosts = headers.getlist("host")
+        if len(hosts) != 1 or not self._access.is_own(hosts[0]):
+            return _no("This server is not called that. Open the address that it printed.")
+        origins, safe = headers.getlist("origin"), scope["method"] in _SAFE
+        own = len(origins) == 1 and origins[0] == f"http://{hosts[0]}"
+        if (origins or not safe) and not own and not (not origins and self._bears(headers)):
+            return _no("Only the studio's own page may ask this.")
+        if scope["path"] == "/" and safe:
+            given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [])
+            if given:
+                return self._open(given)
+        if not (self._bears(headers) or self._has_cookie(headers)):
+            return _no("Open the address that the studio printed: it has the token.")
+        return None
+
+    def _open(self, given: list[str]) -> Response:
+        if len(given) != 1 or not self._access.knows(given[0]):
+            return _no("That is not the token of this studio. Open the address that it printed.")
+        answer = RedirectResponse("/", status_code=303)
+        answer.set_cookie(
+            self._access.cookie, self._access.token, httponly=True, samesite="strict", path="/"
+        )
+        return answer
+
+    def _bears(self, headers: Headers) -> bool:
+        given = headers.getlist("authorization")
+        scheme, _, token = (given[0] if len(given) == 1 else "").partition(" ")
+        return scheme.lower() == "bearer" and self._access.knows(token)
+
+    def _has_cookie(self, headers: Headers) -> bool:
+        kept = cookie_parser("; ".join(headers.getlist("cookie")))
+        return self._access.knows(kept.get(self._access.cookie, ""))
+
+
+def _no(message: str) -> Response:
+    return JSONResponse({"error": message}, status_code=403)
+
+
+def _is_ip(host: str) -> bool:
+    try:
+        ipaddress.ip_address(host)
+    except ValueError:
+        return False
+    return True
+
+
+def _is_loopback(host: str) -> bool:
+    return host == "localhost" or (_is_ip(host) and ipaddress.ip_address(host).is_loopback)

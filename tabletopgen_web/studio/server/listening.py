@@ -1,0 +1,53 @@
+"""Listening: a port that is this server's, and serving until Ctrl-C."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+import sys
+import threading
+import webbrowser
+from collections.abc import Iterator
+
+import uvicorn
+from starlette.types import ASGIApp
+
+from generator.errors import BackendError
+
+_GRACE = 2  # seconds that answers under way have at the end
+
+
+@contextlib.contextmanager
+def bind(host: str, port: int) -> Iterator[socket.socket]:
+    """Yield a socket that listens.
+
+    Raises:
+        BackendError: the port is taken, or the host is not this machine's.
+    """
+    try:
+        family = socket.AF_INET6 if ":" in host else socket.AF_INET
+        listening = socket.create_server((host, port), family=family, backlog=128)
+    except (OSError, OverflowError) as error:
+        raise BackendError(
+            f"Port {port} of {host} cannot be used ({getattr(error, 'strerror', None) or error}). "
+            "Choose another --port, or 0 for any that is free."
+        ) from error
+    with listening:
+        yield listening
+
+
+def serve(app: ASGIApp, listening: socket.socket, link: str, browse: bool) -> None:
+    """Answer requests until the process is interrupted."""
+    config = uvicorn.Config(
+        app, log_level="warning", access_log=False, server_header=False, proxy_headers=False,
+        ws="none", http="h11", loop="asyncio", lifespan="on", timeout_keep_alive=30,
+        timeout_graceful_shutdown=_GRACE, limit_concurrency=512,
+    )  # fmt: skip
+    print(f"Open {link}", flush=True)
+    print("Ctrl-C ends the studio; jobs that run then begin again with the next one.",
+          file=sys.stderr)  # fmt: skip
+    if browse:
+        threading.Thread(target=webbrowser.open, args=(link,), daemon=True).start()
+    with contextlib.suppress(KeyboardInterrupt):
+        asyncio.run(uvicorn.Server(config).serve(sockets=[listening]))

@@ -1,0 +1,126 @@
+"""What the endpoints share."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from starlette.requests import Request
+
+from generator.errors import BackendError
+
+from ..contracts import JobRow
+from ..folder import StudioFolder
+from ..library.answers import AnswerBook
+from ..library.pictures import PictureShelf
+from ..library.scenes import SceneLibrary
+from ..queue.jobs import JobStore
+from ..queue.process import JobProcess
+from ..queue.runner import Runner
+from ..specs import GenerateSpec, JobSpec, read_spec, scene_of
+from ..work.order import JobOrder
+
+_MOST_ESTIMATE = 180.0  # seconds
+_MOST_CLIENTS = 64  # that listen to events at once
+
+
+class Changes:
+    """Lets many wait for the next change, in one event loop."""
+
+    def __init__(self) -> None:
+        self._next = asyncio.Event()
+
+    def notify(self) -> None:
+        """Say that something changed."""
+        self._next.set()
+        self._next = asyncio.Event()
+
+    def next(self) -> asyncio.Event:
+        """Return what is set by the next change."""
+        return self._next
+
+
+@dataclass(eq=False)
+class StudioServices:
+    """The parts of a running studio.
+
+    Attributes:
+        files: the files of the page by the path of their URL.
+    """
+
+    folder: StudioFolder
+    workers: int
+    files: Mapping[str, Path]
+    store: JobStore
+    changes: Changes = field(default_factory=Changes)
+    uploads: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(2))
+    writing: asyncio.Lock = field(default_factory=asyncio.Lock)
+    estimates: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(1))
+    listeners: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(_MOST_CLIENTS))
+
+    def __post_init__(self) -> None:
+        self.scenes = SceneLibrary(self.folder)
+        self.pictures = PictureShelf(self.folder.pictures)
+        self.answers = AnswerBook(self.folder.answers)
+        self.runner = Runner(self.store, self.make_order, self.workers)
+        self.store.changed = self._changed
+
+    def make_order(self, job: JobRow) -> Mapping[str, Any]:
+        """Return what the process of a job is told.
+
+        Raises:
+            TabletopError: the scene or the picture that it begins with is gone.
+        """
+        return self._order(job.kind, job.request, job.id)
+
+    def check_begins(self, spec: JobSpec) -> None:
+        """Check that what a job begins with is there.
+
+        Raises:
+            RefusedError: it is not.
+        """
+        if (scene := scene_of(spec)) is not None:
+            self.scenes.find(scene)
+        if isinstance(spec, GenerateSpec) and spec.picture is not None:
+            self.pictures.path(spec.picture)
+
+    async def estimate(self, request: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return what a job would ask servers, by a dry run in a process of its own.
+
+        Raises:
+            TabletopError: it is no job, or it cannot be tried.
+        """
+        said: dict[str, Any] = {}
+
+        def hear(message: dict[str, Any]) -> None:
+            said[message["type"]] = message
+
+        async with self.estimates:
+            process = JobProcess(self._order("estimate", request, "estimate"), hear)
+            ending = await process.run(_MOST_ESTIMATE)
+        if "result" in said:
+            return {k: v for k, v in said["result"].items() if k != "type"}
+        told = said.get("error", {}).get("message")
+        raise BackendError(told or ending.describe())
+
+    def _order(self, kind: str, request: Mapping[str, Any], job: str) -> Mapping[str, Any]:
+        spec = read_spec(request)
+        scene = scene_of(spec)
+        picture = spec.picture if isinstance(spec, GenerateSpec) else None
+        return JobOrder(
+            kind, request, self.folder.scenes, self.folder.figures / job, self.folder.files / job,
+            None if scene is None else self.scenes.find(scene)[0],
+            None if picture is None else self.pictures.path(picture),
+        ).plain()  # fmt: skip
+
+    def _changed(self) -> None:
+        self.changes.notify()
+        self.runner.wake()
+
+
+def services_of(request: Request) -> StudioServices:
+    """Return the parts of the studio that a request is answered by."""
+    return request.app.state.services
