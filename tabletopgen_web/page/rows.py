@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from jaxtyping import Float
-
-from generator.bundle import load, load_verified
-from generator.errors import TabletopError
+from generator.bundle import load_verified, steady
+from generator.bundle.folder import read_truth
+from generator.errors import BundleError, TabletopError
 from generator.scene import Scene
 from tabletopgen_env.certificates.certificate import Certificate, read_certificate
 
@@ -81,7 +80,7 @@ class SceneRow:
         name, kind, prompt: of the scene and its provenance; ``kind`` is "text", "image", "compose",
             "import" or the like.
         theme: the kind of table that the text names, "" if it names none.
-        difficulty: how hard it is to work at, in [0, 1]; None for a scene that cannot be read.
+        difficulty: how hard it is to work at, in [0, 1]; None where that was not computed.
         thumbnail: path of a small picture, relative to the page's JSON file; None without one.
         error: why the bundle cannot be shown; None if it can.
     """
@@ -101,42 +100,71 @@ class SceneRow:
     error: str | None = None
 
 
-def read_row(path: Path, *, verified: bool = False) -> tuple[SceneRow, Scene | None]:
-    """Return a bundle's row and its scene, which is None where the row has an ``error``.
+@steady
+def read_facts(path: str | Path) -> dict[str, Any]:
+    """Return the checked content of a bundle's ``scene.json``.
 
-    ``verified``: the bundle is read as ``load_verified`` does, with everything that is drawn.
+    Raises:
+        BundleError: there is no bundle, or it is damaged or of another schema.
     """
+    return read_truth(Path(path))
+
+
+def read_row(path: Path) -> SceneRow:
+    """Return a bundle's row by its ``scene.json`` alone; ``error`` says why it cannot be read."""
     try:
-        scene = (load_verified if verified else load)(path)
-        certificate = read_certificate(path)
-    except TabletopError as error:
-        return SceneRow(id=path.name, name=path.name, error=str(error)), None
-    return row_of(scene, path.name, certificate), scene
+        return row_of_facts(read_facts(path), path.name)
+    except (BundleError, OSError) as error:
+        return SceneRow(id=path.name, name=path.name, error=str(error))
 
 
-def row_of(scene: Scene, id: str, certificate: Certificate | None = None) -> SceneRow:
-    """Return the row of a scene that is called ``id`` on the page."""
+def read_whole_row(path: Path) -> tuple[SceneRow, Scene | None]:
+    """Return a bundle's row, with its difficulty and certificate, and the scene, all checked.
+
+    The scene is None where the row has an ``error``.
+    """
     from tabletopgen_env.scenes.difficulty import difficulty
 
-    made = scene.provenance
-    return SceneRow(
-        id=id,
-        name=scene.name,
-        kind=made.kind,
-        prompt=made.prompt or "",
-        theme=theme_of(made.prompt or ""),
-        table=TableRow(scene.table.model.label, _rounded(scene.table.scale)),
-        things=tuple(
-            ThingRow(
-                o.name, o.model.label, o.model.category, _rounded(o.scale), round(o.mass, 3),
-                o.placement.on or "",
-            )
-            for o in scene.objects
-        ),
-        difficulty=round(difficulty(scene), 3),
-        gate=_gate(scene),
-        certificate=None if certificate is None else certificate_row(certificate),
-        warnings=tuple(made.warnings),
+    row = read_row(path)
+    try:
+        scene, certificate = load_verified(path), read_certificate(path)
+    except TabletopError as error:
+        return SceneRow(id=path.name, name=path.name, error=str(error)), None
+    held = None if certificate is None else certificate_row(certificate)
+    return replace(row, difficulty=round(difficulty(scene), 3), certificate=held), scene
+
+
+def row_of_facts(facts: Mapping[str, Any], id: str) -> SceneRow:
+    """Return the row of a bundle called ``id`` whose ``scene.json`` says ``facts``.
+
+    Raises:
+        BundleError: they do not say what a scene has.
+    """
+    try:
+        models, table, made = facts["models"], facts["table"], facts["provenance"]
+        prompt = str(made.get("prompt") or "")
+        return SceneRow(
+            id=id,
+            name=str(facts["name"]),
+            kind=str(made["kind"]),
+            prompt=prompt,
+            theme=theme_of(prompt),
+            table=TableRow(str(models[table["model"]]["label"]), _rounded(table["scale"])),
+            things=tuple(_thing(entry, models[entry["model"]]) for entry in facts["objects"]),
+            gate=_gate(facts.get("report")),
+            warnings=tuple(map(str, made.get("warnings") or ())),
+        )
+    except (TypeError, LookupError, ValueError, AttributeError) as error:
+        raise BundleError(f"{id}: scene.json does not say what a scene has. Make it again.") from (
+            error
+        )
+
+
+def _thing(entry: Mapping[str, Any], model: Mapping[str, Any]) -> ThingRow:
+    placed = entry["placement"]
+    return ThingRow(
+        str(entry["name"]), str(model["label"]), str(model["category"]), _rounded(placed["scale"]),
+        round(float(entry["mass"]), 3), str(placed.get("on") or ""),
     )  # fmt: skip
 
 
@@ -166,13 +194,13 @@ def certificate_row(certificate: Certificate) -> CertificateRow:
     )
 
 
-def _gate(scene: Scene) -> GateRow | None:
-    report = scene.report
+def _gate(report: Mapping[str, Any] | None) -> GateRow | None:
     if report is None:
         return None
-    numbers = (float(f"{v:.3g}") for v in (report.penetration, report.drift, report.tilt))
-    return GateRow(report.passed, report.failures, *numbers)
+    failures = tuple(map(str, report["failures"]))
+    numbers = (float(f"{report[name]:.3g}") for name in ("penetration", "drift", "tilt"))
+    return GateRow(not failures, failures, *numbers)
 
 
-def _rounded(values: Float[np.ndarray, "3"]) -> tuple[float, ...]:
+def _rounded(values: Sequence[float]) -> tuple[float, ...]:
     return tuple(round(float(v), 3) for v in values)

@@ -22,7 +22,7 @@ from generator.scene.provenance import plain
 
 from .episodes import EpisodeRow, record_play
 from .robot import START, robot_document
-from .rows import SCHEMA, SceneRow, read_row
+from .rows import SCHEMA, SceneRow, read_whole_row
 
 VIEW = "view.json"
 """The file of a scene's folder that lists the others."""
@@ -85,7 +85,7 @@ def scene_folder(
         BundleError: the bundle is damaged.
     """
     options = options or FolderOptions()
-    row, scene = read_row(bundle, verified=True)
+    row, scene = read_whole_row(bundle)
     if scene is None:
         return SceneFolder(row, {})
     held = read_files(bundle)
@@ -152,7 +152,7 @@ def _downloads(
     report: Callable[[str], None],
 ) -> list[dict[str, Any]]:
     """Add the bundle and its exports as one file each; return what ``view.json`` says of them."""
-    made = {f"{name}.zip": ("Bundle (MJCF)", _archive(name, held))}
+    made = {f"{name}.zip": ("Bundle (MJCF)", archive(name, held))}
     for kind in formats:
         report(kind)
         written = WRITERS[kind](scene)
@@ -160,7 +160,7 @@ def _downloads(
             (content,) = written.values()
             made[f"{name}.{kind}"] = (_LABELS[kind], content)
         else:
-            made[f"{name}-{kind}.zip"] = (_LABELS[kind], _archive(f"{name}-{kind}", written))
+            made[f"{name}-{kind}.zip"] = (_LABELS[kind], archive(f"{name}-{kind}", written))
     rows = []
     for file, (label, content) in made.items():
         files[f"downloads/{file}"] = content
@@ -168,7 +168,7 @@ def _downloads(
     return rows
 
 
-def _archive(folder: str, files: Mapping[str, bytes]) -> bytes:
+def archive(folder: str, files: Mapping[str, bytes]) -> bytes:
     """Return a zip file of a folder; the same files give the same bytes."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:

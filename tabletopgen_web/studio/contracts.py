@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from ..page.rows import SceneRow
+
 JobKind = Literal["generate", "compose", "edit", "episode", "export"]
 JobState = Literal["queued", "running", "done", "failed", "cancelled", "interrupted"]
 EventType = Literal["state", "stage", "figure", "log", "result"]
@@ -89,45 +91,17 @@ class JobEvent:
 
 
 @dataclass(frozen=True)
-class TableRow:
-    """A table's label, and its length, width and height in metres."""
+class StudioScene(SceneRow):
+    """A scene of the list: what a gallery shows of it, and more.
 
-    label: str
-    size_m: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class ThingRow:
-    """A thing on a table: its name, by which edits mean it, and what it is."""
-
-    name: str
-    label: str
-
-
-@dataclass(frozen=True)
-class SceneRow:
-    """A scene of the list. Of one that cannot be read, ``error`` says why, and the rest is empty.
-
-    ``place``, in JSON ``in``, is where its bundle lies; ``parent`` is the scene it was edited
-    from, which need not exist any more.
+    ``place``, in JSON ``in``, is where its bundle lies; ``digest`` ends its name; ``parent`` is the
+    scene it was edited from, which need not exist any more.
     """
 
-    id: str
-    name: str
-    digest: str
-    place: ScenePlace
-    thumbnail: str
-    theme: str = ""
-    prompt: str | None = None
-    table: TableRow | None = None
-    things: tuple[ThingRow, ...] = ()
-    objects: int = 0
-    passed: bool | None = None
-    report: Mapping[str, Any] | None = None
-    warnings: tuple[str, ...] = ()
+    place: ScenePlace = "workspace"
+    digest: str = ""
     editable: bool = False
     parent: str | None = None
-    error: str | None = None
 
 
 @dataclass(frozen=True)
@@ -216,7 +190,7 @@ class StudioState:
 
 def encode(value: Any) -> Any:
     """Return an answer as JSON values."""
-    if isinstance(value, SceneRow):
+    if isinstance(value, StudioScene):
         row = {k: encode(v) for k, v in _fields(value).items()}
         row["in"] = row.pop("place")
         return row

@@ -16,7 +16,7 @@ from generator.errors import BackendError, InputError, StorageError
 from tabletopgen_web import frontend
 from tabletopgen_web.page.episodes import record_play
 from tabletopgen_web.page.robot import robot_document
-from tabletopgen_web.page.rows import read_row
+from tabletopgen_web.page.rows import read_row, read_whole_row
 from tabletopgen_web.page.scene_folder import FolderOptions, scene_folder
 from tabletopgen_web.page.site import write_site
 
@@ -41,7 +41,7 @@ def static(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_a_row_says_what_a_bundle_holds(bundle: Path) -> None:
-    row, scene = read_row(bundle)
+    row, scene = read_whole_row(bundle)
     assert scene is not None
     assert row.theme == "kitchen"
     assert [t.name for t in row.things] == [o.name for o in scene.objects]
@@ -58,11 +58,11 @@ def test_a_row_of_what_is_no_bundle_says_why(tmp_path: Path, bundle: Path) -> No
     shutil.copytree(bundle, newer)
     truth = (newer / "scene.json").read_text().replace('"schema": 1', '"schema": 99')
     (newer / "scene.json").write_text(truth)
-    row, scene = read_row(newer)
+    row, scene = read_whole_row(newer)
     assert scene is None
     assert row.error is not None
     assert "schema 99" in row.error
-    missing, _ = read_row(tmp_path / "none-0123456789ab")
+    missing = read_row(tmp_path / "none-0123456789ab")
     assert missing.error is not None
 
 
@@ -86,7 +86,7 @@ def test_a_scene_folder_holds_the_bundle_and_downloads(bundle: Path, tmp_path: P
 def test_an_episode_fits_the_model_with_the_robot(bundle: Path) -> None:
     import mujoco
 
-    _, scene = read_row(bundle)
+    _, scene = read_whole_row(bundle)
     assert scene is not None
     files = read_files(bundle)
     text = robot_document(scene, frozenset(files))

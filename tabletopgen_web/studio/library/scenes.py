@@ -8,20 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import assets_cache
-from generator.bundle import discard, load_pictures, load_verified, put_in_place, read_inside
-from generator.bundle.bounds import BOUNDS
-from generator.bundle.publishing import publish, staging_in
+from generator.bundle import copy, discard, load_pictures, load_verified, put_in_place
+from generator.bundle.publishing import staging_in
 from generator.errors import BundleError, StorageError
 from generator.io.files import remove_tree
 
-from ..contracts import EditRow, ScenePlace, SceneRow
+from ...page.rows import read_facts
+from ..contracts import EditRow, ScenePlace, StudioScene
 from ..folder import StudioFolder
 from ..page_parts import write_view
 from ..refusals import RefusedError
 from ..specs import SCENE_ID
-from .rows import list_edits, read_facts, read_row
+from .rows import list_edits, read_scene
 
-_BESIDE = ("certificate.json", "grasps.json", "ledger.json")
 _Stamp = tuple[int, int, int]
 
 
@@ -31,7 +30,7 @@ class SceneLibrary:
     def __init__(self, folder: StudioFolder) -> None:
         self._folder = folder
         self._lock, self._preparing = threading.Lock(), threading.Lock()
-        self._rows: dict[Path, tuple[_Stamp, SceneRow]] = {}
+        self._rows: dict[Path, tuple[_Stamp, StudioScene]] = {}
 
     def find(self, scene: str) -> tuple[Path, ScenePlace]:
         """Return a scene's bundle, and where it lies.
@@ -44,14 +43,14 @@ class SceneLibrary:
             raise RefusedError(404, f"There is no scene {scene[:120]!r}.")
         return found
 
-    def list_rows(self) -> list[SceneRow]:
+    def list_rows(self) -> list[StudioScene]:
         """Return a row for every scene: the workspace's first, the newest before the others."""
         rows = [(path, self._read_row(path, place)) for path, place in self._places().values()]
         order = {"workspace": 0, "store": 1, "shipped": 2}
         rows.sort(key=lambda each: (order[each[1].place], -_age(each[0]), each[1].id))
         return [row for _, row in rows]
 
-    def row(self, scene: str) -> SceneRow:
+    def row(self, scene: str) -> StudioScene:
         """Return a scene's row (RefusedError: there is none)."""
         return self._read_row(*self.find(scene))
 
@@ -81,7 +80,7 @@ class SceneLibrary:
             raise RefusedError(404, f"{scene} has no file {name[:120]!r}.")
         return files[name]
 
-    def save(self, scene: str) -> SceneRow:
+    def save(self, scene: str) -> StudioScene:
         """Copy a scene of the workspace into the user's store, checked and whole.
 
         Raises:
@@ -93,17 +92,7 @@ class SceneLibrary:
         if place != "workspace":
             raise RefusedError(409, f"{scene} is not in the workspace; it is kept already.")
         load_verified(path)
-        names = [*read_facts(path)["files"], "scene.json"]
-        names += [name for name in _BESIDE if (path / name).is_file()]
-        files = {name: read_inside(path, name, BOUNDS.file_bytes) for name in names}
-        try:
-            made = publish(assets_cache.user_root(), scene, files, beside=_BESIDE)
-        except OSError as error:
-            raise StorageError(
-                f"{scene} cannot be saved to {assets_cache.user_root()}: "
-                f"{error.strerror or error}. Free space there."
-            ) from error
-        return self._read_row(made, "store")
+        return self._read_row(copy(path, assets_cache.user_root()), "store")
 
     def delete(self, scene: str) -> None:
         """Remove a scene from the workspace.
@@ -156,17 +145,17 @@ class SceneLibrary:
                 found[path.name] = path, "workspace"
         return found
 
-    def _read_row(self, path: Path, place: ScenePlace) -> SceneRow:
+    def _read_row(self, path: Path, place: ScenePlace) -> StudioScene:
         try:
             status = (path / "scene.json").stat()
             stamp = status.st_mtime_ns, status.st_size, status.st_ino
         except OSError:
-            return read_row(path, place)
+            return read_scene(path, place)
         with self._lock:
             kept = self._rows.get(path)
         if kept is not None and kept[0] == stamp and kept[1].place == place:
             return kept[1]
-        row = read_row(path, place)
+        row = read_scene(path, place)
         with self._lock:
             self._rows[path] = stamp, row
         return row

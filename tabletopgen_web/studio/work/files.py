@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
-import io
 import tempfile
-import zipfile
 from pathlib import Path
 from typing import Any
 
 from generator.io.files import make_private, write_whole
 
+from ...page.scene_folder import archive
 from ..page_parts import play_episode
 from ..specs import EpisodeSpec, ExportSpec
 from .order import JobOrder, Telling
-
-_EPOCH = (1980, 1, 1, 0, 0, 0)  # of every file in an archive: the same scene gives the same bytes
 
 
 def record(spec: EpisodeSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
     """Do a job of the kind "episode"."""
     telling.stage("playing", 1, 1)
     played = play_episode(order.start, spec.task, spec.seed)
-    facts = {"success": played.success, "steps": played.steps, "task": spec.task}
-    return _keep(order, f"{spec.task.lower()}-{spec.seed}.episode", played.content, facts)
+    facts = {"success": played.success, "steps": len(played.rows) - 1, "task": spec.task}
+    return _keep(order, f"{spec.task.lower()}-{spec.seed}.bin", played.to_bytes(), facts)
 
 
 def export_scene(spec: ExportSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
@@ -41,13 +38,9 @@ def export_scene(spec: ExportSpec, order: JobOrder, telling: Telling) -> dict[st
 
 
 def _pack(folder: Path) -> bytes:
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in sorted(p for p in folder.rglob("*") if p.is_file()):
-            name = f"{folder.name}/{path.relative_to(folder).as_posix()}"
-            archive.writestr(zipfile.ZipInfo(name, _EPOCH), path.read_bytes(),
-                             zipfile.ZIP_DEFLATED)  # fmt: skip
-    return packed.getvalue()
+    paths = sorted(p for p in folder.rglob("*") if p.is_file())
+    held = {p.relative_to(folder).as_posix(): p.read_bytes() for p in paths}
+    return archive(folder.name, held)
 
 
 def _keep(order: JobOrder, name: str, content: bytes, facts: dict[str, Any]) -> dict[str, Any]:
