@@ -1,0 +1,222 @@
+"""What raters' answers say of the methods: means, choices, wins, agreement, with intervals."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.errors import InputError, require_number, require_seed
+from tabletopgen_env.statistics import wilson
+
+from .agreement import krippendorff
+from .answers import LeftOut, RaterAnswers
+from .design import CRITERIA
+from .key import StudyKey
+
+RESAMPLES = 10_000
+"""Of the bootstrap."""
+
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class CountedMean:
+    """A mean and its 95 % interval, None of fewer than two raters."""
+
+    mean: float
+    interval: Interval | None
+
+
+@dataclass(frozen=True)
+class MethodFigures:
+    """What is measured of a method.
+
+    ``means`` are of ``CRITERIA``, ``average`` of the first three, as in Table 2; ``chosen`` of all
+    choices, ``share`` of them with Wilson's interval ``share_interval``.
+    """
+
+    method: str
+    means: Mapping[str, CountedMean]
+    average: CountedMean
+    chosen: int
+    share: float
+    share_interval: Interval
+
+
+@dataclass(frozen=True)
+class PairFigures:
+    """A method against another.
+
+    ``rate`` is the share of scenes that a rater gave it the higher overall mark, equal marks
+    counting half; ``chosen`` and ``other_chosen`` how often either was preferred to all methods,
+    ``chosen_share`` the first's share of these two with Wilson's interval, None without any.
+    """
+
+    method: str
+    other: str
+    wins: int
+    ties: int
+    losses: int
+    rate: CountedMean
+    chosen: int
+    other_chosen: int
+    chosen_share: float | None
+    chosen_interval: Interval | None
+
+
+@dataclass(frozen=True)
+class Exclusions:
+    """Raters that do not count, by id; one may be in both lists."""
+
+    inattentive: tuple[str, ...]
+    too_fast: tuple[str, ...]
+    allowed_failures: int
+    min_seconds: float
+
+
+@dataclass(frozen=True)
+class StudyReport:
+    """The figures of a study; ``raters`` count, of ``read`` that were read."""
+
+    study: str
+    title: str
+    read: int
+    raters: int
+    ratings_each: int
+    mean_seconds: float
+    languages: Mapping[str, int]
+    excluded: Exclusions
+    left_out: tuple[LeftOut, ...]
+    methods: tuple[MethodFigures, ...]
+    pairs: tuple[PairFigures, ...]
+    agreement: Mapping[str, float | None]
+    raters_by_scene: Mapping[str, int]
+    seed: int
+
+    def facts(self) -> dict[str, Any]:
+        """Return the report as JSON values."""
+        return asdict(self) | {"bootstrap_resamples": RESAMPLES}
+
+
+def measure(
+    answers: Sequence[RaterAnswers],
+    left_out: Sequence[LeftOut],
+    key: StudyKey,
+    *,
+    min_seconds: float | None = None,
+    allowed_failures: int = 0,
+    seed: int = 0,
+) -> StudyReport:
+    """Measure a study; the same answers and seed give the same figures.
+
+    Raters that failed more attention checks than allowed, or took less than ``min_seconds`` (the
+    study's own if left out), do not count. Means are over all ratings of the others. Their 95 %
+    intervals are percentiles (2.5 and 97.5) of 10,000 bootstrap samples of *raters*, drawn with
+    ``seed``, each with all of its answers: marks of one rater are alike. They hold for the study's
+    scenes. Wilson's intervals of choices take these for independent.
+
+    Raises:
+        InputError: no rater is left, or a setting is out of range.
+    """
+    require_seed(seed)
+    require_number("report needs allow-failed", allowed_failures, minimum=0, integer=True)
+    least = key.min_seconds if min_seconds is None else min_seconds
+    require_number("report needs min-seconds", least, minimum=0)
+    inattentive = tuple(a.rater for a in answers if a.failed > allowed_failures)
+    fast = tuple(a.rater for a in answers if a.seconds < least)
+    kept = [a for a in answers if a.rater not in {*inattentive, *fast}]
+    if not kept:
+        raise InputError(
+            f"No rater is left: of {len(answers)} read, {len(inattentive)} failed the attention "
+            f"checks and {len(fast)} took less than {least:g} s; {len(left_out)} files were left "
+            "out" + (f", the first because {left_out[0].reason}" if left_out else ".")
+        )
+    drawn = _resample(len(kept), seed)
+    languages = sorted(a.language for a in kept)
+    return StudyReport(
+        key.study, key.title, len(answers), len(kept), key.scenes_each * len(key.methods),
+        sum(a.seconds for a in kept) / len(kept),
+        {one: languages.count(one) for one in languages},
+        Exclusions(inattentive, fast, allowed_failures, float(least)), tuple(left_out),
+        tuple(_method(m, kept, drawn) for m in key.methods),
+        tuple(_pair(a, b, kept, drawn) for a, b in combinations(key.methods, 2)),
+        _agreement(kept, key),
+        {s.name: sum(r.scene == code for a in kept for r in a.scenes)
+         for code, s in key.scenes.items()},
+        seed,
+    )  # fmt: skip
+
+
+def _resample(raters: int, seed: int) -> Float[np.ndarray, "b r"]:
+    """Return how often each rater is in each bootstrap sample."""
+    rng = np.random.default_rng(seed)
+    picked = np.empty((RESAMPLES, raters), np.float32)
+    for row in picked:
+        row[:] = np.bincount(rng.integers(raters, size=raters), minlength=raters)
+    return picked
+
+
+def _mean(
+    sums: Sequence[float], counts: Sequence[float], drawn: Float[np.ndarray, "b r"]
+) -> CountedMean:
+    """Return the mean of what raters' ``sums`` of ``counts`` values come to."""
+    total, count = np.array(sums, float), np.array(counts, float)
+    mean = float(total.sum() / count.sum())
+    if len(sums) < 2:
+        return CountedMean(mean, None)
+    means = (drawn.astype(float) @ total) / (drawn.astype(float) @ count)
+    low, high = np.quantile(means, [0.025, 0.975])
+    return CountedMean(mean, (float(low), float(high)))
+
+
+def _method(
+    method: str, kept: Sequence[RaterAnswers], drawn: Float[np.ndarray, "b r"]
+) -> MethodFigures:
+    counts = [len(a.scenes) for a in kept]
+    sums = [[sum(s.ratings[method][k] for s in a.scenes) for a in kept]
+            for k in range(len(CRITERIA))]  # fmt: skip
+    means = {name: _mean(sums[k], counts, drawn) for k, name in enumerate(CRITERIA)}
+    thirds = [sum(three) / 3 for three in zip(*sums[:3], strict=True)]
+    chosen = sum(s.choice == method for a in kept for s in a.scenes)
+    choices = sum(counts)
+    return MethodFigures(method, means, _mean(thirds, counts, drawn), chosen, chosen / choices,
+                         wilson(chosen, choices))  # fmt: skip
+
+
+def _pair(
+    method: str, other: str, kept: Sequence[RaterAnswers], drawn: Float[np.ndarray, "b r"]
+) -> PairFigures:
+    overall = CRITERIA.index("overall")
+    apart = [[s.ratings[method][overall] - s.ratings[other][overall] for s in a.scenes]
+             for a in kept]  # fmt: skip
+    flat = [d for each in apart for d in each]
+    points = [sum(0.5 + 0.5 * ((d > 0) - (d < 0)) for d in each) for each in apart]
+    chosen, others = (sum(s.choice == m for a in kept for s in a.scenes) for m in (method, other))
+    both = chosen + others
+    return PairFigures(
+        method, other,
+        sum(d > 0 for d in flat), sum(d == 0 for d in flat), sum(d < 0 for d in flat),
+        _mean(points, [len(each) for each in apart], drawn),
+        chosen, others, chosen / both if both else None, wilson(chosen, both) if both else None,
+    )  # fmt: skip
+
+
+def _agreement(kept: Sequence[RaterAnswers], key: StudyKey) -> dict[str, float | None]:
+    """Return alpha of each criterion (ordinal; a unit is a result) and of the choice (nominal)."""
+    marks: dict[tuple[str, str], list[tuple[int, ...]]] = defaultdict(list)
+    chosen: dict[str, list[int]] = defaultdict(list)
+    for scene in (s for a in kept for s in a.scenes):
+        chosen[scene.scene].append(key.methods.index(scene.choice))
+        for method, ratings in scene.ratings.items():
+            marks[scene.scene, method].append(ratings)
+    found = {
+        name: krippendorff([[r[k] for r in unit] for unit in marks.values()], "ordinal")
+        for k, name in enumerate(CRITERIA)
+    }
+    return found | {"choice": krippendorff(chosen.values(), "nominal")}

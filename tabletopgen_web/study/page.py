@@ -1,0 +1,184 @@
+"""The page of a study: one HTML file with all pictures inside that names no method."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from generator.errors import InputError, StorageError
+from generator.io.files import check_target, write_whole
+
+from .collecting import RatedScene
+from .design import SCHEMA, SECONDS_A_SCENE, StudyOptions, check_methods
+from .key import KeyScene, StudyKey, read_key
+
+MARK = '<script id="study" type="application/json">null</script>'
+"""Where the built page takes a study's data."""
+
+_CHARSET = '<meta charset="utf-8" />'
+_SCRIPT = re.compile(r'<script type="module"[^>]*>(.*?)</script>', re.DOTALL)
+_STYLE = re.compile(r"<style[^>]*>(.*?)</style>", re.DOTALL)
+_MAX_BYTES = 200 * 2**20
+
+
+@dataclass(frozen=True)
+class StudyFiles:
+    """A study's page, as HTML, and its key."""
+
+    page: str
+    key: StudyKey
+
+
+def make_study(
+    scenes: Sequence[RatedScene], methods: Sequence[str], options: StudyOptions, template: str
+) -> StudyFiles:
+    """Make a study; the same scenes, methods, options and template make the same bytes.
+
+    ``template`` is the built page, ``static/study.html``. Scenes and results are known in it by
+    codes, in the order of these. Of each scene the first result is of one method, the second of
+    another and so on, so that the page can balance where each method is shown; the key says which.
+
+    Raises:
+        InputError: the options do not fit the scenes, the title names a method, or the page would
+            be too large.
+    """
+    names = check_methods(methods)
+    _check_title(options.title, names)
+    count = options.scenes_of(len(scenes))
+    coded = sorted((_code("s", options.seed, one.digest), one) for one in scenes)
+    columns = sorted(names, key=lambda name: _code("c", options.seed, name, *_digests(scenes)))
+    keyed = {
+        code: KeyScene(one.name, one.digest, {
+            _result_code(options.seed, one, method): method for method in columns
+        }) for code, one in coded
+    }  # fmt: skip
+    least = SECONDS_A_SCENE * count if options.min_seconds is None else options.min_seconds
+    key = StudyKey("", options.title, options.seed, names, count, options.attention, float(least),
+                   keyed)  # fmt: skip
+    shown = [_shown(code, one, columns, options.seed) for code, one in coded]
+    parts = key.text() + json.dumps([shown, options.post])
+    key = replace(key, study=hashlib.sha256(parts.encode()).hexdigest()[:12])
+    facts = {
+        "schema": SCHEMA, "study": key.study, "title": options.title, "scenesEach": count,
+        "attention": options.attention, "scenes": shown,
+        "post": options.post and options.post.replace("{study}", key.study),
+    }  # fmt: skip
+    return StudyFiles(_fill(template, facts), key)
+
+
+def write_study(files: StudyFiles, out: Path) -> tuple[Path, Path]:
+    """Write the page and, beside it, its key; return both paths.
+
+    Raises:
+        InputError: the key of another study is there, without which its answers are lost.
+        StorageError: they cannot be written; neither is left then.
+    """
+    key = key_path(out)
+    for path in (out, key):
+        check_target(path)
+    new = not key.is_file()
+    if not new and read_key(key).study != files.key.study:
+        raise InputError(
+            f"{str(key)!r} is the key of another study, and its answers cannot be read without it. "
+            "Choose another --out, or move it away."
+        )
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StorageError(f"{out.parent} cannot be made: {error.strerror or error}.") from error
+    write_whole(key, files.key.text(), "The key", "Choose another --out.")
+    try:
+        write_whole(out, files.page, "The page", "Choose another --out.")
+    except BaseException:
+        if new:
+            key.unlink(missing_ok=True)
+        raise
+    return out, key
+
+
+def key_path(out: Path) -> Path:
+    """Return where the key of a page goes: ``FILE.key.json`` beside ``FILE.html``."""
+    return out.with_suffix(".key.json")
+
+
+def read_template() -> str:
+    """Return the built page without a study.
+
+    Raises:
+        BackendError: the front end is not there and cannot be built.
+    """
+    from ..frontend import static_folder
+
+    return (static_folder() / "study.html").read_text(encoding="utf-8")
+
+
+def _check_title(title: str, methods: Sequence[str]) -> None:
+    for name in methods:
+        if re.search(rf"(?<!\w){re.escape(name.casefold())}(?!\w)", title.casefold()):
+            raise InputError(
+                f"The title {title!r} names the method {name!r}, which raters must not know. "
+                "Choose another --title."
+            )
+
+
+def _digests(scenes: Sequence[RatedScene]) -> list[str]:
+    return sorted(one.digest for one in scenes)
+
+
+def _code(letter: str, seed: int, *parts: str) -> str:
+    text = "\0".join([letter, str(seed), *parts])
+    return letter + hashlib.sha256(text.encode()).hexdigest()[:10]
+
+
+def _result_code(seed: int, scene: RatedScene, method: str) -> str:
+    pictures = [hashlib.sha256(raw).hexdigest() for raw in scene.results[method]]
+    return _code("r", seed, scene.digest, method, *pictures)
+
+
+def _shown(code: str, scene: RatedScene, columns: Sequence[str], seed: int) -> dict[str, Any]:
+    """Return what the page knows of a scene."""
+    return {
+        "id": code,
+        "input": _data_url(scene.picture),
+        "results": [
+            {"id": _result_code(seed, scene, m), "views": [_data_url(v) for v in scene.results[m]]}
+            for m in columns
+        ],
+    }
+
+
+def _data_url(raw: bytes) -> str:
+    return "data:image/jpeg;base64," + base64.b64encode(raw).decode()
+
+
+def _fill(template: str, facts: Mapping[str, Any]) -> str:
+    """Put a study's data into the built page, and a policy that allows nothing but that page."""
+    if template.count(MARK) != 1 or template.count(_CHARSET) != 1:
+        raise InputError("The built page has no place for a study's data. Run `make web` again.")
+    data = json.dumps(facts, ensure_ascii=True, separators=(",", ":")).replace("<", "\\u003c")
+    if len(data) > _MAX_BYTES:
+        raise InputError(
+            f"The page would have {len(data) >> 20} MiB; at most {_MAX_BYTES >> 20} are made. Use "
+            "a smaller --side or fewer scenes."
+        )
+    policy = (
+        "default-src 'none'; img-src data:; "
+        f"script-src {_hashes(_SCRIPT, template)}; style-src {_hashes(_STYLE, template)}; "
+        f"connect-src '{'self' if facts['post'] else 'none'}'; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    meta = f'<meta http-equiv="Content-Security-Policy" content="{policy}" />'
+    page = template.replace(_CHARSET, f"{_CHARSET}\n    {meta}")
+    return page.replace(MARK, MARK.replace("null", data))
+
+
+def _hashes(element: re.Pattern[str], template: str) -> str:
+    """Return the sources of a policy that allow the inline elements of the built page."""
+    digests = [hashlib.sha256(text.encode()).digest() for text in element.findall(template)]
+    return " ".join(f"'sha256-{base64.b64encode(d).decode()}'" for d in digests) or "'none'"

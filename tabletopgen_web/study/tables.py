@@ -1,0 +1,118 @@
+"""A study's figures as tables: Markdown with the paper's Table 2, CSV, lines for a terminal."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable, Sequence
+
+from .design import CRITERIA, SHORT
+from .measuring import CountedMean, Interval, MethodFigures, StudyReport
+
+Cell = Callable[[MethodFigures], float]
+
+_HEADS = ("VF↑", "IA↑", "PP↑", "Avg.↑", "OP (%)")
+_CELLS: tuple[Cell, ...] = (
+    *((lambda m, c=c: m.means[c].mean) for c in CRITERIA[:3]),
+    lambda m: m.average.mean,
+    lambda m: 100 * m.share,
+)
+
+
+def to_markdown(report: StudyReport) -> str:
+    """Return the report as a page: Table 2, then intervals, pairs, agreement, who counts."""
+    parts = [
+        f"# {_cell(report.title) or 'User study'}\n",
+        table_2(report),
+        "## With 95 % intervals\n",
+        _table(("Method", *SHORT, "Avg.", "Chosen", "Share (%)"), [
+            (m.method, *(_interval(m.means[c]) for c in CRITERIA), _interval(m.average),
+             str(m.chosen), _percent(m.share, m.share_interval)) for m in report.methods
+        ]),
+        "## In pairs\n",
+        _table(("Method", "Other", "Wins", "Ties", "Losses", "Win rate (%)", "Chosen of both (%)"), [
+            (p.method, p.other, str(p.wins), str(p.ties), str(p.losses),
+             _percent(p.rate.mean, p.rate.interval),
+             "–" if p.chosen_share is None else
+             f"{_percent(p.chosen_share, p.chosen_interval)} of {p.chosen + p.other_chosen}")
+            for p in report.pairs
+        ]),
+        "## Agreement of raters\n",
+        _table(("", *SHORT, "Choice"), [
+            ("Krippendorff's alpha", *("–" if a is None else f"{a:.3f}"
+                                       for a in report.agreement.values())),
+        ]),
+        "## Raters\n",
+        "\n".join(f"- {_cell(line)}" for line in counted(report)) + "\n",
+    ]  # fmt: skip
+    return "\n".join(parts)
+
+
+def table_2(report: StudyReport) -> str:
+    """Return the paper's Table 2 as Markdown; the best of each column is bold."""
+    rows = []
+    best = [max(cell(m) for m in report.methods) for cell in _CELLS]
+    for m in report.methods:
+        texts = [(f"{cell(m):.2f}", cell(m) == top) for cell, top in zip(_CELLS, best, strict=True)]
+        rows.append((m.method, *(f"**{text}**" if first else text for text, first in texts)))
+    return _table(("Method", *_HEADS), rows)
+
+
+def to_csv(report: StudyReport) -> str:
+    """Return a row of numbers for each method: Table 2's, each with its interval."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    names = [n for c in (*CRITERIA, "average", "share") for n in (c, f"{c}_low", f"{c}_high")]
+    writer.writerow(["method", *names, "chosen", "choices"])
+    for m in report.methods:
+        means = [*(m.means[c] for c in CRITERIA), m.average,
+                 CountedMean(m.share, m.share_interval)]  # fmt: skip
+        values = [v for one in means for v in (one.mean, *(one.interval or (None, None)))]
+        cells = ["" if v is None else f"{v:.6f}" for v in values]
+        writer.writerow([m.method, *cells, m.chosen, sum(o.chosen for o in report.methods)])
+    return text.getvalue()
+
+
+def lines(report: StudyReport) -> list[str]:
+    """Return what a terminal shows: the table with intervals, and who counts."""
+    wide = max(len(m.method) for m in report.methods)
+    rows = [f"{'':<{wide}}" + "".join(f"  {h:<17}" for h in (*SHORT, "Avg.")) + "  chosen"]
+    for m in report.methods:
+        cells = [_interval(mean) for mean in (*(m.means[c] for c in CRITERIA), m.average)]
+        share = _percent(m.share, m.share_interval)
+        row = f"{m.method:<{wide}}" + "".join(f"  {c:<17}" for c in cells)
+        rows.append(f"{row}  {m.chosen}, {share} %")
+    return [*rows, *counted(report)]
+
+
+def counted(report: StudyReport) -> list[str]:
+    """Return who counts, who does not and why, and how long it took."""
+    out, left = report.excluded, len(report.left_out)
+    return [
+        f"{report.raters} of {report.read} raters count, {report.ratings_each} results rated by "
+        f"each; they took {report.mean_seconds:.0f} s on average",
+        f"{len(out.inattentive)} failed more than {out.allowed_failures} attention checks",
+        f"{len(out.too_fast)} took less than {out.min_seconds:g} s",
+        f"{left} {'file was' if left == 1 else 'files were'} left out",
+    ]
+
+
+def _interval(mean: CountedMean) -> str:
+    if mean.interval is None:
+        return f"{mean.mean:.2f}"
+    return f"{mean.mean:.2f} ({mean.interval[0]:.2f}–{mean.interval[1]:.2f})"
+
+
+def _percent(share: float, interval: Interval | None) -> str:
+    if interval is None:
+        return f"{100 * share:.2f}"
+    return f"{100 * share:.2f} ({100 * interval[0]:.1f}–{100 * interval[1]:.1f})"
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    cells = [head, ["---"] * len(head), *rows]
+    return "".join(f"| {' | '.join(map(_cell, row))} |\n" for row in cells)
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|").replace("<", "&lt;")
