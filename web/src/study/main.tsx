@@ -1,3 +1,12 @@
+/** The user study's page. */
 import { render } from "preact";
+import { App } from "./app";
+import { createStore } from "./store";
+import { readStudy } from "./study";
+import "./style.css";
+import { TEXTS, usualLanguage } from "./texts";
 
-render(<main><h1>study</h1></main>, document.getElementById("app")!);
+const study = readStudy();
+const missing = <main class="missing">{TEXTS[usualLanguage()].missing}</main>;
+const app = document.getElementById("app");
+if (app) render(study ? <App store={createStore(study)} /> : missing, app);

@@ -1,0 +1,15 @@
+import { useEffect, useRef } from "preact/hooks";
+
+/** The heading of a page, which has the focus when the page appears. */
+export function Heading({ text }: { text: string }) {
+  const heading = useRef<HTMLHeadingElement>(null);
+  useEffect(() => {
+    window.scrollTo(0, 0);
+    heading.current?.focus({ preventScroll: true });
+  }, []);
+  return (
+    <h1 ref={heading} tabIndex={-1}>
+      {text}
+    </h1>
+  );
+}

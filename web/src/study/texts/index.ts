@@ -1,0 +1,21 @@
+/** The texts of the page by language; a new language is one more table and one more line. */
+import { en } from "./en";
+import type { Texts } from "./table";
+import { zh } from "./zh";
+
+export type { Texts } from "./table";
+
+export const TEXTS = { en, zh } as const satisfies Record<string, Texts>;
+
+export type Language = keyof typeof TEXTS;
+
+export const LANGUAGES = Object.keys(TEXTS) as Language[];
+
+export const isLanguage = (value: unknown): value is Language =>
+  typeof value === "string" && Object.hasOwn(TEXTS, value);
+
+/** Returns the first language of the browser that there are texts in; English if there are none. */
+export function usualLanguage(): Language {
+  const wanted = navigator.languages.map((tag) => tag.split("-")[0]);
+  return wanted.find(isLanguage) ?? "en";
+}
