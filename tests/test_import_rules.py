@@ -207,11 +207,13 @@ def foreign(path: Path) -> set[str]:
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
     used, learning, recording, cloud = set(), set(), set(), set()
-    many, hub, others, by_hand, served = set(), set(), set(), set(), set()
+    many, hub, others, by_hand = set(), set(), set(), set()
+    served, charted = set(), set()
     extras = {
         "tabletopgen_env.learning": learning,
         "tabletopgen_env.recording": recording,
         "tabletopgen_env.teleoperation": by_hand,
+        "tabletopgen_web.study": charted,
         "tabletopgen_web.studio": served,
         "generator.calls": cloud,
         "generator.backends.cloud": cloud,
@@ -231,6 +233,7 @@ def test_what_is_imported_is_what_is_installed() -> None:
     assert others - declared() == declared("usd")
     assert by_hand - declared() == declared("teleop")
     assert served - declared() == declared("studio")
+    assert charted - declared() == declared("plot")
     assert cloud - declared() <= declared("cloud")
     assert hub - declared() <= declared("huggingface")
     assert {line.split("==")[0] for line in constraints()} >= declared()

@@ -1,10 +1,10 @@
-"""Methods' results: found in folders, as bundles or pictures, and matched by their input picture."""
+"""Methods' results: bundles or pictures in folders, matched by their input picture."""
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -98,7 +98,18 @@ def collect(
     used = [one for one in known if one.digest in placed]
     ignored += [f"{one.stem} (no method has a result)" for one in known if one not in used]
     _check_complete(used, placed, list(folders))
-    return [_draw(one, placed[one.digest], list(folders), drawing) for one in used], ignored
+    return [
+        _draw(one, placed[one.digest], list(folders), drawing) for one in _rename(used)
+    ], ignored
+
+
+def _rename(inputs: Sequence[_Input]) -> list[_Input]:
+    """Return the inputs by names that differ: bundles of several pictures may share one."""
+    stems = [one.stem for one in inputs]
+    return [
+        one if stems.count(one.stem) == 1 else replace(one, stem=f"{one.stem}-{one.digest[:6]}")
+        for one in inputs
+    ]
 
 
 def _find(folder: Path, ignored: list[str]) -> list[FoundResult]:

@@ -68,7 +68,7 @@ def read_key(path: Path) -> StudyKey:
     facts = parse_object(raw, f"The key {str(path)!r}", InputError)
     try:
         return _key(facts)
-    except (KeyError, TypeError, ValueError) as error:
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise InputError(
             f"{str(path)!r} is not the key of a study ({error!s:.200}). `tabletopgen study new` "
             "writes it as FILE.key.json beside FILE.html."

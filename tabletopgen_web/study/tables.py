@@ -30,7 +30,7 @@ def to_markdown(report: StudyReport) -> str:
              str(m.chosen), _percent(m.share, m.share_interval)) for m in report.methods
         ]),
         "## In pairs\n",
-        _table(("Method", "Other", "Wins", "Ties", "Losses", "Win rate (%)", "Chosen of both (%)"), [
+        _table(("Method", "Other", "Wins", "Ties", "Losses", "Win rate (%)", "Preferred (%)"), [
             (p.method, p.other, str(p.wins), str(p.ties), str(p.losses),
              _percent(p.rate.mean, p.rate.interval),
              "–" if p.chosen_share is None else
