@@ -18,7 +18,7 @@ from .key import StudyKey
 MAX_ANSWER_BYTES = 2**20
 """Of one rater's answers; 200 scenes of 8 methods take less."""
 
-_MAX_FILES = 20_000
+_MAX_FILES = 5_000
 _RATER = re.compile(r"[0-9a-f]{16}")
 _LANGUAGE = re.compile(r"[a-z]{2,3}(-[A-Za-z]{2,8})?")
 _MAX_SECONDS = 30 * 86400.0

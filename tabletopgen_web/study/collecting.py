@@ -42,13 +42,14 @@ class Drawing:
 class FoundResult:
     """A method's result, not drawn yet: a bundle, or a plain picture.
 
-    ``stem`` is the scene's name as the method has it; ``reference`` the bundle's input picture.
+    ``stem`` is the scene's name as the method has it; ``digest`` that of a bundle's input picture,
+    None if it keeps none.
     """
 
     path: Path
     stem: str
     bundle: bool
-    reference: UInt8[np.ndarray, "h w 3"] | None = None
+    digest: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,9 +64,18 @@ class RatedScene:
 
 @dataclass(frozen=True, eq=False)
 class _Input:
+    """An input picture: a file, or what a bundle keeps."""
+
     stem: str
     digest: str
-    picture: UInt8[np.ndarray, "h w 3"]
+    path: Path
+    bundle: bool
+
+    def read(self) -> UInt8[np.ndarray, "h w 3"]:
+        found = _reference(self.path) if self.bundle else read_picture(self.path)
+        if found is None or digest_of(found) != self.digest:
+            raise InputError(f"{str(self.path)!r} was changed meanwhile. Try again.")
+        return found
 
 
 def collect(
@@ -150,11 +160,17 @@ def _entries(folder: Path) -> list[Path]:
 
 
 def _read_bundle(path: Path) -> FoundResult:
+    reference = _reference(path)
+    digest = None if reference is None else digest_of(reference)
+    return FoundResult(path, _bundle_stem(path), True, digest)
+
+
+def _reference(path: Path) -> UInt8[np.ndarray, "h w 3"] | None:
+    """Return a bundle's input picture; None if it keeps none."""
     from generator.bundle import load_pictures
 
     raw = load_pictures(path).get("reference")
-    reference = None if raw is None else decode(raw, f"{path}: reference.png")
-    return FoundResult(path, _bundle_stem(path), True, reference)
+    return None if raw is None else decode(raw, f"{path}: reference.png")
 
 
 def _bundle_stem(path: Path) -> str:
@@ -169,8 +185,7 @@ def _read_inputs(folder: Path, ignored: list[str]) -> list[_Input]:
         if not (path.is_file() and path.suffix.lower() in ENDINGS):
             ignored.append(str(path))
             continue
-        picture = read_picture(path)
-        one = _Input(path.stem, digest_of(picture), picture)
+        one = _Input(path.stem, digest_of(read_picture(path)), path, False)
         if (other := known.setdefault(one.digest, one)) is not one:
             raise InputError(f"{str(path)!r} is the same picture as {other.stem!r}; remove one.")
     stems = [one.stem for one in known.values()]
@@ -185,9 +200,8 @@ def _inputs_of(found: Mapping[str, Sequence[FoundResult]]) -> list[_Input]:
     """Return the input pictures of bundles, each once, called by the first bundle's name."""
     known: dict[str, _Input] = {}
     for result in (result for results in found.values() for result in results):
-        if result.reference is not None:
-            digest = digest_of(result.reference)
-            known.setdefault(digest, _Input(result.stem, digest, result.reference))
+        if (digest := result.digest) is not None:
+            known.setdefault(digest, _Input(result.stem, digest, result.path, True))
     if not known:
         raise InputError(
             "None of the results keeps its input picture. Name a folder of them, called like the "
@@ -197,8 +211,7 @@ def _inputs_of(found: Mapping[str, Sequence[FoundResult]]) -> list[_Input]:
 
 
 def _input_of(method: str, result: FoundResult, known: Sequence[_Input]) -> _Input:
-    digest = None if result.reference is None else digest_of(result.reference)
-    same = [one for one in known if one.digest == digest]
+    same = [one for one in known if one.digest == result.digest]
     same = same or [one for one in known if one.stem == result.stem]
     if len(same) != 1:
         several = "several input pictures are called so" if same else "no input picture fits"
@@ -231,7 +244,7 @@ def _draw(
 ) -> RatedScene:
     shown = {m: tuple(encode(p, drawing.side) for p in _views(results[m], drawing))
              for m in methods}  # fmt: skip
-    return RatedScene(one.stem, one.digest, encode(one.picture, drawing.side), shown)
+    return RatedScene(one.stem, one.digest, encode(one.read(), drawing.side), shown)
 
 
 def _views(result: FoundResult, drawing: Drawing) -> Iterator[UInt8[np.ndarray, "h w 3"]]:

@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Int
 
 from generator.errors import InputError, require_number, require_seed
 from tabletopgen_env.statistics import wilson
@@ -153,30 +153,32 @@ def measure(
     )  # fmt: skip
 
 
-def _resample(raters: int, seed: int) -> Float[np.ndarray, "b r"]:
+def _resample(raters: int, seed: int) -> Int[np.ndarray, "b r"]:
     """Return how often each rater is in each bootstrap sample."""
     rng = np.random.default_rng(seed)
-    picked = np.empty((RESAMPLES, raters), np.float32)
+    picked = np.empty((RESAMPLES, raters), np.int16)
     for row in picked:
         row[:] = np.bincount(rng.integers(raters, size=raters), minlength=raters)
     return picked
 
 
 def _mean(
-    sums: Sequence[float], counts: Sequence[float], drawn: Float[np.ndarray, "b r"]
+    sums: Sequence[float], counts: Sequence[float], drawn: Int[np.ndarray, "b r"]
 ) -> CountedMean:
     """Return the mean of what raters' ``sums`` of ``counts`` values come to."""
     total, count = np.array(sums, float), np.array(counts, float)
     mean = float(total.sum() / count.sum())
     if len(sums) < 2:
         return CountedMean(mean, None)
-    means = (drawn.astype(float) @ total) / (drawn.astype(float) @ count)
-    low, high = np.quantile(means, [0.025, 0.975])
+    both = np.stack([total, count], axis=1)
+    parts = [part.astype(float) @ both for part in np.array_split(drawn, 20)]
+    sampled = np.concatenate(parts)
+    low, high = np.quantile(sampled[:, 0] / sampled[:, 1], [0.025, 0.975])
     return CountedMean(mean, (float(low), float(high)))
 
 
 def _method(
-    method: str, kept: Sequence[RaterAnswers], drawn: Float[np.ndarray, "b r"]
+    method: str, kept: Sequence[RaterAnswers], drawn: Int[np.ndarray, "b r"]
 ) -> MethodFigures:
     counts = [len(a.scenes) for a in kept]
     sums = [[sum(s.ratings[method][k] for s in a.scenes) for a in kept]
@@ -190,7 +192,7 @@ def _method(
 
 
 def _pair(
-    method: str, other: str, kept: Sequence[RaterAnswers], drawn: Float[np.ndarray, "b r"]
+    method: str, other: str, kept: Sequence[RaterAnswers], drawn: Int[np.ndarray, "b r"]
 ) -> PairFigures:
     overall = CRITERIA.index("overall")
     apart = [[s.ratings[method][overall] - s.ratings[other][overall] for s in a.scenes]
