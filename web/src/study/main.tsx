@@ -4,6 +4,7 @@ import { App } from "./app";
 import { createStore } from "./store";
 import { readStudy } from "./study";
 import "./style.css";
+import "./scene.css";
 import { TEXTS, usualLanguage } from "./texts";
 
 const study = readStudy();
