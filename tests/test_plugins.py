@@ -14,7 +14,9 @@ from tyro.extras import SubcommandApp
 from generator.cli import plugins
 
 ROOT = Path(__file__).parents[1]
-ENVIRONMENT = ("bench", "certify", "enjoy", "grasps", "plot", "record", "teleop", "train")
+ENVIRONMENT = (
+    "bench", "certify", "enjoy", "grasps", "plot", "record", "study", "teleop", "train",
+)  # fmt: skip
 
 
 def printed_by(code: str) -> str:
@@ -33,7 +35,9 @@ def test_the_environments_commands_are_declared() -> None:
     assert {name: found[name].value for name in ENVIRONMENT} == declared
     loaded = {name: plugins.load(found[name], True) for name in ENVIRONMENT}
     groups = {name for name, each in loaded.items() if isinstance(each, SubcommandApp)}
-    assert groups == {"bench"} and all(callable(loaded[name]) for name in {*loaded} - groups)
+    assert groups == {"bench", "study"} and all(
+        callable(loaded[name]) for name in {*loaded} - groups
+    )
     assert plugins.purpose_of(found["bench"]).startswith("Play fixed suites")
 
 

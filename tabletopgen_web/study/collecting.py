@@ -12,30 +12,13 @@ from jaxtyping import UInt8
 
 from generator.errors import InputError, choices
 
-from .design import MAX_SCENES
+from .design import MAX_SCENES, Drawing
 from .pictures import ENDINGS, decode, digest_of, encode, read_picture
 
 ABOVE = ".above"
 """What the stem of a plain picture from above ends with: ``desk.above.png`` beside ``desk.png``."""
 
 _MOST_ENTRIES = 5000  # of a folder
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """How results are shown; ``side`` bounds the longer side of a picture, pixels.
-
-    Attributes:
-        above: Show each result from straight above, too; plain pictures need SCENE.above.png.
-        side: Longest side of a picture in the page, pixels.
-    """
-
-    above: bool = False
-    side: int = 960
-
-    def __post_init__(self) -> None:
-        if not 128 <= self.side <= 2048:
-            raise InputError(f"--side {self.side}: use 128 to 2048 pixels.")
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,8 +14,7 @@ from generator.cli.printing import emit
 from generator.errors import InputError, StorageError, escape
 from generator.io.files import check_folder, check_target, write_whole
 
-from .collecting import Drawing
-from .design import StudyOptions, check_methods
+from .design import Drawing, StudyOptions, check_methods
 
 if TYPE_CHECKING:
     from .measuring import StudyReport

@@ -25,7 +25,7 @@ MAX_SCENES, MAX_METHODS = 200, 8
 SECONDS_A_SCENE = 25.0
 """The paper's minimum time, 200 s for 8 scenes, by scene."""
 
-_METHOD = re.compile(r"\w[\w .+()/-]{0,58}[\w)+]|\w")
+_METHOD = re.compile(r"\w[\w .,+()/-]{0,58}[\w)+]|\w")
 _POST = re.compile(r"(?:/[A-Za-z0-9_.~-]+|/\{study\})+")
 
 
@@ -83,6 +83,23 @@ class StudyOptions:
         return count
 
 
+@dataclass(frozen=True)
+class Drawing:
+    """How results are shown; ``side`` bounds the longer side of a picture, pixels.
+
+    Attributes:
+        above: Show each result from straight above, too; plain pictures need SCENE.above.png.
+        side: Longest side of a picture in the page, pixels.
+    """
+
+    above: bool = False
+    side: int = 960
+
+    def __post_init__(self) -> None:
+        if not 128 <= self.side <= 2048:
+            raise InputError(f"--side {self.side}: use 128 to 2048 pixels.")
+
+
 def is_post_path(path: str) -> bool:
     """Tell whether a path is absolute on its own server and leads nowhere else."""
     return len(path) <= 200 and bool(_POST.fullmatch(path)) and not {".", ".."} & {*path.split("/")}
@@ -99,7 +116,7 @@ def check_methods(names: Iterable[str]) -> tuple[str, ...]:
         if not (isinstance(name, str) and _METHOD.fullmatch(name)):
             raise InputError(
                 f"{name!r:.90} is no method's name: use at most 60 letters, digits, spaces and "
-                "'_.+()/-', a letter or a digit first."
+                "'_.,+()/-', a letter or a digit first."
             )
     folded = [name.casefold() for name in found]
     if len(set(folded)) < len(found):

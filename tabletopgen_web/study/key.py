@@ -101,5 +101,6 @@ def _scene(code: str, facts: Mapping[str, Any], methods: tuple[str, ...]) -> Key
     if sorted(results.values()) != sorted(methods):
         raise ValueError("each scene has one result of each method")
     name = printable(facts["name"], "name", InputError)
-    digest = printable(facts["input_sha256"], "input_sha256", InputError)
-    return KeyScene(name, digest, dict(results))
+    if not re.fullmatch("[0-9a-f]{64}", facts["input_sha256"]):
+        raise ValueError("input_sha256 is 64 hexadecimal digits")
+    return KeyScene(name, facts["input_sha256"], dict(results))

@@ -22,8 +22,8 @@ import numpy as np
 from jaxtyping import UInt8
 
 from generator.io.pictures import write_picture
-from tabletopgen_web.study.collecting import Drawing, collect
-from tabletopgen_web.study.design import CRITERIA, StudyOptions
+from tabletopgen_web.study.collecting import collect
+from tabletopgen_web.study.design import CRITERIA, Drawing, StudyOptions
 from tabletopgen_web.study.key import StudyKey
 from tabletopgen_web.study.page import MARK, StudyFiles, make_study
 
