@@ -33,13 +33,19 @@ function collect(names: string[], seen: Map<string, string>): void {
   }
 }
 
+/** Returns the licences of packages and of what they depend on, as Markdown. */
+export function licenseTexts(names: string[]): string {
+  const seen = new Map<string, string>();
+  collect(names, seen);
+  return ["# Licences of what these pages contain\n", ...seen.values()].join("\n");
+}
+
 export function licenses(): Plugin {
   return {
     name: "licenses",
     generateBundle() {
-      const seen = new Map<string, string>();
-      collect(Object.keys(read(join(HERE, "package.json")).dependencies ?? {}), seen);
-      const source = ["# Licences of what these pages contain\n", ...seen.values()].join("\n");
+      const names = Object.keys(read(join(HERE, "package.json")).dependencies ?? {});
+      const source = licenseTexts(names);
       this.emitFile({ type: "asset", fileName: "licenses.md", source });
     },
   };

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -38,6 +39,25 @@ def study(files: StudyFiles, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write_study(files, tmp_path_factory.mktemp("study") / "study.html")[0]
 
 
+def test_the_command_makes_a_page_that_names_no_method(
+    template: str, tmp_path: Path, shell: Shell
+) -> None:
+    folders = tiny.write_pictures(tmp_path, ("TabletopGen", "MIDI"))
+    out = tmp_path / "made" / "study.html"
+    new = shell.of("study", "new", *(f"{name}={folder}" for name, folder in folders.items()),
+                   "--inputs", str(tmp_path / "inputs"), "--out", str(out))  # fmt: skip
+    facts = new("--json").facts
+    assert (facts["methods"], facts["scenes_each"]) == (["TabletopGen", "MIDI"], 6)
+    assert (facts["min_seconds"], facts["bytes"]) == (150.0, out.stat().st_size)
+    text = re.sub(r"base64,[A-Za-z0-9+/=]+", "", out.read_text()).casefold()
+    assert [word for word in ("tabletopgen", "midi", "scene-", str(tmp_path)) if word in text] == []
+    assert "permission is hereby granted" in text  # the licences of its code
+    before = out.read_bytes()
+    new()
+    assert out.read_bytes() == before
+    assert sorted(p.name for p in out.parent.iterdir()) == ["study.html", "study.key.json"]
+
+
 def test_three_raters_give_the_table_worked_out_by_hand(
     browser: Browser, study: Path, files: StudyFiles, tmp_path: Path, shell: Shell
 ) -> None:
@@ -51,6 +71,8 @@ def test_three_raters_give_the_table_worked_out_by_hand(
             facts = json.loads(path.read_text())
             assert path.name == f"answers-{files.key.study}-{facts['rater']}.json"
             assert [one["scene"] for one in facts["scenes"]] == scenes
+            times = [one["seconds"] for one in facts["scenes"]]
+            assert 0 < facts["seconds"] == pytest.approx(sum(times), abs=0.4)
             answers.append(facts)
             orders.append(tuple(tuple(one["order"]) for one in facts["scenes"]))
             again = page.get_by_role("button", name="Download the answers")
