@@ -54,14 +54,16 @@ class RaterAnswers:
 
 
 @dataclass(frozen=True)
-class LeftOut:
+class RefusedAnswers:
     """A file that does not count, and why."""
 
     file: str
     reason: str
 
 
-def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], list[LeftOut]]:
+def read_all(
+    paths: Sequence[Path], key: StudyKey
+) -> tuple[list[RaterAnswers], list[RefusedAnswers]]:
     """Read answers of files, and of the ``*.json`` files in folders; return what was left out, too.
 
     A rater counts once: the same answers again are left out, and answers that differ are left out
@@ -75,14 +77,14 @@ def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], 
         raise InputError("There are no answers. Name files answers-STUDY-RATER.json, or a folder.")
     if len(files) > _MAX_FILES:
         raise InputError(f"{len(files)} files of answers: at most {_MAX_FILES} are read.")
-    left: list[LeftOut] = []
+    left: list[RefusedAnswers] = []
     by_rater: dict[str, list[tuple[Path, RaterAnswers]]] = defaultdict(list)
     for file in dict.fromkeys(files):
         try:
             raw = read_regular(file, "The file", InputError, max_bytes=MAX_ANSWER_BYTES)
             answers = parse_answers(raw, key)
         except InputError as error:
-            left.append(LeftOut(str(file), str(error)))
+            left.append(RefusedAnswers(str(file), str(error)))
         else:
             by_rater[answers.rater].append((file, answers))
     kept = [_once(found, left) for _, found in sorted(by_rater.items())]
@@ -108,7 +110,7 @@ def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
     codes = [scene.scene for scene in scenes]
     _expect(len(set(codes)) == len(codes), "a scene is there twice")
     _expect(len(codes) == key.scenes_each, f"it has {len(codes)} of {key.scenes_each} scenes")
-    failed = _failed(_list(facts["checks"], "checks"), codes, key)
+    failed = _count_failed(_list(facts["checks"], "checks"), codes, key)
     return RaterAnswers(rater, language, float(facts["seconds"]), scenes, failed)
 
 
@@ -119,14 +121,16 @@ def _files(path: Path) -> Iterable[Path]:
         raise InputError(f"{str(path)!r} cannot be read: {error.strerror or error}.") from error
 
 
-def _once(found: Sequence[tuple[Path, RaterAnswers]], left: list[LeftOut]) -> RaterAnswers | None:
+def _once(
+    found: Sequence[tuple[Path, RaterAnswers]], left: list[RefusedAnswers]
+) -> RaterAnswers | None:
     (first, answers), *others = found
     same = all(other == answers for _, other in others)
     if same:
-        left += [LeftOut(str(p), f"rater {answers.rater} answers the same in {first}")
+        left += [RefusedAnswers(str(p), f"rater {answers.rater} answers the same in {first}")
                  for p, _ in others]  # fmt: skip
         return answers
-    left += [LeftOut(str(p), f"rater {answers.rater} has different answers in another file")
+    left += [RefusedAnswers(str(p), f"rater {answers.rater} has different answers in another file")
              for p, _ in found]  # fmt: skip
     return None
 
@@ -165,7 +169,7 @@ def _marks(marks: Any, code: str) -> tuple[int, ...]:
     return tuple(marks[criterion] for criterion in CRITERIA)
 
 
-def _failed(checks: Sequence[Any], codes: Sequence[str], key: StudyKey) -> int:
+def _count_failed(checks: Sequence[Any], codes: Sequence[str], key: StudyKey) -> int:
     _expect(len(checks) == key.attention, f"it has {len(checks)} of {key.attention} checks")
     for check in checks:
         _expect(isinstance(check, dict) and check.keys() == {"scene", "asked", "given"},

@@ -61,7 +61,7 @@ def make_study(
     least = SECONDS_A_SCENE * count if options.min_seconds is None else options.min_seconds
     key = StudyKey("", options.title, options.seed, names, count, options.attention, float(least),
                    keyed)  # fmt: skip
-    shown = [_shown(code, one, columns, options.seed) for code, one in coded]
+    shown = [_scene_facts(code, one, columns, options.seed) for code, one in coded]
     parts = key.text() + json.dumps([shown, options.post])
     key = replace(key, study=hashlib.sha256(parts.encode()).hexdigest()[:12])
     facts = {
@@ -141,7 +141,7 @@ def _result_code(seed: int, scene: RatedScene, method: str) -> str:
     return _code("r", seed, scene.digest, method, *pictures)
 
 
-def _shown(code: str, scene: RatedScene, columns: Sequence[str], seed: int) -> dict[str, Any]:
+def _scene_facts(code: str, scene: RatedScene, columns: Sequence[str], seed: int) -> dict[str, Any]:
     """Return what the page knows of a scene."""
     return {
         "id": code,

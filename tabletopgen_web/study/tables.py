@@ -43,7 +43,7 @@ def to_markdown(report: StudyReport) -> str:
                                        for a in report.agreement.values())),
         ]),
         "## Raters\n",
-        "\n".join(f"- {_cell(line)}" for line in counted(report)) + "\n",
+        "\n".join(f"- {_cell(line)}" for line in count_lines(report)) + "\n",
     ]  # fmt: skip
     return "\n".join(parts)
 
@@ -82,10 +82,10 @@ def lines(report: StudyReport) -> list[str]:
         share = _percent(m.share, m.share_interval)
         row = f"{m.method:<{wide}}" + "".join(f"  {c:<17}" for c in cells)
         rows.append(f"{row}  {m.chosen}, {share} %")
-    return [*rows, *counted(report)]
+    return [*rows, *count_lines(report)]
 
 
-def counted(report: StudyReport) -> list[str]:
+def count_lines(report: StudyReport) -> list[str]:
     """Return who counts, who does not and why, and how long it took."""
     out, left = report.excluded, len(report.left_out)
     return [
