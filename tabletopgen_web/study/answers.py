@@ -54,16 +54,14 @@ class RaterAnswers:
 
 
 @dataclass(frozen=True)
-class RefusedAnswers:
+class Refusal:
     """A file that does not count, and why."""
 
     file: str
     reason: str
 
 
-def read_all(
-    paths: Sequence[Path], key: StudyKey
-) -> tuple[list[RaterAnswers], list[RefusedAnswers]]:
+def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], list[Refusal]]:
     """Read answers of files, and of the ``*.json`` files in folders; return what was left out, too.
 
     A rater counts once: the same answers again are left out, and answers that differ are left out
@@ -77,14 +75,14 @@ def read_all(
         raise InputError("There are no answers. Name files answers-STUDY-RATER.json, or a folder.")
     if len(files) > _MAX_FILES:
         raise InputError(f"{len(files)} files of answers: at most {_MAX_FILES} are read.")
-    left: list[RefusedAnswers] = []
+    left: list[Refusal] = []
     by_rater: dict[str, list[tuple[Path, RaterAnswers]]] = defaultdict(list)
     for file in dict.fromkeys(files):
         try:
             raw = read_regular(file, "The file", InputError, max_bytes=MAX_ANSWER_BYTES)
             answers = parse_answers(raw, key)
         except InputError as error:
-            left.append(RefusedAnswers(str(file), str(error)))
+            left.append(Refusal(str(file), str(error)))
         else:
             by_rater[answers.rater].append((file, answers))
     kept = [_once(found, left) for _, found in sorted(by_rater.items())]
@@ -121,16 +119,14 @@ def _files(path: Path) -> Iterable[Path]:
         raise InputError(f"{str(path)!r} cannot be read: {error.strerror or error}.") from error
 
 
-def _once(
-    found: Sequence[tuple[Path, RaterAnswers]], left: list[RefusedAnswers]
-) -> RaterAnswers | None:
+def _once(found: Sequence[tuple[Path, RaterAnswers]], left: list[Refusal]) -> RaterAnswers | None:
     (first, answers), *others = found
     same = all(other == answers for _, other in others)
     if same:
-        left += [RefusedAnswers(str(p), f"rater {answers.rater} answers the same in {first}")
+        left += [Refusal(str(p), f"rater {answers.rater} answers the same in {first}")
                  for p, _ in others]  # fmt: skip
         return answers
-    left += [RefusedAnswers(str(p), f"rater {answers.rater} has different answers in another file")
+    left += [Refusal(str(p), f"rater {answers.rater} has different answers in another file")
              for p, _ in found]  # fmt: skip
     return None
 

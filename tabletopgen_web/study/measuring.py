@@ -15,7 +15,7 @@ from generator.errors import InputError, require_number, require_seed
 from tabletopgen_env.statistics import wilson
 
 from .agreement import krippendorff
-from .answers import RaterAnswers, RefusedAnswers
+from .answers import RaterAnswers, Refusal
 from .design import CRITERIA
 from .key import StudyKey
 
@@ -92,7 +92,7 @@ class StudyReport:
     mean_seconds: float
     languages: Mapping[str, int]
     excluded: Exclusions
-    left_out: tuple[RefusedAnswers, ...]
+    left_out: tuple[Refusal, ...]
     methods: tuple[MethodFigures, ...]
     pairs: tuple[PairFigures, ...]
     agreement: Mapping[str, float | None]
@@ -106,7 +106,7 @@ class StudyReport:
 
 def measure(
     answers: Sequence[RaterAnswers],
-    left_out: Sequence[RefusedAnswers],
+    left_out: Sequence[Refusal],
     key: StudyKey,
     *,
     min_seconds: float | None = None,
