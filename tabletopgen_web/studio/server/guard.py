@@ -35,6 +35,14 @@ HEADERS: Mapping[str, str] = MappingProxyType(
         "cross-origin-resource-policy": "same-origin",
     }
 )
+"""Headers of every answer."""
+
+WORKER = "/assets/worker-"
+"""How the path of the physics worker's script begins, which has a policy of its own."""
+
+_WORKER_POLICY = (  # MuJoCo's bindings make functions of texts of their own
+    "default-src 'none'; script-src 'self' 'unsafe-eval' 'wasm-unsafe-eval'; connect-src 'self'"
+)
 """Of every answer."""
 
 _SAFE = ("GET", "HEAD")
@@ -104,6 +112,8 @@ class StudioGuard:
                 headers = MutableHeaders(scope=message)
                 for name, value in HEADERS.items():
                     headers[name] = value
+                if scope["path"].startswith(WORKER):
+                    headers["content-security-policy"] = _WORKER_POLICY
             await send(message)
 
         if scope["type"] != "http":

@@ -67,6 +67,13 @@ export interface EditRow {
   exists: boolean;
 }
 
+/** The steps that led to a scene, it being the last, and the ids of those edited from it. */
+export interface HistoryRow {
+  scene: string;
+  steps: EditRow[];
+  later: string[];
+}
+
 export interface BackendRow {
   name: string;
   roles: string[];
@@ -152,7 +159,7 @@ export const api = {
   estimate: (job: JobRequest) => post<EstimateRow>("/api/estimate", job),
   upload: (file: Blob) => ask<PictureRow>("POST", "/api/pictures", file, "application/octet-stream"),
   scenes: async () => (await get<{ scenes: StudioScene[] }>("/api/scenes")).scenes,
-  history: async (id: string) => (await get<{ history: EditRow[] }>(`/api/scenes/${name(id)}/history`)).history,
+  history: (id: string) => get<HistoryRow>(`/api/scenes/${name(id)}/history`),
   save: (id: string) => post<{ path?: string }>(`/api/scenes/${name(id)}/save`),
   discard: (id: string) => ask<void>("DELETE", `/api/scenes/${name(id)}`),
   /** The folder of a scene, as the viewer opens it. */

@@ -5,7 +5,7 @@ import { Facts } from "../page/facts";
 import type { Engine } from "../viewer/engine";
 import type { Move } from "../viewer/placing";
 import { Viewer } from "../viewer/viewer";
-import { api, type EditAction, type EditRow, type JobRequest } from "./api";
+import { api, type EditAction, type HistoryRow, type JobRequest } from "./api";
 import { EnvironmentPanel } from "./environment";
 import { attempt, begin, refreshScenes, scenes, scenesRead, tell, whenOver } from "./store";
 
@@ -100,24 +100,24 @@ export function wordsOf(name: string, move: Move): Edit {
 
 /** Back to what a scene was edited from, and forth to what was made of it last. */
 function History({ id }: { id: string }) {
-  const chain = useSignal<EditRow[]>([]);
+  const chain = useSignal<HistoryRow | null>(null);
   useEffect(() => {
-    chain.value = [];
+    chain.value = null;
     void attempt(async () => {
       chain.value = await api.history(id);
     });
   }, [id]);
-  const before = chain.value.filter((step) => step.exists && step.id !== id).at(-1);
-  const after = scenes.value.filter((row) => row.parent === id).at(-1);
+  const before = chain.value?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
+  const after = chain.value?.later.at(-1);
   const go = (to: string): void => {
     location.hash = `#/scene/${encodeURIComponent(to)}`;
   };
   return (
     <div class="row" role="group" aria-label="History">
-      <button disabled={!before} onClick={() => before && go(before.id)}>
+      <button disabled={!before} onClick={() => before && go(before)}>
         Undo
       </button>
-      <button disabled={!after} onClick={() => after && go(after.id)}>
+      <button disabled={!after} onClick={() => after && go(after)}>
         Redo
       </button>
     </div>

@@ -7,7 +7,7 @@ import { attempt, begin, studio, tell } from "./store";
 type Way = "compose" | "generate";
 
 /** Roles of what the embedded planner did not understand. */
-const UNREAD = new Set(["unknown", "not understood", "ignored"]);
+const UNREAD = new Set(["not understood", "note"]);
 
 const MOST_VARIANTS = 8;
 
@@ -131,7 +131,7 @@ function Understood({ text }: { text: Signal<string> }) {
             {rows.value.map((row, k) => (
               <tr key={k} class={UNREAD.has(row.role) ? "bad" : undefined}>
                 <th scope="row">{row.role}</th>
-                <td>“{row.phrase}”</td>
+                <td>{row.phrase && `“${row.phrase}”`}</td>
                 <td>{row.meaning}</td>
               </tr>
             ))}

@@ -101,7 +101,7 @@ export class Engine {
       }
       this.files = await fetchData<SceneFiles>(`${base}view.json`);
       await this.load("scene");
-      this.run(running);
+      this.run(running && !this.editing.value);
       this.ready.value = true;
     } catch (error) {
       this.fail(error);
@@ -356,7 +356,7 @@ export class Engine {
   /** Begins or ends editing: the scene rests as it was settled. */
   edit(on: boolean): void {
     this.editing.value = on;
-    if (!on) return;
+    if (!on || !this.ready.value) return;
     this.run(false);
     this.reset();
   }

@@ -1,0 +1,278 @@
+"""The studio as a person uses it, in a real browser."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser import ENGINE, Watched, axe_faults, axe_share, opened, wait_for_scenes
+from playwright.sync_api import Browser, Page
+
+from generator.bundle import load, verify
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
+
+TEXT = "a wooden desk with a mug and a plate"
+
+
+@dataclass
+class Studio:
+    """A running studio: its address with the token, its folder, the user's store, its process."""
+
+    address: str
+    folder: Path
+    store: Path
+    process: subprocess.Popen[str]
+
+    @property
+    def root(self) -> str:
+        return self.address.partition("?")[0]
+
+
+@contextmanager
+def running(folder: Path, store: Path) -> Iterator[Studio]:
+    command = [sys.executable, "-m", "generator", "studio", "--no-browser", "--folder", str(folder)]
+    environment = {**os.environ, "TABLETOPGEN_CACHE": str(store), "OMP_NUM_THREADS": "1"}
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment
+    )
+    try:
+        assert process.stdout is not None
+        for line in process.stdout:
+            if found := re.search(r"http://\S+token=\S+", line):
+                break
+        else:
+            raise AssertionError("the studio printed no address")
+        yield Studio(found[0], folder, store, process)
+    finally:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(20)
+        except subprocess.TimeoutExpired:
+            process.kill()
+
+
+@pytest.fixture
+def studio(tmp_path: Path) -> Iterator[Studio]:
+    (tmp_path / "store").mkdir()
+    with running(tmp_path / "studio", tmp_path / "store") as found:
+        yield found
+
+
+def until(page: Page, condition: str, seconds: float = 120) -> None:
+    """Wait until a JavaScript condition, which may await, holds."""
+    for _ in range(int(20 * seconds)):
+        if page.evaluate(f"async () => Boolean({condition})"):
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(f"never: {condition}")
+
+
+def enter(browser: Browser, studio: Studio, **options: Any) -> Watched:
+    watched = opened(browser, **options)
+    watched.page.goto(studio.address)
+    watched.page.get_by_role("heading", name="Make a table").wait_for()
+    return watched
+
+
+def make(page: Page, text: str = TEXT) -> None:
+    """Make a table of a text and open it."""
+    page.get_by_label("Describe the table").fill(text)
+    page.get_by_role("button", name="Make the table").click()
+    page.get_by_role("link", name="Open the table").click(timeout=120_000)
+    wait_for_scenes(page)
+    assert page.evaluate(f"{ENGINE}.error.value") is None
+
+
+def drag(page: Page, name: str, right: float, down: float, *, shift: bool = False) -> None:
+    """Drag a thing by its middle, pixels, and wait for the scene after it."""
+    at = page.evaluate(f"{ENGINE}.locate({name!r})")
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    x, y, before = box["x"] + at["x"], box["y"] + at["y"], page.url
+    page.mouse.move(x, y)
+    if shift:
+        page.keyboard.down("Shift")
+    page.mouse.down()
+    page.mouse.move(x + right, y + down, steps=6)
+    page.mouse.up()
+    if shift:
+        page.keyboard.up("Shift")
+    page.wait_for_function("url => location.href !== url", arg=before, timeout=60_000)
+    scene = page.url.rpartition("/")[2]
+    page.wait_for_function(
+        "name => [...window.tabletopgen?.keys() ?? []].some(k => k.includes(name))", arg=scene
+    )
+    wait_for_scenes(page)
+
+
+def jobs(page: Page) -> list[dict[str, Any]]:
+    return page.evaluate("async () => (await (await fetch('/api/jobs')).json()).jobs")
+
+
+def test_a_table_is_made_mended_by_mouse_saved_and_opened_in_the_environment(
+    browser: Browser, studio: Studio
+) -> None:
+    import gymnasium as gym
+
+    watched = enter(browser, studio)
+    page = watched.page
+    make(page)
+    page.get_by_role("button", name="Above").click()
+    page.wait_for_timeout(500)
+    drag(page, "mug_1", 25, 12)
+    page.get_by_role("button", name="Above").click()
+    page.wait_for_timeout(500)
+    drag(page, "plate_1", -20, -10)
+    page.get_by_role("button", name="Save to the store").click()
+    page.get_by_text("is in your store now").wait_for()
+    scene = page.url.rpartition("/")[2]
+    assert verify(studio.store / scene) == []
+    moved = load(studio.store / scene)
+    assert [edit.kind for edit in moved.provenance.edits] == ["move", "move"]
+    env = gym.make(
+        "tabletopgen_env:TabletopGen/Lift-v0", scenes=str(studio.store / scene), certified=False
+    )
+    env.reset(seed=0)
+    env.close()
+    page.get_by_role("button", name="Watch the expert").click()
+    until(page, f"{ENGINE}.player.playback.value !== null")
+    assert watched.faults == []
+
+
+def test_a_drag_is_the_command_and_undo_goes_back(
+    browser: Browser, studio: Studio, tmp_path: Path
+) -> None:
+    page = enter(browser, studio).page
+    make(page)
+    first = page.url.rpartition("/")[2]
+    page.get_by_role("button", name="Above").click()
+    page.wait_for_timeout(500)
+    drag(page, "mug_1", 30, -10)
+    second = page.url.rpartition("/")[2]
+    asked = next(job["request"] for job in jobs(page) if job["kind"] == "edit")
+    x, y = asked["to"]
+    command = [
+        sys.executable, "-m", "generator", "edit", str(studio.folder / "scenes" / first), "move",
+        "mug_1", "--to", str(x), str(y), "--out", str(tmp_path / "by-command"),
+    ]  # fmt: skip
+    subprocess.run(command, check=True, timeout=120, stdout=subprocess.DEVNULL)
+    assert [p.name for p in (tmp_path / "by-command").iterdir()] == [second]
+    page.get_by_role("button", name="Undo").click()
+    page.wait_for_function("name => location.href.endsWith(name)", arg=first)
+    page.get_by_role("button", name="Redo").click()
+    page.wait_for_function("name => location.href.endsWith(name)", arg=second)
+
+
+def test_an_edit_that_is_refused_leaves_everything_in_its_place(
+    browser: Browser, studio: Studio
+) -> None:
+    page = enter(browser, studio).page
+    make(page)
+    where = page.url
+    page.get_by_label("Add", exact=True).fill("forty grand pianos inside the mug")
+    page.get_by_role("button", name="Add", exact=True).click()
+    page.get_by_role("alert").wait_for(timeout=60_000)
+    assert page.url == where
+    assert page.evaluate(f"{ENGINE}.error.value") is None
+
+
+def test_a_generation_shows_its_stages_is_cancelled_and_resumed(
+    browser: Browser, studio: Studio
+) -> None:
+    watched = enter(browser, studio)
+    page = watched.page
+    page.get_by_label("Describe the table").fill(TEXT)
+    page.get_by_label("Generate: the whole method").check()
+    page.get_by_role("button", name="What would it cost?").click()
+    page.get_by_text("No server would be asked").wait_for(timeout=60_000)
+    page.get_by_role("button", name="Make the table").click()
+    page.locator("figure").first.wait_for(timeout=120_000)
+    page.get_by_role("button", name="Cancel").click()
+    page.get_by_text("generate: cancelled").wait_for(timeout=60_000)
+    assert list((studio.folder / "scenes").glob("*")) == []
+    page.get_by_role("button", name="Resume").click()
+    page.get_by_role("link", name="Open the table").wait_for(timeout=300_000)
+    assert page.locator("figure").count() >= 7
+    assert len(list((studio.folder / "scenes").glob("*"))) == 1
+    assert watched.faults == []
+
+
+def test_a_studio_that_is_killed_goes_on_where_it_was(browser: Browser, tmp_path: Path) -> None:
+    (tmp_path / "store").mkdir()
+    folder, store = tmp_path / "studio", tmp_path / "store"
+    with running(folder, store) as first:
+        page = enter(browser, first).page
+        page.get_by_label("Describe the table").fill(TEXT)
+        page.get_by_label("Generate: the whole method").check()
+        page.get_by_role("button", name="Make the table").click()
+        page.locator("figure").first.wait_for(timeout=120_000)
+        first.process.kill()
+        page.get_by_text("The studio does not answer").wait_for(timeout=60_000)
+    with running(folder, store) as second:
+        page = enter(browser, second).page
+        until(page, "(await (await fetch('/api/jobs')).json()).jobs[0].state === 'done'", 300)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"<html><script>alert(1)</script></html>", "picture"),
+        (b"", "picture"),
+        (b"\x89PNG\r\n\x1a\n" + b"\0" * 100, "picture"),
+    ],
+)
+def test_what_is_no_picture_is_said(
+    browser: Browser, studio: Studio, tmp_path: Path, content: bytes, said: str
+) -> None:
+    page = enter(browser, studio).page
+    path = tmp_path / "photo.png"
+    path.write_bytes(content)
+    page.locator("input[type=file]").set_input_files(path)
+    assert said in page.get_by_role("alert").inner_text()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_studio_accessibility(browser: Browser, studio: Studio, scheme: Any) -> None:
+    page = enter(browser, studio, color_scheme=scheme, bypass_csp=True).page
+    page.get_by_label("Describe the table").fill(TEXT + " and a zorble")
+    page.get_by_text("What is understood").wait_for()
+    for name in ("first", "job", "scene", "scenes"):
+        if name == "job":
+            page.get_by_role("button", name="Make the table").click()
+            page.get_by_role("link", name="Open the table").wait_for(timeout=60_000)
+        if name == "scene":
+            page.get_by_role("link", name="Open the table").click()
+            wait_for_scenes(page)
+        if name == "scenes":
+            page.get_by_role("link", name="Scenes", exact=True).click()
+            page.locator("article.card").first.wait_for()
+        assert (name, axe_faults(page)) == (name, [])
+        assert axe_share(page) >= 0.95, name
+
+
+def test_variants_are_compared_and_two_tabs_see_the_same(browser: Browser, studio: Studio) -> None:
+    watched = enter(browser, studio)
+    page = watched.page
+    other = page.context.new_page()
+    other.goto(studio.root)
+    other.get_by_role("heading", name="Make a table").wait_for()
+    page.get_by_label("Describe the table").fill(TEXT)
+    page.get_by_label("Variants").fill("2")
+    page.get_by_role("button", name="Make 2 tables").click()
+    for each in (page, other):
+        each.wait_for_function(
+            "document.querySelectorAll('article.card').length === 2", timeout=120_000
+        )
+    for box in page.get_by_role("checkbox").all():
+        box.check()
+    page.get_by_role("link", name="Compare 2 side by side").click()
+    wait_for_scenes(page, 2)
+    assert watched.faults == []
