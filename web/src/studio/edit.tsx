@@ -7,7 +7,7 @@ import type { Move } from "../viewer/placing";
 import { Viewer } from "../viewer/viewer";
 import { api, type EditAction, type HistoryRow, type JobRequest } from "./api";
 import { EnvironmentPanel } from "./environment";
-import { attempt, begin, refreshScenes, scenes, scenesRead, tell, whenOver } from "./store";
+import { attempt, begin, refreshScenes, scenes, scenesRead, tell, whenOver, type Message } from "./store";
 
 const STYLES = ["plain", "cartoon", "low-poly"];
 
@@ -41,8 +41,8 @@ export function EditPage({ id }: { id: string }) {
       location.hash = `#/scene/${encodeURIComponent(over.result.scene)}`;
       tell(`${over.title}: done; the table was settled and passed its gate.`);
     } else {
-      if (over) tell(over.error ?? `The edit ${over.state}.`, true);
       engine.value?.putBack();
+      if (over) tell(over.error ?? `The edit ${over.state}.`, true, remedyOf(asked, over.error ?? "", edit));
     }
   };
 
@@ -96,6 +96,14 @@ export function EditPage({ id }: { id: string }) {
 
 export function wordsOf(name: string, move: Move): Edit {
   return { action: "move", words: [name], to: move.to, ...(move.turn ? { turn: move.turn } : {}) };
+}
+
+/** Where a place is taken, the server says which one near by is free. */
+function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void>): Message["remedy"] {
+  const free = /nearest free place is at (-?\d+\.?\d*) (-?\d+\.?\d*)/.exec(said);
+  if (!free || asked.action !== "move") return undefined;
+  const to: [number, number] = [Number(free[1]), Number(free[2])];
+  return { label: "Put it there", run: () => void edit({ ...asked, to }) };
 }
 
 /** Back to what a scene was edited from, and forth to what was made of it last. */

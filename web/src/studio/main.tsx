@@ -9,7 +9,7 @@ import { JobPage } from "./job";
 import { JobsPanel } from "./jobs";
 import { MakeForm } from "./make";
 import { ScenesPanel } from "./scenes";
-import { connect, connected, message, studio } from "./store";
+import { connect, connected, message, studio, type Message } from "./store";
 
 const route = signal(parts());
 
@@ -48,13 +48,26 @@ function Messages() {
       {!connected.value && <p class="message">The studio does not answer. Start it again; nothing is lost.</p>}
       {message.value && (
         <p class={message.value.bad ? "message" : "message fine"} role={message.value.bad ? "alert" : undefined}>
-          {message.value.text}{" "}
+          {message.value.text} <Remedy remedy={message.value.remedy} />
           <button class="slim" onClick={() => (message.value = null)}>
             Close
           </button>
         </p>
       )}
     </div>
+  );
+}
+
+function Remedy({ remedy }: { remedy: Message["remedy"] }) {
+  if (!remedy) return null;
+  const run = (): void => {
+    message.value = null;
+    remedy.run();
+  };
+  return (
+    <button class="slim" onClick={run}>
+      {remedy.label}
+    </button>
   );
 }
 

@@ -7,14 +7,22 @@ export const jobs = signal<ReadonlyMap<string, JobRow>>(new Map());
 export const scenes = signal<StudioScene[]>([]);
 export const scenesRead = signal(false);
 export const connected = signal(true);
-export const message = signal<{ text: string; bad: boolean } | null>(null);
+
+export interface Message {
+  text: string;
+  bad: boolean;
+  /** What can be done about it. */
+  remedy?: { label: string; run: () => void } | undefined;
+}
+
+export const message = signal<Message | null>(null);
 
 export const jobList = computed(() => [...jobs.value.values()].sort((a, b) => b.created - a.created));
 
 export const isOver = (job: JobRow): boolean => ["done", "failed", "cancelled"].includes(job.state);
 
-export function tell(text: string, bad = false): void {
-  message.value = { text, bad };
+export function tell(text: string, bad = false, remedy?: Message["remedy"]): void {
+  message.value = { text, bad, remedy };
 }
 
 /** Runs what may fail; the failure is told on the page. Returns what it gives, undefined if it failed. */
