@@ -60,11 +60,11 @@ format: $(VENV)/.installed-dev
 types: $(VENV)/.installed-dev
 	$(BIN)/pyright
 
-docs: $(VENV)/.installed-dev  ## the documentation site, in build/docs
+docs: $(VENV)/.installed-dev web  ## the documentation site, in build/docs
 	$(BIN)/python -m sphinx -q -W --keep-going -c docs/site -d build/doctrees docs build/docs
 	@echo "open build/docs/index.html"
 
-build: $(VENV)/.installed-dev  ## the wheel, installed apart from the checkout and tried there
+build: $(VENV)/.installed-dev web  ## the wheel, installed apart from the checkout and tried there
 	$(BIN)/python tests/installing/built_wheel.py dist
 
 clean:

@@ -18,6 +18,7 @@ extensions = [
     "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
     "generated_pages",
+    "live_scenes",
 ]
 exclude_patterns = ["site"]
 language = "en"

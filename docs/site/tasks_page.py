@@ -172,7 +172,9 @@ def task_section(name: str) -> str:
     text = markdown(docstring(f"tabletopgen_env.tasks.{file}")).removeprefix(f"{name}: ")
     strips = [file, *(f"{file}_{preset}" for preset in PRESETS if name == "Sequence")]
     pictures = "\n\n".join(f"![{strip}](../images/tasks/{strip}.png)" for strip in strips)
-    return f"### {name}\n\n{pictures}\n\n{text[0].upper()}{text[1:]}"
+    table = "tidy-task-1" if name == "Tidy" else "kitchen-cutting"
+    live = f"<!-- live: {table} {name} -->"
+    return f"### {name}\n\n{pictures}\n\n{live}\n\n{text[0].upper()}{text[1:]}"
 
 
 def page() -> str:

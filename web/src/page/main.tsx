@@ -51,7 +51,8 @@ function skip(event: Event): void {
 }
 
 function Routed({ gallery }: { gallery: Gallery }) {
-  const [kind, ...ids] = route.value;
+  const [kind, ...rest] = route.value;
+  const ids = kind === "embed" ? rest.slice(0, 1) : rest;
   const rows = ids.map((id) => gallery.scenes.find((row) => row.id === id || row.name === id));
   const missing = rows.findIndex((row) => !row || row.error);
   if (kind && (missing >= 0 || rows.length === 0)) {
@@ -66,7 +67,7 @@ function Routed({ gallery }: { gallery: Gallery }) {
   }
   const found = rows as SceneRow[];
   if (kind === "scene") return <ScenePage key={found[0]!.id} gallery={gallery} row={found[0]!} />;
-  if (kind === "embed") return <EmbeddedPage key={found[0]!.id} row={found[0]!} />;
+  if (kind === "embed") return <EmbeddedPage key={found[0]!.id} row={found[0]!} task={rest[1]} />;
   if (kind === "beside") return <BesidePage gallery={gallery} rows={found.slice(0, 4)} />;
   document.title = gallery.title;
   return <GalleryPage gallery={gallery} />;

@@ -81,12 +81,17 @@ export function BesidePage({ gallery, rows }: { gallery: Gallery; rows: SceneRow
   );
 }
 
-/** The viewer alone, for a frame in another page. */
-export function EmbeddedPage({ row }: { row: SceneRow }) {
+/** The viewer alone, for a frame in another page; with a task, an episode of it is played. */
+export function EmbeddedPage({ row, task }: { row: SceneRow; task: string | undefined }) {
+  const engine = useSignal<Engine | null>(null);
+  useEffect(() => {
+    const episode = engine.value?.files?.episodes.find((each) => each.task === task);
+    if (engine.value?.ready.value && episode) void engine.value.play(episode);
+  }, [engine.value?.ready.value]);
   return (
     <main id="main" class="embedded">
       <h1 class="hidden">{row.name}</h1>
-      <Viewer base={folder(row)} label={row.name} small />
+      <Viewer base={folder(row)} label={row.name} small onEngine={(found) => (engine.value = found)} />
     </main>
   );
 }
