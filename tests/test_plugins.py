@@ -14,8 +14,9 @@ from tyro.extras import SubcommandApp
 from generator.cli import plugins
 
 ROOT = Path(__file__).parents[1]
-ENVIRONMENT = (
-    "bench", "certify", "enjoy", "grasps", "plot", "record", "study", "teleop", "train",
+OTHERS = (
+    "bench", "certify", "enjoy", "grasps", "page", "plot", "record", "studio", "study", "teleop",
+    "train",
 )  # fmt: skip
 
 
@@ -30,10 +31,10 @@ def printed_by(code: str) -> str:
 def test_the_environments_commands_are_declared() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     declared = project["entry-points"][plugins.GROUP]
-    assert tuple(sorted(declared)) == ENVIRONMENT
+    assert tuple(sorted(declared)) == OTHERS
     found = plugins.find_commands()
-    assert {name: found[name].value for name in ENVIRONMENT} == declared
-    loaded = {name: plugins.load(found[name], True) for name in ENVIRONMENT}
+    assert {name: found[name].value for name in OTHERS} == declared
+    loaded = {name: plugins.load(found[name], True) for name in OTHERS}
     groups = {name for name, each in loaded.items() if isinstance(each, SubcommandApp)}
     assert groups == {"bench", "study"} and all(
         callable(loaded[name]) for name in {*loaded} - groups
@@ -51,7 +52,7 @@ def test_help_lists_them_and_loads_nothing_heavy() -> None:
             pass
         print({"torch", "mujoco", "stable_baselines3", "matplotlib"} & set(sys.modules))
         """)
-    assert all(f" {name} " in shown for name in (*ENVIRONMENT, "doctor", "generate"))
+    assert all(f" {name} " in shown for name in (*OTHERS, "doctor", "generate"))
     assert shown.splitlines()[-1] == "set()"
 
 

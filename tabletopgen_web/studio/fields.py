@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping
 from typing import Any
 
@@ -9,6 +10,8 @@ from generator.errors import InputError, choices, require_known, require_number,
 
 MOST_SHOWN = 60
 """Characters of a wrong value that a message repeats."""
+
+_LARGE = 10**15  # more is infinite in a message
 
 
 class Fields:
@@ -58,8 +61,7 @@ class Fields:
         found = self._get(name)
         if found is None:
             return None
-        require_number(f"{self._what} needs {name}", found, minimum=minimum, maximum=maximum)
-        return float(found)
+        return _check_number(found, f"{self._what} needs {name}", minimum, maximum)
 
     def choice(self, name: str, known: Collection[str]) -> str:
         """Return one of the texts ``known``."""
@@ -96,9 +98,8 @@ class Fields:
             return None
         if not isinstance(found, list) or len(found) != 2:
             raise InputError(f"{name} is a list of two numbers.")
-        for each in found:
-            require_number(f"{name} needs each", each, minimum=-size, maximum=size)
-        return float(found[0]), float(found[1])
+        first, second = (_check_number(v, f"{name} needs each", -size, size) for v in found)
+        return first, second
 
     def end(self) -> None:
         """Refuse fields that were not read."""
@@ -118,3 +119,11 @@ def _check_text(found: object, name: str, max_length: int, multiline: bool) -> N
     shown = found.replace("\n", " ").replace("\r", " ").replace("\t", " ") if multiline else found
     if not shown.isprintable():
         raise InputError(f"{name} holds characters that cannot be printed.")
+
+
+def _check_number(found: object, needs: str, minimum: float, maximum: float) -> float:
+    shown = found if type(found) in (int, float) else type(found).__name__
+    if isinstance(shown, int) and abs(shown) > _LARGE:
+        shown = math.inf
+    require_number(needs, shown, minimum=minimum, maximum=maximum)
+    return float(shown)  # type: ignore[arg-type]

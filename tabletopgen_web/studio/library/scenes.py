@@ -44,10 +44,10 @@ class SceneLibrary:
         return found
 
     def list_rows(self) -> list[StudioScene]:
-        """Return a row for every scene: the workspace's first, the newest before the others."""
+        """Return a row for every scene: the workspace's first, of those the newest."""
         rows = [(path, self._read_row(path, place)) for path, place in self._places().values()]
         order = {"workspace": 0, "store": 1, "shipped": 2}
-        rows.sort(key=lambda each: (order[each[1].place], -_age(each[0]), each[1].id))
+        rows.sort(key=lambda each: (order[each[1].place], _rank(*each), each[1].id))
         return [row for _, row in rows]
 
     def row(self, scene: str) -> StudioScene:
@@ -197,8 +197,9 @@ def _list_steps(
     ]  # fmt: skip
 
 
-def _age(path: Path) -> float:
+def _rank(path: Path, row: SceneRow) -> float:
+    """Return what sorts newer bundles of the workspace before older ones."""
     try:
-        return path.stat().st_mtime
+        return -path.stat().st_mtime if row.place == "workspace" else 0.0
     except OSError:  # it is being removed
         return 0.0

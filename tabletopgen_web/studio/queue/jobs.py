@@ -5,17 +5,16 @@ from __future__ import annotations
 import contextlib
 import json
 import secrets
-import sqlite3
 import time
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
+
+from generator.errors import StorageError
 
 from ..contracts import (
     EventType,
     FigureRow,
-    JobEvent,
-    JobKind,
     JobResult,
     JobRow,
     JobState,
@@ -24,7 +23,8 @@ from ..contracts import (
 )
 from ..refusals import RefusedError
 from ..specs import read_spec, title_of
-from .database import open_database, storing, transaction
+from .database import storing, transaction
+from .history import JobHistory
 
 QUEUE_LIMIT = 200
 """Jobs that wait or run at most."""
@@ -37,11 +37,12 @@ MOST_INTERRUPTED = 3
 
 _MOST_JOBS = 5000  # kept; the oldest that are over make way
 _MOST_DELETED = 1000  # removals that clients can still hear of
+_RESERVED = 256 * 2**10  # bytes
 _OVER = ("done", "failed", "cancelled", "interrupted")
 _RESUMABLE = ("failed", "cancelled", "interrupted")
 
 
-class JobStore:
+class JobStore(JobHistory):
     """The queue, and the history of what happened; for one thread.
 
     ``changed`` is called after each change. What the disk refuses is a StorageError.
@@ -51,45 +52,9 @@ class JobStore:
     """
 
     def __init__(self, path: Path, changed: Callable[[], None] = lambda: None) -> None:
-        self._path, self.changed = path, changed
-        self._database = open_database(path)
-
-    def close(self) -> None:
-        """Close the database."""
-        self._database.close()
-
-    # --------------------------------------------------------------------------------------- read
-
-    def get(self, job: str) -> JobRow:
-        """Return a job with its log (RefusedError: there is none)."""
-        rows = self._select("SELECT * FROM jobs WHERE id = ?", job)
-        if not rows:
-            raise RefusedError(404, f"There is no job {job[:80]!r}.")
-        return self._row(rows[0], whole=True)
-
-    def list_jobs(self) -> list[JobRow]:
-        """Return all jobs without their logs, the newest first."""
-        rows = self._select("SELECT * FROM jobs ORDER BY number DESC")
-        figures: dict[str, dict[str, FigureRow]] = {}
-        for job, data in self._select("SELECT job, data FROM events WHERE type = 'figure'"):
-            shown = FigureRow(**json.loads(data))
-            figures.setdefault(job, {})[shown.name] = shown
-        return [self._row(row, figures=figures.get(row["id"], {})) for row in rows]
-
-    def events(self, since: int, limit: int = 200) -> list[JobEvent]:
-        """Return the events after the one numbered ``since``, in order."""
-        rows = self._select("SELECT * FROM events WHERE seq > ? ORDER BY seq LIMIT ?", since, limit)
-        return [
-            JobEvent(r["seq"], r["job"], r["type"], r["time"], json.loads(r["data"])) for r in rows
-        ]
-
-    @property
-    def last_event(self) -> int:
-        """The number of the newest event there has been; 0 before the first."""
-        rows = self._select("SELECT seq FROM sqlite_sequence WHERE name = 'events'")
-        return rows[0][0] if rows else 0
-
-    # ------------------------------------------------------------------------------------- change
+        super().__init__(path)
+        self.changed = changed
+        self._reserve = path.with_name("reserve")
 
     def add(self, request: Mapping[str, Any]) -> JobRow:
         """Queue a job, as ``specs.read_spec`` reads it.
@@ -119,6 +84,7 @@ class JobStore:
 
     def take(self) -> JobRow | None:
         """Begin the job that has waited longest; None if none waits."""
+        self._keep_reserve()
         if not (rows := self._select(
             "SELECT id FROM jobs WHERE state = 'queued' ORDER BY queued, number LIMIT 1"
         )):  # fmt: skip
@@ -157,16 +123,13 @@ class JobStore:
     def finish(
         self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None
     ) -> None:
-        """Write down how a job ended."""
-        told = None if result is None else encode(result)
-        with self._changing():
-            self._database.execute(
-                "UPDATE jobs SET state = ?, finished = ?, error = ?, result = ? WHERE id = ?",
-                (state, time.time(), error, None if told is None else json.dumps(told), job),
-            )
-            if told is not None:
-                self._tell(job, "result", told)
-            self._tell(job, "state", {"state": state, **({"error": error} if error else {})})
+        """Write down how a job ended; on a full disk in the place that is reserved for that."""
+        try:
+            self._finish(job, state, error, result)
+        except StorageError:
+            with contextlib.suppress(OSError):
+                self._reserve.unlink()
+            self._finish(job, state, error, result)
 
     def resume(self, job: str) -> JobRow:
         """Queue a job again that failed, was cancelled or interrupted, just as it was asked for.
@@ -217,6 +180,27 @@ class JobStore:
 
     # ------------------------------------------------------------------------------------ helpers
 
+    def _finish(
+        self, job: str, state: JobState, error: str | None, result: JobResult | None
+    ) -> None:
+        told = None if result is None else encode(result)
+        with self._changing():
+            self._database.execute(
+                "UPDATE jobs SET state = ?, finished = ?, error = ?, result = ? WHERE id = ?",
+                (state, time.time(), error, None if told is None else json.dumps(told), job),
+            )
+            if told is not None:
+                self._tell(job, "result", told)
+            self._tell(job, "state", {"state": state, **({"error": error} if error else {})})
+
+    def _keep_reserve(self) -> None:
+        """Take up the place in which endings can be written on a full disk."""
+        if not self._reserve.exists():
+            try:
+                self._reserve.write_bytes(bytes(_RESERVED))
+            except OSError:
+                self._reserve.unlink(missing_ok=True)
+
     def _requeue(self, job: str, runs: int) -> None:
         with self._changing():
             self._database.execute(
@@ -257,27 +241,3 @@ class JobStore:
         with storing(self._path), transaction(self._database):
             yield
         self.changed()
-
-    def _select(self, query: str, *values: Any) -> list[sqlite3.Row]:
-        with storing(self._path):
-            cursor = self._database.cursor()
-            cursor.row_factory = sqlite3.Row
-            return cursor.execute(query, values).fetchall()
-
-    def _row(
-        self, row: sqlite3.Row, figures: Mapping[str, FigureRow] | None = None, whole: bool = False
-    ) -> JobRow:
-        if figures is None:
-            told = self._select(
-                "SELECT data FROM events WHERE job = ? AND type = 'figure' ORDER BY seq", row["id"]
-            )
-            shown = [FigureRow(**json.loads(data)) for (data,) in told]
-            figures = {each.name: each for each in shown}
-        stage, result = row["stage"], row["result"]
-        return JobRow(
-            row["id"], cast("JobKind", row["kind"]), cast("JobState", row["state"]), row["title"],
-            json.loads(row["request"]), row["created"], row["started"], row["finished"],
-            row["runs"], StageRow(**json.loads(stage)) if stage else None,
-            tuple(figures.values()), row["error"],
-            JobResult(**json.loads(result)) if result else None, row["log"] if whole else "",
-        )  # fmt: skip

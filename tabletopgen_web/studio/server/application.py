@@ -55,6 +55,7 @@ def make_application(
             services = StudioServices(folder, workers, files, store)
             app.state.services = services
             store.recover()
+            services.sweep()
             running = asyncio.create_task(services.runner.run())
             try:
                 yield

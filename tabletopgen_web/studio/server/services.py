@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,7 +11,8 @@ from typing import Any
 
 from starlette.requests import Request
 
-from generator.errors import BackendError
+from generator.errors import BackendError, StorageError
+from generator.io.files import remove_tree
 
 from ..contracts import JobRow
 from ..folder import StudioFolder
@@ -67,6 +69,15 @@ class StudioServices:
         self.answers = AnswerBook(self.folder.answers)
         self.runner = Runner(self.store, self.make_order, self.workers)
         self.store.changed = self._changed
+
+    def sweep(self) -> None:
+        """Remove the figures and files of jobs that are no more, as far as that works."""
+        known = {job.id for job in self.store.list_jobs()}
+        for folder in (self.folder.figures, self.folder.files):
+            for path in folder.iterdir():
+                if path.name not in known:
+                    with contextlib.suppress(StorageError):
+                        remove_tree(folder, path.name)
 
     def make_order(self, job: JobRow) -> Mapping[str, Any]:
         """Return what the process of a job is told.
