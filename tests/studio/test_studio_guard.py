@@ -136,5 +136,6 @@ def test_a_server_for_others_is_found_by_its_numbers_alone() -> None:
     opened = Access("0.0.0.0", 80, "t")
     assert opened.is_own("192.168.0.9") and opened.is_own("[fe80::1]:80")
     assert not opened.is_own("rebound.example") and not opened.is_local
+    assert opened.address == "http://127.0.0.1:80/"
     assert Access("::1", 8123, "t").address == "http://[::1]:8123/"
     assert Access("127.0.0.1", 1, "t").is_local and Access("localhost", 1, "t").is_local

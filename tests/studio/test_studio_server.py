@@ -5,7 +5,6 @@ import os
 import signal
 import socket
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,6 +17,7 @@ from studio_clients import (
     ask_raw,
     queue,
     run_studio,
+    studio_command,
     wait_for,
     wait_until,
 )
@@ -169,7 +169,7 @@ def test_what_is_no_request_is_refused(studio: Studio, request_: bytes) -> None:
 
 def test_a_second_studio_says_where_the_first_is(tmp_path: Path, store: Path) -> None:
     def start(*options: str) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "generator.cli", "studio", "--no-browser", *options]
+        command = studio_command(tmp_path / "page", *options)
         return subprocess.run(command, capture_output=True, text=True, timeout=LONG, check=False)
 
     with run_studio(tmp_path / "one") as studio:
@@ -267,6 +267,43 @@ def test_a_full_disk_fails_jobs_and_the_studio_lives(small_disk: Path, store: Pa
         filler.unlink()
         assert studio.client.post(f"/api/jobs/{job}/resume").status_code == 202
         assert wait_for(studio.client, job)["state"] == "done"
+
+
+def test_an_uploaded_picture_becomes_a_scene(studio: Studio) -> None:
+    from generator.backends import Backends
+    from generator.io.png import encode_png
+
+    backends = Backends.select("embedded")
+    drawn = backends.imager.draw(backends.reasoner.plan_scene(DESK, 4), 4)
+    picture = studio.client.post("/api/pictures", content=encode_png(drawn)).json()["picture"]
+    asked = {"kind": "generate", "picture": picture, "seed": 1, "name": "my-photo"}
+    row = wait_for(studio.client, studio.client.post("/api/jobs", json=asked).json()["id"])
+    assert row["state"] == "done", row
+    assert row["result"]["scene"].startswith("my-photo-")
+    scene = studio.client.get(f"/api/scenes/{row['result']['scene']}").json()
+    assert scene["prompt"] is None and scene["objects"] == 1
+
+
+def test_an_estimate_names_who_answers_and_what_that_may_cost(
+    tmp_path: Path, store: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "sk-secret-secret-1")
+    monkeypatch.setenv("TABLETOPGEN_CALLS", str(tmp_path / "calls"))
+    with run_studio(tmp_path / "studio") as studio:
+        asked = {"kind": "generate", "text": DESK, "reasoner": "cloud"}
+        answer = studio.client.post("/api/estimate", json=asked)
+        said = answer.json()
+        assert said["asks_servers"] and "plan_scene" in said["calls"][0]
+        assert "USD" in said["calls"][0] and "secret" not in answer.text
+        roles = {row["role"]: row["backend"] for row in said["roles"]}
+        assert roles["reasoner"] == "cloud" and roles["encoder"] == "embedded"
+        free = studio.client.post("/api/estimate", json={"kind": "compose", "text": DESK}).json()
+        assert free == {"roles": [], "calls": [], "asks_servers": False}
+        (cloud,) = (
+            b for b in studio.client.get("/api/state").json()["backends"] if b["name"] == "cloud"
+        )
+        assert cloud["available"] and cloud["charges"]
+        assert studio.client.get("/api/jobs").json() == {"jobs": []}
 
 
 def test_a_browser_that_knows_no_token_gets_one_line(studio: Studio) -> None:

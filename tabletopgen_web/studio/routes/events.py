@@ -52,7 +52,7 @@ class EventStream(Response):
         await send({"type": "http.response.start", "status": 200, "headers": headers})
         async with self._services.listeners:
             sending = asyncio.create_task(self._send(send))
-            leaving = asyncio.create_task(_gone(receive))
+            leaving = asyncio.create_task(_wait_for_leaving(receive))
             try:
                 await asyncio.wait([sending, leaving], return_when=asyncio.FIRST_COMPLETED)
             finally:
@@ -81,7 +81,7 @@ async def _write(send: Send, content: bytes) -> None:
         await send({"type": "http.response.body", "body": content, "more_body": True})
 
 
-async def _gone(receive: Receive) -> None:
+async def _wait_for_leaving(receive: Receive) -> None:
     while (await receive())["type"] != "http.disconnect":
         pass
 

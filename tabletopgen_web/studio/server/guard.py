@@ -58,8 +58,9 @@ class Access:
 
     @property
     def address(self) -> str:
-        """The server's address, without the token."""
-        host = f"[{self.host}]" if ":" in self.host else self.host
+        """The server's address as this machine opens it, without the token."""
+        known = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(self.host, self.host)
+        host = f"[{known}]" if ":" in known else known
         return f"http://{host}:{self.port}/"
 
     @property

@@ -38,7 +38,11 @@ def bind(host: str, port: int) -> Iterator[socket.socket]:
 
 
 def serve(app: ASGIApp, listening: socket.socket, link: str, browse: bool) -> None:
-    """Answer requests until the process is interrupted."""
+    """Answer requests until the process is interrupted.
+
+    Raises:
+        BackendError: the application cannot begin.
+    """
     config = uvicorn.Config(
         app, log_level="warning", access_log=False, server_header=False, proxy_headers=False,
         ws="none", http="h11", loop="asyncio", lifespan="on", timeout_keep_alive=30,
@@ -49,5 +53,8 @@ def serve(app: ASGIApp, listening: socket.socket, link: str, browse: bool) -> No
           file=sys.stderr)  # fmt: skip
     if browse:
         threading.Thread(target=webbrowser.open, args=(link,), daemon=True).start()
+    server = uvicorn.Server(config)
     with contextlib.suppress(KeyboardInterrupt):
-        asyncio.run(uvicorn.Server(config).serve(sockets=[listening]))
+        asyncio.run(server.serve(sockets=[listening]))
+    if not server.started:
+        raise BackendError("The studio could not begin; what is above says why.")

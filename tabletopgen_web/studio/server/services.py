@@ -68,7 +68,7 @@ class StudioServices:
         self.pictures = PictureShelf(self.folder.pictures)
         self.answers = AnswerBook(self.folder.answers)
         self.runner = Runner(self.store, self.make_order, self.workers)
-        self.store.changed = self._changed
+        self.store.changed = self._notify
 
     def sweep(self) -> None:
         """Remove the figures and files of jobs that are no more, as far as that works."""
@@ -127,7 +127,7 @@ class StudioServices:
             None if picture is None else self.pictures.path(picture),
         ).plain()  # fmt: skip
 
-    def _changed(self) -> None:
+    def _notify(self) -> None:
         self.changes.notify()
         self.runner.wake()
 
