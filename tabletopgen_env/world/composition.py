@@ -57,15 +57,15 @@ TIMESTEP = 0.002
 
 
 def compose(
-    scene: Scene, robot: Panda, mount: Mount, spec: mujoco.MjSpec | None = None
+    scene: Scene, robot: Panda, mount: Mount, base: mujoco.MjSpec | None = None
 ) -> mujoco.MjSpec:
     """Return the specification of ``scene`` with ``robot`` at ``mount``.
 
-    The robot is added to ``spec``, the scene's own; None for a fresh one.
+    The robot is added to ``base``, the scene's own specification; None for a fresh one.
     """
     import mujoco
 
-    spec = spec or scene_spec(scene)
+    spec = scene_spec(scene) if base is None else base
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.impratio = FRICTION_STIFFNESS  # what the gripper holds does not creep

@@ -7,6 +7,7 @@ from typing import get_args
 
 from generator.exports import WRITERS
 from generator.scene import EditKind
+from tabletopgen_web.page.rows import SceneRow
 from tabletopgen_web.studio import contracts
 from tabletopgen_web.studio.server.application import ROUTES
 from tabletopgen_web.studio.specs import FORMATS
@@ -22,11 +23,15 @@ def test_rows_have_the_fields_of_the_values() -> None:
         for name, body in re.findall(r"export interface (\w+)[^{]*\{\n(.*?)^\}", SCRIPT,
                                      re.DOTALL | re.MULTILINE)
     }  # fmt: skip
-    rows = [v for v in vars(contracts).values() if dataclasses.is_dataclass(v)]
+    rows = [
+        v for v in vars(contracts).values() if dataclasses.is_dataclass(v) and v is not SceneRow
+    ]
     assert len(rows) > 12
     for row in rows:
         if row is not contracts.JobEvent:
             names = {"in" if f.name == "place" else f.name for f in dataclasses.fields(row)}
+            if row is contracts.StudioScene:  # the rest is the gallery's, in data.ts
+                names -= {f.name for f in dataclasses.fields(SceneRow)}
             assert found[row.__name__] == names, row.__name__
 
 

@@ -84,7 +84,7 @@ def test_a_scene_is_composed_edited_shown_exported_and_played(studio: Studio) ->
     assert edited["state"] == "done", edited
     later = edited["result"]["scene"]
     row = client.get(f"/api/scenes/{later}").json()
-    assert (row["parent"], row["in"], row["objects"]) == (scene, "workspace", 2)
+    assert (row["parent"], row["in"], len(row["things"])) == (scene, "workspace", 2)
     history = client.get(f"/api/scenes/{later}/history").json()
     assert [(s["id"], s["kind"]) for s in history["steps"]] == [(scene, "made"), (later, "add")]
     assert client.get(f"/api/scenes/{scene}/history").json()["later"] == [later]
@@ -281,7 +281,7 @@ def test_an_uploaded_picture_becomes_a_scene(studio: Studio) -> None:
     assert row["state"] == "done", row
     assert row["result"]["scene"].startswith("my-photo-")
     scene = studio.client.get(f"/api/scenes/{row['result']['scene']}").json()
-    assert scene["prompt"] is None and scene["objects"] == 1
+    assert scene["prompt"] == "" and len(scene["things"]) == 1
 
 
 def test_an_estimate_names_who_answers_and_what_that_may_cost(

@@ -197,7 +197,7 @@ def _list_steps(
     ]  # fmt: skip
 
 
-def _rank(path: Path, row: SceneRow) -> float:
+def _rank(path: Path, row: StudioScene) -> float:
     """Return what sorts newer bundles of the workspace before older ones."""
     try:
         return -path.stat().st_mtime if row.place == "workspace" else 0.0

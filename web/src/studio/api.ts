@@ -1,22 +1,85 @@
-/** The studio's server: what it answers, and how it is asked. */
+/** The studio's server, as the page asks it. The types are those of `studio/contracts.py`. */
 import { PageError, type SceneRow } from "../data";
 
 export type JobKind = "generate" | "compose" | "edit" | "episode" | "export";
 export type JobState = "queued" | "running" | "done" | "failed" | "cancelled" | "interrupted";
-export type EditAction = "swap" | "add" | "remove" | "move" | "restyle";
+export type ScenePlace = "workspace" | "store" | "shipped";
+export type Role = "reasoner" | "imager" | "segmenter" | "modeler" | "encoder";
+export type Format = "glb" | "mjcf" | "sdf" | "urdf" | "usd" | "usdz";
 
+/** Who answers the questions of a job by name, and what that may cost (no limit if left out). */
+export type Paid = { backend?: string; budget?: number } & Partial<Record<Role, string>>;
+
+/** A text, or an uploaded picture, to a scene by the whole method. */
+export interface GenerateRequest extends Paid {
+  kind: "generate";
+  text?: string;
+  picture?: string;
+  seed?: number;
+  name?: string;
+}
+
+/** A text to a scene at once, of catalogue objects. */
+export interface ComposeRequest {
+  kind: "compose";
+  text: string;
+  seed?: number;
+  density?: "sparse" | "normal" | "dense";
+  name?: string;
+}
+
+/**
+ * A change of a scene. `words`: swap [name, what], add [what and where], remove [name], move
+ * [name, where] or [name] with `to` (metres from the table's middle) or `turn` (degrees), restyle
+ * [style, names...]. New things come from the catalogue unless a backend or role is named.
+ */
+export interface EditRequest extends Paid {
+  kind: "edit";
+  scene: string;
+  action: "swap" | "add" | "remove" | "move" | "restyle";
+  words: string[];
+  to?: [number, number];
+  turn?: number;
+  seed?: number;
+}
+
+/** An episode of a task at a scene, which the scripted expert plays. */
+export interface EpisodeRequest {
+  kind: "episode";
+  scene: string;
+  task: string;
+  seed?: number;
+}
+
+/** A scene in the format of another program. */
+export interface ExportRequest {
+  kind: "export";
+  scene: string;
+  format: Format;
+}
+
+export type JobRequest =
+  | GenerateRequest
+  | ComposeRequest
+  | EditRequest
+  | EpisodeRequest
+  | ExportRequest;
+
+/** The stage that a job is at, with its number from 1. */
 export interface StageRow {
   name: string;
   number: number;
   total: number;
 }
 
+/** A picture of what a stage found. */
 export interface FigureRow {
   name: string;
   stage: string;
   url: string;
 }
 
+/** What a job made: a scene of the workspace, or a file to fetch from `url`. */
 export interface JobResult {
   scene: string | null;
   file: string | null;
@@ -25,12 +88,13 @@ export interface JobResult {
   facts: Record<string, unknown>;
 }
 
+/** A job; times are seconds since 1970. `log` is empty in lists. */
 export interface JobRow {
   id: string;
   kind: JobKind;
   state: JobState;
   title: string;
-  request: Record<string, unknown>;
+  request: JobRequest;
   created: number;
   started: number | null;
   finished: number | null;
@@ -42,22 +106,31 @@ export interface JobRow {
   log: string;
 }
 
-export type JobEvent = { seq: number; job: string; time: number } & (
-  | { type: "state"; state: JobState | "deleted"; error?: string | null }
-  | ({ type: "stage" } & StageRow)
-  | ({ type: "figure" } & FigureRow)
-  | { type: "log"; text: string }
-  | ({ type: "result" } & JobResult)
-);
+interface Happened {
+  seq: number;
+  job: string;
+  time: number;
+}
 
-/** A scene that the studio knows: what a gallery shows of it, where it lies, what it came from. */
+/** Something that happened to a job. A removed job's state is "deleted". */
+export type JobEvent = Happened &
+  (
+    | { type: "state"; state: JobState | "deleted"; error?: string }
+    | ({ type: "stage" } & StageRow)
+    | ({ type: "figure" } & FigureRow)
+    | { type: "log"; text: string }
+    | ({ type: "result" } & JobResult)
+  );
+
+/** A scene of the list: what a gallery shows of it, where it lies, what it was edited from. */
 export interface StudioScene extends SceneRow {
-  in: "workspace" | "store" | "shipped";
+  in: ScenePlace;
   digest: string;
   editable: boolean;
   parent: string | null;
 }
 
+/** A step of a scene's history: the scene after it. `kind` is "made" for how it began. */
 export interface EditRow {
   id: string;
   digest: string;
@@ -67,45 +140,11 @@ export interface EditRow {
   exists: boolean;
 }
 
-/** The steps that led to a scene, it being the last, and the ids of those edited from it. */
-export interface HistoryRow {
+/** The steps that led to a scene, it being the last, and the scenes edited from it. */
+export interface SceneHistory {
   scene: string;
   steps: EditRow[];
   later: string[];
-}
-
-export interface BackendRow {
-  name: string;
-  roles: string[];
-  needs: string;
-  lacks: string;
-  charges: boolean;
-  available: boolean;
-}
-
-export interface StudioState {
-  version: string;
-  roles: string[];
-  backends: BackendRow[];
-  formats: string[];
-  tasks: string[];
-  store: string;
-  folder: string;
-  workers: number;
-  queue_limit: number;
-  last_event: number;
-}
-
-export interface ExplainedRow {
-  role: string;
-  phrase: string;
-  meaning: string;
-}
-
-export interface EstimateRow {
-  roles: { role: string; backend: string; settings: Record<string, unknown> }[];
-  calls: string[];
-  asks_servers: boolean;
 }
 
 export interface PictureRow {
@@ -114,55 +153,118 @@ export interface PictureRow {
   height: number;
 }
 
-/** What a job asks for; the server checks every field. */
-export type JobRequest = { kind: JobKind } & Record<string, unknown>;
-
-async function ask<T>(method: string, path: string, body?: BodyInit, type?: string): Promise<T> {
-  let response: Response;
-  try {
-    response = await fetch(path, {
-      method,
-      credentials: "same-origin",
-      ...(body === undefined ? {} : { body, headers: { "Content-Type": type ?? "application/json" } }),
-    });
-  } catch {
-    throw new PageError("The studio does not answer. Is it still running?");
-  }
-  if (response.status === 204) return undefined as T;
-  const text = await response.text();
-  let value: unknown = null;
-  try {
-    value = JSON.parse(text);
-  } catch {
-    // an answer that is no JSON is told by its text
-  }
-  if (!response.ok) {
-    const told = (value as { error?: unknown } | null)?.error;
-    throw new PageError(typeof told === "string" ? told : text.slice(0, 300) || `The studio says ${response.status}.`);
-  }
-  return value as T;
+export interface ExplainedRow {
+  role: string;
+  phrase: string;
+  meaning: string;
 }
 
-const get = <T>(path: string): Promise<T> => ask<T>("GET", path);
-const post = <T>(path: string, value: unknown = {}): Promise<T> => ask<T>("POST", path, JSON.stringify(value));
-const name = encodeURIComponent;
+export interface RoleRow {
+  role: string;
+  backend: string;
+  settings: Record<string, unknown>;
+}
 
+/** What a job would ask servers first, a line each, and for at most how much. */
+export interface EstimateRow {
+  roles: RoleRow[];
+  calls: string[];
+  asks_servers: boolean;
+}
+
+export interface BackendRow {
+  name: string;
+  roles: Role[];
+  needs: string;
+  lacks: string;
+  charges: boolean;
+  available: boolean;
+}
+
+export interface StudioState {
+  version: string;
+  roles: Role[];
+  backends: BackendRow[];
+  formats: Format[];
+  tasks: string[];
+  store: string;
+  folder: string;
+  workers: number;
+  queue_limit: number;
+  last_event: number;
+}
+
+/** The server refused: `status` of its answer (0: it was not reached), and its one sentence. */
+export class StudioError extends PageError {
+  constructor(
+    readonly status: number,
+    message: string,
+  ) {
+    super(message);
+    this.name = "StudioError";
+  }
+}
+
+async function refusal(answer: Response): Promise<StudioError> {
+  const said: unknown = await answer.json().catch(() => null);
+  const known = typeof said === "object" && said !== null && "error" in said;
+  const message = known ? String(said.error) : `The studio answered with ${answer.status}.`;
+  return new StudioError(answer.status, message);
+}
+
+async function ask<T>(method: string, path: string, body?: object | Blob): Promise<T> {
+  const init: RequestInit = { method };
+  if (body instanceof Blob) init.body = body;
+  else if (body !== undefined) {
+    init.body = JSON.stringify(body);
+    init.headers = { "content-type": "application/json" };
+  }
+  const answer = await fetch(path, init).catch(() => {
+    throw new StudioError(0, "The studio is not reached. Is it still running?");
+  });
+  if (!answer.ok) throw await refusal(answer);
+  return (answer.status === 204 ? undefined : await answer.json()) as T;
+}
+
+const job = (id: string): string => `/api/jobs/${encodeURIComponent(id)}`;
+const scene = (id: string): string => `/api/scenes/${encodeURIComponent(id)}`;
+
+/** Every endpoint; each rejects with a `StudioError`. */
 export const api = {
-  state: () => get<StudioState>("/api/state"),
-  jobs: async () => (await get<{ jobs: JobRow[] }>("/api/jobs")).jobs,
-  job: (id: string) => get<JobRow>(`/api/jobs/${name(id)}`),
-  begin: (job: JobRequest) => post<JobRow>("/api/jobs", job),
-  cancel: (id: string) => post<JobRow>(`/api/jobs/${name(id)}/cancel`),
-  resume: (id: string) => post<JobRow>(`/api/jobs/${name(id)}/resume`),
-  remove: (id: string) => ask<void>("DELETE", `/api/jobs/${name(id)}`),
-  explain: async (text: string) => (await post<{ rows: ExplainedRow[] }>("/api/explain", { text })).rows,
-  estimate: (job: JobRequest) => post<EstimateRow>("/api/estimate", job),
-  upload: (file: Blob) => ask<PictureRow>("POST", "/api/pictures", file, "application/octet-stream"),
-  scenes: async () => (await get<{ scenes: StudioScene[] }>("/api/scenes")).scenes,
-  history: (id: string) => get<HistoryRow>(`/api/scenes/${name(id)}/history`),
-  save: (id: string) => post<{ path?: string }>(`/api/scenes/${name(id)}/save`),
-  discard: (id: string) => ask<void>("DELETE", `/api/scenes/${name(id)}`),
+  state: () => ask<StudioState>("GET", "/api/state"),
+  jobs: async () => (await ask<{ jobs: JobRow[] }>("GET", "/api/jobs")).jobs,
+  job: (id: string) => ask<JobRow>("GET", job(id)),
+  begin: (request: JobRequest) => ask<JobRow>("POST", "/api/jobs", request),
+  cancel: (id: string) => ask<JobRow>("POST", `${job(id)}/cancel`),
+  resume: (id: string) => ask<JobRow>("POST", `${job(id)}/resume`),
+  remove: (id: string) => ask<void>("DELETE", job(id)),
+  upload: (picture: Blob) => ask<PictureRow>("POST", "/api/pictures", picture),
+  picture: (id: string) => `/api/pictures/${encodeURIComponent(id)}`,
+  explain: async (text: string, seed = 0) =>
+    (await ask<{ rows: ExplainedRow[] }>("POST", "/api/explain", { text, seed })).rows,
+  estimate: (request: JobRequest) => ask<EstimateRow>("POST", "/api/estimate", request),
+  scenes: async () => (await ask<{ scenes: StudioScene[] }>("GET", "/api/scenes")).scenes,
+  scene: (id: string) => ask<StudioScene>("GET", scene(id)),
   /** The folder of a scene, as the viewer opens it. */
-  folder: (id: string) => `/api/scenes/${name(id)}/`,
-  picture: (id: string) => `/api/pictures/${name(id)}`,
+  folder: (id: string) => `${scene(id)}/`,
+  history: (id: string) => ask<SceneHistory>("GET", `${scene(id)}/history`),
+  save: (id: string) => ask<StudioScene>("POST", `${scene(id)}/save`, {}),
+  discard: (id: string) => ask<void>("DELETE", scene(id)),
 };
+
+/**
+ * Calls `heard` with each event after the one numbered `since`, then with new ones, until the
+ * function that it returns is called. `connected` hears whether the studio is reached; the browser
+ * connects again by itself, and goes on where it was.
+ */
+export function listen(
+  since: number,
+  heard: (event: JobEvent) => void,
+  connected: (is: boolean) => void = () => {},
+): () => void {
+  const source = new EventSource(`/api/events?since=${since}`);
+  source.onopen = () => connected(true);
+  source.onerror = () => connected(false);
+  source.onmessage = (message) => heard(JSON.parse(message.data as string) as JobEvent);
+  return () => source.close();
+}

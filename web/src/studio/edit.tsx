@@ -5,19 +5,14 @@ import { Facts } from "../page/facts";
 import type { Engine } from "../viewer/engine";
 import type { Move } from "../viewer/placing";
 import { Viewer } from "../viewer/viewer";
-import { api, type EditAction, type HistoryRow, type JobRequest } from "./api";
+import { api, type EditRequest, type SceneHistory } from "./api";
 import { EnvironmentPanel } from "./environment";
 import { attempt, begin, refreshScenes, scenes, scenesRead, tell, whenOver, type Message } from "./store";
 
 const STYLES = ["plain", "cartoon", "low-poly"];
 
-/** What an edit asks for, beside the scene. */
-export interface Edit {
-  action: EditAction;
-  words: string[];
-  to?: [number, number];
-  turn?: number;
-}
+/** What an edit asks for, of the scene that is open. */
+export type Edit = Omit<EditRequest, "kind" | "scene">;
 
 export function EditPage({ id }: { id: string }) {
   const row = scenes.value.find((scene) => scene.id === id);
@@ -30,9 +25,8 @@ export function EditPage({ id }: { id: string }) {
 
   const edit = async (asked: Edit): Promise<void> => {
     if (busy.value) return;
-    const request: JobRequest = { kind: "edit", scene: id, ...asked };
     busy.value = `${asked.action} …`;
-    const job = await begin(request);
+    const job = await begin({ kind: "edit", scene: id, ...asked });
     const over = job && (await whenOver(job.id));
     busy.value = null;
     if (over?.state === "done" && over.result?.scene) {
@@ -108,7 +102,7 @@ function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void
 
 /** Back to what a scene was edited from, and forth to what was made of it last. */
 function History({ id }: { id: string }) {
-  const chain = useSignal<HistoryRow | null>(null);
+  const chain = useSignal<SceneHistory | null>(null);
   useEffect(() => {
     chain.value = null;
     void attempt(async () => {

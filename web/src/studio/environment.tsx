@@ -1,13 +1,14 @@
 /** The environment at a scene: the expert plays a task, and the episode is watched. */
 import { useSignal } from "@preact/signals";
 import type { Engine } from "../viewer/engine";
+import type { Format } from "./api";
 import { attempt, begin, studio, tell, whenOver } from "./store";
 
 export function EnvironmentPanel({ id, engine }: { id: string; engine: Engine }) {
   const task = useSignal("PickPlace");
   const seed = useSignal(0);
   const busy = useSignal(false);
-  const format = useSignal("glb");
+  const format = useSignal<Format>("glb");
   const known = studio.value;
   if (!known || !engine.files?.arm) return null;
 
@@ -49,7 +50,7 @@ export function EnvironmentPanel({ id, engine }: { id: string; engine: Engine })
         </button>
         <label>
           Export as
-          <select value={format.value} onChange={(event) => (format.value = event.currentTarget.value)}>
+          <select value={format.value} onChange={(event) => (format.value = event.currentTarget.value as Format)}>
             {known.formats.map((name) => (
               <option key={name}>{name}</option>
             ))}

@@ -19,7 +19,9 @@ export function JobPage({ id }: { id: string }) {
         <Progress job={job} />
         <Controls job={job} />
       </div>
-      {typeof job.request["picture"] === "string" && <img class="thumb" alt="The picture it is made from" src={api.picture(job.request["picture"])} />}
+      {job.request.kind === "generate" && job.request.picture && (
+        <img class="thumb" alt="The picture it is made from" src={api.picture(job.request.picture)} />
+      )}
       {made && (
         <p>
           <a class="button" href={`#/scene/${encodeURIComponent(made)}`}>

@@ -1,7 +1,7 @@
 /** The form that begins a table: a text or a picture, who answers, what it would cost. */
 import { useSignal, type Signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { api, type EstimateRow, type ExplainedRow, type JobRequest, type PictureRow } from "./api";
+import { api, type EstimateRow, type ExplainedRow, type JobRequest, type Paid, type PictureRow, type Role } from "./api";
 import { attempt, begin, studio, tell } from "./store";
 
 type Way = "compose" | "generate";
@@ -22,12 +22,12 @@ export function MakeForm() {
   const estimate = useSignal<EstimateRow | null>(null);
   const kind = (): Way => (picture.value ? "generate" : way.value);
 
-  const request = (number: number): JobRequest => ({
-    kind: kind(),
-    seed: number,
-    ...(picture.value ? { picture: picture.value.picture } : { text: text.value.trim() }),
-    ...(kind() === "generate" ? { ...backends.value, ...(budget.value ? { budget: Number(budget.value) } : {}) } : {}),
-  });
+  const request = (number: number): JobRequest => {
+    const described = picture.value ? { picture: picture.value.picture } : { text: text.value.trim() };
+    if (kind() === "compose") return { kind: "compose", text: text.value.trim(), seed: number };
+    const paid: Paid = { ...backends.value, ...(budget.value ? { budget: Number(budget.value) } : {}) };
+    return { kind: "generate", seed: number, ...described, ...paid };
+  };
 
   const submit = async (event: Event): Promise<void> => {
     event.preventDefault();
@@ -188,7 +188,7 @@ function Drop({ picture }: { picture: Signal<PictureRow | null> }) {
 function Backends({ chosen, budget }: { chosen: Signal<Record<string, string>>; budget: Signal<string> }) {
   const known = studio.value;
   if (!known) return null;
-  const set = (role: string, name: string): void => {
+  const set = (role: Role, name: string): void => {
     const { [role]: _, ...rest } = chosen.value;
     chosen.value = name ? { ...rest, [role]: name } : rest;
   };

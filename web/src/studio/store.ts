@@ -1,6 +1,6 @@
 /** What the page knows of the studio: jobs as events tell of them, scenes, and the last message. */
 import { computed, signal } from "@preact/signals";
-import { api, type JobEvent, type JobRequest, type JobRow, type StudioScene, type StudioState } from "./api";
+import { api, listen, type JobEvent, type JobRequest, type JobRow, type StudioScene, type StudioState } from "./api";
 
 export const studio = signal<StudioState | null>(null);
 export const jobs = signal<ReadonlyMap<string, JobRow>>(new Map());
@@ -100,9 +100,6 @@ export async function connect(): Promise<void> {
     studio.value = await api.state();
     jobs.value = new Map((await api.jobs()).map((job) => [job.id, job]));
     await refreshScenes();
-    const source = new EventSource(`/api/events?since=${studio.value.last_event}`);
-    source.onmessage = (event: MessageEvent<string>) => heed(JSON.parse(event.data) as JobEvent);
-    source.onopen = () => (connected.value = true);
-    source.onerror = () => (connected.value = false); // the browser tries again by itself
+    listen(studio.value.last_event, heed, (is) => (connected.value = is));
   });
 }
