@@ -13,7 +13,7 @@ from generator.errors import (
 )
 
 
-class RefusedError(TabletopError):
+class RefusedError(InputError):
     """A request that is refused: ``status`` is that of the answer, the message one sentence."""
 
     def __init__(self, status: int, message: str) -> None:
