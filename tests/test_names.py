@@ -17,7 +17,8 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 CODE = (
-    "generator", "tabletopgen_env", "assets_cache", "research", "benchmarks", "examples", "docs",
+    "generator", "tabletopgen_env", "tabletopgen_web", "assets_cache", "research", "benchmarks",
+    "examples", "docs",
 )  # fmt: skip
 
 NO_PARTICIPLES = frozenset({

@@ -57,7 +57,7 @@ class RecordedPlay:
 
 
 @dataclass(frozen=True)
-class EpisodeRow:
+class PlayRow:
     """What the page says of a recorded episode."""
 
     task: str
@@ -67,9 +67,9 @@ class EpisodeRow:
     success: bool
 
     @staticmethod
-    def of(play: RecordedPlay, file: str) -> EpisodeRow:
+    def of(play: RecordedPlay, file: str) -> PlayRow:
         """Return the row of an episode that lies in ``file``."""
-        return EpisodeRow(play.task, play.instruction, file, round(play.seconds, 2), play.success)
+        return PlayRow(play.task, play.instruction, file, round(play.seconds, 2), play.success)
 
     def plain(self) -> dict[str, object]:
         """Return it as JSON values."""

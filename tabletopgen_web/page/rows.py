@@ -149,7 +149,7 @@ def row_of_facts(facts: Mapping[str, Any], id: str) -> SceneRow:
             kind=str(made["kind"]),
             prompt=prompt,
             theme=theme_of(prompt),
-            table=TableRow(str(models[table["model"]]["label"]), _rounded(table["scale"])),
+            table=TableRow(str(models[table["model"]]["label"]), _round(table["scale"])),
             things=tuple(_thing(entry, models[entry["model"]]) for entry in facts["objects"]),
             gate=_gate(facts.get("report")),
             warnings=tuple(map(str, made.get("warnings") or ())),
@@ -163,7 +163,7 @@ def row_of_facts(facts: Mapping[str, Any], id: str) -> SceneRow:
 def _thing(entry: Mapping[str, Any], model: Mapping[str, Any]) -> ThingRow:
     placed = entry["placement"]
     return ThingRow(
-        str(entry["name"]), str(model["label"]), str(model["category"]), _rounded(placed["scale"]),
+        str(entry["name"]), str(model["label"]), str(model["category"]), _round(placed["scale"]),
         round(float(entry["mass"]), 3), str(placed.get("on") or ""),
     )  # fmt: skip
 
@@ -202,5 +202,5 @@ def _gate(report: Mapping[str, Any] | None) -> GateRow | None:
     return GateRow(not failures, failures, *numbers)
 
 
-def _rounded(values: Sequence[float]) -> tuple[float, ...]:
+def _round(values: Sequence[float]) -> tuple[float, ...]:
     return tuple(round(float(v), 3) for v in values)

@@ -20,7 +20,7 @@ from generator.exports import ALONE, WRITERS
 from generator.scene import Scene
 from generator.scene.provenance import plain
 
-from .episodes import EpisodeRow, record_play
+from .episodes import PlayRow, record_play
 from .robot import START, robot_document
 from .rows import SCHEMA, SceneRow, read_whole_row
 
@@ -139,7 +139,7 @@ def _robot(
             continue
         path = f"episodes/{task.lower()}.bin"
         files[path] = play.to_bytes()
-        rows.append(EpisodeRow.of(play, path).plain())
+        rows.append(PlayRow.of(play, path).plain())
     return arm, rows
 
 

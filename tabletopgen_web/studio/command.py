@@ -42,6 +42,7 @@ def studio(
     from .server.application import make_application
     from .server.guard import Access
     from .server.listening import bind, serve
+    from .server.services import Changes
 
     require_number("studio needs --port", port, minimum=0, maximum=65535, integer=True)
     require_number("studio needs --workers", workers, minimum=1, maximum=64, integer=True)
@@ -58,6 +59,7 @@ def studio(
                 "use this studio and what it may pay for."
             ), file=sys.stderr)  # fmt: skip
         place.announce(access.address)
-        app = make_application(place, access, static, workers)
-        serve(app, listening, access.link, not no_browser)
+        changes = Changes()
+        app = make_application(place, access, static, workers, changes)
+        serve(app, listening, access.link, not no_browser, changes.close)
     return 0

@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[2]
 RUN = ("bash", "python")
 """Languages of blocks that are checked and run."""
 
-SHOWN = ("json", "text", "toml")
+SHOWN = ("html", "json", "text", "toml")
 """Languages of blocks that are only shown."""
 
 _FENCE = re.compile(

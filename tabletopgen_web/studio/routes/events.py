@@ -65,6 +65,9 @@ class EventStream(Response):
         while True:
             change = self._services.changes.next()
             events = self._services.store.events(self._since)
+            if self._services.changes.closed:
+                await send({"type": "http.response.body", "body": b"", "more_body": False})
+                return
             if events:
                 lines = [f"id: {e.seq}\ndata: {json.dumps(encode(e))}\n\n" for e in events]
                 await _write(send, "".join(lines).encode())

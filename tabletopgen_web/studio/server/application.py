@@ -23,7 +23,7 @@ from ..refusals import status_of
 from ..routes import asking, events, jobs, pages, pictures, scenes, studies
 from ..routes.answering import answer
 from .guard import Access, StudioGuard
-from .services import StudioServices
+from .services import Changes, StudioServices
 
 _LOG = logging.getLogger(__name__)
 
@@ -35,7 +35,11 @@ ROUTES: tuple[Route, ...] = (
 
 
 def make_application(
-    folder: StudioFolder, access: Access, static: Path, workers: int = 1
+    folder: StudioFolder,
+    access: Access,
+    static: Path,
+    workers: int = 1,
+    changes: Changes | None = None,
 ) -> ASGIApp:
     """Return the studio's application. Its folder is locked by the caller.
 
@@ -44,6 +48,7 @@ def make_application(
         access: who may ask.
         static: the folder of the built page.
         workers: how many jobs run at a time.
+        changes: what is closed when the studio ends, so that pages no longer wait for events.
     """
     files = pages.list_files(static)
 
@@ -52,7 +57,7 @@ def make_application(
         folder.make()
         store = JobStore(folder.database)
         with contextlib.closing(store):
-            services = StudioServices(folder, workers, files, store)
+            services = StudioServices(folder, workers, files, store, changes or Changes())
             app.state.services = services
             store.recover()
             services.sweep()

@@ -8,7 +8,8 @@ import socket
 import sys
 import threading
 import webbrowser
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from types import FrameType
 
 import uvicorn
 from starlette.types import ASGIApp
@@ -37,8 +38,22 @@ def bind(host: str, port: int) -> Iterator[socket.socket]:
         yield listening
 
 
-def serve(app: ASGIApp, listening: socket.socket, link: str, browse: bool) -> None:
-    """Answer requests until the process is interrupted.
+class _Server(uvicorn.Server):
+    """Tells the application at once that the process is to end, not once all answers are sent."""
+
+    def __init__(self, config: uvicorn.Config, stop: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._stop = stop
+
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        self._stop()
+        super().handle_exit(sig, frame)
+
+
+def serve(
+    app: ASGIApp, listening: socket.socket, link: str, browse: bool, stop: Callable[[], None]
+) -> None:
+    """Answer requests until the process is interrupted; then call ``stop`` and end.
 
     Raises:
         BackendError: the application cannot begin.
@@ -53,7 +68,7 @@ def serve(app: ASGIApp, listening: socket.socket, link: str, browse: bool) -> No
           file=sys.stderr)  # fmt: skip
     if browse:
         threading.Thread(target=webbrowser.open, args=(link,), daemon=True).start()
-    server = uvicorn.Server(config)
+    server = _Server(config, stop)
     with contextlib.suppress(KeyboardInterrupt):
         asyncio.run(server.serve(sockets=[listening]))
     if not server.started:

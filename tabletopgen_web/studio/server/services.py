@@ -30,10 +30,20 @@ _MOST_CLIENTS = 64  # that listen to events at once
 
 
 class Changes:
-    """Lets many wait for the next change, in one event loop."""
+    """Lets many wait for the next change, in one event loop, until the studio ends.
+
+    Attributes:
+        closed: whether it ends; who waits then stops.
+    """
 
     def __init__(self) -> None:
+        self.closed = False
         self._next = asyncio.Event()
+
+    def close(self) -> None:
+        """Say that the studio ends."""
+        self.closed = True
+        self.notify()
 
     def notify(self) -> None:
         """Say that something changed."""

@@ -147,7 +147,7 @@ function EditPanel({ engine, names, busy, edit }: EditPanelProps) {
       </label>
       <label class="field">
         Thing
-        <select value={chosen ?? ""} onChange={(event) => (engine.selected.value = event.currentTarget.value || null)}>
+        <select value={chosen ?? ""} onChange={(event) => engine.choose(event.currentTarget.value || null)}>
           <option value="">choose one, or click it</option>
           {names.map((name) => (
             <option key={name}>{name}</option>

@@ -307,9 +307,17 @@ export class Engine {
     await this.physics.ask({ kind: "show", centres: this.centres.value, contacts: this.contacts.value });
   }
 
-  select(body: number): void {
+  private select(body: number): void {
     const found = this.model?.data.bodies[body];
-    this.selected.value = found?.free ? found.name : null;
+    this.choose(found?.free ? found.name : null);
+  }
+
+  /** Selects a thing by its name; null selects none. */
+  choose(name: string | null): void {
+    this.selected.value = name;
+    const k = this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
+    this.marks?.select(this.model?.bodies[k]?.group ?? null);
+    this.stage?.draw();
   }
 
   private point(body: number, x: number, y: number): void {
@@ -333,6 +341,7 @@ export class Engine {
         this.placing = new Placing(group, held);
       }
       this.placing.drag(target, shift);
+      this.marks?.follow();
     } else {
       if (!this.running.value) this.run(true);
       this.physics.tell({ kind: "drag", body, grip: local.toArray(), target: target.toArray() });
@@ -370,6 +379,7 @@ export class Engine {
   private show(frame: Frame): void {
     this.time.value = frame.time;
     if (!this.model?.place(frame.poses) && !frame.centres && !frame.contacts) return;
+    this.marks?.follow();
     if (this.unseen) {
       this.unseen = false;
       this.lookFrom("front");

@@ -10,6 +10,7 @@ export class Marks {
   private readonly centres: THREE.InstancedMesh;
   private readonly spots: THREE.InstancedMesh;
   private readonly forces: THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial>;
+  private frame: THREE.BoxHelper | null = null;
   private readonly rope: THREE.Line<THREE.BufferGeometry, THREE.LineBasicMaterial>;
 
   constructor(private readonly shownBodies: number[]) {
@@ -65,6 +66,22 @@ export class Marks {
     this.forces.geometry.setDrawRange(0, 2 * count);
   }
 
+  /** Frames the thing that is selected; null for none. */
+  select(thing: THREE.Object3D | null): void {
+    this.frame?.removeFromParent();
+    this.frame?.dispose();
+    this.frame = null;
+    if (!thing) return;
+    this.frame = new THREE.BoxHelper(thing, 0x2563eb);
+    this.frame.renderOrder = 10;
+    this.root.add(this.frame);
+  }
+
+  /** Moves the frame with its thing. */
+  follow(): void {
+    this.frame?.update();
+  }
+
   showRope(from: THREE.Vector3 | null, to: THREE.Vector3 | null): void {
     this.rope.visible = from !== null && to !== null;
     if (!from || !to) return;
@@ -75,6 +92,7 @@ export class Marks {
   }
 
   dispose(): void {
+    this.select(null);
     this.root.removeFromParent();
     for (const mark of [this.centres, this.spots, this.forces, this.rope]) {
       mark.geometry.dispose();
