@@ -1,6 +1,8 @@
 """The site builds without a warning, offline, and its generated pages say what the code says."""
 
+import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -9,6 +11,8 @@ import docstrings
 import help_text
 import pytest
 from blocks import ROOT
+
+from tabletopgen_env.tasks.names import NAMES
 
 OFFLINE = """
 import socket
@@ -41,6 +45,15 @@ def test_the_site_builds_with_every_page_and_command(tmp_path: Path) -> None:
     for command in help_text.commands():
         assert f'id="{command.name.replace(" ", "-")}"' in cli
     assert "Push-v0" in (site / "reference/tasks.html").read_text(encoding="utf-8")
+    assert 'src="live/index.html#/embed/dining-family"' in (site / "index.html").read_text()
+    tasks = (site / "reference/tasks.html").read_text(encoding="utf-8")
+    shown = re.findall(r'src="\.\./live/index\.html#/embed/([\w-]+)/(\w+)"', tasks)
+    assert [task for _, task in shown] == [*NAMES]
+    gallery = json.loads((site / "live/gallery.json").read_text(encoding="utf-8"))
+    for scene, task in shown:
+        (row,) = (row for row in gallery["scenes"] if row["name"] == scene)
+        view = json.loads((site / "live/scenes" / row["id"] / "view.json").read_text())
+        assert task in {episode["task"] for episode in view["episodes"]}, (scene, task)
     assert "Unreleased" in (site / "changelog.html").read_text(encoding="utf-8")
     text = "".join(p.read_text(encoding="utf-8") for p in (site / "reference/api").glob("*.html"))
     for name in ("generator.pipeline.generate", "generator.bundle.load", "generator.bundle.save",

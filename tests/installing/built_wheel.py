@@ -13,8 +13,10 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from tabletopgen_web.frontend import static_folder
+
 ROOT = Path(__file__).parents[2]
-PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
+PACKAGES = ("generator", "tabletopgen_env", "tabletopgen_web", "assets_cache")
 BESIDE = ("pyproject.toml", "README.md", "LICENSE", "NOTICE")
 LONG = 240.0
 """Seconds after which a step is taken to hang."""
@@ -27,11 +29,13 @@ ABSENT = ("stable_baselines3", "tensorboard", "minari", "h5py", "openai", "trans
 sys.modules.update(dict.fromkeys(ABSENT))  # importing any of them fails, as without the extras
 
 import gymnasium as gym
-import assets_cache, generator, tabletopgen_env
+import assets_cache, generator, tabletopgen_env, tabletopgen_web
 from generator.bundle import load, save, verify
 from generator.composition import compose
+from tabletopgen_web.frontend import static_folder
+from tabletopgen_web.page.site import write_site
 
-for package in (assets_cache, generator, tabletopgen_env):
+for package in (assets_cache, generator, tabletopgen_env, tabletopgen_web):
     assert pathlib.Path(package.__file__).is_relative_to(sys.argv[1]), package.__file__
 assert len(assets_cache.find("starter")) >= 12
 assert not any(assets_cache.verify().values()), assets_cache.verify()
@@ -48,6 +52,13 @@ with tempfile.TemporaryDirectory() as folder:
         seen, reward, *_ = env.step(env.action_space.sample())
         assert env.observation_space.contains(seen) and 0 <= reward <= 1
         env.close()
+held = [path for path in static_folder().rglob("*") if path.is_file()]
+assert static_folder().is_relative_to(sys.argv[1])
+assert sum(path.stat().st_size for path in held) <= 15_000_000
+assert "@mujoco/mujoco" in (static_folder() / "licenses.md").read_text()
+with tempfile.TemporaryDirectory() as folder:
+    site = write_site(assets_cache.find("office-desk"), pathlib.Path(folder) / "site")
+    assert (site.path / "index.html").is_file() and site.scenes[0].error is None
 print("tried", sys.argv[1])
 """
 """What is done where the wheel is installed, given that folder."""
@@ -55,6 +66,7 @@ print("tried", sys.argv[1])
 
 def build(out: Path) -> Path:
     """Build the wheel into a folder, of a copy, so that no earlier build's files get into it."""
+    static_folder()  # of a checkout it is built here, with npm
     source = out / "source"
     unused = shutil.ignore_patterns("__pycache__")
     for name in PACKAGES:

@@ -21,7 +21,7 @@ def test_it_holds_every_file_of_the_packages(wheel: Path) -> None:
 
 def test_its_packages_say_that_they_are_typed(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
-    packages = ("generator", "tabletopgen_env", "assets_cache")
+    packages = built_wheel.PACKAGES
     assert {f"{name}/py.typed" for name in packages} <= {*names}
     assert not [name for name in names if name.startswith("research")]
 

@@ -31,6 +31,7 @@ class Smoke:
         prepare: puts into the folder what the run needs.
         codes: exit codes that are no failure: 1 of a script whose figure missed its mark.
         needs: a package without which it cannot run; the test is then skipped.
+        program: likewise a program.
     """
 
     arguments: str = ""
@@ -39,6 +40,7 @@ class Smoke:
     prepare: Callable[[Path], None] | None = None
     codes: Sequence[int] = (0,)
     needs: str = ""
+    program: str = ""
 
 
 def _texts(folder: Path) -> None:
@@ -201,6 +203,11 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--theme terse --limit 1 --sheet 1 --bundles {out}/made --out {out}",
         (*_table("understanding_compose_dev_terse"), "understanding_compose.png", "made/*.json"),
         "| fully right | ",
+    ),
+    "docs/make_page_pictures.py": Smoke(
+        "page_gallery studio_make --out {out}",
+        ("page_gallery.png", "studio_make.png"),
+        program="chromium",
     ),
     "docs/make_task_pictures.py": Smoke("reach --out {out}", ("reach.png",)),
     "examples/demo.py": Smoke(

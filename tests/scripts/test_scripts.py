@@ -3,6 +3,7 @@
 import csv
 import os
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -54,6 +55,8 @@ def test_a_script_runs(script: str, tmp_path: Path) -> None:
     smoke, before = SMOKES[script], state()
     if smoke.needs:
         pytest.importorskip(smoke.needs)
+    if smoke.program and shutil.which(smoke.program) is None:
+        pytest.skip(f"{smoke.program} is not installed: {script} is NOT TRIED")
     if smoke.prepare is not None:
         smoke.prepare(tmp_path)
     words = [w.format(out=tmp_path, root=ROOT) for w in shlex.split(smoke.arguments)]
