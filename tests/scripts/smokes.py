@@ -117,6 +117,12 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--texts {out}/texts.json --beside {root} --out {out}", ("compose_speed.md",),
         "| import |", _texts,
     ),
+    "benchmarks/pages.py": Smoke(
+        "--scenes coffee-oval --rounds 1 --out {out}",
+        ("pages.md",),
+        "| coffee-oval | 4 |",
+        program="chromium",
+    ),
     "benchmarks/concurrency.py": Smoke("--seconds 2 --out {out}", ("concurrency.md",)),
     "benchmarks/curriculum.py": Smoke(
         "--recipe reach-clone --set cloning.rounds=1 cloning.episodes=1 cloning.last_steps=5 "

@@ -4,6 +4,7 @@ import json
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from statistics import median
 
 import pytest
 from browser import ENGINE, opened, served, wait_for_scenes
@@ -105,15 +106,22 @@ def test_sixty_objects(browser: Browser, tmp_path: Path) -> None:
 
 
 def test_two_hundred_scenes_stay_fluid(browser: Browser, folder: Path, address: str) -> None:
+    """A search among 200 takes at most a few times as long as one among 20."""
+    few, many = (median(search(browser, folder, address, count)) for count in (20, 200))
+    assert many <= 20 * few
+
+
+def search(browser: Browser, folder: Path, address: str, count: int) -> list[float]:
+    """Return how long searches in a gallery of so many entries take, drawn."""
     gallery = json.loads((folder / GALLERY).read_text())
-    (row,) = gallery["scenes"]
-    rows = [{**row, "id": f"{row['id']}-{k}", "name": f"table {k}"} for k in range(200)]
+    row = gallery["scenes"][0]
+    rows = [{**row, "id": f"{row['id']}-{k}", "name": f"table {k}"} for k in range(count)]
     (folder / GALLERY).write_text(json.dumps({**gallery, "scenes": rows}))
     watched = opened(browser)
     page = watched.page
     page.goto(address)
     page.locator("a.card").first.wait_for()
-    assert page.locator("a.card").count() == 200
+    assert page.locator("a.card").count() == count
     times = page.evaluate(
         """async () => {
           const times = [];
@@ -129,8 +137,8 @@ def test_two_hundred_scenes_stay_fluid(browser: Browser, folder: Path, address: 
           return times;
         }"""
     )
-    assert max(times) < 1000  # a search that takes longer is no search as one types
     assert watched.faults == []
+    return times
 
 
 def test_a_moved_page_still_opens(browser: Browser, folder: Path, tmp_path: Path) -> None:

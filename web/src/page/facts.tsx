@@ -22,6 +22,16 @@ export function Facts({ files, base, selected }: { files: SceneFiles; base: stri
           ))}
         </section>
       )}
+      {files.picture && (
+        <details class="panel">
+          <summary>{files.picture.kind === "reference" ? "The picture" : "The render"}</summary>
+          <img
+            loading="lazy"
+            src={base + files.picture.file}
+            alt={files.picture.kind === "reference" ? `What ${row.name} was made from` : `A render of ${row.name}`}
+          />
+        </details>
+      )}
       <Things things={row.things} table={row.table.size} selected={selected} />
       {row.gate && <Gate gate={row.gate} />}
       {row.certificate && <Certificate certificate={row.certificate} />}

@@ -26,7 +26,8 @@ export class Stage {
   private readonly watcher: ResizeObserver;
   private picture: PictureView | null = null;
   private asked = 0;
-  private readonly finest = Math.min(window.devicePixelRatio || 1, 2);
+  private readonly small = ((navigator as { deviceMemory?: number }).deviceMemory ?? 8) <= 2;
+  private readonly finest = this.small ? 1 : Math.min(window.devicePixelRatio || 1, 2);
   private ratio = this.finest;
   private still = 0;
   /** Called when the person moves the camera. */
@@ -170,7 +171,7 @@ export class Stage {
     this.sun.position.set(centre.x - 0.9, centre.y - 1.1, centre.z + 2.4);
     this.sun.target.position.copy(centre);
     this.sun.castShadow = true;
-    const size = this.renderer.capabilities.maxTextureSize >= 4096 ? 2048 : 1024;
+    const size = this.small || this.renderer.capabilities.maxTextureSize < 4096 ? 1024 : 2048;
     this.sun.shadow.mapSize.set(size, size);
     Object.assign(this.sun.shadow.camera, { left: -span, right: span, top: span, bottom: -span, near: 0.1, far: 3 + 2 * span });
     this.sun.shadow.camera.updateProjectionMatrix();
