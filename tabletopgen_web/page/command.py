@@ -24,12 +24,12 @@ class PageOptions:
     Attributes:
         formats: Exports to download beside the bundle; usd and usdz need the extra "usd".
         episodes: The most episodes of the scripted expert to play back, one for each task.
-        no_robot: Leave out the arm, and with it the episodes.
+        robot: Also put the arm at each table, which episodes need.
     """
 
     formats: tuple[PageFormat, ...] = ("glb", "urdf", "sdf")
     episodes: int = 4
-    no_robot: bool = False
+    robot: bool = True
 
 
 _PAGE = PageOptions()
@@ -41,7 +41,7 @@ def page(
     *,
     out: Path,
     title: str = "Tables",
-    options: OmitArgPrefixes[PageOptions] = _PAGE,
+    contents: OmitArgPrefixes[PageOptions] = _PAGE,
 ) -> int:
     """Make a static page of bundles: a gallery, and every scene live in the browser.
 
@@ -52,7 +52,7 @@ def page(
         bundles: Names, digests, globs or paths; "starter" for the shipped tables.
         out: The page's folder. A page that is there already makes way.
         title: What the gallery is called.
-        options: What it holds of each scene.
+        contents: What it holds of each scene.
     """
     import assets_cache
 
@@ -61,11 +61,11 @@ def page(
 
     if not bundles:
         raise InputError("Name at least one bundle; `tabletopgen cache list` shows what there is.")
-    if options.episodes < 0:
-        raise InputError(f"--episodes is a number from 0 on, got {options.episodes}.")
+    if contents.episodes < 0:
+        raise InputError(f"--episodes is a number from 0 on, got {contents.episodes}.")
     check_folder(out.absolute().parent)
     found = list(dict.fromkeys(p for wanted in bundles for p in assets_cache.find(wanted)))
-    chosen = FolderOptions(tuple(options.formats), options.episodes, not options.no_robot)
+    chosen = FolderOptions(tuple(contents.formats), contents.episodes, contents.robot)
     with _progress(len(found)) as report:
         site = write_site(found, out, title, chosen, report)
     print(escape(str(site.path)))

@@ -31,7 +31,7 @@ def make_page(
     *,
     out: Path,
     inputs: Path | None = None,
-    options: OmitArgPrefixes[StudyOptions] = _OPTIONS,
+    study: OmitArgPrefixes[StudyOptions] = _OPTIONS,
     drawing: OmitArgPrefixes[Drawing] = _DRAWING,
     json: bool = False,
 ) -> int:
@@ -46,7 +46,7 @@ def make_page(
         out: The page, FILE.html.
         inputs: Folder of the input pictures, called like the scenes; those that bundles keep are
             used if left out.
-        options: How the study is held.
+        study: How the study is held.
         drawing: How results are shown.
         json: Print one JSON object instead of lines.
     """
@@ -62,7 +62,7 @@ def make_page(
     scenes, ignored = collect(folders, inputs, drawing)
     if ignored:
         _warn(f"left out: {', '.join(ignored[:20])}{' ...' if len(ignored) > 20 else ''}")
-    files = make_study(scenes, list(folders), options, template)
+    files = make_study(scenes, list(folders), study, template)
     page, key = write_study(files, out)
     facts = {
         "page": str(page), "key": str(key), "study": files.key.study, "methods": [*folders],
