@@ -1,10 +1,14 @@
 /** The gallery: a card for each scene, and what narrows them down. */
-import { useComputed, useSignal } from "@preact/signals";
+import { signal, useComputed } from "@preact/signals";
 import type { Gallery, SceneRow } from "../data";
+import { useTitle } from "../ui/routing";
 import { contents, level, matches, NO_FILTER, themes, type Filter } from "./search";
 
+/** It outlives the gallery's page: the way back from a scene leads to what was found. */
+const filter = signal<Filter>(NO_FILTER);
+
 export function GalleryPage({ gallery }: { gallery: Gallery }) {
-  const filter = useSignal<Filter>(NO_FILTER);
+  useTitle(gallery.title);
   const set = (change: Partial<Filter>): void => {
     filter.value = { ...filter.value, ...change };
   };

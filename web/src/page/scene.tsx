@@ -4,25 +4,25 @@ import { useEffect } from "preact/hooks";
 import type { Gallery, SceneRow } from "../data";
 import type { Engine } from "../viewer/engine";
 import { Viewer } from "../viewer/viewer";
+import { useTitle } from "../ui/routing";
 import { Facts } from "./facts";
 
 const folder = (row: SceneRow): string => `scenes/${encodeURIComponent(row.id)}/`;
 
 export function ScenePage({ gallery, row }: { gallery: Gallery; row: SceneRow }) {
   const engine = useSignal<Engine | null>(null);
-  const at = gallery.scenes.indexOf(row);
-  const near = (step: number): SceneRow | undefined => gallery.scenes.filter((r) => !r.error)[at + step];
-  useEffect(() => {
-    document.title = `${row.name} – ${gallery.title}`;
-  }, [row]);
+  const shown = gallery.scenes.filter((each) => !each.error);
+  const before = shown[shown.indexOf(row) - 1];
+  const after = shown[shown.indexOf(row) + 1];
+  useTitle(`${row.name} – ${gallery.title}`);
   return (
     <>
       <header class="bar">
         <a href="#/">{gallery.title}</a>
         <h1>{row.name}</h1>
         <nav class="row end" aria-label="Other tables">
-          {near(-1) && <a href={`#/scene/${encodeURIComponent(near(-1)!.id)}`}>Previous</a>}
-          {near(1) && <a href={`#/scene/${encodeURIComponent(near(1)!.id)}`}>Next</a>}
+          {before && <a href={`#/scene/${encodeURIComponent(before.id)}`}>Previous</a>}
+          {after && <a href={`#/scene/${encodeURIComponent(after.id)}`}>Next</a>}
           <Beside gallery={gallery} row={row} />
         </nav>
       </header>
@@ -43,23 +43,29 @@ export function ScenePage({ gallery, row }: { gallery: Gallery; row: SceneRow })
 }
 
 function Beside({ gallery, row }: { gallery: Gallery; row: SceneRow }) {
+  const other = useSignal("");
   return (
-    <label class="row small">
-      Beside
-      <select
-        onChange={(event) => {
-          const other = event.currentTarget.value;
-          if (other) location.hash = `#/beside/${encodeURIComponent(row.id)}/${encodeURIComponent(other)}`;
-        }}
-      >
-        <option value="">…</option>
-        {gallery.scenes.map((other) => !other.error && other.id !== row.id && <option value={other.id}>{other.name}</option>)}
-      </select>
-    </label>
+    <form
+      class="row small"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (other.value) location.hash = `#/beside/${encodeURIComponent(row.id)}/${encodeURIComponent(other.value)}`;
+      }}
+    >
+      <label class="row">
+        Beside
+        <select value={other.value} onChange={(event) => (other.value = event.currentTarget.value)}>
+          <option value="">…</option>
+          {gallery.scenes.map((each) => !each.error && each.id !== row.id && <option value={each.id}>{each.name}</option>)}
+        </select>
+      </label>
+      <button disabled={!other.value}>Show</button>
+    </form>
   );
 }
 
 export function BesidePage({ gallery, rows }: { gallery: Gallery; rows: SceneRow[] }) {
+  useTitle(`${rows.map((row) => row.name).join(" and ")} – ${gallery.title}`);
   return (
     <>
       <header class="bar">
@@ -84,6 +90,7 @@ export function BesidePage({ gallery, rows }: { gallery: Gallery; rows: SceneRow
 /** The viewer alone, for a frame in another page; with a task, an episode of it is played. */
 export function EmbeddedPage({ row, task }: { row: SceneRow; task: string | undefined }) {
   const engine = useSignal<Engine | null>(null);
+  useTitle(row.name);
   useEffect(() => {
     const episode = engine.value?.files?.episodes.find((each) => each.task === task);
     if (engine.value?.ready.value && episode) void engine.value.play(episode);
