@@ -8,18 +8,25 @@ interface Waiting {
 }
 
 export class Physics {
-  private readonly worker: Worker;
+  private worker: Worker | null = null;
+  private closed = false;
   private readonly waiting = new Map<number, Waiting>();
   private next = 1;
 
   /**
+   * The worker itself starts with `begin`: what is never begun need not be closed.
+   *
    * @param onFrame - called with every frame to draw.
    * @param onBreak - called once if the worker itself fails: no WebAssembly, out of memory.
    */
   constructor(
     private readonly onFrame: (frame: Frame) => void,
-    onBreak: (message: string) => void,
-  ) {
+    private readonly onBreak: (message: string) => void,
+  ) {}
+
+  /** Starts the worker; what is asked does so, too. */
+  begin(): void {
+    if (this.worker || this.closed) return;
     mujocoModule().catch(() => {}); // begun early; who loads a scene hears of a failure
     this.worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     this.worker.onmessage = (event: MessageEvent<Reply>) => this.heed(event.data);
@@ -27,7 +34,7 @@ export class Physics {
       const message = event.message || "The physics could not be started in this browser.";
       for (const { reject } of this.waiting.values()) reject(new Error(message));
       this.waiting.clear();
-      onBreak(message);
+      this.onBreak(message);
     };
   }
 
@@ -40,12 +47,14 @@ export class Physics {
     return (await this.ask({ kind: "state" })) as State;
   }
 
-  /** Sends a command; resolves when it has been done. */
+  /** Sends a command; resolves when it has been done, and never once this is closed. */
   ask(command: Command): Promise<ModelData | State | null> {
+    this.begin();
     const id = this.next++;
     return new Promise((resolve, reject) => {
+      if (this.closed) return;
       this.waiting.set(id, { resolve, reject });
-      this.worker.postMessage({ ...command, id });
+      this.worker?.postMessage({ ...command, id });
     });
   }
 
@@ -55,7 +64,8 @@ export class Physics {
   }
 
   close(): void {
-    this.worker.terminate();
+    this.closed = true;
+    this.worker?.terminate();
     this.waiting.clear();
   }
 

@@ -188,7 +188,7 @@ export class Simulation {
       const speed = motion[3 + i]! + turned[i]!;
       force[i] = mass * (STIFFNESS * (target[i]! - held[i]!) - DAMPING * speed);
     }
-    force[2] += mass * 9.81; // what is held does not sag
+    if (this.described.bodies[body]?.free) force[2] += mass * 9.81; // it does not sag; servos hold the arm
     data.xfrc_applied.set([...force, ...cross(arm, force)], 6 * body);
   }
 }

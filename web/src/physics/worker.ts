@@ -52,11 +52,13 @@ function run(now: boolean): void {
 
 /** Starts MuJoCo from its compiled module. */
 function start(module: WebAssembly.Module): Promise<MainModule> {
-  return loadMujoco({
-    instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
-      void WebAssembly.instantiate(module, imports).then(done);
-      return {};
-    },
+  return new Promise((resolve, reject) => {
+    loadMujoco({
+      instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
+        WebAssembly.instantiate(module, imports).then(done, reject); // with too little memory it fails
+        return {};
+      },
+    }).then(resolve, reject);
   });
 }
 

@@ -1,6 +1,7 @@
 /** A scene of the studio: looked at, changed by mouse or words, saved, tried with the expert. */
 import { useSignal, type Signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { useTitle } from "../ui/routing";
 import { Facts } from "../page/facts";
 import type { Engine } from "../viewer/engine";
 import type { Move } from "../viewer/placing";
@@ -19,23 +20,29 @@ export function EditPage({ id }: { id: string }) {
   const engine = useSignal<Engine | null>(null);
   const busy = useSignal<string | null>(null);
   const view = useRef<number[] | null>(null);
-  useEffect(() => {
-    if (row) document.title = `${row.name} – TabletopGen studio`;
-  }, [row?.name]);
+  useTitle(`${row?.name ?? "Scene"} – TabletopGen studio`);
 
   const edit = async (asked: Edit): Promise<void> => {
-    if (busy.value) return;
+    const edited = engine.value;
+    if (busy.value || !edited) return;
     busy.value = `${asked.action} …`;
+    edited.locked = true;
+    const here = location.hash;
     const job = await begin({ kind: "edit", scene: id, ...asked });
     const over = job && (await whenOver(job.id));
     busy.value = null;
+    edited.locked = false;
     if (over?.state === "done" && over.result?.scene) {
-      view.current = engine.value?.stage?.view ?? null;
+      view.current = edited.stage?.view ?? null;
       await refreshScenes();
-      location.hash = `#/scene/${encodeURIComponent(over.result.scene)}`;
-      tell(`${over.title}: done; the table was settled and passed its gate.`);
+      const there = `#/scene/${encodeURIComponent(over.result.scene)}`;
+      const open = (): void => void (location.hash = there);
+      const stayed = location.hash === here; // who has gone elsewhere stays there
+      if (stayed) open();
+      const remedy = stayed ? undefined : { label: "Open it", run: open };
+      tell(`${over.title}: done; the table was settled and passed its gate.`, false, remedy);
     } else {
-      engine.value?.putBack();
+      edited.putBack();
       if (over) tell(over.error ?? `The edit ${over.state}.`, true, remedyOf(asked, over.error ?? "", edit));
     }
   };
@@ -89,7 +96,7 @@ export function EditPage({ id }: { id: string }) {
 }
 
 export function wordsOf(name: string, move: Move): Edit {
-  return { action: "move", words: [name], to: move.to, ...(move.turn ? { turn: move.turn } : {}) };
+  return { action: "move", words: [name], ...(move.to ? { to: move.to } : {}), ...(move.turn ? { turn: move.turn } : {}) };
 }
 
 /** Where a place is taken, the server says which one near by is free. */
@@ -104,22 +111,28 @@ function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void
 function History({ id }: { id: string }) {
   const chain = useSignal<SceneHistory | null>(null);
   useEffect(() => {
-    chain.value = null;
+    let wanted = true;
     void attempt(async () => {
-      chain.value = await api.history(id);
+      const found = await api.history(id);
+      if (wanted) chain.value = found;
     });
+    return () => {
+      wanted = false;
+    };
   }, [id]);
-  const before = chain.value?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
-  const after = chain.value?.later.at(-1);
+  const known = chain.value?.scene === id ? chain.value : null;
+  const waiting = !known && chain.value !== null; // a button that is disabled loses the focus
+  const before = known?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
+  const after = known?.later[0]; // the newest
   const go = (to: string): void => {
     location.hash = `#/scene/${encodeURIComponent(to)}`;
   };
   return (
     <div class="row" role="group" aria-label="History">
-      <button disabled={!before} onClick={() => before && go(before)}>
+      <button disabled={!before && !waiting} onClick={() => before && go(before)}>
         Undo
       </button>
-      <button disabled={!after} onClick={() => after && go(after)}>
+      <button disabled={!after && !waiting} onClick={() => after && go(after)}>
         Redo
       </button>
     </div>

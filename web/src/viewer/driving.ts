@@ -18,7 +18,7 @@ export class Driving {
 
   /** Heeds a key; returns whether it is one that drives. */
   key(event: KeyboardEvent, down: boolean): boolean {
-    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    if (down && (event.ctrlKey || event.metaKey || event.altKey)) return false;
     const key = event.key.toLowerCase();
     if (key === " ") {
       if (down && !event.repeat) this.open = !this.open;
@@ -32,6 +32,12 @@ export class Driving {
 
   clear(): void {
     this.held.clear();
+  }
+
+  /** As at first: nothing is held, and the gripper is open. */
+  reset(): void {
+    this.clear();
+    this.open = true;
   }
 
   get gripper(): "open" | "closed" {

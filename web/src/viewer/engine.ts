@@ -22,7 +22,10 @@ export interface Hover {
 
 export class Engine {
   readonly ready = signal(false);
+  /** Why nothing can be shown any more. */
   readonly error = signal<string | null>(null);
+  /** What did not work, while the scene itself can be shown again (`recover`). */
+  readonly trouble = signal<string | null>(null);
   readonly running = signal(false);
   readonly time = signal(0);
   readonly mode = signal<Mode>("scene");
@@ -40,6 +43,8 @@ export class Engine {
   readonly editing = signal(false);
   /** Called when a person has put a thing elsewhere, while `editing`. */
   onMoved: (name: string, move: Move) => void = () => {};
+  /** Whether a move is being made for good: no other one begins meanwhile. */
+  locked = false;
   /** The view to begin with (`Stage.view`); null for the usual one. */
   firstView: number[] | null = null;
   files: SceneFiles | null = null;
@@ -53,6 +58,9 @@ export class Engine {
   private closed = false;
   private placing: Placing | null = null;
   private unseen = false;
+  /** The changes of mode, one after the other. */
+  private changes: Promise<void> = Promise.resolve();
+  private readonly stop = new AbortController();
 
   constructor() {
     this.physics = this.start();
@@ -73,6 +81,9 @@ export class Engine {
       this.error.value = "This browser gives no WebGL, which the 3D view needs. Switch on hardware acceleration, or use another browser.";
       return;
     }
+    this.physics.begin();
+    const seen = (): void => void (this.ready.value && this.tellRunning());
+    document.addEventListener("visibilitychange", seen, { signal: this.stop.signal });
     this.stage.onMove = () => {
       this.inPicture.value = false;
       this.onion.value = 0;
@@ -85,7 +96,7 @@ export class Engine {
       hover: (body, x, y) => this.point(body, x, y),
       click: (body) => this.select(body),
       drag: (grip, target, shift) => this.drag(grip, target, shift),
-      release: () => this.release(),
+      release: (cancelled) => this.release(cancelled),
       movable: (body) => this.movable(body),
       level: () => this.editing.value,
     });
@@ -111,7 +122,26 @@ export class Engine {
   private fail(error: unknown): void {
     if (this.closed) return;
     const words = error instanceof Error ? error.message : String(error);
-    this.error.value = error instanceof PageError ? words : `This scene cannot be shown: ${words}`;
+    const told = error instanceof PageError ? words : `This scene cannot be shown: ${words}`;
+    (this.ready.value ? this.trouble : this.error).value = told;
+  }
+
+  /** Shows the scene anew after `trouble`. */
+  recover(): Promise<void> {
+    return this.change(async () => {
+      this.trouble.value = null;
+      this.player.stop();
+      this.driving.reset();
+      await this.load("scene");
+      this.mode.value = "scene";
+      this.run(!this.editing.value);
+    });
+  }
+
+  /** Does a change of mode once those before it are done. */
+  private change(work: () => Promise<void>): Promise<void> {
+    this.changes = this.changes.then(work).catch((error: unknown) => this.fail(error));
+    return this.changes;
   }
 
   private async load(what: "scene" | "arm"): Promise<ModelData> {
@@ -136,7 +166,12 @@ export class Engine {
 
   run(running: boolean): void {
     this.running.value = running;
-    this.physics.tell({ kind: "run", running });
+    this.tellRunning();
+  }
+
+  /** Nothing is simulated while nobody sees the page. */
+  private tellRunning(): void {
+    this.physics.tell({ kind: "run", running: this.running.value && !document.hidden });
   }
 
   /** Plays or pauses whatever is shown. */
@@ -161,6 +196,8 @@ export class Engine {
 
   reset(): void {
     this.physics.tell({ kind: "reset" });
+    this.driving.reset(); // the gripper is open again
+    this.gripper.value = "open";
   }
 
   /** Advances by a number of steps, paused; returns the state. For scripts and tests. */
@@ -202,20 +239,19 @@ export class Engine {
   // ---------------------------------------------------------------------------------------- modes
 
   /** Puts the arm at the table, or takes it away; the scene starts anew. */
-  async setMode(mode: Mode): Promise<void> {
+  setMode(mode: Mode): Promise<void> {
+    return this.change(() => this.enter(mode));
+  }
+
+  private async enter(mode: Mode): Promise<void> {
     if (this.mode.value === mode) return;
     const before = this.mode.value;
     this.player.stop();
-    this.driving.clear();
-    try {
-      if ((before === "scene") !== (mode === "scene")) await this.load(mode === "scene" ? "scene" : "arm");
-      else this.reset();
-      this.mode.value = mode;
-      this.run(mode !== "episode");
-      if (mode === "arm") this.drive();
-    } catch (error) {
-      this.fail(error);
-    }
+    if ((before === "scene") !== (mode === "scene")) await this.load(mode === "scene" ? "scene" : "arm");
+    this.reset();
+    this.mode.value = mode;
+    this.run(mode !== "episode" && !(mode === "scene" && this.editing.value));
+    if (mode === "arm") this.drive();
   }
 
   /** Plays an episode of the scene's folder. */
@@ -224,17 +260,14 @@ export class Engine {
   }
 
   /** Plays the episode at an address. */
-  async playFile(url: string): Promise<void> {
-    try {
+  playFile(url: string): Promise<void> {
+    return this.change(async () => {
       const episode = await fetchEpisode(url);
-      await this.setMode("episode");
+      await this.enter("episode");
       if (!this.model || this.error.value) return;
       if (episode.nq !== this.model.data.nq) throw new PageError("This episode is of another scene.");
-      this.run(false);
       this.player.start(episode, this.model.data);
-    } catch (error) {
-      this.fail(error);
-    }
+    });
   }
 
   // ----------------------------------------------------------------------------------------- keys
@@ -328,7 +361,7 @@ export class Engine {
   private movable(body: number): boolean {
     const found = this.model?.data.bodies[body];
     if (!found || this.mode.value === "episode") return false;
-    return this.editing.value ? found.free && this.mode.value === "scene" : found.moves;
+    return this.editing.value ? found.free && this.mode.value === "scene" && !this.locked : found.moves;
   }
 
   private drag(grip: Grip, target: THREE.Vector3, shift: boolean): void {
@@ -337,6 +370,7 @@ export class Engine {
     if (!group) return;
     if (this.editing.value) {
       if (!this.placing) {
+        this.run(false);
         this.select(body);
         this.placing = new Placing(group, held);
       }
@@ -350,11 +384,14 @@ export class Engine {
     this.stage?.draw();
   }
 
-  private release(): void {
-    const move = this.placing?.end();
-    if (this.placing) {
+  private release(cancelled: boolean): void {
+    const { placing } = this;
+    if (placing) {
+      const move = cancelled ? null : placing.end();
       this.placing = null;
       if (move && this.selected.value) this.onMoved(this.selected.value, move);
+      else placing.undo();
+      this.marks?.follow();
     } else {
       this.physics.tell({ kind: "release" });
       this.marks?.showRope(null, null);
@@ -393,6 +430,7 @@ export class Engine {
 
   close(): void {
     this.closed = true;
+    this.stop.abort();
     this.player.stop();
     this.physics.close();
     this.pointer?.dispose();

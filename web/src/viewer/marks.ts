@@ -98,6 +98,8 @@ export class Marks {
       mark.geometry.dispose();
       (mark.material as THREE.Material).dispose();
     }
+    this.centres.dispose();
+    this.spots.dispose();
   }
 }
 

@@ -2,8 +2,8 @@
 import * as THREE from "three";
 
 export interface Move {
-  /** Where its centre is to be: metres from the table's, +x right and +y away. */
-  to: [number, number];
+  /** Where its centre is to be: metres from the table's, +x right and +y away; null where it is. */
+  to: [number, number] | null;
   /** Degrees it was turned, counter-clockwise seen from above. */
   turn: number;
 }
@@ -49,9 +49,10 @@ export class Placing {
     const moved = Math.hypot(x - this.from.x, y - this.from.y) >= LEAST_MOVE;
     if (!moved && Math.abs(degrees) < LEAST_TURN) return null;
     const round = (v: number): number => Math.round(v * 1000) / 1000; // millimetres
-    return { to: moved ? [round(x), round(y)] : [round(this.from.x), round(this.from.y)], turn: Math.round(degrees) };
+    return { to: moved ? [round(x), round(y)] : null, turn: Math.round(degrees) };
   }
 
+  /** Puts the thing back where it was. */
   undo(): void {
     this.group.position.copy(this.from);
     this.group.quaternion.copy(this.facing);

@@ -16,7 +16,8 @@ export interface PointerEvents {
   /** A body was clicked, not dragged; -1 for none. */
   click(body: number): void;
   drag(grip: Grip, target: THREE.Vector3, shift: boolean): void;
-  release(): void;
+  /** What was dragged is let go; `cancelled` where the browser took the pointer away. */
+  release(cancelled: boolean): void;
   /** Whether a body can be dragged. */
   movable(body: number): boolean;
   /** Whether things are dragged in a level plane, with or without Shift. */
@@ -101,7 +102,7 @@ export class Pointer {
     if (this.grip) {
       this.grip = null;
       this.stage.controls.enabled = true;
-      this.events.release();
+      this.events.release(event.type === "pointercancel");
     }
     const still = Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < CLICK;
     if (still && event.type === "pointerup") this.events.click(pressed.body);

@@ -1,8 +1,8 @@
 /** A scene in the page: the canvas, its tools, and what went wrong. */
-import { useComputed, useSignal } from "@preact/signals";
+import { useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
-import { KEYS } from "./driving";
 import { Engine } from "./engine";
+import { Robot } from "./robot";
 
 export interface ViewerProps {
   /** The scene's folder, with a slash at its end. */
@@ -74,9 +74,10 @@ function Overlays({ engine, base }: { engine: Engine; base: string }) {
         </span>
       )}
       {engine.ready.value && <Clock engine={engine} />}
-      {engine.error.value && (
+      {(engine.error.value ?? engine.trouble.value) && (
         <div class="over" role="alert">
-          <p>{engine.error.value}</p>
+          <p>{engine.error.value ?? engine.trouble.value}</p>
+          {!engine.error.value && <button onClick={() => void engine.recover()}>Back to the scene</button>}
         </div>
       )}
     </>
@@ -111,7 +112,7 @@ function heed(engine: Engine, event: KeyboardEvent): void {
 }
 
 function Tools({ engine, small }: { engine: Engine; small: boolean }) {
-  const off = !engine.ready.value || engine.error.value !== null;
+  const off = !engine.ready.value || engine.error.value !== null || engine.trouble.value !== null;
   const mode = engine.mode.value;
   const running = mode === "episode" ? engine.player.playing.value : engine.running.value;
   return (
@@ -183,104 +184,5 @@ function Picture({ engine, off }: { engine: Engine; off: boolean }) {
         </label>
       )}
     </>
-  );
-}
-
-function Robot({ engine, off }: { engine: Engine; off: boolean }) {
-  if (!engine.ready.value || !engine.files?.arm) return null;
-  const mode = engine.mode.value;
-  const { episodes } = engine.files;
-  return (
-    <div class="stack">
-      <div class="tools" role="group" aria-label="Robot">
-        <button disabled={off} aria-pressed={mode === "arm"} onClick={() => void engine.setMode(mode === "arm" ? "scene" : "arm")}>
-          Drive the Panda
-        </button>
-        {episodes.map((row) => (
-          <button key={row.file} disabled={off} onClick={() => void engine.play(row)}>
-            Watch: {row.instruction}
-          </button>
-        ))}
-        {mode === "episode" && <button onClick={() => void engine.setMode("scene")}>Back to the scene</button>}
-      </div>
-      {mode === "episode" && <Timeline engine={engine} />}
-      {mode === "arm" && <Pad engine={engine} />}
-    </div>
-  );
-}
-
-function Timeline({ engine }: { engine: Engine }) {
-  const play = engine.player.playback.value;
-  if (!play) return null;
-  return (
-    <label class="row">
-      <span class="small">{play.episode.instruction}</span>
-      <input
-        class="grow"
-        style={{ flex: "1 1 10rem" }}
-        type="range"
-        min="0"
-        max={play.duration}
-        step="0.05"
-        aria-label="Place in the episode, seconds"
-        value={Math.min(engine.player.time.value, play.duration)}
-        onInput={(event) => engine.player.seek(Number(event.currentTarget.value))}
-      />
-      <span class="small quiet">{play.duration.toFixed(1)} s</span>
-    </label>
-  );
-}
-
-const PAD: readonly [string, string, string][] = [
-  ["q", "↺", "turn the hand left"],
-  ["w", "↑", "away"],
-  ["e", "↻", "turn the hand right"],
-  ["r", "Up", "up"],
-  ["a", "←", "left"],
-  ["s", "↓", "nearer"],
-  ["d", "→", "right"],
-  ["f", "Down", "down"],
-];
-
-function Pad({ engine }: { engine: Engine }) {
-  const help = useSignal(false);
-  return (
-    <div class="stack">
-      <div class="pad" role="group" aria-label="Drive the arm">
-        {PAD.map(([key, sign, words]) => (
-          <button
-            key={key}
-            aria-label={words}
-            title={words}
-            onPointerDown={() => engine.press(key, true)}
-            onPointerUp={() => engine.press(key, false)}
-            onPointerLeave={() => engine.press(key, false)}
-            onKeyDown={(event) => event.key === "Enter" && engine.press(key, true)}
-            onKeyUp={(event) => event.key === "Enter" && engine.press(key, false)}
-          >
-            {sign}
-          </button>
-        ))}
-      </div>
-      <div class="tools">
-        <button aria-pressed={engine.gripper.value === "closed"} onClick={() => engine.press(" ", true)}>
-          {engine.gripper.value === "open" ? "Close the gripper" : "Open the gripper"}
-        </button>
-        <button aria-expanded={help.value} onClick={() => (help.value = !help.value)}>
-          Keys
-        </button>
-      </div>
-      {help.value && (
-        <p class="small">
-          With the view focused:{" "}
-          {KEYS.map(([keys, words]) => (
-            <span key={keys}>
-              <kbd>{keys}</kbd> {words}
-              {" · "}
-            </span>
-          ))}
-        </p>
-      )}
-    </div>
   );
 }
