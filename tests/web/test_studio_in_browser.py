@@ -1,62 +1,19 @@
 """The studio as a person uses it, in a real browser."""
 
-import os
-import re
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import ENGINE, Watched, axe_faults, axe_share, opened, wait_for_scenes
-from playwright.sync_api import Browser, Page
+from browser import ENGINE, axe_faults, axe_share, wait_for_scenes
+from playwright.sync_api import Browser
+from studio_pages import TEXT, Studio, drag, enter, jobs, make, running, until
 
 from generator.bundle import load, verify
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
-
-TEXT = "a wooden desk with a mug and a plate"
-
-
-@dataclass
-class Studio:
-    """A running studio: its address with the token, its folder, the user's store, its process."""
-
-    address: str
-    folder: Path
-    store: Path
-    process: subprocess.Popen[str]
-
-    @property
-    def root(self) -> str:
-        return self.address.partition("?")[0]
-
-
-@contextmanager
-def running(folder: Path, store: Path) -> Iterator[Studio]:
-    command = [sys.executable, "-m", "generator", "studio", "--no-browser", "--folder", str(folder)]
-    environment = {**os.environ, "TABLETOPGEN_CACHE": str(store), "OMP_NUM_THREADS": "1"}
-    process = subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment
-    )
-    try:
-        assert process.stdout is not None
-        for line in process.stdout:
-            if found := re.search(r"http://\S+token=\S+", line):
-                break
-        else:
-            raise AssertionError("the studio printed no address")
-        yield Studio(found[0], folder, store, process)
-    finally:
-        process.send_signal(signal.SIGINT)
-        try:
-            process.wait(20)
-        except subprocess.TimeoutExpired:
-            process.kill()
 
 
 @pytest.fixture
@@ -64,63 +21,6 @@ def studio(tmp_path: Path) -> Iterator[Studio]:
     (tmp_path / "store").mkdir()
     with running(tmp_path / "studio", tmp_path / "store") as found:
         yield found
-
-
-def until(page: Page, condition: str, seconds: float = 120) -> None:
-    """Wait until a JavaScript condition, which may await, holds."""
-    for _ in range(int(20 * seconds)):
-        if page.evaluate(f"async () => Boolean({condition})"):
-            return
-        page.wait_for_timeout(50)
-    raise AssertionError(f"never: {condition}")
-
-
-def enter(browser: Browser, studio: Studio, **options: Any) -> Watched:
-    watched = opened(browser, **options)
-    watched.page.goto(studio.address)
-    watched.page.get_by_role("heading", name="Make a table").wait_for()
-    return watched
-
-
-def make(page: Page, text: str = TEXT) -> None:
-    """Make a table of a text and open it."""
-    page.get_by_label("Describe the table").fill(text)
-    page.get_by_role("button", name="Make the table").click()
-    page.get_by_role("link", name="Open the table").click(timeout=120_000)
-    wait_for_scenes(page)
-    assert page.evaluate(f"{ENGINE}.error.value") is None
-
-
-def drag(page: Page, name: str, right: float, down: float, *, shift: bool = False) -> None:
-    """Drag a thing by its middle, pixels, and wait for the scene after it."""
-    at = page.evaluate(f"{ENGINE}.locate({name!r})")
-    box = page.locator("canvas").bounding_box()
-    assert box is not None
-    x, y, before = box["x"] + at["x"], box["y"] + at["y"], page.url
-    page.mouse.move(x, y)
-    if shift:
-        page.keyboard.down("Shift")
-    page.mouse.down()
-    page.mouse.move(x + right, y + down, steps=6)
-    page.mouse.up()
-    if shift:
-        page.keyboard.up("Shift")
-    remedy = page.get_by_role("button", name="Put it there")  # where the place is taken
-    for _ in range(600):
-        if page.url != before:
-            break
-        if remedy.is_visible():
-            remedy.click()
-        page.wait_for_timeout(100)
-    scene = page.url.rpartition("/")[2]
-    page.wait_for_function(
-        "name => [...window.tabletopgen?.keys() ?? []].some(k => k.includes(name))", arg=scene
-    )
-    wait_for_scenes(page)
-
-
-def jobs(page: Page) -> list[dict[str, Any]]:
-    return page.evaluate("async () => (await (await fetch('/api/jobs')).json()).jobs")
 
 
 def test_a_table_is_made_mended_by_mouse_saved_and_opened_in_the_environment(

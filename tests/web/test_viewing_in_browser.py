@@ -94,9 +94,7 @@ def test_an_arm_that_is_held_where_it_is_stays_there(browser: Browser, address: 
     page.mouse.down()
     page.mouse.move(x, y + 0.2)
     page.wait_for_timeout(1200)
-    assert (
-        np.abs(joints(page) - before).max() < 0.006
-    )  # radians
+    assert np.abs(joints(page) - before).max() < 0.006  # radians
     page.mouse.up()
 
 

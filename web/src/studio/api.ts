@@ -226,6 +226,9 @@ async function ask<T>(method: string, path: string, body?: object | Blob): Promi
   return (answer.status === 204 ? undefined : await answer.json()) as T;
 }
 
+/** Bytes of an uploaded picture; `MOST_BYTES` of `studio/library/pictures.py`. */
+const MOST_PICTURE = 20 * 2 ** 20;
+
 const job = (id: string): string => `/api/jobs/${encodeURIComponent(id)}`;
 const scene = (id: string): string => `/api/scenes/${encodeURIComponent(id)}`;
 
@@ -238,7 +241,11 @@ export const api = {
   cancel: (id: string) => ask<JobRow>("POST", `${job(id)}/cancel`),
   resume: (id: string) => ask<JobRow>("POST", `${job(id)}/resume`),
   remove: (id: string) => ask<void>("DELETE", job(id)),
-  upload: (picture: Blob) => ask<PictureRow>("POST", "/api/pictures", picture),
+  upload: async (picture: Blob) => {
+    // A server that refuses while it is still sent to is not heard by browsers.
+    if (picture.size > MOST_PICTURE) throw new StudioError(413, "The picture is larger than 20 MiB, which is the limit.");
+    return ask<PictureRow>("POST", "/api/pictures", picture);
+  },
   picture: (id: string) => `/api/pictures/${encodeURIComponent(id)}`,
   explain: async (text: string, seed = 0) =>
     (await ask<{ rows: ExplainedRow[] }>("POST", "/api/explain", { text, seed })).rows,
@@ -251,20 +258,3 @@ export const api = {
   save: (id: string) => ask<StudioScene>("POST", `${scene(id)}/save`, {}),
   discard: (id: string) => ask<void>("DELETE", scene(id)),
 };
-
-/**
- * Calls `heard` with each event after the one numbered `since`, then with new ones, until the
- * function that it returns is called. `connected` hears whether the studio is reached; the browser
- * connects again by itself, and goes on where it was.
- */
-export function listen(
-  since: number,
-  heard: (event: JobEvent) => void,
-  connected: (is: boolean) => void = () => {},
-): () => void {
-  const source = new EventSource(`/api/events?since=${since}`);
-  source.onopen = () => connected(true);
-  source.onerror = () => connected(false);
-  source.onmessage = (message) => heard(JSON.parse(message.data as string) as JobEvent);
-  return () => source.close();
-}

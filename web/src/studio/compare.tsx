@@ -1,9 +1,11 @@
 /** Scenes side by side: seeds of one text, variants of one table. */
 import { Viewer } from "../viewer/viewer";
+import { useTitle } from "../ui/routing";
 import { api } from "./api";
 import { scenes } from "./store";
 
 export function ComparePage({ ids }: { ids: string[] }) {
+  useTitle("Side by side – TabletopGen studio");
   const rows = ids.map((id) => scenes.value.find((row) => row.id === id));
   return (
     <>

@@ -1,16 +1,16 @@
 /** One job: its stages with what each found, as they come, and what it made. */
 import { useEffect } from "preact/hooks";
+import { useTitle } from "../ui/routing";
 import { api } from "./api";
 import { Controls, Progress } from "./jobs";
-import { jobs } from "./store";
+import { jobs, refreshJob, studio } from "./store";
 
 export function JobPage({ id }: { id: string }) {
   const job = jobs.value.get(id);
   const made = job?.state === "done" ? job.result?.scene : null;
-  useEffect(() => {
-    document.title = job ? job.title : "TabletopGen studio";
-  }, [job?.title]);
-  if (!job) return <p class="quiet">There is no such job. It may have been removed.</p>;
+  useTitle(job ? `${job.title} – TabletopGen studio` : "TabletopGen studio");
+  useEffect(() => void refreshJob(id), [id]); // lists have no logs
+  if (!job) return <p class="quiet">{studio.value ? "There is no such job. It may have been removed." : "Reading the jobs …"}</p>;
   const stages = [...new Set(job.figures.map((figure) => figure.stage))];
   return (
     <div class="stack">

@@ -47,7 +47,7 @@ export function Controls({ job }: { job: JobRow }) {
           Cancel
         </button>
       )}
-      {(job.state === "failed" || job.state === "cancelled") && (
+      {isOver(job) && !done && (
         <button class="slim" onClick={() => void attempt(() => api.resume(job.id))}>
           Resume
         </button>

@@ -1,6 +1,6 @@
 /** The studio: `#/` makes tables, `#/job/ID` follows one, `#/scene/ID` edits, `#/compare/ID/ID`. */
-import { signal } from "@preact/signals";
 import { render } from "preact";
+import { followAddress, route, skip, useTitle } from "../ui/routing";
 import "../ui/styles.css";
 import "./studio.css";
 import { ComparePage } from "./compare";
@@ -11,19 +11,12 @@ import { MakeForm } from "./make";
 import { ScenesPanel } from "./scenes";
 import { connect, connected, message, studio, type Message } from "./store";
 
-const route = signal(parts());
-
-function parts(): string[] {
-  try {
-    return location.hash.replace(/^#\/?/, "").split("/").filter(Boolean).map(decodeURIComponent);
-  } catch {
-    return []; // a damaged address is the first page
-  }
-}
-
 function App() {
   return (
     <>
+      <a class="skip" href="#main" onClick={skip}>
+        Skip to the content
+      </a>
       <header class="bar">
         <a href="#/" class="brand">
           TabletopGen studio
@@ -45,7 +38,7 @@ function App() {
 function Messages() {
   return (
     <div aria-live="polite" class="messages">
-      {!connected.value && <p class="message">The studio does not answer. Start it again; nothing is lost.</p>}
+      {!connected.value && <p class="message">The studio does not answer. Start it again, and open the address that it prints; nothing is lost.</p>}
       {message.value && (
         <p class={message.value.bad ? "message" : "message fine"} role={message.value.bad ? "alert" : undefined}>
           {message.value.text} <Remedy remedy={message.value.remedy} />
@@ -76,7 +69,17 @@ function Routed() {
   if (kind === "job" && ids[0]) return <JobPage key={ids[0]} id={ids[0]} />;
   if (kind === "scene" && ids[0]) return <EditPage id={ids[0]} />;
   if (kind === "compare" && ids.length > 1) return <ComparePage ids={ids.slice(0, 4)} />;
-  if (kind === "scenes") return <ScenesPanel all />;
+  if (kind === "scenes") return <ScenesPage />;
+  return <MakePage />;
+}
+
+function ScenesPage() {
+  useTitle("Scenes – TabletopGen studio");
+  return <ScenesPanel all />;
+}
+
+function MakePage() {
+  useTitle("TabletopGen studio");
   return (
     <>
       <h1>Make a table</h1>
@@ -89,9 +92,8 @@ function Routed() {
   );
 }
 
-addEventListener("hashchange", () => {
-  route.value = parts();
-  scrollTo(0, 0);
-});
+/** A picture that is dropped beside its place is not to be opened in place of this page. */
+for (const kind of ["dragover", "drop"]) addEventListener(kind, (event) => event.preventDefault());
+followAddress();
 void connect();
 render(<App />, document.getElementById("app")!);

@@ -20,6 +20,9 @@ export function MakeForm() {
   const backends = useSignal<Record<string, string>>({});
   const budget = useSignal("");
   const estimate = useSignal<EstimateRow | null>(null);
+  /** What `estimate` is of, as JSON: of what is asked for now it may say nothing. */
+  const estimated = useSignal("");
+  const busy = useSignal(false);
   const kind = (): Way => (picture.value ? "generate" : way.value);
 
   const request = (number: number): JobRequest => {
@@ -29,16 +32,38 @@ export function MakeForm() {
     return { kind: "generate", seed: number, ...described, ...paid };
   };
 
+  const current = (): string => JSON.stringify(request(seed.value));
+
+  const reckon = async (): Promise<void> => {
+    const asked = current();
+    estimated.value = asked;
+    estimate.value = null;
+    const found = await attempt(() => api.estimate(request(seed.value)));
+    if (estimated.value === asked) estimate.value = found ?? null;
+  };
+
   const submit = async (event: Event): Promise<void> => {
     event.preventDefault();
     if (!picture.value && !text.value.trim()) {
       tell("Describe a table, or drop a picture of one.", true);
       return;
     }
+    busy.value = true;
+    if (kind() === "generate" && charges(backends.value) && estimated.value !== current()) {
+      await reckon();
+      busy.value = false;
+      if (estimate.value) tell("What you chose costs money. Look at the costs, then press the button again.");
+      return;
+    }
     const begun = [];
-    for (let k = 0; k < variants.value; k++) begun.push(await begin(request(seed.value + k)));
+    for (let k = 0; k < variants.value; k++) {
+      const job = await begin(request(seed.value + k));
+      if (!job) break; // the others would be refused, too
+      begun.push(job);
+    }
+    busy.value = false;
     const first = begun[0];
-    if (first && begun.length === 1) location.hash = `#/job/${first.id}`;
+    if (first && variants.value === 1) location.hash = `#/job/${first.id}`;
   };
 
   return (
@@ -88,18 +113,25 @@ export function MakeForm() {
       </div>
       {kind() === "generate" && <Backends chosen={backends} budget={budget} />}
       <div class="row">
-        <button class="primary" type="submit">
+        <button class="primary" type="submit" disabled={busy.value}>
           {variants.value > 1 ? `Make ${variants.value} tables` : "Make the table"}
         </button>
         {kind() === "generate" && (
-          <button type="button" onClick={() => void attempt(async () => (estimate.value = await api.estimate(request(seed.value))))}>
+          <button type="button" onClick={() => void reckon()}>
             What would it cost?
           </button>
         )}
       </div>
-      {estimate.value && kind() === "generate" && <Costs estimate={estimate.value} />}
+      {estimate.value && kind() === "generate" && estimated.value === current() && (
+        <Costs estimate={estimate.value} tables={variants.value} />
+      )}
     </form>
   );
+}
+
+/** Tells whether one of the chosen backends costs money. */
+function charges(chosen: Record<string, string>): boolean {
+  return studio.value?.backends.some((b) => b.charges && Object.values(chosen).includes(b.name)) ?? false;
 }
 
 /** What is understood of the text, as it is typed. */
@@ -192,7 +224,6 @@ function Backends({ chosen, budget }: { chosen: Signal<Record<string, string>>; 
     const { [role]: _, ...rest } = chosen.value;
     chosen.value = name ? { ...rest, [role]: name } : rest;
   };
-  const paid = known.backends.some((b) => b.charges && Object.values(chosen.value).includes(b.name));
   return (
     <details>
       <summary>Who answers</summary>
@@ -215,19 +246,19 @@ function Backends({ chosen, budget }: { chosen: Signal<Record<string, string>>; 
         ))}
         <label>
           Most it may cost
-          <input type="number" min="0" step="0.01" placeholder={paid ? "no limit" : "free"} value={budget.value} onInput={(event) => (budget.value = event.currentTarget.value)} />
+          <input type="number" min="0" step="0.01" placeholder={charges(chosen.value) ? "no limit" : "free"} value={budget.value} onInput={(event) => (budget.value = event.currentTarget.value)} />
         </label>
       </div>
     </details>
   );
 }
 
-function Costs({ estimate }: { estimate: EstimateRow }) {
+function Costs({ estimate, tables }: { estimate: EstimateRow; tables: number }) {
   return (
     <div role="status" class="stack small">
       {estimate.asks_servers ? (
         <>
-          <p>The first calls would be:</p>
+          <p>The first calls{tables > 1 ? ` of each of ${tables} tables` : ""} would be:</p>
           <ul>
             {estimate.calls.map((line, k) => (
               <li key={k}>{line}</li>

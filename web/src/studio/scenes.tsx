@@ -19,7 +19,7 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
   return (
     <section class="stack" aria-label="Scenes">
       <div class="row">
-        <h2>{all ? "Scenes" : "Made here"}</h2>
+        {all ? <h1>Scenes</h1> : <h2>Made here</h2>}
         {all && (
           <label class="row">
             Search
@@ -48,9 +48,11 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
 function SceneCard({ row, chosen, onChoose }: { row: StudioScene; chosen: boolean; onChoose: () => void }) {
   const remove = async (): Promise<void> => {
     if (!confirm(`Remove ${row.name} from the studio's folder?`)) return;
-    await attempt(() => api.discard(row.id));
-    tell(`${row.name} was removed.`);
-    await refreshScenes();
+    await attempt(async () => {
+      await api.discard(row.id);
+      tell(`${row.name} was removed.`);
+      await refreshScenes();
+    });
   };
   return (
     <article class="card">

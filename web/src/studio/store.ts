@@ -1,6 +1,7 @@
 /** What the page knows of the studio: jobs as events tell of them, scenes, and the last message. */
 import { computed, signal } from "@preact/signals";
-import { api, listen, type JobEvent, type JobRequest, type JobRow, type StudioScene, type StudioState } from "./api";
+import { api, StudioError, type JobEvent, type JobRequest, type JobRow, type StudioScene, type StudioState } from "./api";
+import { listen } from "./events";
 
 export const studio = signal<StudioState | null>(null);
 export const jobs = signal<ReadonlyMap<string, JobRow>>(new Map());
@@ -19,7 +20,9 @@ export const message = signal<Message | null>(null);
 
 export const jobList = computed(() => [...jobs.value.values()].sort((a, b) => b.created - a.created));
 
-export const isOver = (job: JobRow): boolean => ["done", "failed", "cancelled"].includes(job.state);
+/** Whether nothing more comes of a job by itself; an interrupted one begins again unless it says why not. */
+export const isOver = (job: JobRow): boolean =>
+  ["done", "failed", "cancelled"].includes(job.state) || (job.state === "interrupted" && job.error !== null);
 
 export function tell(text: string, bad = false, remedy?: Message["remedy"]): void {
   message.value = { text, bad, remedy };
@@ -46,60 +49,76 @@ export async function refreshScenes(): Promise<void> {
   });
 }
 
-async function refreshJob(id: string): Promise<void> {
-  try {
-    put(await api.job(id));
-  } catch {
-    // it was removed in the meantime
+function drop(id: string): void {
+  const rest = new Map(jobs.value);
+  rest.delete(id);
+  jobs.value = rest;
+}
+
+/** The reading of each job that is under way, and the jobs of which more has happened since it began. */
+const reading = new Map<string, Promise<void>>();
+const changed = new Set<string>();
+
+/** Reads a job, one time after another: what was read last is what is known. */
+export function refreshJob(id: string): Promise<void> {
+  changed.add(id);
+  const begun = reading.get(id) ?? readJob(id);
+  reading.set(id, begun);
+  return begun;
+}
+
+async function readJob(id: string): Promise<void> {
+  while (changed.delete(id)) {
+    try {
+      put(await api.job(id));
+    } catch (error) {
+      if (error instanceof StudioError && error.status === 404) drop(id);
+    }
   }
+  reading.delete(id);
 }
 
 /** Begins a job; resolves to it, or to undefined where it was refused. */
 export async function begin(request: JobRequest): Promise<JobRow | undefined> {
   const job = await attempt(() => api.begin(request));
-  if (job) put(job);
+  if (job && !jobs.value.has(job.id)) put(job); // else events have told more of it
   return job;
 }
 
-/** Resolves once a job is over. */
-export function whenOver(id: string): Promise<JobRow> {
+/** Resolves once a job is over; to undefined where it was removed. */
+export function whenOver(id: string): Promise<JobRow | undefined> {
   return new Promise((resolve) => {
     const stop = jobs.subscribe((known) => {
       const job = known.get(id);
-      if (!job || !isOver(job)) return;
+      if (job && !isOver(job)) return;
       queueMicrotask(() => stop());
       resolve(job);
     });
   });
 }
 
-function heed(event: JobEvent): void {
-  const job = jobs.value.get(event.job);
+async function heed(event: JobEvent): Promise<void> {
   if (event.type === "state" && event.state === "deleted") {
-    const rest = new Map(jobs.value);
-    rest.delete(event.job);
-    jobs.value = rest;
+    drop(event.job);
     return;
   }
-  if (!job || event.type === "state" || event.type === "result") {
-    void refreshJob(event.job).then(() => {
-      if (event.type === "result" && event.scene) void refreshScenes();
-    });
-    return;
-  }
-  if (event.type === "stage") put({ ...job, stage: { name: event.name, number: event.number, total: event.total } });
-  if (event.type === "figure" && !job.figures.some((f) => f.url === event.url)) {
-    put({ ...job, figures: [...job.figures, { name: event.name, stage: event.stage, url: event.url }] });
-  }
-  if (event.type === "log") put({ ...job, log: (job.log + event.text).slice(-20000) });
+  await refreshJob(event.job);
+  if (event.type === "result" && event.scene) await refreshScenes();
+}
+
+/** What could not be read while the studio was away is read when it is back. */
+function hear(is: boolean): void {
+  if (is && !connected.value) for (const job of jobList.value) if (!isOver(job)) void refreshJob(job.id);
+  connected.value = is;
 }
 
 /** Reads everything once, then follows what happens. */
 export async function connect(): Promise<void> {
   await attempt(async () => {
-    studio.value = await api.state();
+    const state = await api.state();
     jobs.value = new Map((await api.jobs()).map((job) => [job.id, job]));
+    studio.value = state;
     await refreshScenes();
-    listen(studio.value.last_event, heed, (is) => (connected.value = is));
+    listen(state.last_event, (event) => void heed(event), hear);
   });
 }
