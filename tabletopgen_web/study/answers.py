@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import InputError
-from generator.io.reading import is_number, parse_object, read_regular
+from generator.io.reading import is_number, parse_json, parse_object, read_regular
 
 from .design import CRITERIA, LEVELS, SCHEMA
 from .key import StudyKey
@@ -19,6 +20,7 @@ MAX_ANSWER_BYTES = 2**20
 """Of one rater's answers; 200 scenes of 8 methods take less."""
 
 _MAX_FILES = 5_000
+_MAX_FILE_BYTES = 16 * MAX_ANSWER_BYTES  # of a list, as a studio keeps them
 _RATER = re.compile(r"[0-9a-f]{16}")
 _LANGUAGE = re.compile(r"[a-z]{2,3}(-[A-Za-z]{2,8})?")
 _MAX_SECONDS = 30 * 86400.0
@@ -79,12 +81,13 @@ def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], 
     by_rater: dict[str, list[tuple[Path, RaterAnswers]]] = defaultdict(list)
     for file in dict.fromkeys(files):
         try:
-            raw = read_regular(file, "The file", InputError, max_bytes=MAX_ANSWER_BYTES)
-            answers = parse_answers(raw, key)
+            raw = read_regular(file, "The file", InputError, max_bytes=_MAX_FILE_BYTES)
+            found = [parse_answers(each, key) for each in _split(raw)]
         except InputError as error:
             left.append(Refusal(str(file), str(error)))
         else:
-            by_rater[answers.rater].append((file, answers))
+            for answers in found:
+                by_rater[answers.rater].append((file, answers))
     kept = [_once(found, left) for _, found in sorted(by_rater.items())]
     return [answers for answers in kept if answers is not None], left
 
@@ -110,6 +113,15 @@ def parse_answers(raw: bytes, key: StudyKey) -> RaterAnswers:
     _expect(len(codes) == key.scenes_each, f"it has {len(codes)} of {key.scenes_each} scenes")
     failed = _count_failed(_list(facts["checks"], "checks"), codes, key)
     return RaterAnswers(rater, language, float(facts["seconds"]), scenes, failed)
+
+
+def _split(raw: bytes) -> list[bytes]:
+    """Return the answers of a file: one object, or a list of them, which a studio keeps."""
+    if not raw.lstrip().startswith(b"["):
+        return [raw]
+    found = _list(parse_json(raw, "It", InputError), "answers")
+    _expect(bool(found), "its list holds no answers")
+    return [json.dumps(each).encode() for each in found]
 
 
 def _files(path: Path) -> Iterable[Path]:

@@ -1,6 +1,7 @@
 """Scenes: found by id alone, shown, kept, removed; damaged ones are listed with what is wrong."""
 
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -9,6 +10,7 @@ from starlette.testclient import TestClient
 
 import assets_cache
 from generator.bundle import load
+from generator.editing import remove
 from tabletopgen_web.page.rows import theme_of
 
 SHIPPED = next(p for p in assets_cache.find("office-desk"))
@@ -141,6 +143,16 @@ def test_the_history_begins_with_how_a_scene_was_made(client: TestClient) -> Non
     (step,) = said["steps"]
     assert (step["id"], step["kind"], step["exists"]) == (SHIPPED.name, "made", True)
     assert "laptop" in step["asked"] and said["later"] == []
+
+
+def test_what_was_edited_last_comes_first(client: TestClient, tmp_path: Path) -> None:
+    folder = tmp_path / "studio" / "scenes"
+    first, second = (remove(SHIPPED, name).save(folder) for name in ("mug_1", "laptop_1"))
+    for older, newer in ((first, second), (second, first)):
+        os.utime(older, (1e9, 1e9))
+        os.utime(newer, (2e9, 2e9))
+        said = client.get(f"/api/scenes/{SHIPPED.name}/history").json()
+        assert said["later"] == [newer.name, older.name]
 
 
 def test_themes_are_told_by_whole_words() -> None:

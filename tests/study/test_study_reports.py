@@ -12,6 +12,7 @@ import tiny_studies as tiny
 from command import Shell
 
 from generator.errors import InputError
+from tabletopgen_web.studio.library.answers import AnswerBook
 from tabletopgen_web.study.agreement import krippendorff
 from tabletopgen_web.study.answers import parse_answers, read_all
 from tabletopgen_web.study.key import StudyKey, read_key
@@ -200,6 +201,18 @@ def test_broken_files_are_left_out(key: StudyKey, tmp_path: Path) -> None:
     found, left = read_all([tmp_path, tmp_path / "missing.json"], key)
     assert [answers.rater for answers in found] == ["0" * 16]
     assert sorted(Path(one.file).name[0] for one in left) == [*"abcdef", "m"]
+
+
+def test_answers_that_a_studio_kept_are_read(key: StudyKey, tmp_path: Path) -> None:
+    book = AnswerBook(tmp_path)
+    for rater in (0, 1, 1):  # one sends his again
+        facts = tiny.answers_of(key, rater)
+        book.add(key.study, facts["rater"], facts)
+    found, left = read_all([tmp_path / key.study], key)
+    assert found == [
+        parse_answers(json.dumps(tiny.answers_of(key, k)).encode(), key) for k in (0, 1)
+    ]
+    assert ["the same in" in one.reason for one in left] == [True]
 
 
 def test_a_rater_counts_once(key: StudyKey, tmp_path: Path) -> None:

@@ -116,6 +116,8 @@ class SceneLibrary:
     def history(self, scene: str) -> tuple[list[EditRow], list[str]]:
         """Return the steps that led to a scene, it being the last, and the scenes edited from it.
 
+        Of these, those of the workspace come first, the newest before all.
+
         Raises:
             RefusedError: there is none.
             BundleError: it is damaged.
