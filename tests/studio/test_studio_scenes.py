@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from starlette.testclient import TestClient
+from studio_clients import open_client
 
 import assets_cache
 from generator.bundle import load
@@ -153,6 +154,19 @@ def test_what_was_edited_last_comes_first(client: TestClient, tmp_path: Path) ->
         os.utime(newer, (2e9, 2e9))
         said = client.get(f"/api/scenes/{SHIPPED.name}/history").json()
         assert said["later"] == [newer.name, older.name]
+
+
+def test_what_another_version_prepared_is_made_anew(tmp_path: Path, static: Path) -> None:
+    view = f"/api/scenes/{SHIPPED.name}/view.json"
+    kept = tmp_path / "studio" / "views" / SHIPPED.name / "view.json"
+    for maker, stays in (("", False), ("0.0.0, schema 0", False), (None, True)):
+        with open_client(tmp_path / "studio", static) as client:
+            assert client.get(view).json()["schema"] == 1
+        kept.write_text('{"schema": 1, "stale": true}')
+        if maker is not None:
+            (kept.parents[1] / "made-by").write_text(maker)
+        with open_client(tmp_path / "studio", static) as client:
+            assert ("stale" in client.get(view).json()) == stays
 
 
 def test_themes_are_told_by_whole_words() -> None:

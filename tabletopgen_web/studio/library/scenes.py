@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,9 +12,11 @@ import assets_cache
 from generator.bundle import copy, discard, load_pictures, load_verified, put_in_place
 from generator.bundle.publishing import staging_in
 from generator.errors import BundleError, StorageError
-from generator.io.files import remove_tree
+from generator.io.files import remove_tree, write_whole
+from generator.io.reading import read_regular
+from generator.scene.provenance import versions
 
-from ...page.rows import read_facts
+from ...page.rows import SCHEMA, read_facts
 from ..contracts import EditRow, ScenePlace, StudioScene
 from ..folder import StudioFolder
 from ..page_parts import write_view
@@ -22,6 +25,8 @@ from ..specs import SCENE_ID
 from .rows import list_edits, read_scene
 
 _Stamp = tuple[int, int, int]
+
+_MAKER = "made-by"  # the file among the prepared scenes that says which version prepared them
 
 
 class SceneLibrary:
@@ -132,6 +137,20 @@ class SceneLibrary:
         children = [row.id for row in self.list_rows() if row.parent and row.parent[-12:]
                     == scene[-12:]]  # fmt: skip
         return steps, children
+
+    def sweep(self) -> None:
+        """Remove what another version prepared for its viewer, as far as that works."""
+        views = self._folder.views
+        maker = f"{versions(('tabletopgen',))['tabletopgen']}, schema {SCHEMA}".encode()
+        with contextlib.suppress(StorageError):
+            if (views / _MAKER).exists() and read_regular(
+                views / _MAKER, "The version", StorageError, max_bytes=4096
+            ) == maker:
+                return
+            for path in views.iterdir():
+                if path.is_dir():
+                    remove_tree(views, path.name)
+            write_whole(views / _MAKER, maker, "The version", "Free space there.")
 
     # ------------------------------------------------------------------------------------ helpers
 

@@ -81,7 +81,8 @@ class StudioServices:
         self.store.changed = self._notify
 
     def sweep(self) -> None:
-        """Remove the figures and files of jobs that are no more, as far as that works."""
+        """Remove figures and files of jobs that are no more, and outdated views, if possible."""
+        self.scenes.sweep()
         known = {job.id for job in self.store.list_jobs()}
         for folder in (self.folder.figures, self.folder.files):
             for path in folder.iterdir():
