@@ -1,18 +1,13 @@
-/** A live scene: physics, drawing, pointer and keys together; the interface observes its signals. */
+/** A live scene as a person sees and handles it: drawing, view and pointer; the interface observes its signals. */
 import { signal } from "@preact/signals";
 import * as THREE from "three";
-import { fetchData, fetchEpisode, fetchModel, PageError, type EpisodeRow, type SceneFiles } from "../data";
-import { Physics } from "../physics/client";
-import type { ArmAction, Frame, ModelData, State } from "../physics/protocol";
-import { Driving } from "./driving";
+import type { Frame, ModelData } from "../physics/protocol";
+import { LiveScene } from "./live";
 import { Marks } from "./marks";
 import { BuiltModel } from "./meshes";
 import { Placing, type Move } from "./placing";
-import { Player } from "./player";
 import { Pointer, type Grip } from "./pointer";
 import { Stage } from "./stage";
-
-export type Mode = "scene" | "arm" | "episode";
 
 export interface Hover {
   name: string;
@@ -20,58 +15,25 @@ export interface Hover {
   y: number;
 }
 
-export class Engine {
-  readonly ready = signal(false);
-  /** Why nothing can be shown any more. */
-  readonly error = signal<string | null>(null);
-  /** What did not work, while the scene itself can be shown again (`recover`). */
-  readonly trouble = signal<string | null>(null);
-  readonly running = signal(false);
-  readonly time = signal(0);
-  readonly mode = signal<Mode>("scene");
+export class Engine extends LiveScene {
   readonly hover = signal<Hover | null>(null);
   readonly selected = signal<string | null>(null);
   readonly parts = signal(false);
-  readonly centres = signal(false);
-  readonly contacts = signal(false);
   /** Whether the camera is that of the picture, and how much of the picture lies over the view. */
   readonly inPicture = signal(false);
   readonly onion = signal(0);
-  readonly gripper = signal<"open" | "closed">("open");
-  readonly player = new Player((qpos, marker) => this.physics.tell({ kind: "pose", qpos, marker }));
-  /** Whether dragging a thing moves it to a new place, in place of pulling it. */
-  readonly editing = signal(false);
   /** Called when a person has put a thing elsewhere, while `editing`. */
   onMoved: (name: string, move: Move) => void = () => {};
   /** Whether a move is being made for good: no other one begins meanwhile. */
   locked = false;
   /** The view to begin with (`Stage.view`); null for the usual one. */
   firstView: number[] | null = null;
-  files: SceneFiles | null = null;
   stage: Stage | null = null;
-  private physics: Physics;
   private model: BuiltModel | null = null;
   private marks: Marks | null = null;
   private pointer: Pointer | null = null;
-  private readonly driving = new Driving();
-  private base = "";
-  private closed = false;
   private placing: Placing | null = null;
   private unseen = false;
-  /** The changes of mode, one after the other. */
-  private changes: Promise<void> = Promise.resolve();
-  private readonly stop = new AbortController();
-
-  constructor() {
-    this.physics = this.start();
-  }
-
-  private start(): Physics {
-    return new Physics(
-      (frame) => this.show(frame),
-      (message) => (this.error.value = `The physics stopped: ${message}`),
-    );
-  }
 
   /** Draws on a canvas; a message in `error` says so where the browser cannot. */
   attach(canvas: HTMLCanvasElement): void {
@@ -81,9 +43,7 @@ export class Engine {
       this.error.value = "This browser gives no WebGL, which the 3D view needs. Switch on hardware acceleration, or use another browser.";
       return;
     }
-    this.physics.begin();
-    const seen = (): void => void (this.ready.value && this.tellRunning());
-    document.addEventListener("visibilitychange", seen, { signal: this.stop.signal });
+    this.begin();
     this.stage.onMove = () => {
       this.inPicture.value = false;
       this.onion.value = 0;
@@ -102,54 +62,8 @@ export class Engine {
     });
   }
 
-  /** Opens a scene's folder. */
-  async open(base: string, running = true): Promise<void> {
-    this.base = base;
-    this.error.value = null;
-    try {
-      if (typeof WebAssembly !== "object") {
-        throw new PageError("This browser has no WebAssembly, which the physics needs. Use a newer browser.");
-      }
-      this.files = await fetchData<SceneFiles>(`${base}view.json`);
-      await this.load("scene");
-      this.run(running && !this.editing.value);
-      this.ready.value = true;
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-
-  private fail(error: unknown): void {
-    if (this.closed) return;
-    const words = error instanceof Error ? error.message : String(error);
-    const told = error instanceof PageError ? words : `This scene cannot be shown: ${words}`;
-    (this.ready.value ? this.trouble : this.error).value = told;
-  }
-
-  /** Shows the scene anew after `trouble`. */
-  recover(): Promise<void> {
-    return this.change(async () => {
-      this.trouble.value = null;
-      this.player.stop();
-      this.driving.reset();
-      await this.load("scene");
-      this.mode.value = "scene";
-      this.run(!this.editing.value);
-    });
-  }
-
-  /** Does a change of mode once those before it are done. */
-  private change(work: () => Promise<void>): Promise<void> {
-    this.changes = this.changes.then(work).catch((error: unknown) => this.fail(error));
-    return this.changes;
-  }
-
-  private async load(what: "scene" | "arm"): Promise<ModelData> {
-    const files = what === "arm" ? this.files?.arm : this.files?.scene;
-    if (!files) throw new PageError("No robot can be put at this table.");
-    const [xml, parts] = await fetchModel(this.base, files);
-    const data = await this.physics.load(xml, parts, files.start);
-    if (this.closed || !this.stage) return data;
+  protected build(data: ModelData, what: "scene" | "arm"): void {
+    if (!this.stage) return;
     const first = this.model === null;
     this.model?.dispose();
     this.marks?.dispose();
@@ -158,72 +72,15 @@ export class Engine {
     this.stage.scene.add(this.model.root, this.marks.root);
     this.model.showParts(this.parts.value);
     this.unseen = first || what === "arm"; // the first frame says where things are
-    await this.tellShown();
-    return data;
+    this.choose(this.selected.value);
   }
 
-  // ---------------------------------------------------------------------------------- simulation
-
-  run(running: boolean): void {
-    this.running.value = running;
-    this.tellRunning();
-  }
-
-  /** Nothing is simulated while nobody sees the page. */
-  private tellRunning(): void {
-    this.physics.tell({ kind: "run", running: this.running.value && !document.hidden });
-  }
-
-  /** Plays or pauses whatever is shown. */
-  toggle(): void {
-    if (this.mode.value === "episode") this.player.setPlaying(!this.player.playing.value);
-    else this.run(!this.running.value);
-  }
-
-  /** Begins whatever is shown anew. */
-  restart(): void {
-    if (this.mode.value !== "episode") this.reset();
-    else {
-      this.player.seek(0);
-      this.player.setPlaying(true);
-    }
-  }
-
-  step(steps = 1): void {
-    this.run(false);
-    this.physics.tell({ kind: "step", steps });
-  }
-
-  reset(): void {
-    this.physics.tell({ kind: "reset" });
-    this.driving.reset(); // the gripper is open again
-    this.gripper.value = "open";
-  }
-
-  /** Advances by a number of steps, paused; returns the state. For scripts and tests. */
-  async advance(steps: number): Promise<State> {
-    this.run(false);
-    await this.physics.ask({ kind: "step", steps });
-    return this.physics.state();
-  }
-
-  /** Drives the arm by a list of actions, a twentieth of a second each; returns the state. */
-  async act(actions: ArmAction[]): Promise<State> {
-    this.run(false);
-    await this.physics.ask({ kind: "reset" });
-    for (const action of actions) {
-      await this.physics.ask({ kind: "arm", action });
-      await this.physics.ask({ kind: "step", steps: 25 });
-    }
-    return this.physics.state();
-  }
-
-  state(): Promise<State> {
-    return this.physics.state();
-  }
-
-  bodies(): { name: string; qpos: number }[] {
-    return this.model?.data.bodies.map(({ name, qpos }) => ({ name, qpos })) ?? [];
+  /** The direction "away from the viewer", about the vertical, from the robot's x axis, radians. */
+  protected heading(): number {
+    const camera = this.stage?.camera.getWorldDirection(new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
+    const base = this.robot();
+    const ahead = new THREE.Vector3(1, 0, 0).applyQuaternion(base?.quaternion ?? new THREE.Quaternion());
+    return Math.atan2(camera.y, camera.x) - Math.atan2(ahead.y, ahead.x);
   }
 
   /** Where a body is on the canvas, in pixels from its corner; for scripts and tests. */
@@ -234,68 +91,6 @@ export class Engine {
     const at = group.getWorldPosition(new THREE.Vector3()).project(this.stage.camera);
     const box = this.stage.renderer.domElement.getBoundingClientRect();
     return { x: ((at.x + 1) / 2) * box.width, y: ((1 - at.y) / 2) * box.height };
-  }
-
-  // ---------------------------------------------------------------------------------------- modes
-
-  /** Puts the arm at the table, or takes it away; the scene starts anew. */
-  setMode(mode: Mode): Promise<void> {
-    return this.change(() => this.enter(mode));
-  }
-
-  private async enter(mode: Mode): Promise<void> {
-    if (this.mode.value === mode) return;
-    const before = this.mode.value;
-    this.player.stop();
-    if ((before === "scene") !== (mode === "scene")) await this.load(mode === "scene" ? "scene" : "arm");
-    this.reset();
-    this.mode.value = mode;
-    this.run(mode !== "episode" && !(mode === "scene" && this.editing.value));
-    if (mode === "arm") this.drive();
-  }
-
-  /** Plays an episode of the scene's folder. */
-  play(row: EpisodeRow): Promise<void> {
-    return this.playFile(this.base + row.file);
-  }
-
-  /** Plays the episode at an address. */
-  playFile(url: string): Promise<void> {
-    return this.change(async () => {
-      const episode = await fetchEpisode(url);
-      await this.enter("episode");
-      if (!this.model || this.error.value) return;
-      if (episode.nq !== this.model.data.nq) throw new PageError("This episode is of another scene.");
-      this.player.start(episode, this.model.data);
-    });
-  }
-
-  // ----------------------------------------------------------------------------------------- keys
-
-  /** Heeds a key that drives the arm; returns whether it does. */
-  key(event: KeyboardEvent, down: boolean): boolean {
-    if (this.mode.value !== "arm" || !this.driving.key(event, down)) return false;
-    this.gripper.value = this.driving.gripper;
-    this.drive();
-    return true;
-  }
-
-  /** Holds down a key of the arm; for buttons on the screen. */
-  press(key: string, down: boolean): void {
-    this.key(new KeyboardEvent(down ? "keydown" : "keyup", { key }), down);
-  }
-
-  releaseKeys(): void {
-    this.driving.clear();
-    if (this.mode.value === "arm") this.drive();
-  }
-
-  private drive(): void {
-    const camera = this.stage?.camera.getWorldDirection(new THREE.Vector3()) ?? new THREE.Vector3(1, 0, 0);
-    const base = this.robot();
-    const ahead = new THREE.Vector3(1, 0, 0).applyQuaternion(base?.quaternion ?? new THREE.Quaternion());
-    const turn = Math.atan2(camera.y, camera.x) - Math.atan2(ahead.y, ahead.x);
-    this.physics.tell({ kind: "arm", action: this.driving.action(turn) });
   }
 
   /** The robot's base, if it is there. */
@@ -334,10 +129,6 @@ export class Engine {
     if (what === "parts") this.model?.showParts(on);
     void this.tellShown();
     this.stage?.draw();
-  }
-
-  private async tellShown(): Promise<void> {
-    await this.physics.ask({ kind: "show", centres: this.centres.value, contacts: this.contacts.value });
   }
 
   private select(body: number): void {
@@ -413,7 +204,7 @@ export class Engine {
     this.reset();
   }
 
-  private show(frame: Frame): void {
+  protected show(frame: Frame): void {
     this.time.value = frame.time;
     if (!this.model?.place(frame.poses) && !frame.centres && !frame.contacts) return;
     this.marks?.follow();
@@ -428,11 +219,8 @@ export class Engine {
     this.stage?.draw();
   }
 
-  close(): void {
-    this.closed = true;
-    this.stop.abort();
-    this.player.stop();
-    this.physics.close();
+  override close(): void {
+    super.close();
     this.pointer?.dispose();
     this.marks?.dispose();
     this.model?.dispose();
