@@ -140,7 +140,7 @@ export function Downloads({ downloads, base }: { downloads: Download[]; base: st
     <section class="panel">
       <h2>Downloads</h2>
       {downloads.map(({ label, file, bytes: size }) => (
-        <a key={file} href={base + file} download>
+        <a key={file} href={base + file} download={file.split("/").pop()}>
           {label} <span class="quiet small">({bytes(size)})</span>
         </a>
       ))}

@@ -25,7 +25,7 @@ export function GalleryPage({ gallery }: { gallery: Gallery }) {
             Search
             <input
               type="search"
-              placeholder="mug, desk, red …"
+              placeholder="mug, desk, office …"
               value={filter.value.words}
               onInput={(event) => set({ words: event.currentTarget.value })}
             />
@@ -63,6 +63,11 @@ export function GalleryPage({ gallery }: { gallery: Gallery }) {
         <p role="status" class="quiet">
           {shown.value.length} of {gallery.scenes.length} tables
         </p>
+        {shown.value.length === 0 && (
+          <p>
+            No table fits. <button onClick={() => set(NO_FILTER)}>Clear the search</button>
+          </p>
+        )}
         <ul class="cards">
           {shown.value.map((row) => (
             <li key={row.id}>

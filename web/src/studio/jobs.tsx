@@ -59,7 +59,7 @@ export function Controls({ job }: { job: JobRow }) {
       )}
       {done && job.kind === "generate" && <a href={`#/job/${job.id}`}>Stages</a>}
       {done && job.result?.url && (
-        <a href={job.result.url} download>
+        <a href={job.result.url} download={job.result.file ?? ""}>
           {job.result.file}
         </a>
       )}

@@ -39,7 +39,7 @@ function Messages() {
   return (
     <div aria-live="polite" class="messages">
       {!connected.value && <p class="message">The studio does not answer. Start it again, and open the address that it prints; nothing is lost.</p>}
-      {message.value && (
+      {message.value && route.value && message.value.at === location.hash && (
         <p class={message.value.bad ? "message" : "message fine"} role={message.value.bad ? "alert" : undefined}>
           {message.value.text} <Remedy remedy={message.value.remedy} />
           <button class="slim" onClick={() => (message.value = null)}>

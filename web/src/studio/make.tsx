@@ -238,12 +238,21 @@ function Backends({ chosen, budget }: { chosen: Signal<Record<string, string>>; 
                 .map((b) => (
                   <option key={b.name} value={b.name} disabled={!b.available}>
                     {b.name}
-                    {b.available ? "" : ` (needs ${b.lacks})`}
+                    {b.available ? "" : " (missing)"}
                   </option>
                 ))}
             </select>
           </label>
         ))}
+        {known.backends.some((b) => !b.available) && (
+          <p class="small quiet">
+            Missing:{" "}
+            {known.backends
+              .filter((b) => !b.available)
+              .map((b) => `${b.name} (${b.lacks})`)
+              .join(", ")}
+          </p>
+        )}
         <label>
           Most it may cost
           <input type="number" min="0" step="0.01" placeholder={charges(chosen.value) ? "no limit" : "free"} value={budget.value} onInput={(event) => (budget.value = event.currentTarget.value)} />

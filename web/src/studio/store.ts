@@ -12,6 +12,8 @@ export const connected = signal(true);
 export interface Message {
   text: string;
   bad: boolean;
+  /** The address of the page that it is about. */
+  at: string;
   /** What can be done about it. */
   remedy?: { label: string; run: () => void } | undefined;
 }
@@ -25,7 +27,7 @@ export const isOver = (job: JobRow): boolean =>
   ["done", "failed", "cancelled"].includes(job.state) || (job.state === "interrupted" && job.error !== null);
 
 export function tell(text: string, bad = false, remedy?: Message["remedy"]): void {
-  message.value = { text, bad, remedy };
+  message.value = { text, bad, remedy, at: location.hash };
 }
 
 /** Runs what may fail; the failure is told on the page. Returns what it gives, undefined if it failed. */

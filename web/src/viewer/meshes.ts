@@ -9,6 +9,10 @@ export const COLLISION_GROUP = 3;
 /** Distinct colours of collision parts, in turn. */
 const PART_COLORS = [0x3b82f6, 0xf59e0b, 0x10b981, 0xec4899, 0x8b5cf6, 0x14b8a6, 0xef4444, 0x84cc16];
 
+/** The geom that marks an episode's goal; it is under the floor where there is none. */
+const MARKER = "marker/goal";
+const MARKED = 0.6;
+
 /** Changes of a pose that nobody sees, metres or parts of a quaternion. */
 const STILL = 2e-5;
 
@@ -98,7 +102,8 @@ export class BuiltModel {
     if (!shared) this.own(shape);
     const own = geom.material >= 0 ? materials[geom.material] : undefined;
     if (!own && geom.rgba[3] === 0 && geom.group < COLLISION_GROUP && geom.name === "") return null;
-    const mesh = new THREE.Mesh(shape, own ?? this.own(surface(geom.rgba, 0.3)));
+    const rgba = geom.name === MARKER ? [...geom.rgba.slice(0, 3), MARKED] : geom.rgba;
+    const mesh = new THREE.Mesh(shape, own ?? this.own(surface(rgba, 0.3)));
     mesh.position.set(...geom.position);
     mesh.quaternion.set(geom.quaternion[1], geom.quaternion[2], geom.quaternion[3], geom.quaternion[0]);
     const clear = (mesh.material as THREE.Material).transparent;

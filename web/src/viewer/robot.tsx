@@ -7,21 +7,27 @@ export function Robot({ engine, off }: { engine: Engine; off: boolean }) {
   if (!engine.ready.value || !engine.files?.arm) return null;
   const mode = engine.mode.value;
   const { episodes } = engine.files;
+  const see = async (work: Promise<void>): Promise<void> => {
+    await work;
+    const canvas = engine.stage?.renderer.domElement;
+    canvas?.focus({ preventScroll: true }); // it has the arm's keys
+    canvas?.scrollIntoView({ block: "nearest", behavior: "smooth" });
+  };
   return (
     <div class="stack">
+      {mode === "episode" && <Timeline engine={engine} />}
+      {mode === "arm" && <Pad engine={engine} />}
       <div class="tools" role="group" aria-label="Robot">
-        <button disabled={off} aria-pressed={mode === "arm"} onClick={() => void engine.setMode(mode === "arm" ? "scene" : "arm")}>
+        <button disabled={off} aria-pressed={mode === "arm"} onClick={() => void see(engine.setMode(mode === "arm" ? "scene" : "arm"))}>
           Drive the Panda
         </button>
         {episodes.map((row) => (
-          <button key={row.file} disabled={off} onClick={() => void engine.play(row)}>
+          <button key={row.file} disabled={off} aria-pressed={mode === "episode" && engine.player.playback.value?.episode.instruction === row.instruction} onClick={() => void see(engine.play(row))}>
             Watch: {row.instruction}
           </button>
         ))}
         {mode === "episode" && <button onClick={() => void engine.setMode("scene")}>Back to the scene</button>}
       </div>
-      {mode === "episode" && <Timeline engine={engine} />}
-      {mode === "arm" && <Pad engine={engine} />}
     </div>
   );
 }
@@ -43,7 +49,9 @@ function Timeline({ engine }: { engine: Engine }) {
         value={Math.min(engine.player.time.value, play.duration)}
         onInput={(event) => engine.player.seek(Number(event.currentTarget.value))}
       />
-      <span class="small quiet">{play.duration.toFixed(1)} s</span>
+      <span class="small quiet">
+        {play.duration.toFixed(1)} s, {play.episode.success ? "solved" : "not solved"}
+      </span>
     </label>
   );
 }

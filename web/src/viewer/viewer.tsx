@@ -117,6 +117,7 @@ function Tools({ engine, small }: { engine: Engine; small: boolean }) {
   const running = mode === "episode" ? engine.player.playing.value : engine.running.value;
   return (
     <div class="stack">
+      {!small && mode !== "scene" && <Robot engine={engine} off={off} />}
       <div class="tools" role="toolbar" aria-label="Simulation">
         <button disabled={off} onClick={() => engine.toggle()}>
           {running ? "Pause" : "Play"}
@@ -146,7 +147,7 @@ function Tools({ engine, small }: { engine: Engine; small: boolean }) {
           Contacts
         </Toggle>
       </div>
-      {!small && <Robot engine={engine} off={off} />}
+      {!small && mode === "scene" && <Robot engine={engine} off={off} />}
     </div>
   );
 }
