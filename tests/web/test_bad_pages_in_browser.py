@@ -16,7 +16,7 @@ from generator.imports import import_scene
 from tabletopgen_web.page.scene_folder import FolderOptions
 from tabletopgen_web.page.site import GALLERY, write_site
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
 SCENE = "coffee-oval"
 QUICK = FolderOptions(formats=(), episodes=0, robot=False)

@@ -11,7 +11,7 @@ from assets_cache.store import find
 from tabletopgen_web.page.scene_folder import FolderOptions
 from tabletopgen_web.page.site import GALLERY, write_site
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
 QUICK = FolderOptions(formats=(), episodes=0, robot=False)
 NAMES = ("coffee-oval", "kitchen-cutting", "office-desk")

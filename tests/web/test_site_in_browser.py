@@ -9,7 +9,7 @@ import pytest
 from browser import ENGINE, axe_faults, axe_share, opened, wait_for_scenes
 from playwright.sync_api import Browser, Page
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
 CUTTING = "kitchen-cutting"
 

@@ -13,7 +13,7 @@ from studio_pages import TEXT, Studio, drag, enter, jobs, make, running, until
 
 from generator.bundle import load, verify
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
 
 @pytest.fixture

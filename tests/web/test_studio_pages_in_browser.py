@@ -12,7 +12,7 @@ from studio_pages import TEXT, Studio, drag, enter, jobs, make, running, until
 
 from assets_cache.store import find
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
 JOB: dict[str, Any] = {
     "id": "0123456789ab", "kind": "compose", "state": "interrupted", "title": "a thrice-met table",

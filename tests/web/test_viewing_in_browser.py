@@ -13,7 +13,7 @@ from assets_cache.store import find
 from tabletopgen_web.page.scene_folder import FolderOptions
 from tabletopgen_web.page.site import write_site
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
 SCENE = "kitchen-cutting"
 THING = "bowl_1"
