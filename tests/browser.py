@@ -22,6 +22,9 @@ _OPTIONS = (
     "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",  # nothing but the test's server
 )  # fmt: skip
 
+_MODEST = "Object.defineProperty(navigator, 'deviceMemory', { get: () => 2 })"
+"""A machine with little memory, for which the viewer draws less: here all is drawn by software."""
+
 AXE = Path(__file__).parents[1] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 
 ENGINE = "[...window.tabletopgen.values()][0]"
@@ -79,7 +82,9 @@ class Watched:
 
 def opened(browser: Browser, **options: Any) -> Watched:
     """Open a fresh page, without anything kept of others."""
-    return Watched(browser.new_context(**options).new_page())
+    context = browser.new_context(**{"viewport": {"width": 1000, "height": 700}, **options})
+    context.add_init_script(_MODEST)
+    return Watched(context.new_page())
 
 
 def wait_for_scenes(page: Page, count: int = 1) -> None:

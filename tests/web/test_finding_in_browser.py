@@ -85,7 +85,8 @@ def test_tables_are_put_beside_each_other_by_a_button(browser: Browser, address:
     assert "beside" not in page.url
     page.get_by_role("button", name="Show", exact=True).click()
     page.wait_for_url("**/#/beside/**")
-    assert page.title() == f"{NAMES[0]} and {NAMES[1]} – Tables"
+    title = f"{NAMES[0]} and {NAMES[1]} – Tables"
+    page.wait_for_function("title => document.title === title", arg=title)
     page.goto(f"{address}#/scene/nowhere")
     page.get_by_role("alert").wait_for()
     assert page.title() == "Tables"
