@@ -33,7 +33,7 @@ from posing import tables
 import assets_cache
 from generator.bundle import load
 from tabletopgen_web.frontend import static_folder
-from tabletopgen_web.page.scene_folder import FolderOptions
+from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.site import GALLERY, write_site
 
 HERE = Path(__file__).parent

@@ -47,7 +47,7 @@ def write_scenes(app: Any, exception: Exception | None) -> None:
     if exception is not None or app.builder.format != "html":
         return
     import assets_cache
-    from tabletopgen_web.page.scene_folder import FolderOptions
+    from tabletopgen_web.page.options import FolderOptions
     from tabletopgen_web.page.site import write_site
 
     bundles = [path for scene in SCENES for path in assets_cache.find(scene)]

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from tyro import conf
 from tyro.conf import OmitArgPrefixes, Positional
@@ -14,25 +13,9 @@ from tyro.conf import OmitArgPrefixes, Positional
 from generator.errors import InputError, escape
 from generator.io.files import check_folder
 
-PageFormat = Literal["mjcf", "urdf", "sdf", "glb", "usd", "usdz"]
+from .options import FolderOptions
 
-
-@dataclass(frozen=True)
-class PageOptions:
-    """What the page holds of each scene.
-
-    Attributes:
-        formats: Exports to download beside the bundle; usd and usdz need the extra "usd".
-        episodes: The most episodes of the scripted expert to play back, one for each task.
-        robot: Also put the arm at each table, which episodes need.
-    """
-
-    formats: tuple[PageFormat, ...] = ("glb", "urdf", "sdf")
-    episodes: int = 4
-    robot: bool = True
-
-
-_PAGE = PageOptions()
+_CONTENTS = FolderOptions()
 
 
 def page(
@@ -41,7 +24,7 @@ def page(
     *,
     out: Path,
     title: str = "Tables",
-    contents: OmitArgPrefixes[PageOptions] = _PAGE,
+    contents: OmitArgPrefixes[FolderOptions] = _CONTENTS,
 ) -> int:
     """Make a static page of bundles: a gallery, and every scene live in the browser.
 
@@ -56,7 +39,6 @@ def page(
     """
     import assets_cache
 
-    from .scene_folder import FolderOptions
     from .site import write_site
 
     if not bundles:
@@ -65,9 +47,8 @@ def page(
         raise InputError(f"--episodes is a number from 0 on, got {contents.episodes}.")
     check_folder(out.absolute().parent)
     found = list(dict.fromkeys(p for wanted in bundles for p in assets_cache.find(wanted)))
-    chosen = FolderOptions(tuple(contents.formats), contents.episodes, contents.robot)
     with _progress(len(found)) as report:
-        site = write_site(found, out, title, chosen, report)
+        site = write_site(found, out, title, contents, report)
     print(escape(str(site.path)))
     for row in site.scenes:
         if row.error is not None:

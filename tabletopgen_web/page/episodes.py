@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -71,10 +71,6 @@ class PlayRow:
         """Return the row of an episode that lies in ``file``."""
         return PlayRow(play.task, play.instruction, file, round(play.seconds, 2), play.success)
 
-    def plain(self) -> dict[str, object]:
-        """Return it as JSON values."""
-        return asdict(self)
-
 
 def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> RecordedPlay:
     """Have the scripted expert play one episode of a task at a bundle.
@@ -88,11 +84,10 @@ def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> R
     """
     import gymnasium as gym
 
-    import tabletopgen_env as _  # noqa: F401 - registers the environments
     from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 
     require_known(task, NAMES, "No task is called")
-    env = gym.make(f"TabletopGen/{task}-v0", scenes=str(bundle), action="ee_delta")
+    env = gym.make(f"tabletopgen_env:TabletopGen/{task}-v0", scenes=str(bundle), action="ee_delta")
     play = None
     try:
         for number in range(seed, seed + tries):

@@ -34,7 +34,6 @@ def robot_document(scene: Scene, files: frozenset[str]) -> str:
     world.reset()
     for key in list(spec.keys):
         spec.delete(key)
-    spec.compile()
     spec.add_key(name=START, qpos=world.data.qpos, ctrl=world.data.ctrl)
     spec.compile()
     text = spec.to_xml()

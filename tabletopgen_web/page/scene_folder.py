@@ -21,6 +21,7 @@ from generator.scene import Scene
 from generator.scene.provenance import plain
 
 from .episodes import PlayRow, record_play
+from .options import FolderOptions
 from .robot import START, robot_document
 from .rows import SCHEMA, SceneRow, read_whole_row
 
@@ -46,21 +47,6 @@ _QUALITY = 82
 _EPOCH = (1980, 1, 1, 0, 0, 0)  # of all files in an archive: the same scene gives the same bytes
 
 
-@dataclass(frozen=True)
-class FolderOptions:
-    """What a scene's folder holds besides the scene.
-
-    Attributes:
-        formats: exports to offer, keys of ``generator.exports.WRITERS``.
-        episodes: most episodes of the expert, one a task.
-        robot: also put the arm at the table, which episodes need.
-    """
-
-    formats: tuple[str, ...] = ("glb", "urdf", "sdf")
-    episodes: int = 4
-    robot: bool = True
-
-
 @dataclass(frozen=True, eq=False)
 class SceneFolder:
     """The files of a scene's folder by their path in it, and what a gallery shows of the scene."""
@@ -77,7 +63,7 @@ def scene_folder(
     """Return the folder of a bundle.
 
     Args:
-        bundle: the bundle's folder; it is read once and checked as ``load_verified`` does.
+        bundle: the bundle's folder, checked as ``load_verified`` does.
         options: what else it holds.
         report: called with what is being made ("PickPlace", "glb").
 
@@ -139,7 +125,7 @@ def _robot(
             continue
         path = f"episodes/{task.lower()}.bin"
         files[path] = play.to_bytes()
-        rows.append(PlayRow.of(play, path).plain())
+        rows.append(plain(PlayRow.of(play, path)))
     return arm, rows
 
 

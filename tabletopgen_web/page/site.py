@@ -13,8 +13,9 @@ from generator.errors import InputError, StorageError
 from generator.scene.provenance import plain, versions
 
 from ..frontend import static_folder
+from .options import FolderOptions
 from .rows import SCHEMA, SceneRow
-from .scene_folder import FolderOptions, scene_folder
+from .scene_folder import scene_folder
 
 GALLERY = "gallery.json"
 """The file of a site that lists its scenes."""

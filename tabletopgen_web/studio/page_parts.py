@@ -7,7 +7,8 @@ from pathlib import Path
 from generator.errors import BundleError
 
 from ..page.episodes import RecordedPlay, record_play
-from ..page.scene_folder import FolderOptions, scene_folder
+from ..page.options import FolderOptions
+from ..page.scene_folder import scene_folder
 
 _OPTIONS = FolderOptions(formats=(), episodes=0)  # the rest is made when it is asked for
 

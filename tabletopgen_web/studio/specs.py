@@ -13,10 +13,11 @@ from generator.errors import InputError
 from generator.scene import Density, EditKind
 from tabletopgen_env.tasks.names import NAMES
 
+from ..page.options import PageFormat
 from .contracts import JobKind
 from .fields import Fields
 
-FORMATS = ("glb", "mjcf", "sdf", "urdf", "usd", "usdz")
+FORMATS: tuple[str, ...] = get_args(PageFormat)
 """What scenes can be exported as."""
 
 MOST_TEXT = 4000

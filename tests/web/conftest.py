@@ -8,7 +8,7 @@ from browser import chromium, served
 from playwright.sync_api import Browser
 
 from assets_cache.store import find
-from tabletopgen_web.page.scene_folder import FolderOptions
+from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.site import write_site
 
 

@@ -13,7 +13,7 @@ from playwright.sync_api import Browser
 from assets_cache.store import find
 from generator import save
 from generator.imports import import_scene
-from tabletopgen_web.page.scene_folder import FolderOptions
+from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.site import GALLERY, write_site
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]

@@ -8,7 +8,7 @@ from browser import opened, served, wait_for_scenes
 from playwright.sync_api import Browser, Page
 
 from assets_cache.store import find
-from tabletopgen_web.page.scene_folder import FolderOptions
+from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.site import GALLERY, write_site
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]

@@ -15,9 +15,10 @@ from generator.bundle import load, read_files, verify
 from generator.errors import BackendError, InputError, StorageError
 from tabletopgen_web import frontend
 from tabletopgen_web.page.episodes import record_play
+from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.robot import robot_document
 from tabletopgen_web.page.rows import read_row, read_whole_row
-from tabletopgen_web.page.scene_folder import FolderOptions, scene_folder
+from tabletopgen_web.page.scene_folder import scene_folder
 from tabletopgen_web.page.site import write_site
 
 QUICK = FolderOptions(formats=(), episodes=0, robot=False)

@@ -10,7 +10,7 @@ from browser import ENGINE, opened, served, wait_for_scenes
 from playwright.sync_api import Browser, CDPSession, Page
 
 from assets_cache.store import find
-from tabletopgen_web.page.scene_folder import FolderOptions
+from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.site import write_site
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import asyncio
-from importlib import metadata
 
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
+
+from generator.scene.provenance import versions
 
 from ..contracts import BackendRow, EstimateRow, ExplainedRow, RoleRow, StudioState
 from ..fields import Fields
@@ -54,16 +55,10 @@ def _describe(services: StudioServices, last_event: int) -> StudioState:
         for b in list_backends()
     )
     return StudioState(
-        _version(), tuple(PROTOCOLS), backends, FORMATS, NAMES, str(assets_cache.user_root()),
-        str(services.folder.root), services.workers, QUEUE_LIMIT, last_event,
+        versions(("tabletopgen",))["tabletopgen"], tuple(PROTOCOLS), backends, FORMATS, NAMES,
+        str(assets_cache.user_root()), str(services.folder.root), services.workers, QUEUE_LIMIT,
+        last_event,
     )  # fmt: skip
-
-
-def _version() -> str:
-    try:
-        return metadata.version("tabletopgen")
-    except metadata.PackageNotFoundError:  # a checkout that is not installed
-        return "unknown"
 
 
 def _explain(text: str, seed: int) -> list[ExplainedRow]:

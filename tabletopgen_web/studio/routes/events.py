@@ -22,8 +22,6 @@ HEARTBEAT = 15.0
 SLOW = 10.0
 """Seconds that a client may leave what it was sent unread."""
 
-_MOST = 10**15
-
 
 async def listen(request: Request) -> Response:
     """The events after ``since``, or after the one that the client had last; then new ones."""
