@@ -1,7 +1,7 @@
 /** The gallery: a card for each scene, and what narrows them down. */
 import { signal, useComputed } from "@preact/signals";
 import type { Gallery, SceneRow } from "../data";
-import { useTitle } from "../ui/routing";
+import { addressOf, useTitle } from "../ui/routing";
 import { contents, level, matches, NO_FILTER, themes, type Filter } from "./search";
 
 /** It outlives the gallery's page: the way back from a scene leads to what was found. */
@@ -92,11 +92,11 @@ function Card({ row }: { row: SceneRow }) {
     );
   }
   return (
-    <a class="card" href={`#/scene/${encodeURIComponent(row.id)}`}>
+    <a class="card" href={addressOf("scene", row.id)}>
       {row.thumbnail ? <img class="picture" loading="lazy" alt="" src={row.thumbnail} /> : <div class="picture" />}
       <div class="text">
         <h2>{row.name}</h2>
-        <p class="small quiet">{contents(row).map(([label, n]) => (n > 1 ? `${n} × ${label}` : label)).join(", ")}</p>
+        <p class="small quiet">{contents(row)}</p>
         <div class="tags">
           {row.theme && <span class="tag">{row.theme}</span>}
           {level(row) && <span class="tag">{level(row)}</span>}

@@ -4,7 +4,7 @@ import { useEffect } from "preact/hooks";
 import type { Gallery, SceneRow } from "../data";
 import type { Engine } from "../viewer/engine";
 import { Viewer } from "../viewer/viewer";
-import { useTitle } from "../ui/routing";
+import { addressOf, useTitle } from "../ui/routing";
 import { Facts } from "./facts";
 
 const folder = (row: SceneRow): string => `scenes/${encodeURIComponent(row.id)}/`;
@@ -21,8 +21,8 @@ export function ScenePage({ gallery, row }: { gallery: Gallery; row: SceneRow })
         <a href="#/">{gallery.title}</a>
         <h1>{row.name}</h1>
         <nav class="row end" aria-label="Other tables">
-          {before && <a href={`#/scene/${encodeURIComponent(before.id)}`}>Previous</a>}
-          {after && <a href={`#/scene/${encodeURIComponent(after.id)}`}>Next</a>}
+          {before && <a href={addressOf("scene", before.id)}>Previous</a>}
+          {after && <a href={addressOf("scene", after.id)}>Next</a>}
           <Beside gallery={gallery} row={row} />
         </nav>
       </header>
@@ -49,7 +49,7 @@ function Beside({ gallery, row }: { gallery: Gallery; row: SceneRow }) {
       class="row small"
       onSubmit={(event) => {
         event.preventDefault();
-        if (other.value) location.hash = `#/beside/${encodeURIComponent(row.id)}/${encodeURIComponent(other.value)}`;
+        if (other.value) location.hash = addressOf("beside", row.id, other.value);
       }}
     >
       <label class="row">

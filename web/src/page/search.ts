@@ -19,11 +19,11 @@ export function level(row: SceneRow): "easy" | "medium" | "hard" | "" {
   return row.difficulty < EASY ? "easy" : row.difficulty < HARD ? "medium" : "hard";
 }
 
-/** Counts things of one kind: "2 mugs" of two. */
-export function contents(row: SceneRow): [string, number][] {
+/** What is on a table, in words: "2 × mug, laptop". */
+export function contents(row: SceneRow): string {
   const counts = new Map<string, number>();
   for (const { label } of row.things) counts.set(label, (counts.get(label) ?? 0) + 1);
-  return [...counts];
+  return [...counts].map(([label, n]) => (n > 1 ? `${n} × ${label}` : label)).join(", ");
 }
 
 export function themes(rows: SceneRow[]): string[] {

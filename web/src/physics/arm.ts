@@ -5,8 +5,8 @@
  * damped least squares (`tabletopgen_env/actions/tool.py`, `robot/kinematics.py`, which say why).
  */
 import type { DoubleBuffer, MainModule, MjData, MjModel } from "@mujoco/mujoco";
-import { ROBOT } from "./describe";
 import { add, clamp, dot, rotationVector, solveSpd, sub, times, transpose } from "./linear";
+import { idOf, ROBOT } from "./names";
 import type { ArmAction } from "./protocol";
 
 const HZ = 20;
@@ -52,15 +52,14 @@ export class Arm {
     private readonly model: MjModel,
     private readonly data: MjData,
   ) {
-    const types = mujoco.mjtObj as unknown as Record<string, { value: number }>;
-    const id = (kind: string, name: string): number => {
-      const found = mujoco.mj_name2id(model, types[kind]!.value, name);
+    const id = (kind: "BODY" | "JOINT" | "SITE", name: string): number => {
+      const found = idOf(mujoco, model, kind, name);
       if (found < 0) throw new Error(`The scene's robot has no ${name}.`);
       return found;
     };
-    const ids = JOINTS.map((name) => id("mjOBJ_JOINT", name));
-    this.site = id("mjOBJ_SITE", `${ROBOT}tcp`);
-    this.base = id("mjOBJ_BODY", `${ROBOT}link0`);
+    const ids = JOINTS.map((name) => id("JOINT", name));
+    this.site = id("SITE", `${ROBOT}tcp`);
+    this.base = id("BODY", `${ROBOT}link0`);
     this.qpos = ids.map((k): number => model.jnt_qposadr[k]);
     this.dof = ids.map((k): number => model.jnt_dofadr[k]);
     this.low = ids.map((k): number => model.jnt_range[2 * k]);

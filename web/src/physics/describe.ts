@@ -1,5 +1,6 @@
 /** What of a compiled model is drawn: geoms, meshes, textures, cameras, bodies. */
 import type { MainModule, MjModel } from "@mujoco/mujoco";
+import { nameOf, ROBOT } from "./names";
 import type {
   BodyData,
   CameraData,
@@ -25,23 +26,16 @@ const quaternion = (from: Numbers, k: number): Quaternion => [
 
 const four = (from: Numbers, k: number): number[] => Array.from({ length: 4 }, (_, i) => from[4 * k + i]!);
 
-/** Prefix of the robot's names. */
-export const ROBOT = "panda/";
-
 export function describe(mujoco: MainModule, model: MjModel): ModelData {
-  const name = (kind: string, k: number): string => {
-    const types = mujoco.mjtObj as unknown as Record<string, { value: number }>;
-    return mujoco.mj_id2name(model, types[kind]!.value, k) ?? "";
-  };
   const count = (n: number): number[] => Array.from({ length: n }, (_, k) => k);
-  const bodies = count(model.nbody).map((k): BodyData => bodyOf(model, k, name("mjOBJ_BODY", k)));
+  const bodies = count(model.nbody).map((k): BodyData => bodyOf(model, k, nameOf(mujoco, model, "BODY", k)));
   return {
     bodies,
-    geoms: count(model.ngeom).map((k) => geomOf(model, k, name("mjOBJ_GEOM", k))),
+    geoms: count(model.ngeom).map((k) => geomOf(model, k, nameOf(mujoco, model, "GEOM", k))),
     meshes: count(model.nmesh).map((k) => meshOf(model, k)),
     materials: count(model.nmat).map((k) => materialOf(model, k)),
     textures: count(model.ntex).map((k) => textureOf(model, k)),
-    cameras: count(model.ncam).map((k) => cameraOf(model, k, name("mjOBJ_CAMERA", k))),
+    cameras: count(model.ncam).map((k) => cameraOf(model, k, nameOf(mujoco, model, "CAMERA", k))),
     nq: model.nq,
     timestep: model.opt.timestep,
     arm: bodies.some((body) => body.name.startsWith(ROBOT)),
@@ -53,7 +47,6 @@ function bodyOf(model: MjModel, k: number, name: string): BodyData {
   const free = joint >= 0 && model.jnt_type[joint] === 0;
   return {
     name,
-    mass: model.body_mass[k],
     free,
     qpos: free ? model.jnt_qposadr[joint] : -1,
     moves: model.body_weldid[k] !== 0,
@@ -72,7 +65,6 @@ function geomOf(model: MjModel, k: number, name: string): GeomData {
     group: model.geom_group[k],
     mesh: model.geom_dataid[k],
     material: model.geom_matid[k],
-    collides: model.geom_contype[k] !== 0 || model.geom_conaffinity[k] !== 0,
   };
 }
 
@@ -103,7 +95,6 @@ function materialOf(model: MjModel, k: number): MaterialData {
   return {
     rgba: four(model.mat_rgba, k),
     texture: own.find((id) => id >= 0) ?? -1,
-    specular: model.mat_specular[k],
     shininess: model.mat_shininess[k],
   };
 }

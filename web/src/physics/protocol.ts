@@ -36,7 +36,6 @@ export interface TextureData {
 export interface MaterialData {
   rgba: number[];
   texture: number;
-  specular: number;
   shininess: number;
 }
 
@@ -51,12 +50,10 @@ export interface GeomData {
   group: number;
   mesh: number;
   material: number;
-  collides: boolean;
 }
 
 export interface BodyData {
   name: string;
-  mass: number;
   /** Whether it moves freely, as the objects of a table do. */
   free: boolean;
   /** Address of a free body in qpos. */

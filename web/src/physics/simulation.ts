@@ -2,6 +2,7 @@
 import type { MainModule, MjData, MjModel, MjVFS } from "@mujoco/mujoco";
 import { Arm } from "./arm";
 import { describe } from "./describe";
+import { idOf } from "./names";
 import type { ArmAction, Frame, ModelData, State, Vector } from "./protocol";
 
 /** A force like MuJoCo's own perturbation: a critically damped spring, stiff per kilogram. */
@@ -45,8 +46,7 @@ export class Simulation {
       for (const [name, bytes] of files) vfs.addBuffer(name, bytes);
       const model = mujoco.MjModel.from_xml_string(xml, vfs);
       if (!model) throw new Error("MuJoCo cannot read the scene.");
-      const keys = mujoco.mjtObj as unknown as Record<string, { value: number }>;
-      const key = mujoco.mj_name2id(model, keys["mjOBJ_KEY"]!.value, start);
+      const key = idOf(mujoco, model, "KEY", start);
       return new Simulation(mujoco, model, new mujoco.MjData(model), key);
     } finally {
       vfs.delete();

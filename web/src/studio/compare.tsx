@@ -1,6 +1,6 @@
 /** Scenes side by side: seeds of one text, variants of one table. */
 import { Viewer } from "../viewer/viewer";
-import { useTitle } from "../ui/routing";
+import { addressOf, useTitle } from "../ui/routing";
 import { api } from "./api";
 import { scenes } from "./store";
 
@@ -15,7 +15,7 @@ export function ComparePage({ ids }: { ids: string[] }) {
           row ? (
             <section key={row.id} class="stack" aria-label={row.name}>
               <h2>
-                <a href={`#/scene/${encodeURIComponent(row.id)}`}>{row.name}</a>
+                <a href={addressOf("scene", row.id)}>{row.name}</a>
               </h2>
               <p class="small quiet">{row.prompt}</p>
               <Viewer base={api.folder(row.id)} label={row.name} small />

@@ -1,7 +1,7 @@
 /** A scene of the studio: looked at, changed by mouse or words, saved, tried with the expert. */
 import { useSignal, type Signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { useTitle } from "../ui/routing";
+import { addressOf, useTitle } from "../ui/routing";
 import { Facts } from "../page/facts";
 import type { Engine } from "../viewer/engine";
 import type { Move } from "../viewer/placing";
@@ -35,7 +35,7 @@ export function EditPage({ id }: { id: string }) {
     if (over?.state === "done" && over.result?.scene) {
       view.current = edited.stage?.view ?? null;
       await refreshScenes();
-      const there = `#/scene/${encodeURIComponent(over.result.scene)}`;
+      const there = addressOf("scene", over.result.scene);
       const open = (): void => void (location.hash = there);
       const stayed = location.hash === here; // who has gone elsewhere stays there
       if (stayed) open();
@@ -125,7 +125,7 @@ function History({ id }: { id: string }) {
   const before = known?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
   const after = known?.later[0]; // the newest
   const go = (to: string): void => {
-    location.hash = `#/scene/${encodeURIComponent(to)}`;
+    location.hash = addressOf("scene", to);
   };
   return (
     <div class="row" role="group" aria-label="History">

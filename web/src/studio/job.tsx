@@ -1,6 +1,6 @@
 /** One job: its stages with what each found, as they come, and what it made. */
 import { useEffect } from "preact/hooks";
-import { useTitle } from "../ui/routing";
+import { addressOf, useTitle } from "../ui/routing";
 import { api } from "./api";
 import { Controls, Progress } from "./jobs";
 import { jobs, refreshJob, studio } from "./store";
@@ -24,7 +24,7 @@ export function JobPage({ id }: { id: string }) {
       )}
       {made && (
         <p>
-          <a class="button" href={`#/scene/${encodeURIComponent(made)}`}>
+          <a class="button" href={addressOf("scene", made)}>
             Open the table
           </a>
         </p>

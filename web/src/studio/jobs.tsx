@@ -1,8 +1,9 @@
 /** Jobs: what runs, what waits, what was made. */
+import { addressOf } from "../ui/routing";
 import { api, type JobRow } from "./api";
 import { attempt, isOver, jobList } from "./store";
 
-export const link = (job: JobRow): string => (job.result?.scene && job.kind !== "episode" && job.kind !== "export" ? `#/scene/${encodeURIComponent(job.result.scene)}` : `#/job/${job.id}`);
+export const link = (job: JobRow): string => (job.result?.scene && job.kind !== "episode" && job.kind !== "export" ? addressOf("scene", job.result.scene) : `#/job/${job.id}`);
 
 export function JobsPanel() {
   const shown = jobList.value.slice(0, 20);

@@ -1,6 +1,7 @@
 /** The studio's scenes as cards; some can be chosen and compared. */
 import { useSignal } from "@preact/signals";
 import { contents } from "../page/search";
+import { addressOf } from "../ui/routing";
 import { api, type StudioScene } from "./api";
 import { attempt, refreshScenes, scenes, scenesRead, tell } from "./store";
 
@@ -27,7 +28,7 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
           </label>
         )}
         {chosen.value.length > 1 && (
-          <a class="button" href={`#/compare/${chosen.value.map(encodeURIComponent).join("/")}`}>
+          <a class="button" href={addressOf("compare", ...chosen.value)}>
             Compare {chosen.value.length} side by side
           </a>
         )}
@@ -58,8 +59,8 @@ function SceneCard({ row, chosen, onChoose }: { row: StudioScene; chosen: boolea
     <article class="card">
       {row.error ? <div class="picture" /> : <img class="picture" loading="lazy" alt="" src={row.thumbnail ?? ""} />}
       <div class="text">
-        <h3>{row.error ? row.name : <a href={`#/scene/${encodeURIComponent(row.id)}`}>{row.name}</a>}</h3>
-        {row.error ? <p class="bad small">{row.error}</p> : <p class="small quiet">{contents(row).map(([label, n]) => (n > 1 ? `${n} × ${label}` : label)).join(", ")}</p>}
+        <h3>{row.error ? row.name : <a href={addressOf("scene", row.id)}>{row.name}</a>}</h3>
+        {row.error ? <p class="bad small">{row.error}</p> : <p class="small quiet">{contents(row)}</p>}
         <div class="tags">
           <span class="tag">{PLACES[row.in]}</span>
           {row.gate && <span class={`tag ${row.gate.passed ? "good" : "bad"}`}>gate {row.gate.passed ? "passed" : "failed"}</span>}

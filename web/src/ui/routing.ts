@@ -17,6 +17,9 @@ function decode(part: string): string {
   }
 }
 
+/** The address of a page by its parts: "#/scene/ID". */
+export const addressOf = (...parts: string[]): string => `#/${parts.map(encodeURIComponent).join("/")}`;
+
 /** Follows the address from now on; to be called once. */
 export function followAddress(): void {
   window.addEventListener("hashchange", (event) => {

@@ -1,6 +1,7 @@
 /** A live scene as a person sees and handles it: drawing, view and pointer; the interface observes its signals. */
 import { signal } from "@preact/signals";
 import * as THREE from "three";
+import { ROBOT } from "../physics/names";
 import type { Frame, ModelData } from "../physics/protocol";
 import { LiveScene } from "./live";
 import { Marks } from "./marks";
@@ -85,8 +86,7 @@ export class Engine extends LiveScene {
 
   /** Where a body is on the canvas, in pixels from its corner; for scripts and tests. */
   locate(name: string): { x: number; y: number } | null {
-    const k = this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
-    const group = this.model?.bodies[k]?.group;
+    const group = this.groupOf(name);
     if (!group || !this.stage) return null;
     const at = group.getWorldPosition(new THREE.Vector3()).project(this.stage.camera);
     const box = this.stage.renderer.domElement.getBoundingClientRect();
@@ -95,7 +95,12 @@ export class Engine extends LiveScene {
 
   /** The robot's base, if it is there. */
   private robot(): THREE.Object3D | undefined {
-    const k = this.model?.data.bodies.findIndex((body) => body.name === "panda/link0") ?? -1;
+    return this.groupOf(`${ROBOT}link0`);
+  }
+
+  /** What is drawn of a body, if it is there. */
+  private groupOf(name: string | null): THREE.Object3D | undefined {
+    const k = this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
     return this.model?.bodies[k]?.group;
   }
 
@@ -139,8 +144,7 @@ export class Engine extends LiveScene {
   /** Selects a thing by its name; null selects none. */
   choose(name: string | null): void {
     this.selected.value = name;
-    const k = this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
-    this.marks?.select(this.model?.bodies[k]?.group ?? null);
+    this.marks?.select(this.groupOf(name) ?? null);
     this.stage?.draw();
   }
 

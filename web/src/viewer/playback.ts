@@ -1,11 +1,10 @@
-/** Plays a recorded episode: poses between its frames, at its own pace. */
+/** A recorded episode and the place in it: poses between its frames. */
 import type { Episode } from "../data";
 import type { ModelData } from "../physics/protocol";
 
 export class Playback {
   /** Seconds since its beginning. */
   time = 0;
-  playing = true;
   private readonly quaternions: number[];
 
   constructor(
@@ -19,10 +18,8 @@ export class Playback {
     return (this.episode.frames - 1) / this.episode.hz;
   }
 
-  advance(seconds: number): void {
-    if (!this.playing) return;
-    this.time = Math.min(this.time + seconds, this.duration);
-    if (this.time >= this.duration) this.playing = false;
+  get ended(): boolean {
+    return this.time >= this.duration;
   }
 
   seek(seconds: number): void {

@@ -1,5 +1,5 @@
 /** Plays an episode frame by frame, and tells how far it is. */
-import { computed, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
 import type { Episode } from "../data";
 import type { ModelData } from "../physics/protocol";
 import { Playback } from "./playback";
@@ -8,8 +8,7 @@ export class Player {
   readonly playback = signal<Playback | null>(null);
   /** Seconds since the episode's beginning. */
   readonly time = signal(0);
-  private readonly ended = signal(true);
-  readonly playing = computed(() => this.playback.value !== null && !this.ended.value);
+  readonly playing = signal(false);
   private asked = 0;
   private last = 0;
 
@@ -25,14 +24,14 @@ export class Player {
   stop(): void {
     cancelAnimationFrame(this.asked);
     this.playback.value = null;
-    this.ended.value = true;
+    this.playing.value = false;
   }
 
   setPlaying(playing: boolean): void {
     const { value } = this.playback;
     if (!value) return;
-    if (playing && value.time >= value.duration) value.seek(0);
-    value.playing = playing;
+    if (playing && value.ended) value.seek(0);
+    this.playing.value = playing;
     this.last = performance.now();
     this.tick();
   }
@@ -47,12 +46,12 @@ export class Player {
     const { value } = this.playback;
     if (!value) return;
     const now = performance.now();
-    value.advance((now - this.last) / 1000);
+    if (this.playing.value) value.seek(value.time + (now - this.last) / 1000);
     this.last = now;
     const { qpos, marker } = value.now();
     this.show(qpos, marker);
     this.time.value = value.time;
-    this.ended.value = !value.playing;
-    if (value.playing) this.asked = requestAnimationFrame(() => this.tick());
+    this.playing.value &&= !value.ended;
+    if (this.playing.value) this.asked = requestAnimationFrame(() => this.tick());
   }
 }

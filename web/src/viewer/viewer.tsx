@@ -1,6 +1,7 @@
 /** A scene in the page: the canvas, its tools, and what went wrong. */
 import { useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { ROBOT } from "../physics/names";
 import { Engine } from "./engine";
 import { Robot } from "./robot";
 
@@ -70,7 +71,7 @@ function Overlays({ engine, base }: { engine: Engine; base: string }) {
       )}
       {hover && (
         <span class="name" style={{ left: `${hover.x}px`, top: `${hover.y}px` }}>
-          {hover.name.replace("panda/", "robot: ")}
+          {hover.name.replace(ROBOT, "robot: ")}
         </span>
       )}
       {engine.ready.value && <Clock engine={engine} />}
