@@ -15,19 +15,15 @@ from __future__ import annotations
 
 import argparse
 import json
-import shutil
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from collections.abc import Sequence
 from pathlib import Path
-from threading import Thread
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import mujoco
 import numpy as np
+from browsing.chromium import CHROMIUM, ENGINE, launch, serve
 from posing import tables
 
 import assets_cache
@@ -35,6 +31,9 @@ from generator.bundle import load
 from tabletopgen_web.frontend import static_folder
 from tabletopgen_web.page.options import FolderOptions
 from tabletopgen_web.page.site import GALLERY, write_site
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Playwright
 
 HERE = Path(__file__).parent
 
@@ -46,12 +45,9 @@ STEPS = 1000
 ENTRIES = 200
 """Entries of the gallery that is searched."""
 
-_OPTIONS = ("--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-            "--enable-unsafe-swiftshader", "--disable-background-networking")  # fmt: skip
-_ENGINE = "[...window.tabletopgen.values()][0]"
 _READY = "() => [...(window.tabletopgen?.values() ?? [])].some(e => e.ready.value)"
 _NOW = "() => performance.now()"  # since the navigation began
-_SEARCH = """async () => {
+SEARCH = """async () => {
   const field = document.querySelector('input[type=search]');
   const times = [];
   for (const words of ['t', 'ta', 'table 1', 'table 19', 'table 199', '']) {
@@ -66,23 +62,9 @@ _SEARCH = """async () => {
 }"""
 
 
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, format: str, *args: object) -> None:
-        pass
-
-
-@contextmanager
-def serve(folder: Path) -> Iterator[str]:
-    """Serve a folder; yield its address."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
-    Thread(target=server.serve_forever, daemon=True).start()
-    yield f"http://127.0.0.1:{server.server_address[1]}/"
-    server.shutdown()
-
-
-def time_scene(chromium: Any, site: str, scene: str) -> tuple[float, float, Any]:
+def time_scene(play: Playwright, site: str, scene: str) -> tuple[float, float, Any]:
     """Return the seconds of a first and of a later opening, and qpos after ``STEPS``."""
-    browser = chromium.launch(executable_path=shutil.which("chromium"), args=[*_OPTIONS])
+    browser = launch(play)
     page = browser.new_page()
     page.goto(f"{site}#/scene/{scene}")
     page.wait_for_function(_READY, timeout=60_000)
@@ -90,9 +72,9 @@ def time_scene(chromium: Any, site: str, scene: str) -> tuple[float, float, Any]
     page.goto(f"{site}?again#/scene/{scene}")
     page.wait_for_function(_READY, timeout=60_000)
     again = page.evaluate(_NOW)
-    page.evaluate(f"{_ENGINE}.run(false)")
-    page.evaluate(f"{_ENGINE}.reset()")
-    qpos = page.evaluate(f"{_ENGINE}.advance({STEPS})")["qpos"]
+    page.evaluate(f"{ENGINE}.run(false)")
+    page.evaluate(f"{ENGINE}.reset()")
+    qpos = page.evaluate(f"{ENGINE}.advance({STEPS})")["qpos"]
     browser.close()
     return first / 1e3, again / 1e3, np.array(qpos)
 
@@ -115,18 +97,18 @@ def apart(one: Any, other: Any) -> tuple[float, float]:
     return 1e6 * far, float(np.degrees(turn))
 
 
-def time_search(chromium: Any, folder: Path, site: str) -> list[float]:
+def time_search(play: Playwright, folder: Path, site: str) -> list[float]:
     """Return the milliseconds of searches in a gallery of ``ENTRIES`` entries."""
     listed = json.loads((folder / GALLERY).read_text(encoding="utf-8"))
     rows = listed["scenes"]
     many = [{**rows[k % len(rows)], "id": f"table-{k}", "name": f"table {k}"}
             for k in range(ENTRIES)]  # fmt: skip
     (folder / GALLERY).write_text(json.dumps({**listed, "scenes": many}), encoding="utf-8")
-    browser = chromium.launch(executable_path=shutil.which("chromium"), args=[*_OPTIONS])
+    browser = launch(play)
     page = browser.new_page()
     page.goto(site)
     page.locator("a.card").first.wait_for()
-    times = page.evaluate(_SEARCH)
+    times = page.evaluate(SEARCH)
     browser.close()
     (folder / GALLERY).write_text(json.dumps(listed), encoding="utf-8")
     return times
@@ -160,7 +142,7 @@ def main() -> None:
     p.add_argument("--rounds", type=int, default=3)
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
-    if args.rounds < 1 or shutil.which("chromium") is None:
+    if args.rounds < 1 or CHROMIUM is None:
         raise SystemExit("--rounds must be at least 1, and Chromium installed.")
     from playwright.sync_api import sync_playwright
 
@@ -171,13 +153,13 @@ def main() -> None:
         written = write_site(bundles, Path(scratch) / "site", options=FolderOptions())
         with serve(written.path) as site:
             for bundle in bundles:
-                timed = [time_scene(play.chromium, site, bundle.name) for _ in range(args.rounds)]
+                timed = [time_scene(play, site, bundle.name) for _ in range(args.rounds)]
                 first, again = (float(np.median([t[k] for t in timed])) for k in (0, 1))
                 far, turn = apart(timed[0][2], simulate(bundle))
                 rows.append((bundle.name[:-13], len(load(bundle).objects), first, again, far, turn))
                 print(*rows[-1], file=sys.stderr, flush=True)
             for _ in range(args.rounds):
-                searches += time_search(play.chromium, written.path, site)
+                searches += time_search(play, written.path, site)
     built = sum(f.stat().st_size for f in static_folder().rglob("*") if f.is_file())
     sizes = [
         f"- the built front end has {built / 1e6:.1f} MB, the page of {len(bundles)} tables with "

@@ -8,16 +8,12 @@ from __future__ import annotations
 import argparse
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Thread
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -25,6 +21,10 @@ from PIL import Image
 
 import assets_cache
 from tabletopgen_web.page.site import write_site
+
+sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))  # which has the browser
+
+from browsing.chromium import CHROMIUM, launch, serve
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -39,8 +39,6 @@ SCENE = "dining-family"
 MOST_BYTES = 350_000
 """No picture is larger."""
 
-_OPTIONS = ("--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-            "--enable-unsafe-swiftshader", "--disable-background-networking")  # fmt: skip
 _READY = "() => [...(window.tabletopgen?.values() ?? [])].some(e => e.ready.value)"
 _TEXT = "a wooden desk with a laptop, two red mugs right of the laptop and a zorble"
 
@@ -92,21 +90,6 @@ PICTURES: Mapping[str, Callable[[Page, str, str], None]] = MappingProxyType(
 """What is shown in each picture."""
 
 
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, format: str, *args: object) -> None:
-        pass
-
-
-@contextmanager
-def serve(folder: Path) -> Iterator[str]:
-    """Serve a folder; yield its address."""
-    handler = partial(_Quiet, directory=str(folder))
-    server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
-    Thread(target=server.serve_forever, daemon=True).start()
-    yield f"http://127.0.0.1:{server.server_address[1]}/"
-    server.shutdown()
-
-
 @contextmanager
 def start_studio(folder: Path) -> Iterator[str]:
     """Start a studio of an empty folder; yield its address with the token."""
@@ -128,8 +111,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=FOLDER, help="folder of the pictures")
     options = parser.parse_args()
     unknown = {*options.names} - {*PICTURES}
-    chromium = shutil.which("chromium")
-    if unknown or chromium is None:
+    if unknown or CHROMIUM is None:
         parser.error(f"no picture is called {unknown}" if unknown else "Chromium is not installed")
     from playwright.sync_api import sync_playwright
 
@@ -138,7 +120,7 @@ def main() -> None:
         folder = Path(scratch)
         write_site(assets_cache.find(assets_cache.STARTER), folder / "site")
         with serve(folder / "site") as site, start_studio(folder / "studio") as studio:
-            browser = play.chromium.launch(executable_path=chromium, args=[*_OPTIONS])
+            browser = launch(play)
             for name in options.names or PICTURES:
                 width, height = SIZE
                 page = browser.new_page(viewport={"width": width, "height": height})

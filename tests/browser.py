@@ -1,33 +1,20 @@
-"""Debian's Chromium for the tests of the pages, and sites served to it."""
+"""Debian's Chromium for the tests of the pages, and what they ask of a page."""
 
-import shutil
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Thread
 from typing import Any
 
 import pytest
+from browsing.chromium import CHROMIUM, ENGINE, launch
 from playwright.sync_api import Browser, Page, sync_playwright
-
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-
-_OPTIONS = (
-    "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--disable-quic", "--no-first-run",
-    "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",  # nothing but the test's server
-)  # fmt: skip
 
 _MODEST = "Object.defineProperty(navigator, 'deviceMemory', { get: () => 2 })"
 """A machine with little memory, for which the viewer draws less: here all is drawn by software."""
 
 AXE = Path(__file__).parents[1] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 
-ENGINE = "[...window.tabletopgen.values()][0]"
 READY = (
     "n => [...(window.tabletopgen?.values() ?? [])]"
     ".filter(e => e.ready.value || e.error.value).length >= n"
@@ -42,28 +29,9 @@ def chromium() -> Iterator[Browser]:
         warnings.warn(words, stacklevel=2)
         pytest.skip(words)
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, args=[*_OPTIONS])
+        browser = launch(play)
         yield browser
         browser.close()
-
-
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, format: str, *args: Any) -> None:
-        pass
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[str]:
-    """Serve a folder as `python -m http.server` does; yield its address."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
-    thread = Thread(target=server.serve_forever, daemon=True)
-    thread.start()
-    try:
-        yield f"http://127.0.0.1:{server.server_address[1]}/"
-    finally:
-        server.shutdown()
-        server.server_close()
-        thread.join(5)
 
 
 class Watched:
@@ -90,6 +58,31 @@ def opened(browser: Browser, **options: Any) -> Watched:
 def wait_for_scenes(page: Page, count: int = 1) -> None:
     """Wait until so many scenes of the page are live, or have failed."""
     page.wait_for_function(READY, arg=count, timeout=60_000)
+
+
+def until(page: Page, condition: str, seconds: float = 120) -> None:
+    """Wait until a JavaScript condition, which may await, holds."""
+    for _ in range(int(20 * seconds)):
+        if page.evaluate(f"async () => Boolean({condition})"):
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(f"never: {condition}")
+
+
+def wait_for_scene(page: Page, scene: str) -> None:
+    """Wait until the scene whose folder's name has ``scene`` in it is live, or has failed."""
+    page.wait_for_function(
+        "name => [...window.tabletopgen?.keys() ?? []].some(k => k.includes(name))", arg=scene
+    )
+    wait_for_scenes(page)
+
+
+def place_on_page(page: Page, name: str) -> tuple[float, float]:
+    """Where a body's origin is on the page, pixels."""
+    at = page.evaluate(f"{ENGINE}.locate({name!r})")
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    return box["x"] + at["x"], box["y"] + at["y"]
 
 
 def axe_faults(page: Page) -> list[str]:

@@ -88,7 +88,7 @@ def test_a_scene_is_composed_edited_shown_exported_and_played(studio: Studio) ->
     history = client.get(f"/api/scenes/{later}/history").json()
     assert [(s["id"], s["kind"]) for s in history["steps"]] == [(scene, "made"), (later, "add")]
     assert client.get(f"/api/scenes/{scene}/history").json()["later"] == [later]
-    assert client.get(f"/api/scenes/{later}/view.json").json()["id"] == later
+    assert client.get(f"/api/scenes/{later}/view.json").json()["row"]["id"] == later
     for more, start in (
         ({"kind": "export", "format": "glb"}, b"glTF"),
         ({"kind": "export", "format": "urdf"}, b"PK"),

@@ -1,19 +1,10 @@
-"""A browser for the study's page; its tests are skipped, loudly, where there is none."""
+"""The study's page and axe-core; what needs them is skipped, loudly, where they are not."""
 
 import shutil
 import warnings
-from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
-
-ARGUMENTS = (
-    "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--no-first-run", "--disable-quic",
-)  # fmt: skip
-
-AXE = Path(__file__).parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
+from browser import AXE
 
 
 def _skip(missing: str) -> None:
@@ -38,19 +29,3 @@ def axe() -> str:
     if not AXE.is_file():
         _skip(f"{AXE} is missing; `make web` installs it")
     return AXE.read_text(encoding="utf-8")
-
-
-@pytest.fixture(scope="session")
-def browser() -> Iterator[object]:
-    """Debian's Chromium."""
-    chromium = shutil.which("chromium")
-    if chromium is None:
-        _skip("chromium is not installed")
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        _skip("playwright is not installed")
-    with sync_playwright() as play:
-        opened = play.chromium.launch(executable_path=chromium, args=[*ARGUMENTS])
-        yield opened
-        opened.close()

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from browser import ENGINE, Watched, opened, wait_for_scenes
+from browser import Watched, opened, place_on_page, wait_for_scene, wait_for_scenes
+from browsing.chromium import ENGINE
 from playwright.sync_api import Browser, Page
 
 TEXT = "a wooden desk with a mug and a plate"
@@ -54,15 +55,6 @@ def running(folder: Path, store: Path) -> Iterator[Studio]:
             process.kill()
 
 
-def until(page: Page, condition: str, seconds: float = 120) -> None:
-    """Wait until a JavaScript condition, which may await, holds."""
-    for _ in range(int(20 * seconds)):
-        if page.evaluate(f"async () => Boolean({condition})"):
-            return
-        page.wait_for_timeout(50)
-    raise AssertionError(f"never: {condition}")
-
-
 def enter(browser: Browser, studio: Studio, **options: Any) -> Watched:
     watched = opened(browser, **options)
     watched.page.goto(studio.address)
@@ -81,10 +73,7 @@ def make(page: Page, text: str = TEXT) -> None:
 
 def drag(page: Page, name: str, right: float, down: float, *, shift: bool = False) -> None:
     """Drag a thing by its middle, pixels, and wait for the scene after it."""
-    at = page.evaluate(f"{ENGINE}.locate({name!r})")
-    box = page.locator("canvas").bounding_box()
-    assert box is not None
-    x, y, before = box["x"] + at["x"], box["y"] + at["y"], page.url
+    (x, y), before = place_on_page(page, name), page.url
     page.mouse.move(x, y)
     if shift:
         page.keyboard.down("Shift")
@@ -101,10 +90,7 @@ def drag(page: Page, name: str, right: float, down: float, *, shift: bool = Fals
             remedy.click()
         page.wait_for_timeout(100)
     scene = page.url.rpartition("/")[2]
-    page.wait_for_function(
-        "name => [...window.tabletopgen?.keys() ?? []].some(k => k.includes(name))", arg=scene
-    )
-    wait_for_scenes(page)
+    wait_for_scene(page, scene)
 
 
 def jobs(page: Page) -> list[dict[str, Any]]:

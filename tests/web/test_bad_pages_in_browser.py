@@ -7,7 +7,9 @@ from pathlib import Path
 from statistics import median
 
 import pytest
-from browser import ENGINE, opened, served, wait_for_scenes
+from browser import opened, wait_for_scenes
+from browsing.chromium import ENGINE, serve
+from pages import SEARCH
 from playwright.sync_api import Browser
 
 from assets_cache.store import find
@@ -30,7 +32,7 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def address(folder: Path) -> Iterator[str]:
-    with served(folder) as found:
+    with serve(folder) as found:
         yield found
 
 
@@ -80,7 +82,7 @@ def test_a_bundle_that_could_not_be_read(browser: Browser, tmp_path: Path) -> No
     bundle.mkdir()
     (bundle / "scene.json").write_text("{}")
     site = write_site([bundle], tmp_path / "site", options=QUICK)
-    with served(site.path) as address:
+    with serve(site.path) as address:
         assert "schema" in said(browser, address, "bad-0123456789ab")
 
 
@@ -96,7 +98,7 @@ def test_sixty_objects(browser: Browser, tmp_path: Path) -> None:
     )
     bundle = save(import_scene(tmp_path / "many.xml"), tmp_path)
     site = write_site([bundle], tmp_path / "site", options=QUICK)
-    with served(site.path) as address:
+    with serve(site.path) as address:
         watched = opened(browser)
         watched.page.goto(f"{address}#/scene/{bundle.name}")
         wait_for_scenes(watched.page)
@@ -122,21 +124,7 @@ def search(browser: Browser, folder: Path, address: str, count: int) -> list[flo
     page.goto(address)
     page.locator("a.card").first.wait_for()
     assert page.locator("a.card").count() == count
-    times = page.evaluate(
-        """async () => {
-          const times = [];
-          const field = document.querySelector('input[type=search]');
-          for (const words of ['t', 'ta', 'table 19', 'table 199', 'table 1', '']) {
-            const begun = performance.now();
-            field.value = words;
-            field.dispatchEvent(new Event('input', { bubbles: true }));
-            await new Promise(requestAnimationFrame);
-            await new Promise(requestAnimationFrame);
-            times.push(performance.now() - begun);
-          }
-          return times;
-        }"""
-    )
+    times = page.evaluate(SEARCH)
     assert watched.faults == []
     return times
 
@@ -146,7 +134,7 @@ def test_a_moved_page_still_opens(browser: Browser, folder: Path, tmp_path: Path
     deeper = tmp_path / "root" / "some" / "place"
     deeper.parent.mkdir(parents=True)
     shutil.move(folder, deeper)
-    with served(tmp_path / "root") as address:
+    with serve(tmp_path / "root") as address:
         page = opened(browser).page
         page.goto(f"{address}some/place/#/scene/{SCENE}")
         wait_for_scenes(page)

@@ -4,7 +4,8 @@ import json
 from collections.abc import Iterator
 
 import pytest
-from browser import opened, served, wait_for_scenes
+from browser import opened, wait_for_scenes
+from browsing.chromium import serve
 from playwright.sync_api import Browser, Page
 
 from assets_cache.store import find
@@ -26,7 +27,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     bad = {**gallery["scenes"][0], "id": "bad", "name": "bad", "error": "It is damaged."}
     gallery["scenes"].insert(1, bad)
     (folder / GALLERY).write_text(json.dumps(gallery))
-    with served(folder) as found:
+    with serve(folder) as found:
         yield found
 
 

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import ENGINE, axe_faults, axe_share, wait_for_scenes
+from browser import axe_faults, axe_share, until, wait_for_scenes
+from browsing.chromium import ENGINE
 from playwright.sync_api import Browser
-from studio_pages import TEXT, Studio, drag, enter, jobs, make, running, until
+from studio_pages import TEXT, Studio, drag, enter, jobs, make, running
 
 from generator.bundle import load, verify
 

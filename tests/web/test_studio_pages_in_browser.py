@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import opened, wait_for_scenes
+from browser import opened, until, wait_for_scenes
 from playwright.sync_api import Browser, Page, Route
-from studio_pages import TEXT, Studio, drag, enter, jobs, make, running, until
+from studio_pages import TEXT, Studio, drag, enter, jobs, make, running
 
 from assets_cache.store import find
 

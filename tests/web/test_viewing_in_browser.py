@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from browser import ENGINE, opened, served, wait_for_scenes
+from browser import opened, place_on_page, until, wait_for_scenes
+from browsing.chromium import ENGINE, serve
 from playwright.sync_api import Browser, CDPSession, Page
 
 from assets_cache.store import find
@@ -28,7 +29,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def address(place: Path) -> Iterator[str]:
-    with served(place) as found:
+    with serve(place) as found:
         yield found
 
 
@@ -36,15 +37,6 @@ def show(page: Page, address: str) -> None:
     page.goto(f"{address}#/scene/{SCENE}")
     wait_for_scenes(page)
     assert page.evaluate(f"{ENGINE}.error.value") is None
-
-
-def until(page: Page, condition: str) -> None:
-    """Wait until a JavaScript condition, which may await, holds."""
-    for _ in range(600):
-        if page.evaluate(f"async () => Boolean({condition})"):
-            return
-        page.wait_for_timeout(50)
-    raise AssertionError(f"never: {condition}")
 
 
 def drive(page: Page) -> None:
@@ -62,13 +54,6 @@ def place_of(page: Page, name: str) -> np.ndarray:
     bodies = {b["name"]: b["qpos"] for b in page.evaluate(f"{ENGINE}.bodies()")}
     at = bodies[name]
     return np.array(page.evaluate(f"{ENGINE}.state()")["qpos"][at : at + 3])
-
-
-def on_page(page: Page, name: str) -> tuple[float, float]:
-    at = page.evaluate(f"{ENGINE}.locate({name!r})")
-    box = page.locator("canvas").bounding_box()
-    assert box is not None
-    return box["x"] + at["x"], box["y"] + at["y"]
 
 
 def touch(session: CDPSession, kind: str, *points: tuple[float, float]) -> None:
@@ -89,7 +74,7 @@ def test_an_arm_that_is_held_where_it_is_stays_there(browser: Browser, address: 
     drive(page)
     page.wait_for_timeout(300)
     before = joints(page)
-    x, y = on_page(page, "panda/link5")
+    x, y = place_on_page(page, "panda/link5")
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x, y + 0.2)
@@ -105,7 +90,7 @@ def test_a_finger_drags_a_thing_and_beside_things_turns_the_view(
     show(page, address)
     session = page.context.new_cdp_session(page)
     before, view = place_of(page, THING), page.evaluate(f"{ENGINE}.stage.view")
-    swipe(session, on_page(page, THING), 10, -70)
+    swipe(session, place_on_page(page, THING), 10, -70)
     page.wait_for_timeout(400)
     assert place_of(page, THING)[2] > before[2] + 0.03
     touch(session, "touchEnd")
@@ -206,7 +191,7 @@ def test_a_damaged_episode_leaves_the_scene(browser: Browser, place: Path, tmp_p
     shutil.copytree(place, spoilt)
     (episode,) = spoilt.glob("scenes/*/episodes/*.bin")
     episode.write_bytes(episode.read_bytes()[:-5])
-    with served(spoilt) as address:
+    with serve(spoilt) as address:
         page = opened(browser).page
         show(page, address)
         page.get_by_role("button", name="Watch: ").click()

@@ -1,0 +1,1 @@
+"""Pages in Debian's Chromium: for benchmarks, for tests, and for the pictures of the docs."""
