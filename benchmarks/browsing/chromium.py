@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -28,9 +30,16 @@ _OPTIONS = (
 )  # fmt: skip
 
 
+_LONGEST_TEMPORARY = 50
+"""Characters of the temporary folder: a socket in it has an address of at most 107 bytes."""
+
+
 def launch(play: Playwright) -> Browser:
     """Start a browser; ``CHROMIUM`` has to be there."""
-    return play.chromium.launch(executable_path=CHROMIUM, args=[*_OPTIONS])
+    environment = dict(os.environ)
+    if len(tempfile.gettempdir()) > _LONGEST_TEMPORARY:
+        environment["TMPDIR"] = "/tmp"  # Chromium ends at once where the address is longer
+    return play.chromium.launch(executable_path=CHROMIUM, args=[*_OPTIONS], env=environment)
 
 
 class _Quiet(SimpleHTTPRequestHandler):
