@@ -35,11 +35,13 @@ def explain(
         json: Print one JSON array instead of lines.
     """
     from ..language.explaining import explain as explain_text
+    from ..language.explaining import summarize
 
     rows = explain_text(text, seed)
+    lines = [f"{row.role:<15} {row.phrase:<32} {row.meaning}".rstrip() for row in rows]
     emit(
         [dataclasses.asdict(row) for row in rows], json,
-        lambda: [f"{row.role:<15} {row.phrase:<32} {row.meaning}".rstrip() for row in rows],
+        lambda: [summarize(text, seed), "", *lines],
     )  # fmt: skip
     return 0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -9,6 +10,7 @@ from typing import Literal
 import numpy as np
 
 from ..catalogue import CATEGORIES
+from ..scene.plan import PlannedObject
 from .parsing.vocabulary import SIZES
 from .planner import plan_scene
 from .reading import NOT_UNDERSTOOD, read_text
@@ -65,6 +67,29 @@ def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
     rows += [Explained("note", "", note) for note in notes]
     rows += [Explained("not understood", phrase) for phrase in dict.fromkeys(read.reading.lost)]
     return tuple(dict.fromkeys(rows))
+
+
+def summarize(text: str, seed: int = 0) -> str:
+    """Return what is put on which table, as "A round table of oak: laptop, 2 × red mug." does.
+
+    Raises:
+        InputError: the text cannot be planned.
+    """
+    plan = plan_scene(text, seed)
+    table = plan.table
+    made_of = " ".join(filter(None, (table.color, table.material)))
+    things = Counter(_short(thing) for thing in plan.objects)
+    listed = ", ".join(f"{n} × {words}" if n > 1 else words for words, n in things.items())
+    outline = {"rectangle": "rectangular"}.get(table.outline, table.outline)
+    article = "An" if outline[0] in "aeiou" else "A"
+    return f"{article} {outline} table of {made_of}: {listed}."
+
+
+def _short(thing: PlannedObject) -> str:
+    said = [thing.attributes[key] for key in ("size", "color", "material")
+            if key in thing.attributes]  # fmt: skip
+    known = "" if thing.category in CATEGORIES else " (a plain stand-in)"
+    return " ".join([*said, thing.noun]) + known
 
 
 def _noun(noun: Noun, text: str) -> Iterator[Explained]:

@@ -79,7 +79,8 @@ class SceneRow:
         id: the name of the bundle's folder.
         name, kind, prompt: of the scene and its provenance; ``kind`` is "text", "image", "compose",
             "import" or the like.
-        theme: the kind of table that the text names, "" if it names none.
+        theme: the kind of table that the text names, or else the scene's name; "" for none.
+        seed: what the scene was drawn with; None where that is not recorded.
         difficulty: how hard it is to work at, in [0, 1]; None where that was not computed.
         thumbnail: path of a small picture, relative to the page's JSON file; None without one.
         error: why the bundle cannot be shown; None if it can.
@@ -90,6 +91,7 @@ class SceneRow:
     kind: str = ""
     prompt: str = ""
     theme: str = ""
+    seed: int | None = None
     table: TableRow = TableRow("", (0.0, 0.0, 0.0))
     things: tuple[ThingRow, ...] = ()
     difficulty: float | None = None
@@ -142,13 +144,15 @@ def row_of_facts(facts: Mapping[str, Any], id: str) -> SceneRow:
     """
     try:
         models, table, made = facts["models"], facts["table"], facts["provenance"]
-        prompt = str(made.get("prompt") or "")
+        name, prompt = str(facts["name"]), str(made.get("prompt") or "")
+        seed = made.get("seed")
         return SceneRow(
             id=id,
-            name=str(facts["name"]),
+            name=name,
             kind=str(made["kind"]),
             prompt=prompt,
-            theme=theme_of(prompt),
+            theme=theme_of(prompt) or theme_of(name),
+            seed=None if seed is None else int(seed),
             table=TableRow(str(models[table["model"]]["label"]), _round(table["scale"])),
             things=tuple(_thing(entry, models[entry["model"]]) for entry in facts["objects"]),
             gate=_gate(facts.get("report")),
@@ -168,11 +172,11 @@ def _thing(entry: Mapping[str, Any], model: Mapping[str, Any]) -> ThingRow:
     )  # fmt: skip
 
 
-def theme_of(prompt: str) -> str:
-    """Return the kind of table that a text names, "" if it names none."""
+def theme_of(words: str) -> str:
+    """Return the kind of table that words name, "" if they name none."""
     from generator.language.semantics.tone import find_theme
 
-    return find_theme(_WORD.findall(prompt.lower())) or ""
+    return find_theme(_WORD.findall(words.lower())) or ""
 
 
 def certificate_row(certificate: Certificate) -> CertificateRow:

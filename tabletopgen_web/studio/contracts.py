@@ -94,14 +94,18 @@ class JobEvent:
 class StudioScene(SceneRow):
     """A scene of the list: what a gallery shows of it, and more.
 
-    ``place``, in JSON ``in``, is where its bundle lies; ``digest`` ends its name; ``parent`` is the
-    scene it was edited from, which need not exist any more.
+    ``place``, in JSON ``in``, is where its bundle lies, ``saved`` whether the user's store has it,
+    too; ``digest`` ends its name; ``parent`` is the scene it was edited from, which need not exist
+    any more, after ``edits`` edits, of which ``last_edit`` says the last in words.
     """
 
     place: ScenePlace = "workspace"
     digest: str = ""
     editable: bool = False
     parent: str | None = None
+    saved: bool = False
+    edits: int = 0
+    last_edit: str = ""
 
 
 @dataclass(frozen=True)
@@ -136,6 +140,14 @@ class ExplainedRow:
     role: str
     phrase: str
     meaning: str
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """What would be put on which table, in a sentence, and how each phrase was read."""
+
+    summary: str
+    rows: tuple[ExplainedRow, ...]
 
 
 @dataclass(frozen=True)

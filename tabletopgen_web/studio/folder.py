@@ -109,8 +109,8 @@ class StudioFolder:
             lock.acquire()
         except Timeout:
             raise StorageError(
-                f"Another studio{self._who()} uses {self.root}. Open that one, or choose another "
-                "--folder."
+                f"Another studio{self._who()} uses {self.root}. Open the address that it printed, "
+                "with its token, or choose another --folder."
             ) from None
         except OSError as error:
             raise StorageError(

@@ -7,7 +7,7 @@ import json
 import pytest
 
 from generator.cli import run
-from generator.language.explaining import Explained, explain
+from generator.language.explaining import Explained, explain, summarize
 
 
 def test_every_role_is_told() -> None:
@@ -30,6 +30,13 @@ def test_the_command_prints_lines_or_json(capsys: pytest.CaptureFixture[str]) ->
     )
     assert run(["explain", "a mug on a book"]) == 0
     assert "relation        on book" in capsys.readouterr().out
+
+
+def test_a_text_is_summarized_in_a_sentence(capsys: pytest.CaptureFixture[str]) -> None:
+    said = summarize("a round oak table with a laptop, two red mugs and a zorble")
+    assert said == ("A round table of oak: laptop, 2 × red mug, zorble (a plain stand-in).")
+    assert run(["explain", "an oval table with a mug"]) == 0
+    assert capsys.readouterr().out.startswith("An oval table of ")
 
 
 def test_ignored_words_are_told() -> None:

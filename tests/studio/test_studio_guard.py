@@ -31,11 +31,13 @@ def test_the_printed_address_sets_the_cookie_and_leads_to_the_page(client: TestC
 
 @pytest.mark.parametrize("query", ["", "?token=", "?token=wrong", "?token=%00%ff",
                                    f"?token={TOKEN}&token=x", "?token=" + "x" * 5000])  # fmt: skip
-def test_without_the_token_there_is_one_line(client: TestClient, query: str) -> None:
+def test_without_the_token_there_is_a_page_that_says_so(client: TestClient, query: str) -> None:
     del client.headers["authorization"]
     answer = client.get(f"/{query}", follow_redirects=False)
     assert answer.status_code == 403 and "set-cookie" not in answer.headers
-    assert "address" in one_line(answer)
+    assert answer.headers["content-type"].startswith("text/html")
+    assert "address" in answer.text and TOKEN not in answer.text and "script" not in answer.text
+    assert "address" in one_line(client.get("/api/state"))
 
 
 @pytest.mark.parametrize("given", ["Bearer wrong", "Bearer", f"Basic {TOKEN}", TOKEN, "",

@@ -36,6 +36,9 @@ def test_the_shipped_scenes_are_listed(client: TestClient) -> None:
     assert (row["in"], row["name"], row["theme"]) == ("shipped", "office-desk", "office")
     assert row["digest"] == SHIPPED.name[-12:] and row["gate"]["passed"] and row["editable"]
     assert row["error"] is None and row["parent"] is None
+    assert (row["saved"], row["edits"], row["last_edit"]) == (False, 0, "")
+    assert isinstance(row["seed"], int)
+    assert found[next(id for id in found if id.startswith("office-round"))]["theme"] == "office"
     assert len(row["things"]) == 6
     assert ("mug_1", "mug") in {(thing["name"], thing["label"]) for thing in row["things"]}
     assert row["table"]["size"] == [1.2, 0.624, 0.74]
@@ -74,6 +77,7 @@ def test_a_scene_of_the_workspace_is_saved_and_removed(
     assert client.get(f"{path}/view.json").status_code == 200
     saved = client.post(f"{path}/save", json={})
     assert saved.status_code == 201 and saved.json()["in"] == "store"
+    assert rows(client)[own.name]["saved"] and client.get(path).json()["saved"]
     assert load(store / own.name).name == "lab"
     assert client.delete(path).status_code == 204
     assert not own.exists() and not (workspace.parent / "views" / own.name).exists()

@@ -59,6 +59,7 @@ def test_twenty_clients_at_once(studio: Studio) -> None:
                 assert len(client.get("/api/scenes").json()["scenes"]) >= 23
                 said = client.post("/api/explain", json={"text": f"{number} red mugs", "seed": 0})
                 assert {row["role"] for row in said.json()["rows"]} >= {"thing", "count"}
+                assert f"{number} × red mug" in said.json()["summary"]
                 job = queue(client, f"a desk with a mug {number}")
                 client.post(f"/api/jobs/{job}/cancel")
                 assert wait_for(client, job)["state"] in ("cancelled", "done")
@@ -85,6 +86,7 @@ def test_a_scene_is_composed_edited_shown_exported_and_played(studio: Studio) ->
     later = edited["result"]["scene"]
     row = client.get(f"/api/scenes/{later}").json()
     assert (row["parent"], row["in"], len(row["things"])) == (scene, "workspace", 2)
+    assert (row["edits"], row["last_edit"]) == (1, "add book_1: a book")
     history = client.get(f"/api/scenes/{later}/history").json()
     assert [(s["id"], s["kind"]) for s in history["steps"]] == [(scene, "made"), (later, "add")]
     assert client.get(f"/api/scenes/{scene}/history").json()["later"] == [later]

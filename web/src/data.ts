@@ -38,6 +38,8 @@ export interface SceneRow {
   kind: string;
   prompt: string;
   theme: string;
+  /** What it was drawn with; null where that is not recorded. */
+  seed: number | null;
   table: { label: string; size: [number, number, number] };
   things: ThingRow[];
   /** How hard it is to work at, in [0, 1]; null where that is not known. */

@@ -18,7 +18,7 @@ def read_scene(path: Path, place: ScenePlace) -> StudioScene:
     digest = path.name[-12:]
     try:
         facts = read_facts(path)
-        row, parent = row_of_facts(facts, path.name), _parent(facts)
+        row, edits = row_of_facts(facts, path.name), _tell_edits(facts)
     except (BundleError, OSError) as error:
         return StudioScene(path.name, path.name[:-13], error=str(error), place=place, digest=digest)
     except (TypeError, LookupError, AttributeError):
@@ -26,7 +26,7 @@ def read_scene(path: Path, place: ScenePlace) -> StudioScene:
         return StudioScene(path.name, path.name[:-13], error=said, place=place, digest=digest)
     row = replace(row, thumbnail=f"/api/scenes/{path.name}/thumbnail.png")
     values = {field.name: getattr(row, field.name) for field in fields(SceneRow)}
-    return StudioScene(**values, place=place, digest=digest, editable=True, parent=parent)
+    return StudioScene(**values, place=place, digest=digest, editable=True, **edits)
 
 
 def list_edits(facts: Mapping[str, Any]) -> list[Mapping[str, Any]]:
@@ -34,6 +34,13 @@ def list_edits(facts: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     return list((facts.get("provenance") or {}).get("edits") or ())
 
 
-def _parent(facts: Mapping[str, Any]) -> str | None:
+def _tell_edits(facts: Mapping[str, Any]) -> dict[str, Any]:
     edits = list_edits(facts)
-    return f"{facts['name']}-{edits[-1]['edited'][:12]}" if edits else None
+    if not edits:
+        return {}
+    last = edits[-1]
+    names = [*map(str, last["names"])]
+    words = " ".join([str(last["kind"]), *(names if len(names) < 4 else [f"{len(names)} things"])])
+    asked = f": {last['asked']}" if last["asked"] else ""
+    parent = f"{facts['name']}-{last['edited'][:12]}"
+    return {"parent": parent, "edits": len(edits), "last_edit": words + asked}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import threading
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -50,14 +51,16 @@ class SceneLibrary:
 
     def list_rows(self) -> list[StudioScene]:
         """Return a row for every scene: the workspace's first, of those the newest."""
-        rows = [(path, self._read_row(path, place)) for path, place in self._places().values()]
+        stored = _stored_names()
+        rows = [(path, replace(self._read_row(path, place), saved=path.name in stored))
+                for path, place in self._places().values()]  # fmt: skip
         order = {"workspace": 0, "store": 1, "shipped": 2}
         rows.sort(key=lambda each: (order[each[1].place], _rank(*each), each[1].id))
         return [row for _, row in rows]
 
     def row(self, scene: str) -> StudioScene:
         """Return a scene's row (RefusedError: there is none)."""
-        return self._read_row(*self.find(scene))
+        return replace(self._read_row(*self.find(scene)), saved=scene in _stored_names())
 
     def read_thumbnail(self, scene: str) -> bytes:
         """Return a scene's picture as PNG.
@@ -97,7 +100,7 @@ class SceneLibrary:
         if place != "workspace":
             raise RefusedError(409, f"{scene} is not in the workspace; it is kept already.")
         load_verified(path)
-        return self._read_row(copy(path, assets_cache.user_root()), "store")
+        return replace(self._read_row(copy(path, assets_cache.user_root()), "store"), saved=True)
 
     def delete(self, scene: str) -> None:
         """Remove a scene from the workspace.
@@ -216,6 +219,12 @@ def _list_steps(
                 digest in by_digest)
         for digest, (kind, words, names) in zip(digests, asked, strict=True)
     ]  # fmt: skip
+
+
+def _stored_names() -> frozenset[str]:
+    """Return the names of the bundles in the user's store."""
+    root = assets_cache.user_root()
+    return frozenset(p.name for p in root.iterdir()) if root.is_dir() else frozenset()
 
 
 def _rank(path: Path, row: StudioScene) -> float:

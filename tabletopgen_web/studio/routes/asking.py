@@ -10,7 +10,7 @@ from starlette.routing import Route
 
 from generator.scene.provenance import versions
 
-from ..contracts import BackendRow, EstimateRow, ExplainedRow, RoleRow, StudioState
+from ..contracts import BackendRow, EstimateRow, ExplainedRow, Explanation, RoleRow, StudioState
 from ..fields import Fields
 from ..queue.jobs import QUEUE_LIMIT
 from ..server.bodies import read_json
@@ -31,7 +31,7 @@ async def explain_text(request: Request) -> Response:
     fields = Fields(await read_json(request), "The body")
     text, seed = fields.text("text", MOST_TEXT, multiline=True), fields.seed()
     fields.end()
-    return answer({"rows": await asyncio.to_thread(_explain, text, seed)})
+    return answer(await asyncio.to_thread(_explain, text, seed))
 
 
 async def estimate_job(request: Request) -> Response:
@@ -61,10 +61,11 @@ def _describe(services: StudioServices, last_event: int) -> StudioState:
     )  # fmt: skip
 
 
-def _explain(text: str, seed: int) -> list[ExplainedRow]:
-    from generator.language.explaining import explain
+def _explain(text: str, seed: int) -> Explanation:
+    from generator.language.explaining import explain, summarize
 
-    return [ExplainedRow(row.role, row.phrase, row.meaning) for row in explain(text, seed)]
+    rows = tuple(ExplainedRow(r.role, r.phrase, r.meaning) for r in explain(text, seed))
+    return Explanation(summarize(text, seed), rows)
 
 
 ROUTES = (

@@ -7,6 +7,7 @@ nothing may be embedded, guessed, kept or passed on.
 
 from __future__ import annotations
 
+import html
 import ipaddress
 import secrets
 from collections.abc import Mapping
@@ -16,7 +17,7 @@ from urllib.parse import parse_qs, urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import cookie_parser
-from starlette.responses import JSONResponse, RedirectResponse, Response
+from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 HEADERS: Mapping[str, str] = MappingProxyType(
@@ -138,12 +139,14 @@ class StudioGuard:
             if given:
                 return self._open(given)
         if not (self._bears(headers) or self._has_cookie(headers)):
-            return _no("Open the address that the studio printed: it has the token.")
+            words = "Open the address that the studio printed: it has the token."
+            return _show(words) if scope["path"] == "/" and safe else _no(words)
         return None
 
     def _open(self, given: list[str]) -> Response:
         if len(given) != 1 or not self._access.knows(given[0]):
-            return _no("That is not the token of this studio. Open the address that it printed.")
+            return _show("That is not the token of this studio. It has a new one each time that it "
+                         "is started: open the address that it printed last.")  # fmt: skip
         answer = RedirectResponse("/", status_code=303)
         answer.set_cookie(
             self._access.cookie, self._access.token, httponly=True, samesite="strict", path="/"
@@ -162,6 +165,13 @@ class StudioGuard:
 
 def _no(message: str) -> Response:
     return JSONResponse({"error": message}, status_code=403)
+
+
+def _show(message: str) -> Response:
+    """Refuse for people, who see a page where programs read JSON."""
+    return HTMLResponse(
+        f"<!doctype html><html lang=en><title>TabletopGen studio</title><h1>TabletopGen studio</h1>"
+        f"<p>{html.escape(message)}</p></html>", status_code=403)  # fmt: skip
 
 
 def _is_ip(host: str) -> bool:

@@ -57,7 +57,7 @@ export function GalleryPage({ gallery }: { gallery: Gallery }) {
               checked={filter.value.certified}
               onChange={(event) => set({ certified: event.currentTarget.checked })}
             />
-            Solved by the expert
+            All tasks certified
           </label>
         </form>
         <p role="status" class="quiet">

@@ -19,6 +19,11 @@ export function level(row: SceneRow): "easy" | "medium" | "hard" | "" {
   return row.difficulty < EASY ? "easy" : row.difficulty < HARD ? "medium" : "hard";
 }
 
+/** Whether the expert solves every task of the scene every time. */
+export function isCertified({ certificate }: SceneRow): boolean {
+  return certificate !== null && certificate.certified > 0 && certificate.certified === certificate.instances;
+}
+
 /** What is on a table, in words: "2 × mug, laptop". */
 export function contents(row: SceneRow): string {
   const counts = new Map<string, number>();
@@ -30,14 +35,26 @@ export function themes(rows: SceneRow[]): string[] {
   return [...new Set(rows.map((row) => row.theme).filter(Boolean))].sort();
 }
 
-export function matches(row: SceneRow, filter: Filter): boolean {
-  const text = [row.name, row.prompt, row.theme, row.table.label, ...row.things.flatMap((t) => [t.label, t.category, t.name])]
+/** Tells whether a scene has all words, plurals or not, in its name, its text or its things. */
+export function holds(row: SceneRow, words: string): boolean {
+  const text = [row.id, row.prompt, row.theme, row.table.label, ...row.things.flatMap((t) => [t.label, t.category, t.name])]
     .join(" ")
     .toLowerCase();
+  const forms = words.toLowerCase().split(/\s+/).filter(Boolean).map(formsOf);
+  return forms.every((any) => any.some((form) => text.includes(form)));
+}
+
+/** A word as it is, and what it may be the plural of: "knives", "knif", "knife". */
+function formsOf(word: string): string[] {
+  const endings: [RegExp, string][] = [[/ies$/, "y"], [/ves$/, "f"], [/es$/, ""], [/s$/, ""]];
+  return [word, ...endings.filter(([end]) => end.test(word) && word.length > 3).map(([end, by]) => word.replace(end, by))];
+}
+
+export function matches(row: SceneRow, filter: Filter): boolean {
   return (
-    filter.words.toLowerCase().split(/\s+/).filter(Boolean).every((word) => text.includes(word)) &&
+    holds(row, filter.words) &&
     (!filter.theme || row.theme === filter.theme) &&
     (!filter.difficulty || level(row) === filter.difficulty) &&
-    (!filter.certified || (row.certificate?.certified ?? 0) > 0)
+    (!filter.certified || isCertified(row))
   );
 }

@@ -122,12 +122,17 @@ export type JobEvent = Happened &
     | ({ type: "result" } & JobResult)
   );
 
-/** A scene of the list: what a gallery shows of it, where it lies, what it was edited from. */
+/** A scene of the list: what a gallery shows of it, where it lies, how it was edited. */
 export interface StudioScene extends SceneRow {
   in: ScenePlace;
   digest: string;
   editable: boolean;
   parent: string | null;
+  /** Whether the user's store has it, too. */
+  saved: boolean;
+  edits: number;
+  /** The last edit, in words. */
+  last_edit: string;
 }
 
 /** A step of a scene's history: the scene after it. `kind` is "made" for how it began. */
@@ -157,6 +162,12 @@ export interface ExplainedRow {
   role: string;
   phrase: string;
   meaning: string;
+}
+
+/** What would be put on which table, in a sentence, and how each phrase was read. */
+export interface Explanation {
+  summary: string;
+  rows: ExplainedRow[];
 }
 
 export interface RoleRow {
@@ -247,8 +258,7 @@ export const api = {
     return ask<PictureRow>("POST", "/api/pictures", picture);
   },
   picture: (id: string) => `/api/pictures/${encodeURIComponent(id)}`,
-  explain: async (text: string, seed = 0) =>
-    (await ask<{ rows: ExplainedRow[] }>("POST", "/api/explain", { text, seed })).rows,
+  explain: (text: string, seed = 0) => ask<Explanation>("POST", "/api/explain", { text, seed }),
   estimate: (request: JobRequest) => ask<EstimateRow>("POST", "/api/estimate", request),
   scenes: async () => (await ask<{ scenes: StudioScene[] }>("GET", "/api/scenes")).scenes,
   scene: (id: string) => ask<StudioScene>("GET", scene(id)),

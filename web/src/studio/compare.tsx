@@ -2,6 +2,7 @@
 import { Viewer } from "../viewer/viewer";
 import { addressOf, useTitle } from "../ui/routing";
 import { api } from "./api";
+import { Edits } from "./scenes";
 import { scenes } from "./store";
 
 export function ComparePage({ ids }: { ids: string[] }) {
@@ -17,7 +18,11 @@ export function ComparePage({ ids }: { ids: string[] }) {
               <h2>
                 <a href={addressOf("scene", row.id)}>{row.name}</a>
               </h2>
-              <p class="small quiet">{row.prompt}</p>
+              <p class="small quiet">
+                {row.prompt}
+                {row.seed !== null && ` (seed ${row.seed})`}
+              </p>
+              <Edits row={row} />
               <Viewer base={api.folder(row.id)} label={row.name} small />
             </section>
           ) : (

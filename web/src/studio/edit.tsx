@@ -6,7 +6,7 @@ import { Facts } from "../page/facts";
 import type { Engine } from "../viewer/engine";
 import type { Move } from "../viewer/placing";
 import { Viewer } from "../viewer/viewer";
-import { api, type EditRequest, type SceneHistory } from "./api";
+import { api, type EditRequest, type SceneHistory, type StudioScene } from "./api";
 import { EnvironmentPanel } from "./environment";
 import { attempt, begin, refreshScenes, scenes, scenesRead, tell, whenOver, type Message } from "./store";
 
@@ -63,17 +63,8 @@ export function EditPage({ id }: { id: string }) {
         <h1>{row.name}</h1>
         <History id={id} />
         {row.in === "workspace" && (
-          <button
-            class="primary"
-            onClick={() =>
-              void attempt(async () => {
-                await api.save(id);
-                await refreshScenes();
-                tell(`${row.name} is in your store now: tabletopgen view ${row.id}`);
-              })
-            }
-          >
-            Save to the store
+          <button class="primary" aria-disabled={row.saved} onClick={() => row.saved || void save(row)}>
+            {row.saved ? "Saved" : "Save to the store"}
           </button>
         )}
         <span class="small quiet" role="status">
@@ -84,7 +75,7 @@ export function EditPage({ id }: { id: string }) {
       <div class="sides">
         <div class="stack">
           <Viewer base={api.folder(id)} label={row.name} onEngine={keep} />
-          {engine.value?.ready.value && <EnvironmentPanel id={id} engine={engine.value} />}
+          {engine.value?.ready.value && <EnvironmentPanel row={row} engine={engine.value} />}
         </div>
         <div class="stack">
           {engine.value?.ready.value && row.editable && <EditPanel engine={engine.value} names={row.things.map((t) => t.name)} busy={busy} edit={edit} />}
@@ -93,6 +84,14 @@ export function EditPage({ id }: { id: string }) {
       </div>
     </div>
   );
+}
+
+async function save({ id, name }: StudioScene): Promise<void> {
+  await attempt(async () => {
+    await api.save(id);
+    await refreshScenes();
+    tell(`${name} is in your store now. Other programs find it by its name: tabletopgen view ${id}`);
+  });
 }
 
 export function wordsOf(name: string, move: Move): Edit {

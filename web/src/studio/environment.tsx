@@ -1,10 +1,10 @@
 /** The environment at a scene: the expert plays a task, and the episode is watched. */
 import { useSignal } from "@preact/signals";
 import type { Engine } from "../viewer/engine";
-import type { Format } from "./api";
+import type { Format, StudioScene } from "./api";
 import { attempt, begin, studio, tell, whenOver } from "./store";
 
-export function EnvironmentPanel({ id, engine }: { id: string; engine: Engine }) {
+export function EnvironmentPanel({ row: { id, in: place, saved }, engine }: { row: StudioScene; engine: Engine }) {
   const task = useSignal("PickPlace");
   const seed = useSignal(0);
   const busy = useSignal(false);
@@ -61,7 +61,7 @@ export function EnvironmentPanel({ id, engine }: { id: string; engine: Engine })
         </button>
       </div>
       <p class="small quiet">
-        In Python: <code>{`gymnasium.make("tabletopgen_env:TabletopGen/${task.value}-v0", scenes="${id}")`}</code>, once it is saved.
+        In Python{place === "workspace" && !saved && ", once it is saved"}: <code>{`gymnasium.make("tabletopgen_env:TabletopGen/${task.value}-v0", scenes="${id}")`}</code>
       </p>
     </section>
   );

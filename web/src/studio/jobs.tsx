@@ -3,24 +3,43 @@ import { addressOf } from "../ui/routing";
 import { api, type JobRow } from "./api";
 import { attempt, isOver, jobList } from "./store";
 
+/** Jobs of each list, at most. */
+const MOST = 20;
+
 export const link = (job: JobRow): string => (job.result?.scene && job.kind !== "episode" && job.kind !== "export" ? addressOf("scene", job.result.scene) : `#/job/${job.id}`);
 
+/** Whether a job belongs to the page of one scene, and is over there, too. */
+const isAside = (job: JobRow): boolean => isOver(job) && job.kind !== "generate" && job.kind !== "compose";
+
 export function JobsPanel() {
-  const shown = jobList.value.slice(0, 20);
+  const shown = jobList.value.filter((job) => !isAside(job)).slice(0, MOST);
+  const aside = jobList.value.filter(isAside).slice(0, MOST);
   return (
     <section class="panel" aria-label="Jobs">
       <h2>Jobs</h2>
-      {shown.length === 0 && <p class="quiet small">Nothing was asked for yet.</p>}
-      <ul class="plain stack">
-        {shown.map((job) => (
-          <li key={job.id} class="stack job">
-            <a href={link(job)}>{job.title}</a>
-            <Progress job={job} />
-            <Controls job={job} />
-          </li>
-        ))}
-      </ul>
+      {shown.length === 0 && <p class="quiet small">No table is being made.</p>}
+      <List jobs={shown} />
+      {aside.length > 0 && (
+        <details>
+          <summary>Edits, exports and episodes ({aside.length})</summary>
+          <List jobs={aside} />
+        </details>
+      )}
     </section>
+  );
+}
+
+function List({ jobs }: { jobs: JobRow[] }) {
+  return (
+    <ul class="plain stack">
+      {jobs.map((job) => (
+        <li key={job.id} class="stack job">
+          <a href={link(job)}>{job.title}</a>
+          <Progress job={job} />
+          <Controls job={job} />
+        </li>
+      ))}
+    </ul>
   );
 }
 
@@ -39,27 +58,34 @@ export function Progress({ job }: { job: JobRow }) {
   );
 }
 
+/** What beginning a job again is called; null where it would only be refused again. */
+function againOf(job: JobRow): string | null {
+  if (job.state === "failed") return job.kind === "edit" ? null : "Try again";
+  return job.state === "done" ? null : "Resume";
+}
+
 export function Controls({ job }: { job: JobRow }) {
-  const done = job.state === "done";
+  const over = isOver(job);
+  const again = over ? againOf(job) : null;
   return (
     <div class="row">
-      {!isOver(job) && (
+      {!over && (
         <button class="slim" onClick={() => void attempt(() => api.cancel(job.id))}>
           Cancel
         </button>
       )}
-      {isOver(job) && !done && (
+      {again && (
         <button class="slim" onClick={() => void attempt(() => api.resume(job.id))}>
-          Resume
+          {again}
         </button>
       )}
-      {isOver(job) && (
+      {over && (
         <button class="slim" aria-label={`Remove the job ${job.title} from the list`} onClick={() => void attempt(() => api.remove(job.id))}>
           Remove
         </button>
       )}
-      {done && job.kind === "generate" && <a href={`#/job/${job.id}`}>Stages</a>}
-      {done && job.result?.url && (
+      {job.state === "done" && job.kind === "generate" && <a href={`#/job/${job.id}`}>Stages</a>}
+      {job.state === "done" && job.result?.url && (
         <a href={job.result.url} download={job.result.file ?? ""}>
           {job.result.file}
         </a>

@@ -1,13 +1,10 @@
 /** The form that begins a table: a text or a picture, who answers, what it would cost. */
 import { useSignal, type Signal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
-import { api, type EstimateRow, type ExplainedRow, type JobRequest, type Paid, type PictureRow, type Role } from "./api";
+import { api, type EstimateRow, type JobRequest, type Paid, type PictureRow, type Role } from "./api";
 import { attempt, begin, studio, tell } from "./store";
+import { Understood } from "./understood";
 
 type Way = "compose" | "generate";
-
-/** Roles of what the embedded planner did not understand. */
-const UNREAD = new Set(["not understood", "note"]);
 
 const MOST_VARIANTS = 8;
 
@@ -79,7 +76,7 @@ export function MakeForm() {
           onInput={(event) => (text.value = event.currentTarget.value)}
         />
       </label>
-      <Understood text={text} />
+      <Understood text={text.value.trim()} seed={seed.value} />
       <Drop picture={picture} />
       {!picture.value && (
         <fieldset>
@@ -132,46 +129,6 @@ export function MakeForm() {
 /** Tells whether one of the chosen backends costs money. */
 function charges(chosen: Record<string, string>): boolean {
   return studio.value?.backends.some((b) => b.charges && Object.values(chosen).includes(b.name)) ?? false;
-}
-
-/** What is understood of the text, as it is typed. */
-function Understood({ text }: { text: Signal<string> }) {
-  const rows = useSignal<ExplainedRow[]>([]);
-  useEffect(() => {
-    const asked = text.value.trim();
-    if (!asked) {
-      rows.value = [];
-      return;
-    }
-    const timer = setTimeout(() => {
-      api
-        .explain(asked)
-        .then((found) => {
-          if (text.value.trim() === asked) rows.value = found;
-        })
-        .catch(() => (rows.value = [])); // it is told when the table is made
-    }, 400);
-    return () => clearTimeout(timer);
-  }, [text.value]);
-  if (rows.value.length === 0) return null;
-  return (
-    <details open>
-      <summary>What is understood</summary>
-      <div class="scroll" tabIndex={0} role="region" aria-label="What is understood">
-        <table>
-          <tbody>
-            {rows.value.map((row, k) => (
-              <tr key={k} class={UNREAD.has(row.role) ? "bad" : undefined}>
-                <th scope="row">{row.role}</th>
-                <td>{row.phrase && `“${row.phrase}”`}</td>
-                <td>{row.meaning}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
-    </details>
-  );
 }
 
 function Drop({ picture }: { picture: Signal<PictureRow | null> }) {

@@ -1,6 +1,6 @@
 /** The studio's scenes as cards; some can be chosen and compared. */
 import { useSignal } from "@preact/signals";
-import { contents } from "../page/search";
+import { contents, holds } from "../page/search";
 import { addressOf } from "../ui/routing";
 import { api, type StudioScene } from "./api";
 import { attempt, refreshScenes, scenes, scenesRead, tell } from "./store";
@@ -11,9 +11,11 @@ const MOST = 4;
 export function ScenesPanel({ all = false }: { all?: boolean }) {
   const chosen = useSignal<string[]>([]);
   const words = useSignal("");
-  const shown = scenes.value.filter(
-    (row) => (all || row.in === "workspace") && words.value.toLowerCase().split(/\s+/).every((word) => `${row.name} ${row.prompt} ${row.things.map((t) => t.label).join(" ")}`.toLowerCase().includes(word)),
-  );
+  const earlier = useSignal(false);
+  const mine = scenes.value.filter((row) => (all || row.in === "workspace") && holds(row, words.value));
+  const superseded = new Set(scenes.value.map((row) => row.in === "workspace" && row.parent));
+  const shown = earlier.value ? mine : mine.filter((row) => row.in !== "workspace" || !superseded.has(row.id));
+  const hides = mine.some((row) => row.in === "workspace" && superseded.has(row.id));
   const choose = (id: string): void => {
     chosen.value = chosen.value.includes(id) ? chosen.value.filter((other) => other !== id) : [...chosen.value, id].slice(-MOST);
   };
@@ -32,6 +34,12 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
             Compare {chosen.value.length} side by side
           </a>
         )}
+        {hides && (
+          <label class="row small">
+            <input type="checkbox" checked={earlier.value} onChange={(event) => (earlier.value = event.currentTarget.checked)} />
+            Also what was edited further
+          </label>
+        )}
         {!all && <a href="#/scenes">All scenes</a>}
       </div>
       {shown.length === 0 && <p class="quiet">{scenesRead.value ? "No scenes yet." : "Reading the scenes …"}</p>}
@@ -43,6 +51,16 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
         ))}
       </ul>
     </section>
+  );
+}
+
+/** How often a scene was edited, and how the last time. */
+export function Edits({ row }: { row: StudioScene }) {
+  if (row.edits === 0) return null;
+  return (
+    <p class="small">
+      {row.edits === 1 ? "1 edit" : `${row.edits} edits, the last`}: {row.last_edit}
+    </p>
   );
 }
 
@@ -61,8 +79,11 @@ function SceneCard({ row, chosen, onChoose }: { row: StudioScene; chosen: boolea
       <div class="text">
         <h3>{row.error ? row.name : <a href={addressOf("scene", row.id)}>{row.name}</a>}</h3>
         {row.error ? <p class="bad small">{row.error}</p> : <p class="small quiet">{contents(row)}</p>}
+        <Edits row={row} />
         <div class="tags">
           <span class="tag">{PLACES[row.in]}</span>
+          {row.saved && row.in === "workspace" && <span class="tag good">saved</span>}
+          {row.seed !== null && <span class="tag">seed {row.seed}</span>}
           {row.gate && <span class={`tag ${row.gate.passed ? "good" : "bad"}`}>gate {row.gate.passed ? "passed" : "failed"}</span>}
         </div>
         <div class="row">
