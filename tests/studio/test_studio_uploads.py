@@ -1,6 +1,7 @@
 """What is sent: pictures by their content, bodies no longer than they may be."""
 
 import io
+import os
 import struct
 import zlib
 from pathlib import Path
@@ -33,6 +34,19 @@ def bomb(width: int, height: int) -> bytes:
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header)
             + chunk(b"IDAT", zlib.compress(bytes(10_000_000))) + chunk(b"IEND", b""))  # fmt: skip
+
+
+def test_old_pictures_that_no_job_names_are_swept(tmp_path: Path) -> None:
+    shelf = pictures.PictureShelf(tmp_path)
+    wanted, stale, fresh = (shelf.add(picture(size=(320, 200 + k))).picture for k in range(3))
+    note = tmp_path / "notes.txt"
+    note.write_text("mine")
+    for path in (p for name in (wanted, stale) for p in tmp_path.glob(f"{name}*")):
+        os.utime(path, (0, 0))
+    os.utime(note, (0, 0))
+    shelf.sweep({wanted})
+    left = {path.name for path in tmp_path.iterdir()}
+    assert left == {wanted, f"{wanted}.png", fresh, f"{fresh}.png", "notes.txt"}
 
 
 @pytest.mark.parametrize("kind", ["PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF"])

@@ -91,3 +91,19 @@ def test_tables_are_put_beside_each_other_by_a_button(browser: Browser, address:
     page.goto(f"{address}#/scene/nowhere")
     page.get_by_role("alert").wait_for()
     assert page.title() == "Tables"
+
+
+def test_plurals_and_certified_tables_are_found(browser: Browser, address: str) -> None:
+    page = enter(browser, address)
+    search = page.get_by_role("searchbox", name="Search")
+    for words, found in (("knives", NAMES[1:2]), ("notebooks laptops", NAMES[2:]), ("boats", ())):
+        search.fill(words)
+        page.wait_for_function(
+            "n => document.querySelectorAll('a.card').length === n", arg=len(found)
+        )
+        assert [page.locator("a.card h2").nth(k).inner_text() for k in range(len(found))] == [
+            *found
+        ]
+    search.fill("")
+    page.get_by_label("All tasks certified").check()
+    page.get_by_text("0 of 4 tables").wait_for()

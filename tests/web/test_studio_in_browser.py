@@ -40,6 +40,7 @@ def test_a_table_is_made_mended_by_mouse_saved_and_opened_in_the_environment(
     drag(page, "plate_1", -20, -10)
     page.get_by_role("button", name="Save to the store").click()
     page.get_by_text("is in your store now").wait_for()
+    page.get_by_role("button", name="Saved").wait_for()
     scene = page.url.rpartition("/")[2]
     assert verify(studio.store / scene) == []
     moved = load(studio.store / scene)
@@ -76,6 +77,11 @@ def test_a_drag_is_the_command_and_undo_goes_back(
     page.wait_for_function("name => location.href.endsWith(name)", arg=first)
     page.get_by_role("button", name="Redo").click()
     page.wait_for_function("name => location.href.endsWith(name)", arg=second)
+    page.get_by_role("link", name="Make", exact=True).click()
+    page.get_by_text("1 edit: move mug_1").wait_for()
+    assert page.locator("article.card").count() == 1, "what was edited further is not shown"
+    page.get_by_label("Also what was edited further").check()
+    assert page.locator("article.card").count() == 2
 
 
 def test_an_edit_that_is_refused_leaves_everything_in_its_place(
@@ -91,6 +97,10 @@ def test_an_edit_that_is_refused_leaves_everything_in_its_place(
     page.get_by_role("alert").wait_for(timeout=60_000)
     assert page.url == where
     assert page.evaluate(f"{ENGINE}.error.value") is None
+    page.get_by_role("link", name="Make", exact=True).click()
+    page.get_by_text("Edits, exports and episodes (1)").click()
+    page.get_by_text("edit: failed").wait_for()
+    assert page.get_by_role("button", name="Resume").count() == 0, "it would be refused again"
 
 
 def test_a_generation_shows_its_stages_is_cancelled_and_resumed(
@@ -152,7 +162,7 @@ def test_what_is_no_picture_is_said(
 def test_studio_accessibility(browser: Browser, studio: Studio, scheme: Any) -> None:
     page = enter(browser, studio, color_scheme=scheme, bypass_csp=True).page
     page.get_by_label("Describe the table").fill(TEXT + " and a zorble")
-    page.get_by_text("What is understood").wait_for()
+    page.get_by_text("How each phrase was read").wait_for()
     for name in ("first", "job", "scene", "scenes"):
         if name == "job":
             page.get_by_role("button", name="Make the table").click()

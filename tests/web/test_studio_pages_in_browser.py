@@ -54,6 +54,18 @@ def test_a_job_that_stays_interrupted_can_be_resumed_or_removed_and_has_its_log(
     assert page.title() == "TabletopGen studio"
 
 
+def test_what_is_understood_is_said_while_it_is_typed(browser: Browser, studio: Studio) -> None:
+    page = opened(browser, viewport={"width": 390, "height": 844}).page
+    page.goto(studio.address)
+    page.get_by_label("Describe the table").fill("a round table with two red mugs and happiness")
+    page.get_by_text("2 × red mug").wait_for()
+    page.get_by_text("Not understood: “happiness”").wait_for()
+    page.get_by_label("Describe the table").fill("gemütlicher Tisch mit Kaffee und Kuchen")
+    page.get_by_text("not English").wait_for()
+    assert page.get_by_text("2 × red mug").count() == 0
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
 def test_a_scene_that_cannot_be_removed_is_not_said_to_be(browser: Browser, studio: Studio) -> None:
     page = opened(browser).page
     (bundle,) = find("coffee-oval")

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import re
+import time
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
-from generator.errors import InputError
-from generator.io.files import write_whole
+from generator.errors import InputError, StorageError
+from generator.io.files import remove_file, write_whole
 from generator.io.png import encode_png
 from generator.io.reading import read_regular
 
@@ -22,6 +25,7 @@ MOST_BYTES = 20 * 2**20
 _SIGNATURE = re.compile(
     rb"\x89PNG\r\n\x1a\n|\xff\xd8\xff|RIFF....WEBP|BM|II\*\0|MM\0\*|GIF8[79]a", re.DOTALL
 )
+_KEPT_SECONDS = 24 * 3600.0  # somebody may still be about to ask for a table of it
 _ADVICE = "Free space there."
 
 
@@ -60,6 +64,16 @@ class PictureShelf:
         if not PICTURE_ID.fullmatch(name) or not (self.folder / name).is_file():
             raise RefusedError(404, f"There is no picture {name[:80]!r}.")
         return self.folder / name
+
+    def sweep(self, wanted: Collection[str]) -> None:
+        """Remove pictures that lie here for longer than a day and are not wanted, if possible."""
+        oldest = time.time() - _KEPT_SECONDS
+        for path in self.folder.iterdir():
+            name = path.name.removesuffix(".png")
+            if PICTURE_ID.fullmatch(name) and name not in wanted:
+                with contextlib.suppress(OSError, StorageError):
+                    if path.lstat().st_mtime < oldest:
+                        remove_file(self.folder, path.name)
 
     def read_shown(self, name: str) -> bytes:
         """Return a picture as a PNG, upright and at the size that it is worked at.

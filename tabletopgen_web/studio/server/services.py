@@ -81,9 +81,11 @@ class StudioServices:
         self.store.changed = self._notify
 
     def sweep(self) -> None:
-        """Remove figures and files of jobs that are no more, and outdated views, if possible."""
+        """Remove what jobs that are no more had or made, and outdated views, if possible."""
         self.scenes.sweep()
-        known = {job.id for job in self.store.list_jobs()}
+        jobs = self.store.list_jobs()
+        self.pictures.sweep({str(job.request.get("picture")) for job in jobs})
+        known = {job.id for job in jobs}
         for folder in (self.folder.figures, self.folder.files):
             for path in folder.iterdir():
                 if path.name not in known:

@@ -29,14 +29,16 @@ export function ScenePage({ gallery, row }: { gallery: Gallery; row: SceneRow })
       <main id="main" class="page">
         {row.prompt && <p>“{row.prompt}”</p>}
         <div class="sides">
-          <Viewer base={folder(row)} label={row.name} onEngine={(found) => (engine.value = found)} />
+          <div class="stack">
+            <Viewer base={folder(row)} label={row.name} onEngine={(found) => (engine.value = found)} />
+            <p class="small quiet">
+              Drag a thing to pull it, let go to throw it<span class="with-keys">; hold Shift to move it level</span>. Drag beside things to turn the view.
+            </p>
+          </div>
           {engine.value?.ready.value && engine.value.files && (
             <Facts files={engine.value.files} base={folder(row)} selected={engine.value.selected.value} />
           )}
         </div>
-        <p class="small quiet">
-          Drag a thing to pull it, let go to throw it; hold Shift to move it level. Drag beside things to turn the view.
-        </p>
       </main>
     </>
   );

@@ -155,7 +155,9 @@ function EditPanel({ engine, names, busy, edit }: EditPanelProps) {
       <h2>Edit</h2>
       <label class="row">
         <input type="checkbox" checked={editing} onChange={(event) => engine.edit(event.currentTarget.checked)} />
-        Drag things to new places; Shift turns them
+        <span>
+          Drag things to new places<span class="with-keys">; Shift turns them</span>
+        </span>
       </label>
       <label class="field">
         Thing

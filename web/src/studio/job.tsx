@@ -1,9 +1,12 @@
 /** One job: its stages with what each found, as they come, and what it made. */
 import { useEffect } from "preact/hooks";
 import { addressOf, useTitle } from "../ui/routing";
-import { api } from "./api";
+import { api, type FigureRow } from "./api";
 import { Controls, Progress } from "./jobs";
 import { jobs, refreshJob, studio } from "./store";
+
+/** "fig08_reference.png" is "reference". */
+const captionOf = ({ name }: FigureRow): string => name.replace(/\.png$/, "").replace(/^fig\d+_/, "").replaceAll("_", " ");
 
 export function JobPage({ id }: { id: string }) {
   const job = jobs.value.get(id);
@@ -38,9 +41,9 @@ export function JobPage({ id }: { id: string }) {
               .map((figure) => (
                 <figure key={figure.url}>
                   <a href={figure.url} target="_blank" rel="noreferrer">
-                    <img src={figure.url} alt={`${figure.name} of the stage ${stage}`} />
+                    <img src={figure.url} alt={`${captionOf(figure)} of the stage ${stage}`} />
                   </a>
-                  <figcaption class="small quiet">{figure.name.replaceAll("_", " ")}</figcaption>
+                  <figcaption class="small quiet">{captionOf(figure)}</figcaption>
                 </figure>
               ))}
           </div>

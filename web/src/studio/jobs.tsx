@@ -44,11 +44,13 @@ function List({ jobs }: { jobs: JobRow[] }) {
 }
 
 export function Progress({ job }: { job: JobRow }) {
+  const { seed } = job.request as { seed?: number };
   const words = job.state === "running" && job.stage ? `${job.stage.name} (${job.stage.number} of ${job.stage.total})` : job.state;
   return (
     <div class="stack tight">
       <span class={`small ${job.state === "failed" ? "bad" : job.state === "done" ? "good" : "quiet"}`}>
-        {job.kind}: {words}
+        {job.kind}
+        {seed ? `, seed ${seed}` : ""}: {words}
       </span>
       {job.state === "running" && (
         <progress aria-label={`Progress of ${job.title}`} max={job.stage?.total ?? 1} value={job.stage ? job.stage.number - 0.5 : undefined} />

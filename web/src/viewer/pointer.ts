@@ -86,12 +86,15 @@ export class Pointer {
       this.aim(event);
       const target = this.ray.ray.intersectPlane(this.plane, new THREE.Vector3());
       if (target) this.events.drag(this.grip, target, event.shiftKey);
+      this.name(this.grip.body, event);
       return;
     }
     if (event.buttons !== 0 || event.pointerType === "touch") return;
-    const found = this.hit(event);
+    this.name((this.hit(event)?.object.userData.body as number | undefined) ?? -1, event);
+  }
+
+  private name(body: number, event: PointerEvent): void {
     const box = this.canvas.getBoundingClientRect();
-    const body = (found?.object.userData.body as number | undefined) ?? -1;
     this.events.hover(body, event.clientX - box.left, event.clientY - box.top);
   }
 

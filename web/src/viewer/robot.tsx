@@ -32,7 +32,8 @@ export function Robot({ engine, off }: { engine: Engine; off: boolean }) {
   );
 }
 
-function Timeline({ engine }: { engine: Engine }) {
+/** What the episode is about, and how far it is. */
+export function Timeline({ engine }: { engine: Engine }) {
   const play = engine.player.playback.value;
   if (!play) return null;
   return (
@@ -116,10 +117,10 @@ function Pad({ engine }: { engine: Engine }) {
       {help.value && (
         <p class="small">
           With the view focused:{" "}
-          {KEYS.map(([keys, words]) => (
+          {KEYS.map(([keys, words], k) => (
             <span key={keys}>
+              {k > 0 && ", "}
               <kbd>{keys}</kbd> {words}
-              {" · "}
             </span>
           ))}
         </p>

@@ -3,7 +3,7 @@ import { useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { ROBOT } from "../physics/names";
 import { Engine } from "./engine";
-import { Robot } from "./robot";
+import { Robot, Timeline } from "./robot";
 
 export interface ViewerProps {
   /** The scene's folder, with a slash at its end. */
@@ -119,6 +119,7 @@ function Tools({ engine, small }: { engine: Engine; small: boolean }) {
   return (
     <div class="stack">
       {!small && mode !== "scene" && <Robot engine={engine} off={off} />}
+      {small && mode === "episode" && <Timeline engine={engine} />}
       <div class="tools" role="toolbar" aria-label="Simulation">
         <button disabled={off} onClick={() => engine.toggle()}>
           {running ? "Pause" : "Play"}
@@ -131,7 +132,7 @@ function Tools({ engine, small }: { engine: Engine; small: boolean }) {
         </button>
         <span class="gap" />
         <button disabled={off} onClick={() => engine.lookFrom("front")}>
-          Front
+          Overview
         </button>
         <button disabled={off} onClick={() => engine.lookFrom("top")}>
           Above
