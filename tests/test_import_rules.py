@@ -54,7 +54,8 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("tabletopgen_env", "assets_cache.make_starter"),
     ("tabletopgen_web.frontend",),
     ("tabletopgen_web.page",),
-    ("tabletopgen_web.studio", "tabletopgen_web.study"),
+    ("tabletopgen_web.study",),
+    ("tabletopgen_web.studio",),
     ("tabletopgen_web",),
     ("research",),
 )

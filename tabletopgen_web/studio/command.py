@@ -5,8 +5,15 @@ from __future__ import annotations
 import secrets
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from generator.errors import BackendError, InputError, escape, require_number
+
+if TYPE_CHECKING:
+    from ..study.filling import StudyPage
+
+_MOST_STUDIES = 16
+_POST = "/api/studies/{study}/answers"
 
 
 def studio(
@@ -15,6 +22,7 @@ def studio(
     host: str = "127.0.0.1",
     folder: Path | None = None,
     workers: int = 1,
+    study: tuple[Path, ...] = (),
     no_browser: bool = False,
 ) -> int:
     """Open a page of this machine to make, change and look at tables.
@@ -27,6 +35,8 @@ def studio(
         host: Another address than this machine's own lets other machines in.
         folder: Where jobs, pictures and new scenes are kept; the user state folder if left out.
         workers: How many jobs run at a time.
+        study: Pages that `study new` wrote with --post '/api/studies/{study}/answers'; for each an
+            address for raters is printed, which opens nothing else. At most 16.
         no_browser: Print the address and open no browser.
     """
     try:
@@ -48,11 +58,13 @@ def studio(
     require_number("studio needs --workers", workers, minimum=1, maximum=64, integer=True)
     if not host.strip():
         raise InputError("studio needs --host, an address of this machine.")
+    studies = _read_studies(study)
     place = StudioFolder.usual() if folder is None else StudioFolder(folder.absolute())
     static = static_folder()
     with place.locking(), bind(host, port) as listening:
         open_database(place.database).close()  # what is wrong with it is said before all else
-        access = Access(host, listening.getsockname()[1], secrets.token_urlsafe(24))
+        tokens = {name: place.make_token(name) for name in studies}
+        access = Access(host, listening.getsockname()[1], secrets.token_urlsafe(24), tokens)
         if not access.is_local:
             print(escape(
                 f"warning: {host} lets other machines in, unencrypted; whoever knows the token can "
@@ -60,6 +72,23 @@ def studio(
             ), file=sys.stderr)  # fmt: skip
         place.announce(access.address)
         changes = Changes()
-        app = make_application(place, access, static, workers, changes)
-        serve(app, listening, access.link, not no_browser, changes.close)
+        app = make_application(place, access, static, workers, changes, studies)
+        serve(app, listening, access, not no_browser, changes.close)
     return 0
+
+
+def _read_studies(paths: tuple[Path, ...]) -> dict[str, StudyPage]:
+    """Return the pages of studies, by study."""
+    from ..study.filling import read_page, read_template
+
+    if len(paths) > _MOST_STUDIES:
+        raise InputError(f"--study names {len(paths)} files; at most {_MOST_STUDIES} are served.")
+    template = read_template() if paths else ""
+    found: dict[str, StudyPage] = {}
+    for path in paths:
+        page = read_page(path, template, _POST)
+        if page.study in found:
+            raise InputError(f"{str(path)!r} is of study {page.study}, which is there already. "
+                             "Name each study once.")  # fmt: skip
+        found[page.study] = page
+    return found

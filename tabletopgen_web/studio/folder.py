@@ -9,14 +9,17 @@
     files/<job>/       exports and episodes
     views/<scene>/     scenes as the viewer loads them; made again where they are missing
     answers/<study>/   answers of studies
+    studies.secret     what raters' tokens are made from
     studio.lock, studio.json   who uses the folder
 """
 
 from __future__ import annotations
 
 import contextlib
+import hmac
 import json
 import os
+import secrets
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +31,7 @@ from generator.io.files import check_folder, make_private, write_whole
 from generator.io.reading import parse_object, read_regular
 
 _MOST_BYTES = 4096  # of studio.json
-_WHO = "studio.json"
+_WHO, _SECRET = "studio.json", "studies.secret"
 
 
 @dataclass(frozen=True)
@@ -125,6 +128,29 @@ class StudioFolder:
         """Write down where this studio is, without its token, for a second one to tell."""
         facts = json.dumps({"process": os.getpid(), "address": address})
         write_whole(self.root / _WHO, facts, "Where the studio is", "Free space there.")
+
+    def make_token(self, study: str) -> str:
+        """Return the token of a study's raters, the same one as long as the folder is there.
+
+        It outlives the studio, so that an address that was sent to raters stays good.
+
+        Raises:
+            StorageError: what it is made from cannot be written, or is damaged.
+        """
+        path = self.root / _SECRET
+        if not path.exists():
+            try:
+                path.touch(0o600)
+                path.write_text(secrets.token_hex(32))
+            except OSError as error:
+                path.unlink(missing_ok=True)
+                raise StorageError(
+                    f"{path} cannot be written: {error.strerror or error}. Free space there."
+                ) from error
+        secret = read_regular(path, "The studies' secret", StorageError, max_bytes=_MOST_BYTES)
+        if len(secret) != 64:
+            raise StorageError(f"{path} is damaged. Remove it; raters then need new addresses.")
+        return hmac.new(secret, study.encode(), "sha256").hexdigest()[:48]
 
     def _who(self) -> str:
         try:

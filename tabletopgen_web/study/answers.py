@@ -6,7 +6,7 @@ import json
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -66,8 +66,9 @@ class Refusal:
 def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], list[Refusal]]:
     """Read answers of files, and of the ``*.json`` files in folders; return what was left out, too.
 
-    A rater counts once: the same answers again are left out, and answers that differ are left out
-    all, since none of them is known to be the right one. Raters are in the order of their ids.
+    A rater counts once: the same answers again, in whatever language, are left out, and answers
+    that differ are left out all, since none of them is known to be the right one. Raters are in
+    the order of their ids.
 
     Raises:
         InputError: there are no files, too many, or a folder cannot be read.
@@ -133,7 +134,7 @@ def _files(path: Path) -> Iterable[Path]:
 
 def _once(found: Sequence[tuple[Path, RaterAnswers]], left: list[Refusal]) -> RaterAnswers | None:
     (first, answers), *others = found
-    same = all(other == answers for _, other in others)
+    same = all(replace(other, language=answers.language) == answers for _, other in others)
     if same:
         left += [Refusal(str(p), f"rater {answers.rater} answers the same in {first}")
                  for p, _ in others]  # fmt: skip

@@ -51,7 +51,8 @@ def make_page(
         json: Print one JSON object instead of lines.
     """
     from .collecting import collect
-    from .page import key_path, make_study, read_template, write_study
+    from .filling import read_template
+    from .page import key_path, make_study, write_study
 
     folders = _folders(methods)
     if out.suffix.lower() not in (".html", ".htm"):
@@ -71,8 +72,9 @@ def make_page(
         "bytes": page.stat().st_size, "left_out": ignored,
     }  # fmt: skip
     emit(facts, json, lambda: [
-        f"{page} ({facts['bytes'] / 1e6:.1f} MB): study {files.key.study}, {len(scenes)} scenes of "
-        f"{len(folders)} methods; a rater sees {files.key.scenes_each}",
+        f"{page} ({facts['bytes'] / 1e6:.1f} MB): study {files.key.study}, {len(scenes)} "
+        f"scene{'s' * (len(scenes) != 1)} of {len(folders)} methods; a rater sees "
+        f"{files.key.scenes_each}",
         f"{key}: keep it to yourself; `tabletopgen study report` needs it",
     ])  # fmt: skip
     return 0

@@ -77,8 +77,8 @@ class StudyOptions:
             raise InputError(f"--scenes {count}: there are {available}. Ask for at most as many.")
         if self.attention > count:
             raise InputError(
-                f"--attention {self.attention}: a rater sees {count} scenes, with at most one "
-                "check in each. Ask for fewer."
+                f"--attention {self.attention}: a rater sees {count} "
+                f"scene{'s' * (count != 1)}, with at most one check in each. Ask for fewer."
             )
         return count
 

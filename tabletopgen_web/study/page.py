@@ -6,7 +6,7 @@ import base64
 import hashlib
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -16,15 +16,8 @@ from generator.io.files import check_target, write_whole
 
 from .collecting import RatedScene
 from .design import SCHEMA, SECONDS_A_SCENE, StudyOptions, check_methods
+from .filling import fill
 from .key import KeyScene, StudyKey, read_key
-
-MARK = '<script id="study" type="application/json">null</script>'
-"""Where the built page takes a study's data."""
-
-_CHARSET = '<meta charset="utf-8" />'
-_SCRIPT = re.compile(r'<script type="module"[^>]*>(.*?)</script>', re.DOTALL)
-_STYLE = re.compile(r"<style[^>]*>(.*?)</style>", re.DOTALL)
-_MAX_BYTES = 200 * 2**20
 
 
 @dataclass(frozen=True)
@@ -69,7 +62,7 @@ def make_study(
         "attention": options.attention, "scenes": shown,
         "post": options.post and options.post.replace("{study}", key.study),
     }  # fmt: skip
-    return StudyFiles(_fill(template, facts), key)
+    return StudyFiles(fill(template, facts), key)
 
 
 def write_study(files: StudyFiles, out: Path) -> tuple[Path, Path]:
@@ -105,17 +98,6 @@ def write_study(files: StudyFiles, out: Path) -> tuple[Path, Path]:
 def key_path(out: Path) -> Path:
     """Return where the key of a page goes: ``FILE.key.json`` beside ``FILE.html``."""
     return out.with_suffix(".key.json")
-
-
-def read_template() -> str:
-    """Return the built page without a study.
-
-    Raises:
-        BackendError: the front end is not there and cannot be built.
-    """
-    from ..frontend import static_folder
-
-    return (static_folder() / "study.html").read_text(encoding="utf-8")
 
 
 def _check_title(title: str, methods: Sequence[str]) -> None:
@@ -155,30 +137,3 @@ def _scene_facts(code: str, scene: RatedScene, columns: Sequence[str], seed: int
 
 def _data_url(raw: bytes) -> str:
     return "data:image/jpeg;base64," + base64.b64encode(raw).decode()
-
-
-def _fill(template: str, facts: Mapping[str, Any]) -> str:
-    """Put a study's data into the built page, and a policy that allows nothing but that page."""
-    if template.count(MARK) != 1 or template.count(_CHARSET) != 1:
-        raise InputError("The built page has no place for a study's data. Run `make web` again.")
-    data = json.dumps(facts, ensure_ascii=True, separators=(",", ":")).replace("<", "\\u003c")
-    if len(data) > _MAX_BYTES:
-        raise InputError(
-            f"The page would have {len(data) >> 20} MiB; at most {_MAX_BYTES >> 20} are made. Use "
-            "a smaller --side or fewer scenes."
-        )
-    policy = (
-        "default-src 'none'; img-src data:; "
-        f"script-src {_hashes(_SCRIPT, template)}; style-src {_hashes(_STYLE, template)}; "
-        f"connect-src '{'self' if facts['post'] else 'none'}'; "
-        "base-uri 'none'; form-action 'none'"
-    )
-    meta = f'<meta http-equiv="Content-Security-Policy" content="{policy}" />'
-    page = template.replace(_CHARSET, f"{_CHARSET}\n    {meta}")
-    return page.replace(MARK, MARK.replace("null", data))
-
-
-def _hashes(element: re.Pattern[str], template: str) -> str:
-    """Return the sources of a policy that allow the inline elements of the built page."""
-    digests = [hashlib.sha256(text.encode()).digest() for text in element.findall(template)]
-    return " ".join(f"'sha256-{base64.b64encode(d).decode()}'" for d in digests) or "'none'"

@@ -88,10 +88,13 @@ def lines(report: StudyReport) -> list[str]:
 def count_lines(report: StudyReport) -> list[str]:
     """Return who counts, who does not and why, and how long it took."""
     out, left = report.excluded, len(report.left_out)
+    raters = "rater" if report.read == 1 else "raters"
+    count = "counts" if report.raters == 1 else "count"
+    checks = "check" if out.allowed_failures == 1 else "checks"
     return [
-        f"{report.raters} of {report.read} raters count, {report.ratings_each} results rated by "
-        f"each; they took {report.mean_seconds:.0f} s on average",
-        f"{len(out.inattentive)} failed more than {out.allowed_failures} attention checks",
+        f"{report.raters} of {report.read} {raters} {count}, {report.ratings_each} results rated "
+        f"by each; they took {report.mean_seconds:.0f} s on average",
+        f"{len(out.inattentive)} failed more than {out.allowed_failures} attention {checks}",
         f"{len(out.too_fast)} took less than {out.min_seconds:g} s",
         f"{left} {'file was' if left == 1 else 'files were'} left out",
     ]

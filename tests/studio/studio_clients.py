@@ -8,8 +8,8 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from starlette.testclient import TestClient
 from tabletopgen_web.studio.folder import StudioFolder
 from tabletopgen_web.studio.server.application import make_application
 from tabletopgen_web.studio.server.guard import Access
+from tabletopgen_web.study.filling import StudyPage
 
 TOKEN = "the-token-of-the-tests"
 ACCESS = Access("127.0.0.1", 8123, TOKEN)
@@ -27,12 +28,21 @@ BEARER = {"authorization": f"Bearer {TOKEN}"}
 OVER = ("done", "failed", "cancelled", "interrupted")
 
 
+def rater_token(study: str) -> str:
+    return f"the-raters-of-{study}"
+
+
 @contextlib.contextmanager
-def open_client(folder: Path, static: Path, workers: int = 1) -> Iterator[TestClient]:
+def open_client(
+    folder: Path, static: Path, workers: int = 1, *, studies: Sequence[StudyPage] = ()
+) -> Iterator[TestClient]:
     """A client with the token, of an application that runs meanwhile."""
     place = StudioFolder(folder)
+    access = replace(ACCESS, studies={page.study: rater_token(page.study) for page in studies})
     with place.locking():
-        app = make_application(place, ACCESS, static, workers)
+        app = make_application(
+            place, access, static, workers, studies={page.study: page for page in studies}
+        )
         with TestClient(
             app, base_url=ACCESS.address, headers=BEARER, raise_server_exceptions=False
         ) as client:

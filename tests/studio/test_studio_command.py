@@ -21,7 +21,8 @@ def serving(monkeypatch: pytest.MonkeyPatch, static: Path) -> list[tuple]:
 
 def test_it_listens_on_this_machine_alone(serving: list, tmp_path: Path, shell: Shell) -> None:
     shown = shell("studio", "--folder", str(tmp_path / "own"), "--no-browser")
-    ((_, socket, link, browse, _),) = serving
+    ((_, socket, access, browse, _),) = serving
+    link = access.link
     assert link.startswith("http://127.0.0.1:") and len(link.partition("?token=")[2]) >= 32
     assert not browse and shown.err == ""
     assert link.partition("?token=")[2] not in (tmp_path / "own" / "studio.json").read_text()

@@ -212,6 +212,11 @@ def test_answers_that_a_studio_kept_are_read(key: StudyKey, tmp_path: Path) -> N
     assert found == [
         parse_answers(json.dumps(tiny.answers_of(key, k)).encode(), key) for k in (0, 1)
     ]
+    assert left == []
+    chinese = tiny.answers_of(key, 1, language="zh")  # and again, once the language is changed
+    assert book.add(key.study, chinese["rater"], chinese) == 2
+    found, left = read_all([tmp_path / key.study], key)
+    assert [answers.rater for answers in found] == ["0" * 16, "0" * 15 + "1"]
     assert ["the same in" in one.reason for one in left] == [True]
 
 

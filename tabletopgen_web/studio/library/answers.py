@@ -21,6 +21,7 @@ MOST_BYTES = 2**20
 _NAME = re.compile(r"[a-z0-9-]{1,64}")
 _MOST_RATER_BYTES = 16 * 2**20
 _MOST_RATERS, _MOST_STUDIES = 1000, 1000
+_MOST_SHARED, _MOST_SHARED_BYTES = 8, 64 * 2**20  # answers of a rater; bytes of a study
 
 
 @dataclass(frozen=True)
@@ -29,8 +30,13 @@ class AnswerBook:
 
     folder: Path
 
-    def add(self, study: str, rater: str, answer: Mapping[str, Any]) -> int:
-        """Add an answer to a rater's; return how many there are now.
+    def add(
+        self, study: str, rater: str, answer: Mapping[str, Any], *, shared: bool = False
+    ) -> int:
+        """Add an answer to a rater's, unless it is there; return how many there are now.
+
+        ``shared`` says that whoever has the study's address may have sent it: of those less is
+        kept.
 
         Raises:
             RefusedError: an id is none, or there are too many answers.
@@ -42,10 +48,15 @@ class AnswerBook:
             or (folder.exists() and _count(folder) >= _MOST_RATERS)
         ):
             raise RefusedError(507, "There are too many raters or studies; no more are kept.")
-        kept = [*self._read(path), dict(answer)]
+        kept = self._read(path)
+        if _text(answer) in map(_text, kept):
+            return len(kept)
+        kept.append(dict(answer))
         content = json.dumps(kept, ensure_ascii=False, indent=1).encode()
-        if len(content) > _MOST_RATER_BYTES:
+        if len(content) > _MOST_RATER_BYTES or (shared and len(kept) > _MOST_SHARED):
             raise RefusedError(507, f"{rater} has sent too many answers; no more are kept.")
+        if shared and _size(folder, path) + len(content) > _MOST_SHARED_BYTES:
+            raise RefusedError(507, "The study has too many answers; no more are kept.")
         make_private(folder)
         write_whole(path, content, "The answer", "Free space there.")
         return len(kept)
@@ -87,3 +98,13 @@ def _check(name: object, what: str) -> str:
 
 def _count(folder: Path) -> int:
     return sum(1 for _ in folder.iterdir())
+
+
+def _size(folder: Path, but: Path) -> int:
+    """Return the bytes of the files of a folder, if it is there, but of one."""
+    paths = [path for path in folder.iterdir() if path != but] if folder.is_dir() else []
+    return sum(path.stat().st_size for path in paths)
+
+
+def _text(answer: Any) -> str:
+    return json.dumps(answer, sort_keys=True)

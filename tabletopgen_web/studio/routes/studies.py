@@ -1,4 +1,4 @@
-"""Answers of studies."""
+"""Pages of studies, and answers."""
 
 from __future__ import annotations
 
@@ -9,17 +9,37 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from ..library.answers import MOST_BYTES
+from ..refusals import RefusedError
 from ..server.bodies import read_json
 from ..server.services import services_of
 from .answering import answer
 
 
+async def show_study(request: Request) -> Response:
+    """The page of a study, with the policy that allows its own code alone."""
+    page = services_of(request).studies.get(request.path_params["study"])
+    if page is None:
+        raise RefusedError(404, "This study is not served; --study names the files of studies.")
+    return Response(
+        page.content,
+        media_type="text/html; charset=utf-8",
+        headers={"content-security-policy": page.policy},
+    )
+
+
 async def add_answer(request: Request) -> Response:
-    """Keep a rater's answer: an object with the id of who gave it in ``rater``."""
+    """Keep a rater's answer: an object with the id of who gave it in ``rater``.
+
+    Of a study that is served, answers have to be complete, and less is kept.
+    """
     services, said = services_of(request), await read_json(request, MOST_BYTES)
+    study = request.path_params["study"]
+    page = services.studies.get(study)
+    if page is not None:
+        await asyncio.to_thread(page.check, said)
     async with services.writing:
         count = await asyncio.to_thread(
-            services.answers.add, request.path_params["study"], said.get("rater", ""), said
+            services.answers.add, study, said.get("rater", ""), said, shared=page is not None
         )
     return answer({"answers": count}, 201)
 
@@ -32,6 +52,7 @@ async def list_answers(request: Request) -> Response:
 
 
 ROUTES = (
+    Route("/study/{study}", show_study, methods=["GET"]),
     Route("/api/studies/{study}/answers", add_answer, methods=["POST"]),
     Route("/api/studies/{study}/answers", list_answers, methods=["GET"]),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Mapping
 from pathlib import Path
 
 from starlette.applications import Starlette
@@ -17,6 +17,7 @@ from starlette.types import ASGIApp
 
 from generator.errors import TabletopError
 
+from ...study.filling import StudyPage
 from ..folder import StudioFolder
 from ..queue.jobs import JobStore
 from ..refusals import status_of
@@ -40,6 +41,7 @@ def make_application(
     static: Path,
     workers: int = 1,
     changes: Changes | None = None,
+    studies: Mapping[str, StudyPage] | None = None,
 ) -> ASGIApp:
     """Return the studio's application. Its folder is locked by the caller.
 
@@ -49,6 +51,7 @@ def make_application(
         static: the folder of the built page.
         workers: how many jobs run at a time.
         changes: what is closed when the studio ends, so that pages no longer wait for events.
+        studies: pages for raters, by study; ``access`` has their tokens.
     """
     files = pages.list_files(static)
 
@@ -57,7 +60,9 @@ def make_application(
         folder.make()
         store = JobStore(folder.database)
         with contextlib.closing(store):
-            services = StudioServices(folder, workers, files, store, changes or Changes())
+            services = StudioServices(
+                folder, workers, files, store, changes or Changes(), studies or {}
+            )
             app.state.services = services
             store.recover()
             services.sweep()

@@ -1,5 +1,7 @@
 """Who may ask: the page that the printed address opens, and programs that know its token.
 
+Raters of a study have a token of their own, which opens the study's page and takes their answers.
+
 Every request must be addressed to this server by its own name (else a foreign name that leads here
 could read it), and what changes something must come from its own page. Every answer says that
 nothing may be embedded, guessed, kept or passed on.
@@ -11,7 +13,7 @@ import html
 import ipaddress
 import secrets
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from urllib.parse import parse_qs, urlsplit
 
@@ -36,7 +38,7 @@ HEADERS: Mapping[str, str] = MappingProxyType(
         "cross-origin-resource-policy": "same-origin",
     }
 )
-"""Headers of every answer."""
+"""Headers of every answer; the page of a study brings a policy of its own."""
 
 WORKER = "/assets/worker-"
 """How the path of the physics worker's script begins, which has a policy of its own."""
@@ -48,14 +50,20 @@ _WORKER_POLICY = (  # MuJoCo's bindings make functions of texts of their own
 
 _SAFE = ("GET", "HEAD")
 
+_STUDY_TITLE = "User study"  # raters are not to read the name of a method
+
 
 @dataclass(frozen=True)
 class Access:
-    """Where the server listens, and the token that opens it."""
+    """Where the server listens, and the token that opens it.
+
+    ``studies`` are the tokens of raters, by study.
+    """
 
     host: str
     port: int
     token: str
+    studies: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def address(self) -> str:
@@ -74,14 +82,31 @@ class Access:
         """The name of the cookie; browsers keep one jar for all ports of a host."""
         return f"tabletopgen-studio-{self.port}"
 
+    def study_link(self, study: str) -> str:
+        """Return what raters of a study open in a browser; it has their token."""
+        return f"{self.address}study/{study}?token={self.studies[study]}"
+
+    def study_cookie(self, study: str) -> str:
+        """Return the name of the cookie of a study's raters."""
+        return f"study-{study}-{self.port}"
+
+    def study_asked(self, scope: Scope) -> str | None:
+        """Return the study that a request is a rater's of; None if raters may not ask this."""
+        begin, end = ("/study/", "") if scope["method"] in _SAFE else ("/api/studies/", "/answers")
+        study = scope["path"].removeprefix(begin).removesuffix(end)
+        if scope["method"] not in (*_SAFE, "POST") or scope["path"] != f"{begin}{study}{end}":
+            return None
+        return study if study in self.studies else None
+
     @property
     def is_local(self) -> bool:
         """Whether this machine alone reaches the server."""
         return _is_loopback(self.host)
 
-    def knows(self, token: str) -> bool:
-        """Tell whether a token is the one."""
-        return secrets.compare_digest(token.encode("utf-8", "replace"), self.token.encode())
+    def knows(self, token: str, study: str | None = None) -> bool:
+        """Tell whether a token is the one, or that of a study's raters."""
+        known = self.token if study is None else self.studies[study]
+        return secrets.compare_digest(token.encode("utf-8", "replace"), known.encode())
 
     def is_own(self, netloc: str) -> bool:
         """Tell whether ``host:port``, as a request says it, means this server."""
@@ -113,7 +138,7 @@ class StudioGuard:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
                 for name, value in HEADERS.items():
-                    headers[name] = value
+                    headers.setdefault(name, value)
                 if scope["path"].startswith(WORKER):
                     headers["content-security-policy"] = _WORKER_POLICY
             await send(message)
@@ -134,23 +159,37 @@ class StudioGuard:
         own = len(origins) == 1 and origins[0] == f"http://{hosts[0]}"
         if (origins or not safe) and not own and not (not origins and self._bears(headers)):
             return _no("Only the studio's own page may ask this.")
-        if scope["path"] == "/" and safe:
+        study = self._access.study_asked(scope)
+        page = safe and (scope["path"] == "/" or scope["path"].startswith("/study/"))
+        if page and (scope["path"] == "/" or study is not None):
             given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [])
             if given:
-                return self._open(given)
-        if not (self._bears(headers) or self._has_cookie(headers)):
-            words = "Open the address that the studio printed: it has the token."
-            return _show(words) if scope["path"] == "/" and safe else _no(words)
-        return None
+                return self._open(given, study)
+        if self._bears(headers) or self._has_cookie(headers, None):
+            return None
+        if study is not None and self._has_cookie(headers, study):
+            return None
+        if page and scope["path"] != "/":
+            return _show("Open the address that you were sent: all of it.", _STUDY_TITLE)
+        words = "Open the address that the studio printed: it has the token."
+        return _show(words) if page else _no(words)
 
-    def _open(self, given: list[str]) -> Response:
-        if len(given) != 1 or not self._access.knows(given[0]):
+    def _open(self, given: list[str], study: str | None) -> Response:
+        """Turn the token of an address into a cookie."""
+        if len(given) != 1 or not self._access.knows(given[0], study):
+            if study is not None:
+                return _show("This address is not complete, or no longer in use. Ask whoever sent "
+                             "it to you for another.", _STUDY_TITLE)  # fmt: skip
             return _show("That is not the token of this studio. It has a new one each time that it "
                          "is started: open the address that it printed last.")  # fmt: skip
-        answer = RedirectResponse("/", status_code=303)
-        answer.set_cookie(
-            self._access.cookie, self._access.token, httponly=True, samesite="strict", path="/"
-        )
+        if study is None:
+            answer = RedirectResponse("/", status_code=303)
+            name, token, site = self._access.cookie, self._access.token, "strict"
+        else:
+            answer = RedirectResponse(f"/study/{study}", status_code=303)
+            name, token = self._access.study_cookie(study), self._access.studies[study]
+            site = "lax"  # a strict one is not sent when a page, such as a mailbox, led here
+        answer.set_cookie(name, token, httponly=True, samesite=site, path="/")
         return answer
 
     def _bears(self, headers: Headers) -> bool:
@@ -158,19 +197,21 @@ class StudioGuard:
         scheme, _, token = (given[0] if len(given) == 1 else "").partition(" ")
         return scheme.lower() == "bearer" and self._access.knows(token)
 
-    def _has_cookie(self, headers: Headers) -> bool:
+    def _has_cookie(self, headers: Headers, study: str | None) -> bool:
+        access = self._access
+        name = access.cookie if study is None else access.study_cookie(study)
         kept = cookie_parser("; ".join(headers.getlist("cookie")))
-        return self._access.knows(kept.get(self._access.cookie, ""))
+        return access.knows(kept.get(name, ""), study)
 
 
 def _no(message: str) -> Response:
     return JSONResponse({"error": message}, status_code=403)
 
 
-def _show(message: str) -> Response:
+def _show(message: str, title: str = "TabletopGen studio") -> Response:
     """Refuse for people, who see a page where programs read JSON."""
     return HTMLResponse(
-        f"<!doctype html><html lang=en><title>TabletopGen studio</title><h1>TabletopGen studio</h1>"
+        f"<!doctype html><html lang=en><title>{title}</title><h1>{title}</h1>"
         f"<p>{html.escape(message)}</p></html>", status_code=403)  # fmt: skip
 
 

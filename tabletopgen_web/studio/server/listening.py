@@ -16,6 +16,8 @@ from starlette.types import ASGIApp
 
 from generator.errors import BackendError
 
+from .guard import Access
+
 _GRACE = 2  # seconds that answers under way have at the end
 
 
@@ -51,7 +53,7 @@ class _Server(uvicorn.Server):
 
 
 def serve(
-    app: ASGIApp, listening: socket.socket, link: str, browse: bool, stop: Callable[[], None]
+    app: ASGIApp, listening: socket.socket, access: Access, browse: bool, stop: Callable[[], None]
 ) -> None:
     """Answer requests until the process is interrupted; then call ``stop`` and end.
 
@@ -63,11 +65,13 @@ def serve(
         ws="none", http="h11", loop="asyncio", lifespan="on", timeout_keep_alive=30,
         timeout_graceful_shutdown=_GRACE, limit_concurrency=512,
     )  # fmt: skip
-    print(f"Open {link}", flush=True)
+    print(f"Open {access.link}", flush=True)
+    for study in access.studies:
+        print(f"Raters of study {study} open {access.study_link(study)}", flush=True)
     print("Ctrl-C ends the studio; jobs that run then begin again with the next one.",
           file=sys.stderr)  # fmt: skip
     if browse:
-        threading.Thread(target=webbrowser.open, args=(link,), daemon=True).start()
+        threading.Thread(target=webbrowser.open, args=(access.link,), daemon=True).start()
     server = _Server(config, stop)
     with contextlib.suppress(KeyboardInterrupt):
         asyncio.run(server.serve(sockets=[listening]))

@@ -14,6 +14,7 @@ from starlette.requests import Request
 from generator.errors import BackendError, StorageError
 from generator.io.files import remove_tree
 
+from ...study.filling import StudyPage
 from ..contracts import JobRow
 from ..folder import StudioFolder
 from ..library.answers import AnswerBook
@@ -61,6 +62,7 @@ class StudioServices:
 
     Attributes:
         files: the files of the page by the path of their URL.
+        studies: the pages of studies that are served, by study.
     """
 
     folder: StudioFolder
@@ -68,6 +70,7 @@ class StudioServices:
     files: Mapping[str, Path]
     store: JobStore
     changes: Changes = field(default_factory=Changes)
+    studies: Mapping[str, StudyPage] = field(default_factory=dict)
     uploads: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(2))
     writing: asyncio.Lock = field(default_factory=asyncio.Lock)
     estimates: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(1))

@@ -1,6 +1,7 @@
 /** The state of the page, and what changes it. */
 import { computed, effect, type ReadonlySignal, type Signal, signal } from "@preact/signals";
 import { assign, type Page } from "./assignment";
+import { watchTime } from "./clock";
 import { isAbout, keep, newProgress, type Progress, recall } from "./progress";
 import { QUESTIONS, type Question, type Study } from "./study";
 import { type Language, TEXTS, type Texts } from "./texts";
@@ -31,9 +32,6 @@ export interface Store {
   startOver(): void;
 }
 
-const TICK = 5; // seconds between the clock's notes
-const LONGEST = 30; // seconds that one note may add: a machine may have slept
-
 export function createStore(study: Study): Store {
   const progress = signal<Progress>(recall(study) ?? newProgress());
   const rater = computed(() => progress.value.rater);
@@ -49,13 +47,17 @@ export function createStore(study: Study): Store {
   effect(() => {
     document.documentElement.lang = progress.value.language;
   });
-  const tick = watchTime((seconds) => {
+  const catchUp = (): void => {
+    if (kept.value) progress.value = recall(study) ?? progress.value; // another tab's
+  };
+  const tick = watchTime(study, (seconds) => {
+    catchUp();
     const { place, seconds: before } = progress.value;
     const scene = pages.value[place - 1]?.scene.id;
     if (scene) change({ seconds: { ...before, [scene]: (before[scene] ?? 0) + seconds } });
   });
   window.addEventListener("storage", (event) => {
-    if (isAbout(study, event)) progress.value = recall(study) ?? progress.value; // another tab's
+    if (isAbout(study, event)) catchUp();
   });
   return {
     study,
@@ -88,26 +90,4 @@ export function countOpen(page: Page, progress: Progress): number {
   const check = page.check ? [progress.checks[page.scene.id]] : [];
   const asked = [...marks, ...check, progress.choices[page.scene.id]];
   return asked.filter((answer) => answer === undefined).length;
-}
-
-/** Calls `add` with seconds for which the page was seen; returns what has it called at once. */
-function watchTime(add: (seconds: number) => void): () => void {
-  let since = performance.now();
-  const tick = (): void => {
-    const now = performance.now();
-    const seconds = Math.min((now - since) / 1000, LONGEST);
-    since = now;
-    add(seconds);
-  };
-  document.addEventListener("visibilitychange", () => {
-    if (document.hidden) tick();
-    else since = performance.now();
-  });
-  window.addEventListener("pagehide", () => {
-    if (!document.hidden) tick();
-  });
-  setInterval(() => {
-    if (!document.hidden) tick();
-  }, TICK * 1000);
-  return tick;
 }

@@ -10,12 +10,12 @@ export const en: Texts = {
     "Your answers are anonymous and are used for research only. They hold a random number, your marks and the time that each page took; nothing about you or your device.",
   ],
   task: (scenes, results) => [
-    `There ${scenes === 1 ? "is 1 page" : `are ${scenes} pages`}. Each shows an input picture and ${results} results generated from it, in random order. Ignore the angle from which a result is shown.`,
+    `${scenes === 1 ? "There is 1 page. It" : `There are ${scenes} pages. Each`} shows an input picture and ${results} results generated from it, in random order. Ignore the angle from which a result is shown.`,
     "Compare each result with the input picture and give it marks from 1 to 7. Then choose the result that you prefer overall.",
   ],
   scale: "1 = very poor, 4 = average, 7 = excellent. Higher marks mean better quality.",
   checks:
-    "Some pages have an extra item that tells you which number to choose. It shows that the questions are read.",
+    "An extra item may tell you which number to choose. It shows that the questions are read.",
   keyboard:
     "With a keyboard: Tab moves from question to question, 1 to 7 or the arrow keys answer, Enter on a picture enlarges it.",
   resume: "You can close the page and continue later in this browser.",
@@ -62,7 +62,7 @@ export const en: Texts = {
   back: "Back",
   next: "Next",
   finish: "Finish",
-  done: "All scenes are rated.",
+  done: "You have answered everything.",
   saved: (file) =>
     `Your answers were saved as the file ${file}. Please send it to the person who asked you to take part.`,
   sending: "Your answers are being sent …",

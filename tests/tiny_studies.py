@@ -24,8 +24,9 @@ from jaxtyping import UInt8
 from generator.io.pictures import write_picture
 from tabletopgen_web.study.collecting import collect
 from tabletopgen_web.study.design import CRITERIA, Drawing, StudyOptions
+from tabletopgen_web.study.filling import MARK, StudyPage, read_page
 from tabletopgen_web.study.key import StudyKey
-from tabletopgen_web.study.page import MARK, StudyFiles, make_study
+from tabletopgen_web.study.page import StudyFiles, make_study, write_study
 
 METHODS = ("ours", "other")
 SCENES = tuple(f"scene-{k}" for k in range(6))
@@ -36,6 +37,9 @@ TEMPLATE = f"""<!doctype html>
 <body>{MARK}</body></html>
 """
 """In place of the built page."""
+
+POST = "/api/studies/{study}/answers"
+"""Where a studio takes answers."""
 
 Marks = tuple[int, int, int, int]
 
@@ -109,6 +113,13 @@ def small_study(
     assert ignored == []
     chosen = StudyOptions(**{"scenes": len(names), "min_seconds": 0, **options})
     return make_study(found, methods, chosen, template)
+
+
+def served_study(folder: Path, **options: Any) -> tuple[StudyFiles, StudyPage]:
+    """A study whose answers a studio takes, and its page, read back."""
+    files = small_study(folder / "pictures", post=POST, **options)
+    page, _ = write_study(files, folder / "study.html")
+    return files, read_page(page, options.get("template", TEMPLATE), POST)
 
 
 def answers_of(key: StudyKey, number: int, **changes: Any) -> dict[str, Any]:
