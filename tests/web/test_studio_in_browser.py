@@ -137,7 +137,8 @@ def test_a_studio_that_is_killed_goes_on_where_it_was(browser: Browser, tmp_path
         page.get_by_text("The studio does not answer").wait_for(timeout=60_000)
     with running(folder, store) as second:
         page = enter(browser, second).page
-        until(page, "(await (await fetch('/api/jobs')).json()).jobs[0].state === 'done'", 300)
+        begun = "const job = (await (await fetch('/api/jobs')).json()).jobs[0];"
+        until(page, f"(await (async () => {{ {begun} return job.runs === 2 && job.stage; }})())")
 
 
 @pytest.mark.parametrize(
