@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import axe_faults, axe_share, until, wait_for_scenes
+from browser import axe_faults, axe_share, place_on_page, until, wait_for_scenes
 from browsing.chromium import ENGINE
 from playwright.sync_api import Browser
 from studio_pages import TEXT, Studio, drag, enter, jobs, make, running
@@ -82,6 +82,26 @@ def test_a_drag_is_the_command_and_undo_goes_back(
     assert page.locator("article.card").count() == 1, "what was edited further is not shown"
     page.get_by_label("Also what was edited further").check()
     assert page.locator("article.card").count() == 2
+
+
+def test_what_stands_on_a_thing_goes_along(browser: Browser, studio: Studio) -> None:
+    page = enter(browser, studio).page
+    make(page, "a wooden desk with an apple on a plate")
+    page.get_by_role("button", name="Above").click()
+    page.wait_for_timeout(500)
+    locate = f"{ENGINE}.locate('apple_1')"
+    before, (x, y) = page.evaluate(locate), place_on_page(page, "plate_1")
+    page.mouse.move(x + 30, y)  # beside the apple
+    page.mouse.down()
+    page.mouse.move(x + 70, y + 20, steps=4)
+    during = page.evaluate(locate)
+    assert abs(during["x"] - before["x"] - 40) < 6 and abs(during["y"] - before["y"] - 20) < 6
+    page.mouse.up()
+    page.wait_for_function("name => !location.href.endsWith(name)", arg=page.url[-12:])
+    wait_for_scenes(page)
+    asked = next(job for job in jobs(page) if job["kind"] == "edit")
+    moved = load(studio.folder / "scenes" / asked["result"]["scene"])
+    assert moved.provenance.edits[0].names == ("plate_1", "apple_1")
 
 
 def test_an_edit_that_is_refused_leaves_everything_in_its_place(

@@ -104,6 +104,16 @@ export class Engine extends LiveScene {
     return this.model?.bodies[k]?.group;
   }
 
+  /** What is drawn of the things that stand on one or lie in it, or on those. */
+  private carriedBy(name: string): THREE.Object3D[] {
+    const names = [name];
+    for (const beneath of names) {
+      const above = this.files?.row.things.filter((thing) => thing.on === beneath) ?? [];
+      names.push(...above.map((thing) => thing.name).filter((each) => !names.includes(each)));
+    }
+    return names.slice(1).map((each) => this.groupOf(each)).filter((group) => group !== undefined);
+  }
+
   // ----------------------------------------------------------------------------------------- view
 
   lookFrom(side: "front" | "top"): void {
@@ -167,7 +177,7 @@ export class Engine extends LiveScene {
       if (!this.placing) {
         this.run(false);
         this.select(body);
-        this.placing = new Placing(group, held);
+        this.placing = new Placing(group, held, this.carriedBy(this.model?.data.bodies[body]?.name ?? ""));
       }
       this.placing.drag(target, shift);
       this.marks?.follow();

@@ -12,49 +12,68 @@ export interface Move {
 const LEAST_MOVE = 0.002;
 const LEAST_TURN = 1;
 
+const UP = new THREE.Vector3(0, 0, 1);
+
+/** What is drawn of a thing, and its pose before. */
+interface Part {
+  group: THREE.Object3D;
+  from: THREE.Vector3;
+  facing: THREE.Quaternion;
+}
+
 export class Placing {
+  /** The thing, then what stands on it or lies in it, which goes along. */
+  private readonly parts: Part[];
   private readonly from: THREE.Vector3;
-  private readonly facing: THREE.Quaternion;
+  private readonly moved = new THREE.Vector3();
   private angle = 0;
 
-  /** @param held - where the thing is held, in the world. */
+  /**
+   * @param held - where the thing is held, in the world.
+   * @param carried - what stands on it or lies in it.
+   */
   constructor(
-    private readonly group: THREE.Object3D,
+    group: THREE.Object3D,
     private readonly held: THREE.Vector3,
+    carried: THREE.Object3D[] = [],
   ) {
+    this.parts = [group, ...carried].map((each) => ({ group: each, from: each.position.clone(), facing: each.quaternion.clone() }));
     this.from = group.position.clone();
-    this.facing = group.quaternion.clone();
   }
 
   /** Follows the pointer to a point as high as where it is held; `turning` turns in place. */
   drag(target: THREE.Vector3, turning: boolean): void {
     if (turning) {
       const bearing = (at: THREE.Vector3): number => Math.atan2(at.y - this.from.y, at.x - this.from.x);
-      this.turn(bearing(target) - bearing(this.held));
+      this.angle = bearing(target) - bearing(this.held);
     } else {
-      this.group.position.set(this.from.x + target.x - this.held.x, this.from.y + target.y - this.held.y, this.from.z);
+      this.moved.set(target.x - this.held.x, target.y - this.held.y, 0);
     }
+    this.show();
   }
 
-  turn(angle: number): void {
-    this.angle = angle;
-    const about = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0, 1), angle);
-    this.group.quaternion.copy(about.multiply(this.facing));
+  private show(): void {
+    const about = new THREE.Quaternion().setFromAxisAngle(UP, this.angle);
+    for (const { group, from, facing } of this.parts) {
+      group.position.copy(from).sub(this.from).applyQuaternion(about).add(this.from).add(this.moved);
+      group.quaternion.copy(about).multiply(facing);
+    }
   }
 
   /** Returns what was asked for; null if the thing is where it was. */
   end(): Move | null {
-    const { x, y } = this.group.position;
     const degrees = (((this.angle * 180) / Math.PI + 540) % 360) - 180;
-    const moved = Math.hypot(x - this.from.x, y - this.from.y) >= LEAST_MOVE;
+    const moved = this.moved.length() >= LEAST_MOVE;
     if (!moved && Math.abs(degrees) < LEAST_TURN) return null;
     const round = (v: number): number => Math.round(v * 1000) / 1000; // millimetres
-    return { to: moved ? [round(x), round(y)] : null, turn: Math.round(degrees) };
+    const to = this.from.clone().add(this.moved);
+    return { to: moved ? [round(to.x), round(to.y)] : null, turn: Math.round(degrees) };
   }
 
-  /** Puts the thing back where it was. */
+  /** Puts everything back where it was. */
   undo(): void {
-    this.group.position.copy(this.from);
-    this.group.quaternion.copy(this.facing);
+    this.moved.set(0, 0, 0);
+    this.angle = 0;
+    this.show();
   }
 }
