@@ -1,25 +1,23 @@
 /** How long the page is seen, counted once however many of its tabs are seen at a time. */
-import type { Study } from "./study";
 
 const TICK = 5; // seconds between the clock's notes
 const LONGEST = 30; // seconds that one note may add: a machine may have slept
 
-/** The stretch of time that was counted last, by whichever tab; milliseconds since 1970. */
-interface Stretch {
+/** A stretch of time; milliseconds since 1970. */
+export interface Stretch {
   from: number;
   to: number;
 }
 
-const key = (study: Study): string => `study-${study.study}-clock`;
-
-/** Calls `add` with seconds for which the page was seen; returns what has it called at once. */
-export function watchTime(study: Study, add: (seconds: number) => void): () => void {
+/** Calls `add` with the time for which the page was seen; returns what has it called at once. */
+export function watchTime(add: (seen: Stretch) => void): () => void {
   let since = performance.now();
   const tick = (): void => {
     const now = performance.now();
     const passed = Math.min(now - since, LONGEST * 1000);
     since = now;
-    add(countOnce(study, passed) / 1000);
+    const to = Date.now();
+    add({ from: to - passed, to });
   };
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) tick();
@@ -34,29 +32,16 @@ export function watchTime(study: Study, add: (seconds: number) => void): () => v
   return tick;
 }
 
-/** Returns what of the milliseconds that just passed no tab has counted, and counts it. */
-function countOnce(study: Study, passed: number): number {
-  const to = Date.now();
-  const from = to - passed;
-  const before = read(study, to);
-  const common = before ? Math.min(to, before.to) - Math.max(from, before.from) : -1;
-  // Tabs that are seen at a time count in turn, so that their stretches become one.
-  const counted = before && common >= 0 ? { from: Math.min(from, before.from), to } : { from, to };
-  try {
-    localStorage.setItem(key(study), JSON.stringify(counted));
-  } catch {
-    return passed; // nothing is kept, so that tabs share nothing
-  }
-  return passed - Math.max(common, 0);
-}
-
-/** Returns the stretch counted last; null if there is none before now, by the clock as it is set. */
-function read(study: Study, now: number): Stretch | null {
-  try {
-    const { from, to } = JSON.parse(localStorage.getItem(key(study)) ?? "{}") as Partial<Stretch>;
-    if (typeof from !== "number" || typeof to !== "number" || from > to || to > now) return null;
-    return { from, to };
-  } catch {
-    return null;
-  }
+/**
+ * Returns the seconds of `seen` that are not in `counted`, and what is counted then.
+ *
+ * Tabs that are seen at a time count in turn, so that their stretches touch and become one. What
+ * was counted after `seen` was counted before the machine's clock was set back.
+ */
+export function countOnce(seen: Stretch, counted: Stretch | undefined): [number, Stretch] {
+  const length = seen.to - seen.from;
+  if (!counted || counted.to > seen.to || counted.to < seen.from) return [length / 1000, seen];
+  const common = counted.to - Math.max(seen.from, counted.from);
+  const from = Math.min(seen.from, counted.from);
+  return [(length - common) / 1000, { from, to: seen.to }];
 }

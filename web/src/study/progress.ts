@@ -1,4 +1,5 @@
 /** How far a rater is: kept in the browser, and read back with suspicion. */
+import type { Stretch } from "./clock";
 import { newRater } from "./random";
 import { isLevel, QUESTIONS, type Question, type Study } from "./study";
 import { isLanguage, type Language, usualLanguage } from "./texts";
@@ -12,6 +13,8 @@ export interface Progress {
   place: number;
   /** How long each scene was looked at, by scene. */
   seconds: Record<string, number>;
+  /** The time that was counted last, by whichever tab. */
+  counted?: Stretch;
   /** By result. */
   marks: Record<string, Marks>;
   /** The preferred result, by scene. */
@@ -58,7 +61,7 @@ export const isAbout = (study: Study, event: StorageEvent): boolean => event.key
 
 function isProgress(value: unknown, study: Study): value is Progress {
   if (!isRecord(value)) return false;
-  const { rater, language, place, seconds, marks, choices, checks, sent } = value;
+  const { rater, language, place, seconds, counted, marks, choices, checks, sent } = value;
   const scenes = new Set(study.scenes.map((scene) => scene.id));
   const results = new Set(study.scenes.flatMap((scene) => scene.results.map((one) => one.id)));
   return (
@@ -70,11 +73,18 @@ function isProgress(value: unknown, study: Study): value is Progress {
     (place as number) <= study.scenesEach + 1 &&
     typeof sent === "boolean" &&
     isTable(seconds, scenes, (time) => typeof time === "number" && time >= 0) &&
+    (counted === undefined || isStretch(counted)) &&
     isTable(choices, scenes, (result) => results.has(result as string)) &&
     isTable(checks, scenes, isLevel) &&
     isTable(marks, results, (one) => isTable(one, new Set<string>(QUESTIONS), isLevel))
   );
 }
+
+const isStretch = (value: unknown): value is Stretch =>
+  isRecord(value) &&
+  typeof value.from === "number" &&
+  typeof value.to === "number" &&
+  value.from <= value.to;
 
 function isTable(
   value: unknown,

@@ -1,7 +1,7 @@
 /** The state of the page, and what changes it. */
 import { computed, effect, type ReadonlySignal, type Signal, signal } from "@preact/signals";
 import { assign, type Page } from "./assignment";
-import { watchTime } from "./clock";
+import { countOnce, watchTime } from "./clock";
 import { isAbout, keep, newProgress, type Progress, recall } from "./progress";
 import { QUESTIONS, type Question, type Study } from "./study";
 import { type Language, TEXTS, type Texts } from "./texts";
@@ -50,11 +50,13 @@ export function createStore(study: Study): Store {
   const catchUp = (): void => {
     if (kept.value) progress.value = recall(study) ?? progress.value; // another tab's
   };
-  const tick = watchTime(study, (seconds) => {
+  const tick = watchTime((seen) => {
     catchUp();
     const { place, seconds: before } = progress.value;
     const scene = pages.value[place - 1]?.scene.id;
-    if (scene) change({ seconds: { ...before, [scene]: (before[scene] ?? 0) + seconds } });
+    const [fresh, counted] = countOnce(seen, progress.value.counted);
+    if (!scene || fresh <= 0) return;
+    change({ seconds: { ...before, [scene]: (before[scene] ?? 0) + fresh }, counted });
   });
   window.addEventListener("storage", (event) => {
     if (isAbout(study, event)) catchUp();
