@@ -170,7 +170,7 @@ class StudioGuard:
         if study is not None and self._has_cookie(headers, study):
             return None
         if page and scope["path"] != "/":
-            return _show("Open the address that you were sent: all of it.", _STUDY_TITLE)
+            return _show("Open the whole address that you were sent.", _STUDY_TITLE)
         words = "Open the address that the studio printed: it has the token."
         return _show(words) if page else _no(words)
 
