@@ -172,6 +172,25 @@ def test_tokens_outlive_the_studio(tmp_path: Path) -> None:
         folder.make_token("0123456789ab")
 
 
+def test_a_secret_is_written_whole_or_not_at_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = StudioFolder(tmp_path / "a")
+    folder.make()
+
+    def end_early(path: Path, text: str) -> int:
+        path.write_bytes(text[:10].encode())
+        raise KeyboardInterrupt
+
+    before = {path.name for path in folder.root.iterdir()}
+    with monkeypatch.context() as broken:
+        broken.setattr(Path, "write_text", end_early)
+        with pytest.raises(KeyboardInterrupt):
+            folder.make_token("0123456789ab")
+    assert {path.name for path in folder.root.iterdir()} == before
+    assert folder.make_token("0123456789ab")
+
+
 # --------------------------------------------------------------------------------------- command
 @pytest.fixture
 def serving(monkeypatch: pytest.MonkeyPatch, static: Path) -> list[tuple]:

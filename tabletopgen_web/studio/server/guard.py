@@ -46,7 +46,6 @@ WORKER = "/assets/worker-"
 _WORKER_POLICY = (  # MuJoCo's bindings make functions of texts of their own
     "default-src 'none'; script-src 'self' 'unsafe-eval' 'wasm-unsafe-eval'; connect-src 'self'"
 )
-"""Of every answer."""
 
 _SAFE = ("GET", "HEAD")
 
