@@ -54,7 +54,18 @@ def test_a_job_that_stays_interrupted_can_be_resumed_or_removed_and_has_its_log(
     assert page.title() == "TabletopGen studio"
 
 
-def test_what_is_understood_is_said_while_it_is_typed(browser: Browser, studio: Studio) -> None:
+def make_picture(folder: Path) -> Path:
+    """Write a picture that can be uploaded."""
+    from PIL import Image
+
+    path = folder / "photo.png"
+    Image.linear_gradient("L").convert("RGB").save(path)
+    return path
+
+
+def test_what_is_understood_is_said_while_it_is_typed(
+    browser: Browser, studio: Studio, tmp_path: Path
+) -> None:
     page = opened(browser, viewport={"width": 390, "height": 844}).page
     page.goto(studio.address)
     page.get_by_label("Describe the table").fill("a round table with two red mugs and happiness")
@@ -64,6 +75,11 @@ def test_what_is_understood_is_said_while_it_is_typed(browser: Browser, studio: 
     page.get_by_text("not English").wait_for()
     assert page.get_by_text("2 × red mug").count() == 0
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    page.locator("input[type=file]").set_input_files(make_picture(tmp_path))
+    page.get_by_role("button", name="Use a text instead").wait_for()
+    assert page.get_by_text("not English").count() == 0, "the text is not used"
+    page.get_by_role("button", name="Use a text instead").click()
+    page.get_by_text("not English").wait_for()
 
 
 def test_a_scene_that_cannot_be_removed_is_not_said_to_be(browser: Browser, studio: Studio) -> None:

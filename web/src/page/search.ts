@@ -44,10 +44,17 @@ export function holds(row: SceneRow, words: string): boolean {
   return forms.every((any) => any.some((form) => text.includes(form)));
 }
 
-/** A word as it is, and what it may be the plural of: "knives", "knif", "knife". */
+/** What may be an ending of a plural, and what stands in its place in a singular: no "plan" of "planes". */
+const ENDINGS: [RegExp, string][] = [
+  [/(..)ies$/, "$1y"],
+  [/ves$/, "f"],
+  [/([sxz]|[cs]h|...o)es$/, "$1"],
+  [/s$/, ""],
+];
+
+/** A word as it is, and what it may be the plural of: "knives", "knif", "knive". */
 function formsOf(word: string): string[] {
-  const endings: [RegExp, string][] = [[/ies$/, "y"], [/ves$/, "f"], [/es$/, ""], [/s$/, ""]];
-  return [word, ...endings.filter(([end]) => end.test(word) && word.length > 3).map(([end, by]) => word.replace(end, by))];
+  return [word, ...ENDINGS.filter(([end]) => end.test(word) && word.length > 3).map(([end, by]) => word.replace(end, by))];
 }
 
 export function matches(row: SceneRow, filter: Filter): boolean {

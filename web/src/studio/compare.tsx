@@ -3,7 +3,7 @@ import { Viewer } from "../viewer/viewer";
 import { addressOf, useTitle } from "../ui/routing";
 import { api } from "./api";
 import { Edits } from "./scenes";
-import { scenes } from "./store";
+import { scenes, scenesRead } from "./store";
 
 export function ComparePage({ ids }: { ids: string[] }) {
   useTitle("Side by side – TabletopGen studio");
@@ -27,7 +27,7 @@ export function ComparePage({ ids }: { ids: string[] }) {
             </section>
           ) : (
             <p key={ids[k]} class="quiet">
-              There is no scene {ids[k]}.
+              {scenesRead.value ? `There is no scene ${ids[k]}.` : "Reading the scenes …"}
             </p>
           ),
         )}

@@ -76,7 +76,7 @@ export function MakeForm() {
           onInput={(event) => (text.value = event.currentTarget.value)}
         />
       </label>
-      <Understood text={text.value.trim()} seed={seed.value} />
+      <Understood text={picture.value ? "" : text.value.trim()} seed={seed.value} />
       <Drop picture={picture} />
       {!picture.value && (
         <fieldset>
