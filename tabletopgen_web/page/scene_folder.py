@@ -1,4 +1,4 @@
-"""One scene's folder of a page: the bundle as it is, the robot's model, episodes, downloads.
+"""One scene's folder of a page: the bundle's data, the robot's model, episodes, downloads.
 
 ``view.json`` lists it all (``SceneFiles`` in ``web/src/data.ts``); the studio serves such folders,
 too.
@@ -41,6 +41,8 @@ _LABELS = {
     "usd": "USD",
     "usdz": "USDZ",
 }
+_DRAWN = ("meshes/", "textures/")
+_DATA = (".json", ".obj", ".png")  # what a browser runs nothing of
 _PICTURES = ("reference", "preview")  # the first that there is lies over the view
 _THUMB = (480, 360)
 _QUALITY = 82
@@ -75,8 +77,8 @@ def scene_folder(
     if scene is None:
         return SceneFolder(row, {})
     held = read_files(bundle)
-    files = {f"bundle/{name}": content for name, content in held.items()}
-    shown = {n: f"bundle/{n}" for n in held if n.startswith(("meshes/", "textures/"))}
+    files = {f"bundle/{name}": content for name, content in held.items() if _is_data(name)}
+    shown = {n: f"bundle/{n}" for n in held if _is_data(n) and n.startswith(_DRAWN)}
     view: dict[str, Any] = {
         "schema": SCHEMA,
         "scene": {"xml": "bundle/scene.xml", "files": shown, "start": "settled"},
@@ -92,6 +94,14 @@ def scene_folder(
     view["row"] = plain(row)
     files[VIEW] = json.dumps(view, sort_keys=True, ensure_ascii=False).encode()
     return SceneFolder(row, files)
+
+
+def _is_data(name: str) -> bool:
+    """Tell whether a bundle's file is served: it may list any other, a web page with a script, too.
+
+    The archive of the bundle has them all.
+    """
+    return name == "scene.xml" or name.lower().endswith(_DATA)
 
 
 def _robot(

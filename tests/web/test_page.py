@@ -1,5 +1,6 @@
 """The static page's files, without a browser: rows, scene folders, the site."""
 
+import hashlib
 import io
 import json
 import shutil
@@ -12,6 +13,7 @@ import pytest
 
 from assets_cache.store import find
 from generator.bundle import load, read_files, verify
+from generator.bundle.encoding import dumps
 from generator.errors import BackendError, InputError, StorageError
 from tabletopgen_web import frontend
 from tabletopgen_web.page.episodes import record_play
@@ -82,6 +84,29 @@ def test_a_scene_folder_holds_the_bundle_and_downloads(bundle: Path, tmp_path: P
     archive.extractall(tmp_path)
     assert verify(tmp_path / bundle.name) == []
     assert load(tmp_path / bundle.name).name == "kitchen-cutting"
+
+
+def test_a_bundle_brings_no_web_page(bundle: Path, tmp_path: Path) -> None:
+    files, truth = read_files(bundle), json.loads((bundle / "scene.json").read_bytes())
+    files.pop("certificate.json", None)
+    script = b"<script xmlns='http://www.w3.org/1999/xhtml'>evil()</script>"
+    foreign = ("a.html", "a.JS", "a.xml", "meshes/a.svg", "textures/a.xhtml", "stages/a")
+    for name in foreign:
+        files[name] = script
+        truth["files"][name] = {
+            "bytes": len(script), "sha256": hashlib.sha256(script).hexdigest()
+        }  # fmt: skip
+    files["scene.json"] = dumps(truth)
+    own = tmp_path / f"evil-{hashlib.sha256(files['scene.json']).hexdigest()[:12]}"
+    for name, content in files.items():
+        (own / name).parent.mkdir(parents=True, exist_ok=True)
+        (own / name).write_bytes(content)
+    made = scene_folder(own, QUICK)
+    assert made.row.error is None and "bundle/scene.xml" in made.files
+    served = {name for name, content in made.files.items() if content == script}
+    assert not served and not any(name in made.files["view.json"].decode() for name in foreign)
+    with zipfile.ZipFile(io.BytesIO(made.files[f"downloads/{own.name}.zip"])) as held:
+        assert held.read(f"{own.name}/a.html") == script, "the bundle itself is whole"
 
 
 def test_an_episode_fits_the_model_with_the_robot(bundle: Path) -> None:
