@@ -218,12 +218,14 @@ def test_costs_come_before_spending_and_go_when_they_no_longer_hold(
     page.get_by_label("Describe the table").fill(TEXT)
     page.get_by_label("Generate: the whole method").check()
     page.get_by_text("Who answers").click()
+    page.get_by_text("How each phrase was read").wait_for()
     chooser = page.get_by_label("reasoner")
     paid = page.evaluate(
         "async () => (await (await fetch('/api/state')).json()).backends"
         ".find((b) => b.charges && b.available && b.roles.includes('reasoner')).name"
     )
     chooser.select_option(paid)
+    page.get_by_text("How each phrase was read").wait_for(state="detached")
     make_it = page.get_by_role("button", name="Make the table")
     make_it.click()
     page.get_by_text("plan: at most 0.02").wait_for()

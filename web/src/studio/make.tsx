@@ -21,6 +21,8 @@ export function MakeForm() {
   const estimated = useSignal("");
   const busy = useSignal(false);
   const kind = (): Way => (picture.value ? "generate" : way.value);
+  /** Whether the embedded planner reads the text: of others it is not known beforehand what they make of it. */
+  const embedded = (): boolean => !picture.value && !(kind() === "generate" && backends.value["reasoner"]);
 
   const request = (number: number): JobRequest => {
     const described = picture.value ? { picture: picture.value.picture } : { text: text.value.trim() };
@@ -76,7 +78,7 @@ export function MakeForm() {
           onInput={(event) => (text.value = event.currentTarget.value)}
         />
       </label>
-      <Understood text={picture.value ? "" : text.value.trim()} seed={seed.value} />
+      <Understood text={embedded() ? text.value.trim() : ""} seed={seed.value} />
       <Drop picture={picture} />
       {!picture.value && (
         <fieldset>
