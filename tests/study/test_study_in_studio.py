@@ -178,6 +178,26 @@ def test_two_tabs_count_time_once(
         context.close()
 
 
+def test_a_tab_that_was_frozen_does_not_undo_what_another_kept(
+    browser: Browser, study: Path, files: StudyFiles, tmp_path: Path
+) -> None:
+    """Played in one tab: what it keeps itself it is not told of, as if it had been frozen."""
+    (tmp_path / "study.html").write_bytes(study.read_bytes())
+    with serving(tmp_path) as address, opened(browser, f"{address}/study.html") as (_, page):
+        page.get_by_role("button", name="Begin").click()
+        page.get_by_role("button", name="Next").wait_for()
+        for event in ("pageshow", "visibilitychange"):
+            language = page.evaluate(
+                "([key, event]) => { const kept = JSON.parse(localStorage[key]);"
+                "kept.language = kept.language === 'en' ? 'zh' : 'en';"
+                "localStorage[key] = JSON.stringify(kept); dispatchEvent(new Event(event));"
+                "return kept.language; }", [f"study-{files.key.study}", event],
+            )  # fmt: skip
+            page.wait_for_function(
+                "known => document.documentElement.lang === known", arg=language, timeout=2000
+            )
+
+
 def test_the_texts_say_one_where_there_is_one(
     browser: Browser, template: str, tmp_path: Path
 ) -> None:

@@ -61,6 +61,8 @@ export function createStore(study: Study): Store {
   window.addEventListener("storage", (event) => {
     if (isAbout(study, event)) catchUp();
   });
+  // A tab that the browser had frozen has not heard what others kept.
+  for (const again of ["pageshow", "visibilitychange"]) window.addEventListener(again, catchUp);
   return {
     study,
     progress,
