@@ -55,7 +55,7 @@ def page(
             print(escape(f"  {row.id} is listed, but not shown: {row.error}"))
     shown = sum(row.error is None for row in site.scenes)
     print(
-        f"  {shown} scenes, {site.bytes / 1e6:.1f} MB; to look at them: "
+        f"  {shown} scene{'s' * (shown != 1)}, {site.bytes / 1e6:.1f} MB; to look at them: "
         f"python -m http.server --directory {escape(str(out))}"
     )
     return 0 if shown else 1

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command import Shell
 
 from assets_cache.store import find
 from generator.bundle import load, read_files, verify
@@ -162,6 +163,15 @@ def test_a_site_is_written_whole_and_replaces_only_a_site(
     assert (foreign / "thesis.tex").exists()
     with pytest.raises(InputError, match="Two bundles"):
         write_site([bundle, bundle], out, options=QUICK)
+
+
+def test_the_command_says_one_where_there_is_one(
+    static: Path, tmp_path: Path, shell: Shell
+) -> None:
+    page = shell.of("page", "--formats", "glb", "--episodes", "0", "--no-robot",
+                    "--out", str(tmp_path / "site"))  # fmt: skip
+    assert " 1 scene, " in page("kitchen-cutting").out
+    assert " 2 scenes, " in page("kitchen-cutting", "coffee-oval").out
 
 
 def test_a_site_that_fails_leaves_nothing(
