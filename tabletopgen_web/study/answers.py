@@ -19,8 +19,10 @@ from .key import StudyKey
 MAX_ANSWER_BYTES = 2**20
 """Of one rater's answers; 200 scenes of 8 methods take less."""
 
+MAX_FILE_BYTES = 16 * MAX_ANSWER_BYTES
+"""Of a rater's list of answers, as a studio keeps them."""
+
 _MAX_FILES = 5_000
-_MAX_FILE_BYTES = 16 * MAX_ANSWER_BYTES  # of a list, as a studio keeps them
 _RATER = re.compile(r"[0-9a-f]{16}")
 _LANGUAGE = re.compile(r"[a-z]{2,3}(-[A-Za-z]{2,8})?")
 _MAX_SECONDS = 30 * 86400.0
@@ -82,7 +84,7 @@ def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], 
     by_rater: dict[str, list[tuple[Path, RaterAnswers]]] = defaultdict(list)
     for file in dict.fromkeys(files):
         try:
-            raw = read_regular(file, "The file", InputError, max_bytes=_MAX_FILE_BYTES)
+            raw = read_regular(file, "The file", InputError, max_bytes=MAX_FILE_BYTES)
             found = [parse_answers(each, key) for each in _split(raw)]
         except InputError as error:
             left.append(Refusal(str(file), str(error)))

@@ -13,13 +13,10 @@ from generator.errors import StorageError
 from generator.io.files import make_private, write_whole
 from generator.io.reading import parse_json, read_regular
 
+from ...study.answers import MAX_FILE_BYTES
 from ..refusals import RefusedError
 
-MOST_BYTES = 2**20
-"""Of one answer."""
-
 _NAME = re.compile(r"[a-z0-9-]{1,64}")
-_MOST_RATER_BYTES = 16 * 2**20
 _MOST_RATERS, _MOST_STUDIES = 1000, 1000
 _MOST_SHARED, _MOST_SHARED_BYTES = 8, 64 * 2**20  # answers of a rater; bytes of a study
 
@@ -53,7 +50,7 @@ class AnswerBook:
             return len(kept)
         kept.append(dict(answer))
         content = json.dumps(kept, ensure_ascii=False, indent=1).encode()
-        if len(content) > _MOST_RATER_BYTES or (shared and len(kept) > _MOST_SHARED):
+        if len(content) > MAX_FILE_BYTES or (shared and len(kept) > _MOST_SHARED):
             raise RefusedError(507, f"{rater} has sent too many answers; no more are kept.")
         if shared and _size(folder, path) + len(content) > _MOST_SHARED_BYTES:
             raise RefusedError(507, "The study has too many answers; no more are kept.")
@@ -83,7 +80,7 @@ class AnswerBook:
     def _read(self, path: Path) -> list[Any]:
         if not path.exists():
             return []
-        raw = read_regular(path, "The answers", StorageError, max_bytes=_MOST_RATER_BYTES)
+        raw = read_regular(path, "The answers", StorageError, max_bytes=MAX_FILE_BYTES)
         found = parse_json(raw, f"{path}", StorageError)
         if not isinstance(found, list):
             raise StorageError(f"{path} is no list of answers. It is left as it is.")

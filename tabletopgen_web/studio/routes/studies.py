@@ -8,7 +8,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from ..library.answers import MOST_BYTES
+from ...study.answers import MAX_ANSWER_BYTES
 from ..refusals import RefusedError
 from ..server.bodies import read_json
 from ..server.services import services_of
@@ -32,7 +32,7 @@ async def add_answer(request: Request) -> Response:
 
     Of a study that is served, answers have to be complete, and less is kept.
     """
-    services, said = services_of(request), await read_json(request, MOST_BYTES)
+    services, said = services_of(request), await read_json(request, MAX_ANSWER_BYTES)
     study = request.path_params["study"]
     page = services.studies.get(study)
     if page is not None:

@@ -87,7 +87,7 @@ class StudioServices:
         """Remove what jobs that are no more had or made, and outdated views, if possible."""
         self.scenes.sweep()
         jobs = self.store.list_jobs()
-        self.pictures.sweep({str(job.request.get("picture")) for job in jobs})
+        self.pictures.sweep({job.request["picture"] for job in jobs if "picture" in job.request})
         known = {job.id for job in jobs}
         for folder in (self.folder.figures, self.folder.files):
             for path in folder.iterdir():
