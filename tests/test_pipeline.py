@@ -169,3 +169,6 @@ def test_scene_names_are_file_safe() -> None:
     assert scene_name("A mug, on/../a desk!") == "a-mug-on-a-desk"
     assert scene_name(None) == "picture"
     assert scene_name("机") == "scene"
+    long = "a workbench in a robotics lab, a laptop in the middle"
+    assert scene_name(long) == "a-workbench-in-a-robotics-lab-a-laptop", "no word is cut"
+    assert scene_name("a" * 50) == "a" * 40

@@ -16,10 +16,17 @@ _DECISIVE = (
 )  # fmt: skip
 
 
+_LONGEST_NAME = 40  # characters
+
+
 def scene_name(prompt: str | None) -> str:
-    """Return a short file-safe name for a prompt: its first letters and digits."""
+    """Return a short file-safe name for a prompt: its first words, 40 characters at most."""
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in (prompt or "picture"))
-    return "-".join(words.lower().split())[:40].strip("-") or "scene"
+    name = "-".join(words.lower().split())
+    if len(name) > _LONGEST_NAME:
+        cut = name[: _LONGEST_NAME + 1]
+        name = cut.rpartition("-")[0] or cut[:-1]
+    return name or "scene"
 
 
 def versions(packages: Iterable[str] = _DECISIVE) -> dict[str, str]:

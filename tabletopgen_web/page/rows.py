@@ -79,6 +79,7 @@ class SceneRow:
         id: the name of the bundle's folder.
         name, kind, prompt: of the scene and its provenance; ``kind`` is "text", "image", "compose",
             "import" or the like.
+        asked: what edits asked for, the first one first.
         theme: the kind of table that the text names, or else the scene's name; "" for none.
         seed: what the scene was drawn with; None where that is not recorded.
         difficulty: how hard it is to work at, in [0, 1]; None where that was not computed.
@@ -90,6 +91,7 @@ class SceneRow:
     name: str
     kind: str = ""
     prompt: str = ""
+    asked: tuple[str, ...] = ()
     theme: str = ""
     seed: int | None = None
     table: TableRow = TableRow("", (0.0, 0.0, 0.0))
@@ -151,6 +153,7 @@ def row_of_facts(facts: Mapping[str, Any], id: str) -> SceneRow:
             name=name,
             kind=str(made["kind"]),
             prompt=prompt,
+            asked=tuple(str(edit["asked"]) for edit in made.get("edits") or ()),
             theme=theme_of(prompt) or theme_of(name),
             seed=None if seed is None else int(seed),
             table=TableRow(str(models[table["model"]]["label"]), _round(table["scale"])),

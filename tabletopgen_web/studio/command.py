@@ -23,7 +23,7 @@ def studio(
     folder: Path | None = None,
     workers: int = 1,
     study: tuple[Path, ...] = (),
-    no_browser: bool = False,
+    browser: bool = True,
 ) -> int:
     """Open a page of this machine to make, change and look at tables.
 
@@ -37,7 +37,7 @@ def studio(
         workers: How many jobs run at a time.
         study: Pages that `study new` wrote with --post '/api/studies/{study}/answers'; for each an
             address for raters is printed, which opens nothing else. At most 16.
-        no_browser: Print the address and open no browser.
+        browser: Open the address in a browser; it is printed, too.
     """
     try:
         import starlette  # noqa: F401
@@ -73,7 +73,7 @@ def studio(
         place.announce(access.address)
         changes = Changes()
         app = make_application(place, access, static, workers, changes, studies)
-        serve(app, listening, access, not no_browser, changes.close)
+        serve(app, listening, access, browser, changes.close)
     return 0
 
 

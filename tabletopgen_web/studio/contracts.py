@@ -41,7 +41,7 @@ class JobResult:
     """What a job made: a scene of the workspace, or a file to fetch from ``url``.
 
     ``facts`` are more about it: ``spent`` (what calls to servers cost), of an episode ``success``
-    and ``steps``.
+    and ``steps``, of an edit ``not_understood`` (words of what it did not take).
     """
 
     scene: str | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from textwrap import shorten
 from typing import Any, cast, get_args
 
 from generator.backends import Mix
@@ -19,6 +20,8 @@ from .fields import Fields
 
 FORMATS: tuple[str, ...] = get_args(PageFormat)
 """What scenes can be exported as."""
+
+_LONGEST_TITLE = 120
 
 MOST_TEXT = 4000
 """Characters of a description."""
@@ -119,13 +122,14 @@ def read_spec(payload: object) -> JobSpec:
 def title_of(spec: JobSpec) -> str:
     """Return a job in a few words."""
     if isinstance(spec, GenerateSpec):
-        return (spec.text or "a picture")[:120]
+        return shorten(spec.text or "a picture", _LONGEST_TITLE, placeholder=" …")
     if isinstance(spec, ComposeSpec):
-        return spec.text[:120]
+        return shorten(spec.text, _LONGEST_TITLE, placeholder=" …")
     if isinstance(spec, EditSpec):
         place = "" if spec.to is None else f" to {spec.to[0]:g} {spec.to[1]:g}"
         turn = "" if spec.turn is None else f" turned {spec.turn:g}°"
-        return f"{spec.action} {' '.join(spec.words)}{place}{turn}"[:120]
+        words = f"{spec.action} {' '.join(spec.words)}{place}{turn}"
+        return shorten(words, _LONGEST_TITLE, placeholder=" …")
     if isinstance(spec, EpisodeSpec):
         return f"{spec.task} on {spec.scene}"
     return f"{spec.scene} as {spec.format}"

@@ -53,8 +53,9 @@ def table_2(report: StudyReport) -> str:
     rows = []
     best = [max(cell(m) for m in report.methods) for cell in _CELLS]
     for m in report.methods:
-        texts = [(f"{cell(m):.2f}", cell(m) == top) for cell, top in zip(_CELLS, best, strict=True)]
-        rows.append((m.method, *(f"**{text}**" if first else text for text, first in texts)))
+        texts = [f"{cell(m):.2f}" for cell in _CELLS]
+        rows.append((m.method, *(f"**{text}**" if text == f"{top:.2f}" else text
+                                 for text, top in zip(texts, best, strict=True))))  # fmt: skip
     return _table(("Method", *_HEADS), rows)
 
 

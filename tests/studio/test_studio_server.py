@@ -86,7 +86,8 @@ def test_a_scene_is_composed_edited_shown_exported_and_played(studio: Studio) ->
     later = edited["result"]["scene"]
     row = client.get(f"/api/scenes/{later}").json()
     assert (row["parent"], row["in"], len(row["things"])) == (scene, "workspace", 2)
-    assert (row["edits"], row["last_edit"]) == (1, "add book_1: a book")
+    assert (row["edits"], row["last_edit"], row["asked"]) == (1, "add book_1: a book", ["a book"])
+    assert edited["result"]["facts"]["not_understood"] == []
     history = client.get(f"/api/scenes/{later}/history").json()
     assert [(s["id"], s["kind"]) for s in history["steps"]] == [(scene, "made"), (later, "add")]
     assert client.get(f"/api/scenes/{scene}/history").json()["later"] == [later]
@@ -104,6 +105,9 @@ def test_a_scene_is_composed_edited_shown_exported_and_played(studio: Studio) ->
         assert len(content.content) == done["result"]["bytes"] > 100
         assert "attachment" in content.headers["content-disposition"]
     until(lambda: any(e["type"] == "result" for e in listener.of(job)))
+    half = {"kind": "edit", "scene": scene, "action": "move", "words": ["mug_1", "2 metres left"]}
+    moved = wait_for(client, client.post("/api/jobs", json=half).json()["id"])
+    assert "2 metres" in str(moved["error"] or moved["result"]["facts"]["not_understood"])
     wrong = {"kind": "edit", "scene": scene, "action": "remove", "words": ["piano_1"]}
     failed = wait_for(client, client.post("/api/jobs", json=wrong).json()["id"])
     assert failed["state"] == "failed" and "piano_1" in failed["error"]
@@ -252,6 +256,7 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
 
 def test_a_full_disk_fails_jobs_and_the_studio_lives(small_disk: Path, store: Path) -> None:
     with run_studio(small_disk / "studio") as studio:
+        assert studio.client.get("/api/state").status_code == 200, "it has begun"
         filler = small_disk / "filler"
         with contextlib.suppress(OSError), filler.open("wb") as file:
             while True:

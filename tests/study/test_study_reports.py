@@ -4,6 +4,7 @@ import csv
 import io
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +54,15 @@ def test_three_raters_give_the_table_worked_out_by_hand(key: StudyKey) -> None:
     assert (rows[0]["share_low"][:6], rows[0]["chosen"], rows[0]["choices"]) == (
         "0.3861", "11", "18",
     )  # fmt: skip
+
+
+def test_what_is_as_good_is_as_bold(key: StudyKey) -> None:
+    report = measure(three(key), [], key)
+    even = tuple(
+        replace(one, share=0.5 + more) for one, more in zip(report.methods, (0, 1e-6), strict=True)
+    )
+    lines = table_2(replace(report, methods=even)).splitlines()[2:]
+    assert [line.count("**50.00**") for line in lines] == [1, 1]
 
 
 def test_one_rater_has_no_interval(key: StudyKey) -> None:

@@ -42,7 +42,7 @@ def test_a_job_that_stays_interrupted_can_be_resumed_or_removed_and_has_its_log(
     play(page, "**/api/jobs", {"jobs": [JOB]})
     play(page, f"**/api/jobs/{JOB['id']}", {**JOB, "log": "what it said\n"})
     page.goto(studio.address)
-    page.get_by_role("button", name="Resume").wait_for()
+    page.get_by_role("button", name="Start again").wait_for()
     assert page.get_by_role("button", name="Cancel").count() == 0
     assert page.get_by_role("button", name="Remove the job").count() == 1
     page.get_by_role("link", name=JOB["title"]).click()
@@ -86,7 +86,8 @@ def test_a_scene_that_cannot_be_removed_is_not_said_to_be(browser: Browser, stud
     page = opened(browser).page
     (bundle,) = find("coffee-oval")
     row = {
-        "id": bundle.name, "name": "coffee-oval", "kind": "compose", "prompt": "", "theme": "",
+        "id": bundle.name, "name": "coffee-oval", "kind": "compose", "prompt": "", "asked": [],
+        "theme": "", "seed": 0, "saved": False, "edits": 0, "last_edit": "",
         "table": {"label": "table", "size": [1, 1, 1]}, "things": [], "difficulty": None,
         "gate": None, "certificate": None, "warnings": [], "thumbnail": None, "error": None,
         "in": "workspace", "digest": "0", "editable": True, "parent": None,

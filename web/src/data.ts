@@ -37,6 +37,8 @@ export interface SceneRow {
   name: string;
   kind: string;
   prompt: string;
+  /** What edits asked for. */
+  asked: string[];
   theme: string;
   /** What it was drawn with; null where that is not recorded. */
   seed: number | null;

@@ -91,7 +91,8 @@ def compose_scene(spec: ComposeSpec, order: JobOrder, telling: Telling) -> dict[
 
 def edit_scene(spec: EditSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
     """Do a job of the kind "edit"."""
-    from generator.bundle import load_pictures
+    from generator.bundle import load, load_pictures
+    from generator.language.reading import NOT_UNDERSTOOD
 
     telling.stage(spec.action, 1, 1)
     session = open_session(spec.paid)
@@ -100,7 +101,10 @@ def edit_scene(spec: EditSpec, order: JobOrder, telling: Telling) -> dict[str, A
     path = edited.save(order.scenes)
     pictures = load_pictures(path)
     telling.show(spec.action, {k: v for k, v in pictures.items() if k == "preview"})
-    return {"scene": path.name, "facts": _spend(session, path)}
+    known = load(order.start).provenance.warnings
+    lost = [words for words in edited.scene.provenance.warnings
+            if words.startswith(NOT_UNDERSTOOD) and words not in known]  # fmt: skip
+    return {"scene": path.name, "facts": _spend(session, path) | {"not_understood": lost}}
 
 
 _print = partial(print, flush=True)  # to the log of the job

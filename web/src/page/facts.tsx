@@ -58,7 +58,10 @@ function Things({ things, table, selected }: { things: ThingRow[]; table: readon
           <tbody>
             {things.map((thing) => (
               <tr key={thing.name} aria-current={thing.name === selected ? "true" : undefined}>
-                <td>{thing.name}</td>
+                <td>
+                  {thing.name}
+                  {!thing.name.startsWith(thing.label.replaceAll(" ", "_")) && <span class="quiet"> ({thing.label})</span>}
+                </td>
                 <td>{cm(thing.size)}</td>
                 <td class="number">{thing.mass.toFixed(3)}</td>
               </tr>

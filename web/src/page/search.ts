@@ -37,7 +37,7 @@ export function themes(rows: SceneRow[]): string[] {
 
 /** Tells whether a scene has all words, plurals or not, in its name, its text or its things. */
 export function holds(row: SceneRow, words: string): boolean {
-  const text = [row.id, row.prompt, row.theme, row.table.label, ...row.things.flatMap((t) => [t.label, t.category, t.name])]
+  const text = [row.id, row.prompt, ...row.asked, row.theme, row.table.label, ...row.things.flatMap((t) => [t.label, t.category, t.name])]
     .join(" ")
     .toLowerCase();
   const forms = words.toLowerCase().split(/\s+/).filter(Boolean).map(formsOf);

@@ -19,8 +19,14 @@ export function EditPage({ id }: { id: string }) {
   const row = scenes.value.find((scene) => scene.id === id);
   const engine = useSignal<Engine | null>(null);
   const busy = useSignal<string | null>(null);
-  const view = useRef<number[] | null>(null);
+  /** What the next step of the history is looked at from, and what is chosen there. */
+  const kept = useRef<{ view: number[] | null; chosen: string | null }>({ view: null, chosen: null });
   useTitle(`${row?.name ?? "Scene"} – TabletopGen studio`);
+
+  const leave = (): void => {
+    const left = engine.value;
+    kept.current = { view: left?.stage?.view ?? null, chosen: left?.selected.value ?? null };
+  };
 
   const edit = async (asked: Edit): Promise<void> => {
     const edited = engine.value;
@@ -33,14 +39,15 @@ export function EditPage({ id }: { id: string }) {
     busy.value = null;
     edited.locked = false;
     if (over?.state === "done" && over.result?.scene) {
-      view.current = edited.stage?.view ?? null;
+      leave();
       await refreshScenes();
       const there = addressOf("scene", over.result.scene);
       const open = (): void => void (location.hash = there);
       const stayed = location.hash === here; // who has gone elsewhere stays there
       if (stayed) open();
       const remedy = stayed ? undefined : { label: "Open it", run: open };
-      tell(`${over.title}: done; the table was settled and passed its gate.`, false, remedy);
+      const lost = (over.result.facts["not_understood"] ?? []) as string[];
+      tell([`${over.title}: done; the table was settled and passed its gate.`, ...lost].join(" "), lost.length > 0, remedy);
     } else {
       edited.putBack();
       if (over) tell(over.error ?? `The edit ${over.state}.`, true, remedyOf(asked, over.error ?? "", edit));
@@ -49,7 +56,8 @@ export function EditPage({ id }: { id: string }) {
 
   const keep = (found: Engine): void => {
     engine.value = found;
-    found.firstView = view.current;
+    found.firstView = kept.current.view;
+    if (row?.things.some((thing) => thing.name === kept.current.chosen)) found.selected.value = kept.current.chosen;
     found.onMoved = (name, move) => void edit(wordsOf(name, move));
     if (row?.editable) found.edit(true);
   };
@@ -61,7 +69,7 @@ export function EditPage({ id }: { id: string }) {
     <div class="stack">
       <div class="row">
         <h1>{row.name}</h1>
-        <History id={id} />
+        <History id={id} leave={leave} />
         {row.in === "workspace" && (
           <button class="primary" aria-disabled={row.saved} onClick={() => row.saved || void save(row)}>
             {row.saved ? "Saved" : "Save to the store"}
@@ -107,7 +115,7 @@ function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void
 }
 
 /** Back to what a scene was edited from, and forth to what was made of it last. */
-function History({ id }: { id: string }) {
+function History({ id, leave }: { id: string; leave: () => void }) {
   const chain = useSignal<SceneHistory | null>(null);
   useEffect(() => {
     let wanted = true;
@@ -124,14 +132,15 @@ function History({ id }: { id: string }) {
   const before = known?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
   const after = known?.later[0]; // the newest
   const go = (to: string): void => {
+    leave();
     location.hash = addressOf("scene", to);
   };
   return (
     <div class="row" role="group" aria-label="History">
-      <button disabled={!before && !waiting} onClick={() => before && go(before)}>
+      <button disabled={!before && !waiting} aria-disabled={waiting} onClick={() => before && go(before)}>
         Undo
       </button>
-      <button disabled={!after && !waiting} onClick={() => after && go(after)}>
+      <button disabled={!after && !waiting} aria-disabled={waiting} onClick={() => after && go(after)}>
         Redo
       </button>
     </div>
@@ -171,9 +180,9 @@ function EditPanel({ engine, names, busy, edit }: EditPanelProps) {
       {chosen && (
         <>
           <div class="field">
-            <span>Turn, degrees</span>
+            <span>Turn, degrees counter-clockwise</span>
             <div class="row">
-              <input type="number" aria-label="Degrees, counter-clockwise" min="-180" max="180" step="5" value={turn.value} onInput={(event) => (turn.value = Number(event.currentTarget.value))} />
+              <input type="number" aria-label="Degrees counter-clockwise" min="-180" max="180" step="5" value={turn.value} onInput={(event) => (turn.value = Number(event.currentTarget.value))} />
               <button disabled={off || turn.value === 0} onClick={() => void edit({ action: "move", words: [chosen], turn: turn.value })}>
                 Turn
               </button>

@@ -18,7 +18,10 @@ export function EnvironmentPanel({ row: { id, in: place, saved }, engine }: { ro
     const over = job && (await whenOver(job.id));
     busy.value = false;
     const url = over?.state === "done" ? over.result?.url : null;
-    if (url) await attempt(() => engine.playFile(url));
+    if (url) {
+      await attempt(() => engine.playFile(url));
+      engine.stage?.renderer.domElement.scrollIntoView({ block: "center", behavior: "smooth" });
+    }
     else if (over) tell(over.error ?? `The episode ${over.state}.`, true);
   };
   const write = async (): Promise<void> => {

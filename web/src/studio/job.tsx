@@ -3,7 +3,7 @@ import { useEffect } from "preact/hooks";
 import { addressOf, useTitle } from "../ui/routing";
 import { api, type FigureRow } from "./api";
 import { Controls, Progress } from "./jobs";
-import { jobs, refreshJob, studio } from "./store";
+import { isOver, jobs, refreshJob, studio } from "./store";
 
 /** "fig08_reference.png" is "reference". */
 const captionOf = ({ name }: FigureRow): string => name.replace(/\.png$/, "").replace(/^fig\d+_/, "").replaceAll("_", " ");
@@ -15,6 +15,7 @@ export function JobPage({ id }: { id: string }) {
   useEffect(() => void refreshJob(id), [id]); // lists have no logs
   if (!job) return <p class="quiet">{studio.value ? "There is no such job. It may have been removed." : "Reading the jobs …"}</p>;
   const stages = [...new Set(job.figures.map((figure) => figure.stage))];
+  if (!isOver(job)) stages.reverse(); // what is new is seen without scrolling
   return (
     <div class="stack">
       <h1>{job.title}</h1>
@@ -43,7 +44,7 @@ export function JobPage({ id }: { id: string }) {
                   <a href={figure.url} target="_blank" rel="noreferrer">
                     <img src={figure.url} alt={`${captionOf(figure)} of the stage ${stage}`} />
                   </a>
-                  <figcaption class="small quiet">{captionOf(figure)}</figcaption>
+                  {captionOf(figure) !== stage && <figcaption class="small quiet">{captionOf(figure)}</figcaption>}
                 </figure>
               ))}
           </div>

@@ -31,7 +31,7 @@ export function JobsPanel() {
 
 function List({ jobs }: { jobs: JobRow[] }) {
   return (
-    <ul class="plain stack">
+    <ul class="plain stack jobs" tabIndex={0}>
       {jobs.map((job) => (
         <li key={job.id} class="stack job">
           <a href={link(job)}>{job.title}</a>
@@ -63,7 +63,7 @@ export function Progress({ job }: { job: JobRow }) {
 /** What beginning a job again is called; null where it would only be refused again. */
 function againOf(job: JobRow): string | null {
   if (job.state === "failed") return job.kind === "edit" ? null : "Try again";
-  return job.state === "done" ? null : "Resume";
+  return job.state === "done" ? null : "Start again";
 }
 
 export function Controls({ job }: { job: JobRow }) {

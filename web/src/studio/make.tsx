@@ -1,17 +1,19 @@
 /** The form that begins a table: a text or a picture, who answers, what it would cost. */
-import { useSignal, type Signal } from "@preact/signals";
+import { signal, useSignal, type Signal } from "@preact/signals";
 import { api, type EstimateRow, type JobRequest, type Paid, type PictureRow, type Role } from "./api";
-import { attempt, begin, studio, tell } from "./store";
+import { attempt, begin, message, studio, tell } from "./store";
 import { Understood } from "./understood";
 
 type Way = "compose" | "generate";
 
 const MOST_VARIANTS = 8;
 
+/** It outlives the form, as a choice that was made. */
+const way = signal<Way>("compose");
+
 export function MakeForm() {
   const text = useSignal("");
   const picture = useSignal<PictureRow | null>(null);
-  const way = useSignal<Way>("compose");
   const seed = useSignal(0);
   const variants = useSignal(1);
   const backends = useSignal<Record<string, string>>({});
@@ -63,6 +65,7 @@ export function MakeForm() {
     busy.value = false;
     const first = begun[0];
     if (first && variants.value === 1) location.hash = `#/job/${first.id}`;
+    else if (first) tell(`${begun.length} tables are being made. They come under “Made here”, where they can be compared.`);
   };
 
   return (
@@ -75,7 +78,10 @@ export function MakeForm() {
           placeholder="A wooden desk with a laptop, two mugs and a plant behind the laptop"
           value={text.value}
           disabled={picture.value !== null}
-          onInput={(event) => (text.value = event.currentTarget.value)}
+          onInput={(event) => {
+            text.value = event.currentTarget.value;
+            if (message.value?.bad) message.value = null; // it was about the text before
+          }}
         />
       </label>
       <Understood text={embedded() ? text.value.trim() : ""} seed={seed.value} />

@@ -6,6 +6,8 @@ import { api, type StudioScene } from "./api";
 import { attempt, refreshScenes, scenes, scenesRead, tell } from "./store";
 
 const PLACES = { workspace: "made here", store: "in your store", shipped: "shipped" } as const;
+/** By the kind of a scene's provenance. */
+const WAYS: Readonly<Record<string, string>> = { compose: "composed", text: "generated", image: "from a picture" };
 const MOST = 4;
 
 export function ScenesPanel({ all = false }: { all?: boolean }) {
@@ -82,6 +84,7 @@ function SceneCard({ row, chosen, onChoose }: { row: StudioScene; chosen: boolea
         <Edits row={row} />
         <div class="tags">
           <span class="tag">{PLACES[row.in]}</span>
+          {row.in === "workspace" && WAYS[row.kind] && <span class="tag">{WAYS[row.kind]}</span>}
           {row.saved && row.in === "workspace" && <span class="tag good">saved</span>}
           {row.seed !== null && <span class="tag">seed {row.seed}</span>}
           {row.gate && <span class={`tag ${row.gate.passed ? "good" : "bad"}`}>gate {row.gate.passed ? "passed" : "failed"}</span>}

@@ -106,6 +106,7 @@ export class Pointer {
       this.grip = null;
       this.stage.controls.enabled = true;
       this.events.release(event.type === "pointercancel");
+      this.events.hover(-1, 0, 0);
     }
     const still = Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < CLICK;
     if (still && event.type === "pointerup") this.events.click(pressed.body);
