@@ -62,7 +62,7 @@ function Things({ things, table, selected }: { things: ThingRow[]; table: readon
                   {thing.name}
                   {!thing.name.startsWith(thing.label.replaceAll(" ", "_")) && <span class="quiet"> ({thing.label})</span>}
                 </td>
-                <td>{cm(thing.size)}</td>
+                <td class="whole">{cm(thing.size)}</td>
                 <td class="number">{thing.mass.toFixed(3)}</td>
               </tr>
             ))}
