@@ -65,5 +65,5 @@ def _check_place(scene: Scene, name: str) -> None:
     tail = "Remove or move something first."
     if free is not None:
         tail = f"The nearest free place is at {free.position[0]:.3f} {free.position[1]:.3f}."
-    why = "is off the table" if off else "is taken"
-    raise SceneError(f"{x:.3f} {y:.3f} {why} for {name}. {tail}")
+    why = "it would be off the table" if off else "something is in the way"
+    raise SceneError(f"{name} cannot stand at {x:.3f} {y:.3f} (metres): {why}. {tail}")

@@ -50,7 +50,9 @@ export function EditPage({ id }: { id: string }) {
       tell([`${over.title}: done; the table was settled and passed its gate.`, ...lost].join(" "), lost.length > 0, remedy);
     } else {
       edited.putBack();
-      if (over) tell(over.error ?? `The edit ${over.state}.`, true, remedyOf(asked, over.error ?? "", edit));
+      const said = over?.error ?? `The edit ${over?.state}.`;
+      const onto = asked.to && said.includes("in the way") ? ` To put it on something, write “on the …” under “Move it”.` : "";
+      if (over) tell(said + onto, true, remedyOf(asked, said, edit));
     }
   };
 

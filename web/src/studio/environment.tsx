@@ -22,7 +22,7 @@ export function EnvironmentPanel({ row: { id, in: place, saved }, engine }: { ro
       await attempt(() => engine.playFile(url));
       engine.stage?.renderer.domElement.scrollIntoView({ block: "center", behavior: "smooth" });
     }
-    else if (over) tell(over.error ?? `The episode ${over.state}.`, true);
+    else if (over) tell(`The expert cannot try ${task.value} here. ${over.error ?? `The episode ${over.state}.`}`, true);
   };
   const write = async (): Promise<void> => {
     busy.value = true;
