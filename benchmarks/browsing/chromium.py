@@ -36,7 +36,7 @@ _LONGEST_TEMPORARY = 50
 
 def launch(play: Playwright) -> Browser:
     """Start a browser; ``CHROMIUM`` has to be there."""
-    environment = dict(os.environ)
+    environment: dict[str, str | float | bool] = {**os.environ}
     if len(tempfile.gettempdir()) > _LONGEST_TEMPORARY:
         environment["TMPDIR"] = "/tmp"  # Chromium ends at once where the address is longer
     return play.chromium.launch(executable_path=CHROMIUM, args=[*_OPTIONS], env=environment)
