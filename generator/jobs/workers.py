@@ -167,24 +167,25 @@ class _Worker:
     def run(self, task: _Task) -> Any:
         """Return what the task returns, or raise what it raises, or ``WorkerDied``."""
         if self.process is None or (self.proven and self.process.poll() is not None):
-            self.kill()  # it died without a task
+            self.discard()  # it died without a task
             try:
                 self.start()
             except OSError as error:
                 raise WorkerDied(
                     f"A task was not begun: no process could be started ({error})."
                 ) from error
-        assert self.process is not None
+        process = self.process
+        assert process is not None
         late = threading.Event()
-        timer = threading.Timer(task.timeout or 0.0, lambda: (late.set(), self.kill()))
+        timer = threading.Timer(task.timeout or 0.0, lambda: (late.set(), _kill(process)))
         timer.daemon = True
         if task.timeout is not None:
             timer.start()
         try:
-            _send(self.process, task.packed)
-            packed = _receive(self.process)
+            _send(process, task.packed)
+            packed = _receive(process)
         except (OSError, EOFError, ValueError, pickle.UnpicklingError) as error:
-            code = self.kill()
+            code = self.discard()
             how = f"was given up after {task.timeout:g} s" if late.is_set() else _death(code)
             how += self._last_words()
             died = WorkerDied(
@@ -194,25 +195,22 @@ class _Worker:
             raise died from error
         finally:
             timer.cancel()
+            if task.timeout is not None:
+                timer.join()  # one that fired a moment ago must not kill under the next task
         self.proven = True
         well, value = pickle.loads(packed)  # by our own process
         if not well:
             raise value
         return value
 
-    def kill(self) -> int:
-        """Kill the process and what it has started, which are a session; return its exit code."""
-        process = self.process
-        if process is None:
-            return 0
-        if process.poll() is None:
-            with contextlib.suppress(OSError):
-                os.killpg(process.pid, signal.SIGKILL)
-            process.kill()
-        code = process.wait()
-        _hang_up(process)
-        self.process = None
-        return code
+    def discard(self) -> int:
+        """Kill the process, and have none; return its exit code. Only for the thread that serves.
+
+        Other threads kill the process (``_kill``) and leave the worker alone: it may be about to
+        have another one.
+        """
+        process, self.process = self.process, None
+        return 0 if process is None else _kill(process)
 
     def _last_words(self) -> str:
         """Return the last line that the process wrote to its standard error."""
@@ -253,14 +251,16 @@ def _end(state: _State) -> None:
     state.cancel()
     for worker in state.workers:
         state.tasks.put(None)
-        if worker.busy:
-            worker.kill()
-        elif worker.process is not None and worker.process.stdin is not None:
+        process = worker.process
+        if process is not None and worker.busy:
+            _kill(process)
+        elif process is not None and process.stdin is not None:
             with contextlib.suppress(OSError):
-                worker.process.stdin.close()
+                process.stdin.close()
     _wait(processes, _EXIT_TIME)
-    for worker in state.workers:
-        worker.kill()
+    for process in [*processes, *(worker.process for worker in state.workers)]:
+        if process is not None:
+            _kill(process)
     if state.folder is not None:
         shutil.rmtree(state.folder, ignore_errors=True)
 
@@ -284,6 +284,20 @@ def _receive(process: subprocess.Popen[bytes]) -> bytes:
     assert process.stdout is not None
     with os.fdopen(os.dup(process.stdout.fileno()), "rb") as answers:
         return pickle.load(answers)  # no more than this one is under way
+
+
+def _kill(process: subprocess.Popen[bytes]) -> int:
+    """Kill a worker's process and what it has started, which are a session; return its exit code.
+
+    Any thread may do it, and more than one at once.
+    """
+    if process.poll() is None:
+        with contextlib.suppress(OSError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+    code = process.wait()
+    _hang_up(process)
+    return code
 
 
 def _hang_up(process: subprocess.Popen[bytes]) -> None:
