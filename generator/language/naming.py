@@ -1,4 +1,4 @@
-"""What the things are called: the eye's guesses, weighed with size, or the words of a text."""
+"""What things are called: the eye's guesses, or the words of a text, weighed with sizes."""
 
 from __future__ import annotations
 
@@ -21,6 +21,9 @@ _SHIFTS = np.linspace(-0.7, 0.7, 29)
 _UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
 _ANY = 0.6  # and of any, for a thing of no category
 _LIKE = 0.03  # probability from which a doubtful thing looks like a word
+_SIZE_WEIGHT = 0.5  # of a size and shape against looks: both show a thing's proportions
+_MOST_UNLIKE = 5.0  # cost at most of a size and shape that a word does not have
+_NO_SIZE = 2.0  # and of those of a word, or a thing, that has none
 _NEVER = 1e3  # cost of a pair that is none
 _RARE = 1e-4  # probability that no category falls below
 
@@ -31,6 +34,12 @@ def find_category(word: str) -> Category | None:
         return category(word)
     except InputError:
         return None
+
+
+def find_kind(word: str) -> Category | None:
+    """Return the category of a word, or of what it is a kind of: "mug of tea", "tin mug"."""
+    parts = (word, word.split(" of ")[0], word.split(" ")[-1])
+    return next((found for part in parts if (found := find_category(part))), None)
 
 
 def weigh(
@@ -98,28 +107,38 @@ def shape_word(width: float, height: float, share: float) -> str:
 
 
 def assign(
-    names: Float[np.ndarray, "n k"],
-    keys: Sequence[str],
+    likely: Float[np.ndarray, "n w"],
     scores: Float[np.ndarray, "n"],
-    wanted: Sequence[str],
+    sizes: Float[np.ndarray, "n w 2"],
     doubtful: Bool[np.ndarray, "n"] | None = None,
+    metric: bool = False,
 ) -> list[tuple[int, int]]:
     """Give each wanted word to one thing, all together as likely as possible.
 
-    ``doubtful`` things, which may be parts of others, are given only words that they look like.
+    ``likely`` says how much each thing looks like each word, from 0 to 1; ``sizes`` what
+    ``apparent_scale`` returns for it, NaN where the word says no size. All things share one table,
+    as in :func:`weigh`, whose scale is chosen unless it was measured (``metric``). ``doubtful``
+    things, which may be parts of others, are given only words that they look like.
 
     Returns:
-        Pairs (thing, index into ``wanted``); words or things may be left over.
+        Pairs (thing, word); words or things may be left over.
     """
-    at = {key: k for k, key in enumerate(keys)}
-    found = [find_category(word) for word in wanted]
-    columns = [at.get(c.key, len(keys)) if c else len(keys) for c in found]
-    likely = np.maximum(names[:, columns], _RARE)
-    cost = -np.log(likely) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
+    cost = -np.log(np.maximum(likely, _RARE)) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
     if doubtful is not None:
         cost[doubtful[:, None] & (likely < _LIKE)] = _NEVER
-    pairs = zip(*linear_sum_assignment(cost), strict=True)
-    return [(int(i), int(j)) for i, j in pairs if cost[i, j] < _NEVER]
+    best, pairs = np.inf, list[tuple[int, int]]()
+    for shift in np.zeros(1) if metric else _SHIFTS:
+        scale, off = np.log(sizes[..., 0]) + shift, sizes[..., 1]
+        unlike = np.minimum(0.5 * ((scale / _SPREAD) ** 2 + (off / _SHAPES) ** 2), _MOST_UNLIKE)
+        total = cost + _SIZE_WEIGHT * np.where(np.isnan(unlike), _NO_SIZE, unlike)
+        rows, columns = linear_sum_assignment(total)
+        value = float(total[rows, columns].sum() + 0.5 * (shift / _TABLES) ** 2)
+        if value < best:
+            best = value
+            pairs = [
+                (int(i), int(j)) for i, j in zip(rows, columns, strict=True) if total[i, j] < _NEVER
+            ]
+    return pairs
 
 
 def known_category(instance: Instance, size: SizePrior) -> Category | None:

@@ -53,9 +53,41 @@ def test_unknown_things_get_no_category():
     assert naming.free_labels(np.array([[0.2, 0.2, 0.2, 0.4]]), KEYS) == [None]
 
 
+def sizes(*rows: list[float]) -> np.ndarray:
+    """Return how many times their usual size things look, by word; shapes are alike."""
+    scales = np.array(rows, float)
+    return np.stack([scales, np.zeros_like(scales)], 2)
+
+
 def test_words_are_given_out_all_together():
-    names = np.array([[0.6, 0.3, 0.05, 0.05], [0.7, 0.01, 0.2, 0.09], [0.1, 0.1, 0.1, 0.7]])
-    pairs = naming.assign(names, KEYS, np.ones(3), ("mug", "bowl", "gizmo"))
-    assert dict(pairs) == {0: 1, 1: 0, 2: 2}
-    fewer = naming.assign(names, KEYS, np.array([0.9, 0.9, 0.2]), ("apple",))
+    likely = np.array([[0.6, 0.3, 0.05], [0.7, 0.01, 0.09], [0.1, 0.1, 0.7]])
+    unknown = np.full((3, 3, 2), np.nan)
+    assert dict(naming.assign(likely, np.ones(3), unknown)) == {0: 1, 1: 0, 2: 2}
+    fewer = naming.assign(
+        np.array([[0.05], [0.2], [0.1]]), np.array([0.9, 0.9, 0.2]), unknown[:, :1]
+    )
     assert fewer == [(1, 0)]
+
+
+def test_of_words_that_look_alike_the_size_decides():
+    alike = np.full((2, 2), 0.3)
+    pairs = naming.assign(alike, np.ones(2), sizes([2.0, 1.0], [1.0, 0.5]))
+    assert dict(pairs) == {0: 1, 1: 0}
+
+
+def test_sizes_are_compared_on_one_scale_unless_it_was_measured():
+    # What the last two are is plain, and they are half as large as usual: so is all else.
+    likely = np.array([[0.3, 0.3, 0.0, 0.0]] * 2 + [[0.0, 0.0, 0.9, 0.9]] * 2)
+    looks = sizes([0.5, 1.0, 9, 9], [0.9, 0.5, 9, 9], [9, 9, 0.5, 0.5], [9, 9, 0.5, 0.5])
+    chosen = dict(naming.assign(likely, np.ones(4), looks))
+    assert (chosen[0], chosen[1]) == (0, 1)
+    measured = dict(naming.assign(likely, np.ones(4), looks, metric=True))
+    assert (measured[0], measured[1]) == (1, 0)
+
+
+def test_what_is_in_doubt_gets_no_word_that_it_does_not_look_like():
+    likely = np.array([[0.9], [0.02]])
+    nothing = np.full((2, 1, 2), np.nan)
+    doubtful = np.array([False, True])
+    assert naming.assign(likely[1:], np.ones(1), nothing[1:], doubtful[1:]) == []
+    assert naming.assign(likely, np.ones(2), nothing, doubtful) == [(0, 0)]

@@ -22,6 +22,7 @@ from .depth.things import confirm
 from .eye.judge import EyeDetection
 from .eye.sight import EyeReading, name_all, see
 from .eye.weights import load_weights
+from .examples import compare_sizes, is_cut, rate_words
 from .plane.measure import apparent_scale, usual_solid
 from .plane.outline import top_of
 from .plane.plane import TablePlane
@@ -39,7 +40,6 @@ _CARRIER = 0.6  # certainty of a carrier that its colour tells
 _ASKED = 0.15  # certainty that is enough if a word asks for it
 _MOST = 64  # things of a picture
 _LOOKED = 0.03  # probability from which a category's size and shape are compared
-_CUT = 0.004  # of the longer side: what comes as near to the frame goes on beyond it
 _SMALLEST = 1.5e-4  # of the picture, a thing
 _BAND = 0.012  # of the picture's longer side: how far GrabCut may move a mask's rim
 
@@ -87,7 +87,10 @@ def detect(
     measured = None
     if depth is not None and intrinsics is not None:
         measured = find_depth_plane(depth, intrinsics, table)
-    named = _pick_wanted(things, wanted) if wanted else _label(image, things, measured)
+    if wanted:
+        named = _pick_wanted(image, things, wanted, measured)
+    else:
+        named = _label(image, things, measured)
     found = [
         Detection(label, mask_box(t.visible), t.visible, t.score, t.whole | t.visible)
         for t, label in named
@@ -142,13 +145,19 @@ def stand_on(sight: EyeReading, masks: Sequence[Bool[np.ndarray, "h w"]]) -> lis
     return [bool((foot & near).sum() > 0.5 * foot.sum()) for foot in feet]
 
 
-def _pick_wanted(things: Sequence[EyeDetection], wanted: tuple[str, ...]) -> Named:
+def _pick_wanted(
+    image: UInt8[np.ndarray, "h w 3"],
+    things: Sequence[EyeDetection],
+    wanted: tuple[str, ...],
+    measured: TablePlane | None,
+) -> Named:
     """Return what was asked for, with its words; what the eye doubts must look like its word."""
     if not things:
         return []
-    names = np.stack([t.names for t in things]).astype(float)
+    plane = measured or find_tabletop(image)
     scores = np.array([t.score for t in things])
-    pairs = assign(names, load_weights().categories, scores, wanted, scores < SURE)
+    likely, sizes = rate_words(things, wanted, plane), compare_sizes(things, wanted, plane)
+    pairs = assign(likely, scores, sizes, scores < SURE, metric=measured is not None)
     return [(things[i], wanted[j]) for i, j in pairs]
 
 
@@ -169,15 +178,14 @@ def looks_of(
     things: Sequence[EyeDetection], plane: TablePlane, keys: Sequence[str]
 ) -> list[dict[int, tuple[float, float]] | None]:
     """Return how large and how much alike a thing looks, by the index of each likely category."""
-    looks = []
+    looks: list[dict[int, tuple[float, float]] | None] = []
     for thing in things:
+        if is_cut(thing):
+            looks.append(None)
+            continue
         box = mask_box(thing.whole)
-        height, width = thing.whole.shape
-        cut = min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width)
         likely = np.flatnonzero(thing.names[:-1] > _LOOKED).tolist()
-        looks.append(
-            None if cut else {k: apparent_scale(box, usual_solid(keys[k]), plane) for k in likely}
-        )
+        looks.append({k: apparent_scale(box, usual_solid(keys[k]), plane) for k in likely})
     return looks
 
 

@@ -19,7 +19,7 @@ from torch.nn import functional
 
 from ....geometry import mask_box
 from ....threads import single_thread
-from .closeups import closeup, impressions
+from .closeups import Closeup, closeup, impressions
 from .detections import FAINT, Detections, answers, ask, tensor
 from .frames import Frame
 from .judge import EyeDetection, clues_of
@@ -236,6 +236,10 @@ def name_all(
     """Return the probabilities of the names of things; ``tabletop`` in pixels."""
     if not masks:
         return []
-    looks = [closeup(image, mask, tabletop) for mask in masks]
+    return name_closeups(weights, [closeup(image, mask, tabletop) for mask in masks])
+
+
+def name_closeups(weights: Weights, looks: Sequence[Closeup]) -> list[Float[np.ndarray, "_k"]]:
+    """Return the probabilities of the names of things, each seen close up."""
     logits = weights.eye.namer(impressions(weights.eye, looks)).mean(0)
     return list((logits / weights.temperature).softmax(1).numpy())

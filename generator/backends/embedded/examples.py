@@ -1,0 +1,124 @@
+"""Which thing each word of a text means: as the eye names it, as the catalogue builds it.
+
+The eye has learned a few of the catalogue's categories. What the others look like to it is tried:
+an example is built, rendered from all sides at about the picture's elevation, and shown to it. A
+thing that it takes for the same may be of that category.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+import torch
+from jaxtyping import Float
+
+from ...catalogue import build
+from ...geometry import framing_camera, mask_box, yaw_quaternion
+from ...language.naming import find_kind
+from ...render.raster import place, render
+from ...scene import Model, View
+from ...threads import single_thread
+from .eye.closeups import Closeup, closeup
+from .eye.judge import EyeDetection
+from .eye.network import hints
+from .eye.sight import name_closeups
+from .eye.weights import load_weights
+from .plane.measure import apparent_scale, usual_solid
+from .plane.plane import TABLE_LENGTH, TablePlane
+
+_SEED = 7_000_003  # of a category's example; no text's drawing has it
+_TURNS = 4
+_SIDE = 160  # pixels of an example's picture
+_FOV = float(np.deg2rad(20))
+_GROUND = 225, 215, 205  # a light tabletop
+_SHARE = 0.3  # of a picture that the tabletop covers
+_PROPORTION = 0.6  # width over length of a usual tabletop
+_STEP = 10  # degrees of elevation between examples
+_LOWEST, _HIGHEST = 20, 80  # degrees
+_CUT = 0.004  # of the longer side: what comes as near to the frame goes on beyond it
+
+
+def rate_words(
+    things: Sequence[EyeDetection], wanted: Sequence[str], plane: TablePlane
+) -> Float[np.ndarray, "n w"]:
+    """Return how much each thing looks like each word, from 0 to 1.
+
+    A word outside the catalogue is as likely as that the thing is unknown to the eye.
+    """
+    names = np.stack([thing.names for thing in things]).astype(float)
+    categories = load_weights().categories
+    elevation = np.rad2deg(plane.view.elevation) / _STEP
+    degrees = int(np.clip(round(float(elevation)) * _STEP, _LOWEST, _HIGHEST))
+    rated = np.empty((len(things), len(wanted)))
+    for column, word in enumerate(wanted):
+        found = find_kind(word)
+        if found is None:
+            rated[:, column] = names[:, -1]
+            continue
+        # The Bhattacharyya coefficient, squared: 1 for what gets the same names.
+        same = np.sqrt(names) @ np.sqrt(_name_examples(found.key, degrees)).T
+        rated[:, column] = np.square(same).max(1)
+        if found.key in categories:
+            own = names[:, categories.index(found.key)]
+            rated[:, column] = np.maximum(rated[:, column], own)
+    return rated
+
+
+def compare_sizes(
+    things: Sequence[EyeDetection], wanted: Sequence[str], plane: TablePlane
+) -> Float[np.ndarray, "n w 2"]:
+    """Return ``apparent_scale`` of each thing for each word; NaN where nothing is known.
+
+    That is for words outside the catalogue, and for things that the frame cuts.
+    """
+    found = [find_kind(word) for word in wanted]
+    sizes = np.full((len(things), len(wanted), 2), np.nan)
+    for row, thing in enumerate(things):
+        if is_cut(thing):
+            continue
+        box = mask_box(thing.whole)
+        keys = {category.key for category in found if category is not None}
+        known = {key: apparent_scale(box, usual_solid(key), plane) for key in sorted(keys)}
+        for column, category in enumerate(found):
+            if category is not None:
+                sizes[row, column] = known[category.key]
+    return sizes
+
+
+def is_cut(thing: EyeDetection) -> bool:
+    """Tell whether the picture's frame cuts a thing."""
+    x0, y0, x1, y1 = mask_box(thing.whole)
+    height, width = thing.whole.shape
+    return bool(min(x0, y0, width - x1, height - y1) < _CUT * max(height, width))
+
+
+@lru_cache(maxsize=1024)
+def _name_examples(key: str, degrees: int) -> Float[np.ndarray, "e k"]:
+    """Return what the eye calls a category's example from all sides, at an elevation in degrees."""
+    view = View(0.0, float(np.deg2rad(degrees)), _FOV)
+    model = build(key, _SEED)
+    looks = [_look(model, turn, view) for turn in range(_TURNS)]
+    with single_thread(), torch.inference_mode():
+        names = np.stack(name_closeups(load_weights(), looks)).astype(float)
+    names.flags.writeable = False
+    return names
+
+
+def _look(model: Model, turn: int, view: View) -> Closeup:
+    """Return the look at an example, turned so often, as if it stood on a usual table."""
+    yaw = 2 * np.pi * (turn + 0.25) / _TURNS
+    item = place(model.mesh, model.size, np.zeros(3), yaw_quaternion(yaw), 1)
+    camera = framing_camera(item.vertices, view, _SIDE, _SIDE, margin=0.1)
+    seen = render([item], camera, supersample=1, shadows=False, background=_GROUND)
+    mask = seen.ids == item.id
+    low, high = mask_box(mask).reshape(2, 2)
+    wide, tall = (float(side) for side in high - low)
+    pixels = max(wide, tall) / float(np.max(model.size))  # a metre
+    tabletop = TABLE_LENGTH**2 * _PROPORTION * float(np.sin(view.elevation)) * pixels**2
+    return replace(
+        closeup(seen.image, mask, tabletop),
+        hints=hints((wide, tall), tabletop, tabletop / _SHARE),
+    )
