@@ -23,10 +23,11 @@ import sys
 import threading
 import time
 import weakref
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 import cloudpickle
@@ -57,7 +58,8 @@ class WorkerPool(TaskPool):
     not be used. ``begin``, picklable, is called once in each process, before its first task.
     ``folder`` is a temporary one that ends with the pool; the workers' standard error goes there.
     ``descriptors`` are those of open files that the workers inherit, by the same numbers; they may
-    be closed here once ``width`` tasks were submitted.
+    be closed here once ``width`` tasks were submitted. ``environment`` are variables that they have
+    besides this process's.
     """
 
     def __init__(
@@ -67,9 +69,12 @@ class WorkerPool(TaskPool):
         begin: Callable[[], object] | None = None,
         folder: Path | None = None,
         descriptors: Iterable[int] = (),
+        environment: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         self.width = width
-        self._state = _State(cloudpickle.dumps(begin), folder, tuple(descriptors))
+        self._state = _State(
+            cloudpickle.dumps(begin), folder, tuple(descriptors), dict(environment)
+        )
         self._finalizer = weakref.finalize(self, _end, self._state)
 
     @property
@@ -123,6 +128,7 @@ class _State:
     begin: bytes
     folder: Path | None
     descriptors: tuple[int, ...] = ()
+    environment: Mapping[str, str] = field(default_factory=dict)
     owner: int = field(default_factory=os.getpid)
     tasks: queue.SimpleQueue[_Task | None] = field(default_factory=queue.SimpleQueue)
     workers: list[_Worker] = field(default_factory=list)
@@ -158,7 +164,8 @@ class _Worker:
             self.process = subprocess.Popen(
                 [sys.executable, "-P", "-m", f"{__package__}.worker", str(folder or "")],
                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, bufsize=0,
-                env={**os.environ, **alone, "PYTHONPATH": path}, start_new_session=True,
+                env={**os.environ, **alone, "PYTHONPATH": path, **self.state.environment},
+                start_new_session=True,
                 pass_fds=self.state.descriptors,
             )  # fmt: skip
         self.proven = False

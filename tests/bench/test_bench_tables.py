@@ -1,7 +1,10 @@
 """Tables are found by name and digest, made again bit for bit, and certified."""
 
 import dataclasses
+import os
+from collections.abc import Callable
 from pathlib import Path
+from platform import machine
 
 import pytest
 from tiny_suites import ANYWHERE, suites_of
@@ -10,10 +13,12 @@ import assets_cache
 from generator.bundle import digest, load_digest
 from generator.errors import BundleError, InputError, MissingError, SceneError
 from generator.jobs.pools import PoolOptions
+from generator.scene import Scene
 from tabletopgen_env.bench import tables
 from tabletopgen_env.bench.instances import SuiteTable, TaskSuites
 from tabletopgen_env.bench.suites import shipped_suites
 from tabletopgen_env.certificates.certificate import read_certificate
+from tabletopgen_env.scenes import SceneRecipe
 
 
 @pytest.fixture(scope="module")
@@ -48,6 +53,41 @@ def test_the_search_by_name_does_not_find_tables_in_the_cache(
     assert assets_cache.entries() and path not in assets_cache.entries()
     with pytest.raises(MissingError):
         assets_cache.find("bench-tiny-*")
+
+
+@pytest.mark.skipif(machine() not in ("x86_64", "AMD64"), reason="OpenBLAS has other kernels")
+def test_a_table_that_this_processor_computes_otherwise_is_made_as_the_makers_did(
+    composed: TaskSuites, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import tabletopgen_env.bench.tables as module
+
+    pool = module.WorkerPool(1, environment=module._KERNELS)
+    try:
+        assert pool.submit(os.getenv, "OPENBLAS_CORETYPE").result(60) == "Haswell"
+        made = pool.submit(composed.recipe(7).make).result(60)
+    finally:
+        pool.close()
+    table = dataclasses.replace(composed.tables[0], digest=digest(made))
+    once = module._compose_once
+
+    def compose_otherwise(recipe: SceneRecipe, name: str) -> Scene:
+        return once(dataclasses.replace(recipe, seed=8), name)
+
+    monkeypatch.setattr(module, "_compose_once", Here(compose_otherwise, once, os.getpid()))
+    (path,) = tables.make_tables(composed, (table,), tmp_path)
+    assert load_digest(path) == table.digest
+
+
+@dataclasses.dataclass
+class Here:
+    """One function in one process, another in the others."""
+
+    here: Callable[..., Scene]
+    elsewhere: Callable[..., Scene]
+    process: int
+
+    def __call__(self, *args: object) -> Scene:
+        return (self.here if os.getpid() == self.process else self.elsewhere)(*args)
 
 
 def test_another_table_than_the_suite_says_is_refused(composed: TaskSuites, tmp_path: Path) -> None:
