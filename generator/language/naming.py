@@ -24,7 +24,7 @@ _LIKE = 0.03  # probability from which a doubtful thing looks like a word
 _SIZE_WEIGHT = 0.5  # of a size and shape against looks: both show a thing's proportions
 _MOST_UNLIKE = 5.0  # cost at most of a size and shape that a word does not have
 _NO_SIZE = 2.0  # and of those of a word, or a thing, that has none
-_NEVER = 1e3  # cost of a pair that is none
+_LEFT_OUT = 6.0  # cost of a doubtful thing without a word
 _RARE = 1e-4  # probability that no category falls below
 
 
@@ -124,20 +124,20 @@ def assign(
         Pairs (thing, word); words or things may be left over.
     """
     cost = -np.log(np.maximum(likely, _RARE)) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
+    refused = np.zeros(cost.shape, bool)
     if doubtful is not None:
-        cost[doubtful[:, None] & (likely < _LIKE)] = _NEVER
+        refused = doubtful[:, None] & (likely < _LIKE)
     best, pairs = np.inf, list[tuple[int, int]]()
     for shift in np.zeros(1) if metric else _SHIFTS:
         scale, off = np.log(sizes[..., 0]) + shift, sizes[..., 1]
         unlike = np.minimum(0.5 * ((scale / _SPREAD) ** 2 + (off / _SHAPES) ** 2), _MOST_UNLIKE)
         total = cost + _SIZE_WEIGHT * np.where(np.isnan(unlike), _NO_SIZE, unlike)
+        total[refused] = _LEFT_OUT
         rows, columns = linear_sum_assignment(total)
         value = float(total[rows, columns].sum() + 0.5 * (shift / _TABLES) ** 2)
         if value < best:
-            best = value
-            pairs = [
-                (int(i), int(j)) for i, j in zip(rows, columns, strict=True) if total[i, j] < _NEVER
-            ]
+            best, found = value, zip(rows, columns, strict=True)
+            pairs = [(int(i), int(j)) for i, j in found if not refused[i, j]]
     return pairs
 
 

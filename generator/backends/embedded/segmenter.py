@@ -19,10 +19,10 @@ from ...threads import single_thread
 from .carriers import find_carriers
 from .depth.plane import find_depth_plane
 from .depth.things import confirm
+from .examples import compare_sizes, is_cut, rate_words
 from .eye.judge import EyeDetection
 from .eye.sight import EyeReading, name_all, see
 from .eye.weights import load_weights
-from .examples import compare_sizes, is_cut, rate_words
 from .plane.measure import apparent_scale, usual_solid
 from .plane.outline import top_of
 from .plane.plane import TablePlane
