@@ -17,30 +17,12 @@ from generator.meshes.pixels import mask_iou
 from generator.scene import TABLE
 
 
-def draw_with_truth(
-    text: str, seed: int, monkeypatch: pytest.MonkeyPatch
-) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def draw_with_truth(text: str, seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Return a text's drawing, and where in it each noun's thing is; each is there once."""
-    kept: dict[str, np.ndarray] = {}
-    lay_out, render = painter.lay_out, painter.render
-
-    def keep_order(plan, models, seed):
-        laid = lay_out(plan, models, seed)
-        kept["order"] = np.array([p.name for p in laid[0].placements])
-        return laid
-
-    def keep_ids(*args, **options):
-        rendered = render(*args, **options)
-        kept["ids"] = rendered.ids
-        return rendered
-
-    monkeypatch.setattr(painter, "lay_out", keep_order)
-    monkeypatch.setattr(painter, "render", keep_ids)
     plan = plan_scene(text, seed)
-    image = painter.draw(plan, seed)
+    painted, order = painter.paint(plan, seed)
     nouns = {planned.name: planned.noun for planned in plan.objects}
-    masks = {nouns[str(n)]: kept["ids"] == k for k, n in enumerate(kept["order"], start=1)}
-    return image, masks
+    return painted.image, {nouns[n]: painted.ids == k for k, n in enumerate(order, start=1)}
 
 
 def wrong_names(image: np.ndarray, masks: Mapping[str, np.ndarray]) -> list[tuple[str, str]]:
@@ -55,32 +37,30 @@ def wrong_names(image: np.ndarray, masks: Mapping[str, np.ndarray]) -> list[tupl
 
 
 @pytest.mark.parametrize("seed", [0, 2])
-def test_a_bowl_of_cereal_is_no_napkin(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bowl_of_cereal_is_no_napkin(seed: int) -> None:
     text = (
         "A breakfast table with a bowl of cereal, a glass of orange juice to the right of the "
         "bowl, a spoon on a napkin and a candle behind the bowl"
     )
     cereal = find_category("bowl of cereal")
     assert cereal is not None and cereal.key not in load_weights().categories
-    assert wrong_names(*draw_with_truth(text, seed, monkeypatch)) == []
+    assert wrong_names(*draw_with_truth(text, seed)) == []
 
 
 @pytest.mark.slow
-def test_few_things_change_names(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_few_things_change_names() -> None:
     texts = (
         "A carafe, a ramekin, a rice cooker and a spatula on a kitchen table.",
         "A violin, a metronome, binoculars and a telescope on a desk.",
         "A cactus, a shoe, a toothbrush and a soap bar on a table.",
         "A vise, an axe, a paint roller and a hand plane on a workbench.",
     )
-    wrong = [w for text in texts for w in wrong_names(*draw_with_truth(text, 1, monkeypatch))]
+    wrong = [w for text in texts for w in wrong_names(*draw_with_truth(text, 1))]
     assert len(wrong) <= 2, wrong
 
 
-def test_words_outside_the_catalogue_are_as_likely_as_the_unknown(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    image, masks = draw_with_truth("A mug and a bowl.", 0, monkeypatch)
+def test_words_outside_the_catalogue_are_as_likely_as_the_unknown() -> None:
+    image, masks = draw_with_truth("A mug and a bowl.", 0)
     categories = len(load_weights().categories)
     names = np.full(categories + 1, 0.4 / categories)
     names[-1] = 0.6

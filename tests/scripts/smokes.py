@@ -129,6 +129,12 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--variants 12 --seeds 0 --episodes 1 --out {out}",
         _table("curriculum"),
     ),
+    "benchmarks/drawn_names.py": Smoke(
+        "--texts {out}/texts.json --first 0 --out {out}",
+        ("drawn_names.md",),
+        "| texts, things that show | 1, 1 |",
+        _texts,
+    ),
     "benchmarks/efficiency.py": Smoke(
         "--cases 1 --out {out}", (*_table("efficiency_cpu"), "efficiency_cpu.png")
     ),

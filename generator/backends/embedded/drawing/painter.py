@@ -1,6 +1,7 @@
 """The reference image of a plan (Sec. 3, Fig. 8), painted from catalogue objects.
 
-Only pixels leave this module: what follows sees no more of the layout than of any picture.
+Only pixels are the backend's answer (``draw``): what follows sees no more of the layout than of any
+picture. ``paint`` tells which pixels show what, to those who measure how well things are found.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from jaxtyping import UInt8
 
 from ....geometry import framing_camera, yaw_quaternion
 from ....layout import build_models, lay_out
-from ....render.raster import place, render
+from ....render.raster import Rendered, place, render
 from ....render.shading import Light
 from ....scene import ScenePlan, View
 
@@ -23,6 +24,17 @@ ELEVATIONS = (50.0, 60.0)
 
 def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
     """Paint a plan: the whole table with its legs, centred on white, seen from the front above.
+
+    Raises:
+        SceneError: the objects fit on no plausible table.
+    """
+    return paint(plan, seed)[0].image
+
+
+def paint(plan: ScenePlan, seed: int) -> tuple[Rendered, tuple[str, ...]]:
+    """Return what ``draw`` paints with its depths and ids, and the names of things.
+
+    The table has id 0, the first name id 1.
 
     Raises:
         SceneError: the objects fit on no plausible table.
@@ -40,7 +52,8 @@ def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
     view = View(0.0, np.deg2rad(rng.uniform(*ELEVATIONS)), np.deg2rad(rng.uniform(35, 40)))
     points = np.concatenate([item.vertices for item in items])
     camera = framing_camera(points, view, WIDTH, HEIGHT, margin=0.05)
-    return render(items, camera, light=_light(rng), supersample=2).image
+    painted = render(items, camera, light=_light(rng), supersample=2)
+    return painted, tuple(p.name for p in layout.placements)
 
 
 def _light(rng: np.random.Generator) -> Light:
