@@ -2,7 +2,6 @@
 
 import dataclasses
 import os
-from collections.abc import Callable
 from pathlib import Path
 from platform import machine
 
@@ -13,12 +12,10 @@ import assets_cache
 from generator.bundle import digest, load_digest
 from generator.errors import BundleError, InputError, MissingError, SceneError
 from generator.jobs.pools import PoolOptions
-from generator.scene import Scene
 from tabletopgen_env.bench import tables
 from tabletopgen_env.bench.instances import SuiteTable, TaskSuites
 from tabletopgen_env.bench.suites import shipped_suites
 from tabletopgen_env.certificates.certificate import read_certificate
-from tabletopgen_env.scenes import SceneRecipe
 
 
 @pytest.fixture(scope="module")
@@ -59,35 +56,17 @@ def test_the_search_by_name_does_not_find_tables_in_the_cache(
 def test_a_table_that_this_processor_computes_otherwise_is_made_as_the_makers_did(
     composed: TaskSuites, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    import tabletopgen_env.bench.tables as module
-
-    pool = module.WorkerPool(1, environment=module._KERNELS)
+    pool = tables.WorkerPool(1, environment=tables._KERNELS)
     try:
         assert pool.submit(os.getenv, "OPENBLAS_CORETYPE").result(60) == "Haswell"
         made = pool.submit(composed.recipe(7).make).result(60)
     finally:
         pool.close()
     table = dataclasses.replace(composed.tables[0], digest=digest(made))
-    once = module._compose_once
-
-    def compose_otherwise(recipe: SceneRecipe, name: str) -> Scene:
-        return once(dataclasses.replace(recipe, seed=8), name)
-
-    monkeypatch.setattr(module, "_compose_once", Here(compose_otherwise, once, os.getpid()))
+    digests = iter(["0" * 12])  # of what is made here first
+    monkeypatch.setattr(tables, "digest", lambda scene: next(digests, None) or digest(scene))
     (path,) = tables.make_tables(composed, (table,), tmp_path)
     assert load_digest(path) == table.digest
-
-
-@dataclasses.dataclass
-class Here:
-    """One function in one process, another in the others."""
-
-    here: Callable[..., Scene]
-    elsewhere: Callable[..., Scene]
-    process: int
-
-    def __call__(self, *args: object) -> Scene:
-        return (self.here if os.getpid() == self.process else self.elsewhere)(*args)
 
 
 def test_another_table_than_the_suite_says_is_refused(composed: TaskSuites, tmp_path: Path) -> None:
