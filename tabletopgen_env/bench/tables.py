@@ -19,7 +19,6 @@ from generator.scene import Scene
 from generator.scene.provenance import versions
 
 from ..certificates.certificate import Certificate, scene_digest, write_certificate
-from ..scenes import SceneRecipe
 from .instances import SuiteTable, TaskSuites
 
 _CERTIFIED_BY = ("tabletopgen", "mujoco", "numpy")
@@ -103,22 +102,18 @@ def _make(suites: TaskSuites, place: Path, table: SuiteTable) -> Path:
 
 def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
     """Return a table's scene: as this processor computes it, or as the makers' did."""
-    make = partial(_compose_once, suites.recipe(table.seed), name_of(suites, table))
-    scene = make()
+    recipe, name = suites.recipe(table.seed), name_of(suites, table)
+    scene = recipe.make().replace(name=name)
     if (found := digest(scene)) == table.digest:
         return scene
     with closing(WorkerPool(1, environment=_KERNELS)) as pool:
-        scene = pool.submit(make).result()
+        scene = pool.submit(recipe.make).result().replace(name=name)
     if digest(scene) == table.digest:
         return scene
     raise SceneError(
         f"The table {table.digest} of {suites.task.lower()}-{table.split} is made here as "
         f"{found}: another one. {_difference(suites)}"
     )
-
-
-def _compose_once(recipe: SceneRecipe, name: str) -> Scene:
-    return recipe.make().replace(name=name)
 
 
 def _difference(suites: TaskSuites) -> str:

@@ -75,24 +75,25 @@ def compare_sizes(
     That is for words outside the catalogue, and for things that the frame cuts.
     """
     found = [find_kind(word) for word in wanted]
+    keys = sorted({category.key for category in found if category is not None})
     sizes = np.full((len(things), len(wanted), 2), np.nan)
     for row, thing in enumerate(things):
-        if is_cut(thing):
-            continue
-        box = mask_box(thing.whole)
-        keys = {category.key for category in found if category is not None}
-        known = {key: apparent_scale(box, usual_solid(key), plane) for key in sorted(keys)}
+        known = scales_of(thing, keys, plane)
         for column, category in enumerate(found):
-            if category is not None:
+            if known and category is not None:
                 sizes[row, column] = known[category.key]
     return sizes
 
 
-def is_cut(thing: EyeDetection) -> bool:
-    """Tell whether the picture's frame cuts a thing."""
-    x0, y0, x1, y1 = mask_box(thing.whole)
+def scales_of(
+    thing: EyeDetection, keys: Sequence[str], plane: TablePlane
+) -> dict[str, tuple[float, float]] | None:
+    """Return ``apparent_scale`` of a thing for each category; None if the frame cuts it."""
+    box = mask_box(thing.whole)
     height, width = thing.whole.shape
-    return bool(min(x0, y0, width - x1, height - y1) < _CUT * max(height, width))
+    if min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width):
+        return None
+    return {key: apparent_scale(box, usual_solid(key), plane) for key in keys}
 
 
 @lru_cache(maxsize=1024)

@@ -19,11 +19,10 @@ from ...threads import single_thread
 from .carriers import find_carriers
 from .depth.plane import find_depth_plane
 from .depth.things import confirm
-from .examples import compare_sizes, is_cut, rate_words
+from .examples import compare_sizes, rate_words, scales_of
 from .eye.judge import EyeDetection
 from .eye.sight import EyeReading, name_all, see
 from .eye.weights import load_weights
-from .plane.measure import apparent_scale, usual_solid
 from .plane.outline import top_of
 from .plane.plane import TablePlane
 from .plane.tabletop import find_tabletop
@@ -180,12 +179,9 @@ def looks_of(
     """Return how large and how much alike a thing looks, by the index of each likely category."""
     looks: list[dict[int, tuple[float, float]] | None] = []
     for thing in things:
-        if is_cut(thing):
-            looks.append(None)
-            continue
-        box = mask_box(thing.whole)
         likely = np.flatnonzero(thing.names[:-1] > _LOOKED).tolist()
-        looks.append({k: apparent_scale(box, usual_solid(keys[k]), plane) for k in likely})
+        scales = scales_of(thing, [keys[k] for k in likely], plane)
+        looks.append(None if scales is None else {k: scales[keys[k]] for k in likely})
     return looks
 
 
