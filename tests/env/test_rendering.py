@@ -87,10 +87,10 @@ def test_depth_is_the_distance_along_the_optical_axis(world) -> None:
 
 def test_the_marker_shows_the_spot_and_only_then(world) -> None:
     soft = drawer("software", 120, 160)
+    world.show_marker(np.array([0.1, -0.15, 0.74]), 0.04)
     shown = soft.rgb(world, "top").astype(int)
     world.show_marker(None, 0.04)
     hidden = soft.rgb(world, "top").astype(int)
-    world.show_marker(np.array([0.1, -0.15, 0.74]), 0.04)
     changed = (shown != hidden).any(2)
     assert 5 < changed.sum() < 400
     greener = shown[changed] - hidden[changed]
