@@ -51,6 +51,7 @@ class Watched:
 def opened(browser: Browser, **options: Any) -> Watched:
     """Open a fresh page, without anything kept of others."""
     context = browser.new_context(**{"viewport": {"width": 1000, "height": 700}, **options})
+    context.set_default_timeout(90_000)
     context.add_init_script(_MODEST)
     return Watched(context.new_page())
 

@@ -16,8 +16,10 @@ from pathlib import Path
 from ..errors import StorageError
 
 
-def write_whole(path: Path, content: str | bytes, what: str, advice: str) -> None:
-    """Write bytes, or a text as UTF-8, to a file that all may read, whole or not at all.
+def write_whole(
+    path: Path, content: str | bytes, what: str, advice: str, mode: int = 0o644
+) -> None:
+    """Write bytes, or a text as UTF-8, whole or not at all, to a file that ``mode`` lets be read.
 
     Its folder must be there. The message of an error names it by ``what`` ("The policy") and ends
     with ``advice`` ("Choose another folder.").
@@ -31,7 +33,7 @@ def write_whole(path: Path, content: str | bytes, what: str, advice: str) -> Non
             with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as file:
                 part = Path(file.name)
                 file.write(content.encode() if isinstance(content, str) else content)
-            part.chmod(0o644)
+            part.chmod(mode)
             part.replace(path)
         finally:  # also when it is interrupted
             if part is not None:

@@ -139,7 +139,8 @@ class StudioFolder:
         """
         path = self.root / _SECRET
         if not path.exists():
-            _write_secret(path)
+            new = secrets.token_hex(32)
+            write_whole(path, new, "The studies' secret", "Free space there.", mode=0o600)
         secret = read_regular(path, "The studies' secret", StorageError, max_bytes=_MOST_BYTES)
         if len(secret) != 64:
             raise StorageError(f"{path} is damaged. Remove it; raters then need new addresses.")
@@ -152,20 +153,3 @@ class StudioFolder:
             return f" (process {facts['process']}, at {facts['address']})"
         except (TabletopError, KeyError):
             return ""
-
-
-def _write_secret(path: Path) -> None:
-    """Write a new secret for its owner alone, whole or not at all."""
-    part = path.with_suffix(".part")
-    try:
-        try:
-            part.unlink(missing_ok=True)
-            part.touch(0o600, exist_ok=False)
-            part.write_text(secrets.token_hex(32))
-            part.replace(path)
-        finally:  # also when it is interrupted
-            part.unlink(missing_ok=True)
-    except OSError as error:
-        raise StorageError(
-            f"{path} cannot be written: {error.strerror or error}. Free space there."
-        ) from error

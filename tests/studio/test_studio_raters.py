@@ -178,13 +178,12 @@ def test_a_secret_is_written_whole_or_not_at_all(
     folder = StudioFolder(tmp_path / "a")
     folder.make()
 
-    def end_early(path: Path, text: str) -> int:
-        path.write_bytes(text[:10].encode())
+    def end_early(path: Path, target: Path) -> Path:
         raise KeyboardInterrupt
 
     before = {path.name for path in folder.root.iterdir()}
     with monkeypatch.context() as broken:
-        broken.setattr(Path, "write_text", end_early)
+        broken.setattr(Path, "replace", end_early)
         with pytest.raises(KeyboardInterrupt):
             folder.make_token("0123456789ab")
     assert {path.name for path in folder.root.iterdir()} == before

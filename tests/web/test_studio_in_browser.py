@@ -105,6 +105,35 @@ def test_what_stands_on_a_thing_goes_along(browser: Browser, studio: Studio) -> 
     assert moved.provenance.edits[0].names == ("plate_1", "apple_1")
 
 
+def test_a_thing_that_is_dragged_shows_where_it_cannot_stand(
+    browser: Browser, studio: Studio
+) -> None:
+    watched = enter(browser, studio)
+    page = watched.page
+    make(page, "a wooden desk with an apple on a plate and a mug")
+    page.get_by_role("button", name="Above").click()
+    page.wait_for_timeout(500)
+    blocked = f"{ENGINE}.blocked.value"
+    x, y = place_on_page(page, "apple_1")  # it is let down from the plate
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(*place_on_page(page, "mug_1"), steps=6)
+    page.get_by_text("apple_1: mug_1 in the way").wait_for()
+    page.mouse.move(x, 1, steps=6)
+    page.get_by_text("apple_1: off the table").wait_for()
+    page.mouse.move(x, y, steps=6)
+    page.wait_for_function(f"() => {blocked} === null")
+    page.mouse.up()
+    (x, y), (to_x, to_y) = place_on_page(page, "mug_1"), place_on_page(page, "plate_1")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(to_x + 25, to_y, steps=6)  # the apple or the plate, whichever comes first
+    page.get_by_text(re.compile("mug_1: .*plate_1.* in the way")).wait_for()
+    page.mouse.up()
+    page.get_by_role("alert").get_by_text("in the way").wait_for(timeout=60_000)
+    assert page.evaluate(blocked) is None and watched.faults == []
+
+
 def test_an_edit_that_is_refused_leaves_everything_in_its_place(
     browser: Browser, studio: Studio
 ) -> None:

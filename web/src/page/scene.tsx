@@ -96,7 +96,7 @@ export function EmbeddedPage({ row, task }: { row: SceneRow; task: string | unde
   useEffect(() => {
     const episode = engine.value?.files?.episodes.find((each) => each.task === task);
     if (engine.value?.ready.value && episode) void engine.value.play(episode);
-  }, [engine.value?.ready.value]);
+  }, [engine.value?.ready.value, task]);
   return (
     <main id="main" class="embedded">
       <h1 class="hidden">{row.name}</h1>

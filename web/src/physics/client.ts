@@ -1,9 +1,9 @@
 /** The page's side of the physics worker. */
 import { mujocoModule } from "./module";
-import type { Command, Frame, ModelData, Reply, State } from "./protocol";
+import type { Answer, Command, Frame, ModelData, Placed, Reply, State } from "./protocol";
 
 interface Waiting {
-  resolve: (value: ModelData | State | null) => void;
+  resolve: (value: Answer) => void;
   reject: (reason: Error) => void;
 }
 
@@ -47,8 +47,13 @@ export class Physics {
     return (await this.ask({ kind: "state" })) as State;
   }
 
+  /** The bodies that others would overlap if they were elsewhere. */
+  async overlaps(placed: Placed[]): Promise<number[]> {
+    return (await this.ask({ kind: "overlaps", placed })) as number[];
+  }
+
   /** Sends a command; resolves when it has been done, and never once this is closed. */
-  ask(command: Command): Promise<ModelData | State | null> {
+  ask(command: Command): Promise<Answer> {
     this.begin();
     const id = this.next++;
     return new Promise((resolve, reject) => {

@@ -99,6 +99,13 @@ export interface Frame {
 /** The commands a person gives the arm: the action of `ee_delta`, each in [-1, 1]. */
 export type ArmAction = [number, number, number, number, number];
 
+/** Where a body could be. */
+export interface Placed {
+  body: number;
+  position: Vector;
+  quaternion: Quaternion;
+}
+
 export type Command =
   | { kind: "load"; module: WebAssembly.Module; xml: string; files: [string, Uint8Array][]; start: string }
   | { kind: "run"; running: boolean }
@@ -110,7 +117,8 @@ export type Command =
   | { kind: "release" }
   | { kind: "pose"; qpos: Float32Array; marker: Float32Array | null }
   | { kind: "arm"; action: ArmAction | null }
-  | { kind: "state" };
+  | { kind: "state" }
+  | { kind: "overlaps"; placed: Placed[] };
 
 export type Request = Command & { id: number };
 
@@ -122,7 +130,10 @@ export interface State {
   contacts: number;
 }
 
+/** What is answered: a model to "load", a state to "state", bodies to "overlaps". */
+export type Answer = ModelData | State | number[] | null;
+
 export type Reply =
-  | { kind: "done"; id: number; value: ModelData | State | null }
+  | { kind: "done"; id: number; value: Answer }
   | { kind: "failed"; id: number; message: string }
   | { kind: "frame"; frame: Frame };

@@ -3,11 +3,14 @@ import type { MainModule, MjData, MjModel, MjVFS } from "@mujoco/mujoco";
 import { Arm } from "./arm";
 import { describe } from "./describe";
 import { idOf } from "./names";
-import type { ArmAction, Frame, ModelData, State, Vector } from "./protocol";
+import type { ArmAction, Frame, ModelData, Placed, State, Vector } from "./protocol";
 
 /** A force like MuJoCo's own perturbation: a critically damped spring, stiff per kilogram. */
 const STIFFNESS = 160;
 const DAMPING = 2 * Math.sqrt(STIFFNESS);
+
+/** Overlaps shallower than this, metres, are contact, as they are to who edits by a command. */
+const TOUCH = 2e-4;
 
 interface Drag {
   body: number;
@@ -20,6 +23,8 @@ export class Simulation {
   readonly described: ModelData;
   private drag: Drag | null = null;
   private arm: Arm | null = null;
+  /** Another state of the model, to try places in. */
+  private trial: MjData | null = null;
   private readonly flags: number;
 
   private constructor(
@@ -55,6 +60,7 @@ export class Simulation {
 
   delete(): void {
     this.arm?.delete();
+    this.trial?.delete();
     this.data.delete();
     this.model.delete();
   }
@@ -127,6 +133,32 @@ export class Simulation {
       ctrl: [...this.data.ctrl],
       contacts: count,
     };
+  }
+
+  /** The bodies that free ones would overlap if they were placed elsewhere; the state stays as it is. */
+  overlaps(placed: Placed[]): number[] {
+    const { model, mujoco } = this;
+    const trial = (this.trial ??= new mujoco.MjData(model));
+    trial.qpos.set(this.data.qpos);
+    const moved = new Set(placed.map(({ body }) => body));
+    for (const { body, position, quaternion } of placed) {
+      trial.qpos.set([...position, ...quaternion], this.described.bodies[body]!.qpos);
+    }
+    mujoco.mj_kinematics(model, trial);
+    mujoco.mj_comPos(model, trial);
+    mujoco.mj_collision(model, trial);
+    const contacts = trial.contact;
+    const found = new Set<number>();
+    for (let k = 0; k < contacts.size(); k++) {
+      const contact = contacts.get(k);
+      if (!contact) continue;
+      const pair: number[] = [model.geom_bodyid[contact.geom1], model.geom_bodyid[contact.geom2]];
+      const others = pair.filter((body) => !moved.has(body) && this.described.bodies[body]?.moves);
+      if (others.length === 1 && contact.dist < -TOUCH) found.add(others[0]!);
+      contact.delete();
+    }
+    contacts.delete();
+    return [...found];
   }
 
   frame(running: boolean, centres: boolean, contacts: boolean): Frame {

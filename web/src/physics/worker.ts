@@ -1,6 +1,6 @@
 /** The physics worker: MuJoCo's WebAssembly, stepped in real time, apart from the page's thread. */
 import loadMujoco, { type MainModule } from "@mujoco/mujoco";
-import type { Frame, ModelData, Reply, Request, State } from "./protocol";
+import type { Answer, Frame, ModelData, Reply, Request } from "./protocol";
 import { Simulation } from "./simulation";
 
 /** Most simulated seconds that are made up for at once; a slow machine falls behind real time. */
@@ -71,7 +71,7 @@ async function load(request: Request & { kind: "load" }): Promise<ModelData> {
   return simulation.described;
 }
 
-function heed(request: Request): State | null {
+function heed(request: Request): Answer {
   if (!simulation) throw new Error("No scene is loaded.");
   switch (request.kind) {
     case "run":
@@ -104,6 +104,8 @@ function heed(request: Request): State | null {
       return null;
     case "state":
       return simulation.state();
+    case "overlaps":
+      return simulation.overlaps(request.placed);
     case "load":
       return null;
   }

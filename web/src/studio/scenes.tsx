@@ -11,15 +11,16 @@ const WAYS: Readonly<Record<string, string>> = { compose: "composed", text: "gen
 const MOST = 4;
 
 export function ScenesPanel({ all = false }: { all?: boolean }) {
-  const chosen = useSignal<string[]>([]);
+  const picked = useSignal<string[]>([]);
   const words = useSignal("");
   const earlier = useSignal(false);
   const mine = scenes.value.filter((row) => (all || row.in === "workspace") && holds(row, words.value));
   const superseded = new Set(scenes.value.map((row) => row.in === "workspace" && row.parent));
   const shown = earlier.value ? mine : mine.filter((row) => row.in !== "workspace" || !superseded.has(row.id));
   const hides = mine.some((row) => row.in === "workspace" && superseded.has(row.id));
+  const chosen = picked.value.filter((id) => scenes.value.some((row) => row.id === id)); // some may have been removed
   const choose = (id: string): void => {
-    chosen.value = chosen.value.includes(id) ? chosen.value.filter((other) => other !== id) : [...chosen.value, id].slice(-MOST);
+    picked.value = chosen.includes(id) ? chosen.filter((other) => other !== id) : [...chosen, id].slice(-MOST);
   };
   return (
     <section class="stack" aria-label="Scenes">
@@ -31,9 +32,9 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
             <input type="search" value={words.value} onInput={(event) => (words.value = event.currentTarget.value)} />
           </label>
         )}
-        {chosen.value.length > 1 && (
-          <a class="button" href={addressOf("compare", ...chosen.value)}>
-            Compare {chosen.value.length} side by side
+        {chosen.length > 1 && (
+          <a class="button" href={addressOf("compare", ...chosen)}>
+            Compare {chosen.length} side by side
           </a>
         )}
         {hides && (
@@ -48,7 +49,7 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
       <ul class="cards">
         {shown.map((row) => (
           <li key={row.id}>
-            <SceneCard row={row} chosen={chosen.value.includes(row.id)} onChoose={() => choose(row.id)} />
+            <SceneCard row={row} chosen={chosen.includes(row.id)} onChoose={() => choose(row.id)} />
           </li>
         ))}
       </ul>

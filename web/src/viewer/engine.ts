@@ -6,6 +6,7 @@ import type { Frame, ModelData } from "../physics/protocol";
 import { LiveScene } from "./live";
 import { Marks } from "./marks";
 import { BuiltModel } from "./meshes";
+import { PlaceCheck } from "./place_check";
 import { Placing, type Move } from "./placing";
 import { Pointer, type Grip } from "./pointer";
 import { Stage } from "./stage";
@@ -19,6 +20,8 @@ export interface Hover {
 export class Engine extends LiveScene {
   readonly hover = signal<Hover | null>(null);
   readonly selected = signal<string | null>(null);
+  /** Why the thing that is moved cannot stand where it is held; null where it can. */
+  readonly blocked = signal<string | null>(null);
   readonly parts = signal(false);
   /** Whether the camera is that of the picture, and how much of the picture lies over the view. */
   readonly inPicture = signal(false);
@@ -34,6 +37,7 @@ export class Engine extends LiveScene {
   private marks: Marks | null = null;
   private pointer: Pointer | null = null;
   private placing: Placing | null = null;
+  private check: PlaceCheck | null = null;
   private unseen = false;
 
   /** Draws on a canvas; a message in `error` says so where the browser cannot. */
@@ -100,18 +104,21 @@ export class Engine extends LiveScene {
 
   /** What is drawn of a body, if it is there. */
   private groupOf(name: string | null): THREE.Object3D | undefined {
-    const k = this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
-    return this.model?.bodies[k]?.group;
+    return this.model?.bodies[this.bodyOf(name)]?.group;
   }
 
-  /** What is drawn of the things that stand on one or lie in it, or on those. */
-  private carriedBy(name: string): THREE.Object3D[] {
+  private bodyOf(name: string | null): number {
+    return this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
+  }
+
+  /** The bodies that move with one: itself, the things that stand on it or lie in it, and on those. */
+  private carriedBy(name: string): number[] {
     const names = [name];
     for (const beneath of names) {
       const above = this.files?.row.things.filter((thing) => thing.on === beneath) ?? [];
       names.push(...above.map((thing) => thing.name).filter((each) => !names.includes(each)));
     }
-    return names.slice(1).map((each) => this.groupOf(each)).filter((group) => group !== undefined);
+    return names.map((each) => this.bodyOf(each)).filter((body) => body >= 0);
   }
 
   // ----------------------------------------------------------------------------------------- view
@@ -174,13 +181,7 @@ export class Engine extends LiveScene {
     const group = this.model?.bodies[body]?.group;
     if (!group) return;
     if (this.editing.value) {
-      if (!this.placing) {
-        this.run(false);
-        this.select(body);
-        this.placing = new Placing(group, held, this.carriedBy(this.model?.data.bodies[body]?.name ?? ""));
-      }
-      this.placing.drag(target, shift);
-      this.marks?.follow();
+      this.place(body, held, target, shift);
     } else {
       if (!this.running.value) this.run(true);
       this.physics.tell({ kind: "drag", body, grip: local.toArray(), target: target.toArray() });
@@ -189,8 +190,35 @@ export class Engine extends LiveScene {
     this.stage?.draw();
   }
 
+  private place(body: number, held: THREE.Vector3, target: THREE.Vector3, shift: boolean): void {
+    const { model } = this;
+    if (!model) return;
+    const { name } = model.data.bodies[body]!;
+    const bodies = this.carriedBy(name);
+    if (!this.placing) {
+      this.run(false);
+      this.select(body);
+      this.placing = new Placing(bodies.map((each) => model.bodies[each]!.group), held);
+      this.check = new PlaceCheck(model, (placed) => this.physics.overlaps(placed), (why) => this.block(why));
+    }
+    this.placing.drag(target, shift);
+    this.marks?.follow();
+    const move = this.placing.end();
+    const stands = this.files?.row.things.find((thing) => thing.name === name)?.on === "table";
+    if (move && (move.to || stands)) this.check?.look({ bodies, falls: !stands });
+    else this.check?.forget();
+  }
+
+  private block(why: string | null): void {
+    this.blocked.value = why;
+    this.marks?.warn(why !== null);
+    this.stage?.draw();
+  }
+
   private release(cancelled: boolean): void {
     const { placing } = this;
+    this.check?.forget();
+    this.check = null;
     if (placing) {
       const move = cancelled ? null : placing.end();
       this.placing = null;

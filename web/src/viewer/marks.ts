@@ -4,6 +4,8 @@ import * as THREE from "three";
 const MOST_CONTACTS = 400;
 const NEWTON = 0.03; // metres that a newton is drawn long
 const LONGEST = 0.15;
+const FRAME = 0x2563eb;
+const BLOCKED = 0xdc2626;
 
 export class Marks {
   readonly root = new THREE.Group();
@@ -72,7 +74,7 @@ export class Marks {
     this.frame?.dispose();
     this.frame = null;
     if (!thing) return;
-    this.frame = new THREE.BoxHelper(thing, 0x2563eb);
+    this.frame = new THREE.BoxHelper(thing, FRAME);
     this.frame.renderOrder = 10;
     this.root.add(this.frame);
   }
@@ -80,6 +82,11 @@ export class Marks {
   /** Moves the frame with its thing. */
   follow(): void {
     this.frame?.update();
+  }
+
+  /** Draws the frame as that of a thing that cannot stand there, or as usual. */
+  warn(blocked: boolean): void {
+    (this.frame?.material as THREE.LineBasicMaterial | undefined)?.color.set(blocked ? BLOCKED : FRAME);
   }
 
   showRope(from: THREE.Vector3 | null, to: THREE.Vector3 | null): void {

@@ -29,16 +29,15 @@ export class Placing {
   private angle = 0;
 
   /**
+   * @param groups - the thing, then what stands on it or lies in it.
    * @param held - where the thing is held, in the world.
-   * @param carried - what stands on it or lies in it.
    */
   constructor(
-    group: THREE.Object3D,
+    groups: THREE.Object3D[],
     private readonly held: THREE.Vector3,
-    carried: THREE.Object3D[] = [],
   ) {
-    this.parts = [group, ...carried].map((each) => ({ group: each, from: each.position.clone(), facing: each.quaternion.clone() }));
-    this.from = group.position.clone();
+    this.parts = groups.map((group) => ({ group, from: group.position.clone(), facing: group.quaternion.clone() }));
+    this.from = this.parts[0]!.from;
   }
 
   /** Follows the pointer to a point as high as where it is held; `turning` turns in place. */

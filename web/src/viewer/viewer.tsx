@@ -72,6 +72,7 @@ function Overlays({ engine, base }: { engine: Engine; base: string }) {
       {hover && (
         <span class="name" style={{ left: `${hover.x}px`, top: `${hover.y}px` }}>
           {hover.name.replace(ROBOT, "robot: ")}
+          {engine.blocked.value && `: ${engine.blocked.value}`}
         </span>
       )}
       {engine.ready.value && <Clock engine={engine} />}
