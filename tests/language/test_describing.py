@@ -20,12 +20,35 @@ from plans import all_related, counts, found, plan
          {"pencil": 1, "eraser": 1, "ruler": 1}),
         ("A table with a bowl, empty and clean, and two spoons.", "bowl_1", {"state": "empty"},
          {"bowl": 1, "spoon": 2}),
+        ("A glass, empty, and a plate.", "glass_1", {"state": "empty"}, {"glass": 1, "plate": 1}),
+        ("A cloth, folded, beside a mug.", "cloth_1", {"state": "folded"}, {"cloth": 1, "mug": 1}),
+        ("A paper, white, and a pencil.", "paper_stack_1", {"color": "white"},
+         {"paper_stack": 1, "pencil": 1}),
+        ("A towel dyed blue and a mug.", "folded_towel_1", {"color": "blue"},
+         {"folded_towel": 1, "mug": 1}),
+        ("A glass stained red and a mug.", "glass_1", {"color": "red"}, {"glass": 1, "mug": 1}),
     ],
 )  # fmt: skip
 def test_describing_words_after_a_noun_are_its(
     text: str, name: str, attributes: dict[str, str], expected: dict[str, int]
 ) -> None:
     assert found(plan(text), name).attributes == attributes
+    assert counts(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("A cloth folded in the corner.", {"cloth": 1}),
+        ("Cloth folded at the back of the desk and a mug.", {"cloth": 1, "mug": 1}),
+        ("Paper crumpled beside a mug.", {"paper_stack": 1, "mug": 1}),
+        ("A glass broken beside a plate.", {"glass": 1, "plate": 1}),
+        ("A paper wrapped sandwich and a glass sealed jar.", {"sandwich": 1, "jar": 1}),
+    ],
+)
+def test_what_a_material_names_may_be_described_after_it(
+    text: str, expected: dict[str, int]
+) -> None:
     assert counts(text) == expected
 
 

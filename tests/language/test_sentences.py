@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from plans import counts, found, plan, related
+from plans import all_related, counts, found, plan, related
 
 
 @pytest.mark.parametrize(
@@ -99,10 +99,18 @@ def test_changed_words_are_warned_of(text: str, warning: str) -> None:
 @pytest.mark.parametrize(
     "text",
     ["a towel", "two drinking glasses", "a breadboard", "a nail file", "a moka pot",
-     "a standing mirror", "poker chips", "mugs of various sizes", "a chessboard"],
+     "a standing mirror", "poker chips", "mugs of various sizes", "a chessboard",
+     "a cat figurine riding a toy truck", "a barista's counter with an espresso machine"],
 )  # fmt: skip
 def test_known_words_need_no_warning(text: str) -> None:
     assert plan(text).warnings == ()
+
+
+def test_who_rides_a_thing_is_on_it() -> None:
+    for words in ("riding", "astride", "seated on"):
+        assert all_related(f"a cat figurine {words} a toy truck") == {
+            ("figurine_1", "on", "toy_truck_1")
+        }
 
 
 def test_the_red_one_is_the_thing_of_that_colour() -> None:

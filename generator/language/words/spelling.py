@@ -115,7 +115,7 @@ def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> 
             if abs(len(form) - len(word)) > limit or len(form) < 3:
                 continue
             distance = OSA.distance(word, form, score_cutoff=limit)
-            if distance <= limit:
+            if distance <= limit and (distance < 2 or _sound_alike(form[0], word[0])):
                 named = not any(lexicon.category_of((first, form)) for first in before)
                 mixed = sorted(form) != sorted(word)
                 apart = abs(len(form) - len(word)) if distance > 1 else int(len(form) <= len(word))
@@ -126,6 +126,11 @@ def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> 
                 ranked.append((distance, named, unknown, mixed, first, cut, apart, shared, form))
     best = min(ranked)[-1] if ranked else None
     return None if best == word else _whole(best)
+
+
+def _sound_alike(a: str, b: str) -> bool:
+    """Tell whether a word of the one initial may be written with the other: "kutlery"."""
+    return a == b or any({a, b} <= set(group) for group in ("ckqs", "sz", "fpv", "gj", "iey", "uw"))
 
 
 def _means(word: str) -> bool:

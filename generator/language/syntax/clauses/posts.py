@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ....catalogue import CATEGORIES
+from ...parsing.vocabulary import COLORS
 from ...words.speech import is_verb
 from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun
@@ -315,7 +316,9 @@ class PostReader(HoldingReader):
 
     def _described(self, out: list[Post]) -> bool:
         """Read describing words after the noun: "a book open", "three mugs upside down"."""
-        noun, end = read_noun(self.tokens, self.i)
+        word = self._text()
+        colored = word.endswith("ed") and is_verb(word) and self._text(1) in COLORS
+        noun, end = read_noun(self.tokens, self.i + colored)  # "a towel dyed blue"
         if noun is None:
             return False
         measured = noun.kind == "member" and bool(noun.lengths) and not noun.words

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...parsing import lexicon
-from ...parsing.vocabulary import TABLE_NOUNS
+from ...parsing.vocabulary import COLORS, MATERIALS, TABLE_NOUNS
 from ...words.dictionary import entry_of
 from ...words.speech import IRREGULAR, is_finite, is_verb
 from ..text import function_words as fw
@@ -28,6 +28,8 @@ def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
     if word in fw.DEFINITE or word in fw.INDEFINITE or word in fw.PRONOUNS:
         return True
     nouns = [w for w in run.words if not is_describing(w)]
+    if not nouns and _is_said_of_stuff(tokens, i, run):
+        return True
     if nouns and word in fw.PARTICLES:
         return True
     if word in fw.AMOUNTS and nouns and word not in ("lot", "mixed", "assorted", "various"):
@@ -89,6 +91,19 @@ def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
             for k in range(len(run.words) + 1)
         )
     return False
+
+
+def _is_said_of_stuff(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
+    """Tell whether a word says how what a material names is: "a cloth folded in the corner"."""
+    if not tokens[i].text.endswith(("ed", "en")) or not is_stuff(run.words):
+        return False
+    after = [token for token in tokens[i + 1 : i + 3] if token.text not in COLORS]
+    return not after or after[0].tag != "word" or after[0].text in fw.PARTICIPLES
+
+
+def is_stuff(words: Sequence[str]) -> bool:
+    """Tell whether words end with a material that names a thing, too: a "glass", a "cloth"."""
+    return bool(words) and words[-1] in MATERIALS and bool(lexicon.category_of((words[-1],)))
 
 
 def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:

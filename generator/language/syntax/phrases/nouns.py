@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..text import function_words as fw
 from ..text.tokens import Token
-from .endings import ends_here
+from .endings import ends_here, is_stuff
 from .heads import noun_of
 from .introductions import PhraseStart, is_describing, may_continue, read_introduction
 from .tree import Noun
@@ -112,9 +112,21 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
     start = i + 1 + (tokens[i].tag == "comma" and tokens[i + 1].tag == "and")
     if ends_here(tokens, start, PhraseStart()):
         return 0  # "empty and clean," of which the last may be a verb
+    if is_stuff(run.words) and not _noun_follows(tokens, k):
+        return 0  # "a glass, empty, and a plate", but "a glass, steel and oak table"
     run.variants.append(list(run.words))
     run.words = []
     return start - i
+
+
+def _noun_follows(tokens: Sequence[Token], k: int) -> bool:
+    """Tell whether a noun comes after describing words, with or without commas."""
+    while k < len(tokens) and (tokens[k].tag in ("comma", "and") or is_describing(tokens[k].text)):
+        k += 1
+    if k == len(tokens):
+        return False
+    named = tokens[k].tag == "name"
+    return named or (tokens[k].tag == "word" and not ends_here(tokens, k, PhraseStart()))
 
 
 # ---------------------------------------------------------------------------------- the noun

@@ -122,6 +122,7 @@ RELATIONS = _table(
     on: on, on top of, atop, upon, onto, above, over, over the top of, resting on top of
     on: balanced on, perched on, laid on, spread on, served on, stacked on top of, up on, on to
     on: mounted on, hung on, displayed on, resting on, across, lying across, laid across
+    on: riding, riding on, riding on top of, astride, sitting astride, straddling, seated on
     in: in, inside, inside of, within, into, in to, sticking out of, poking out of, peeking out of
     under: under, beneath, underneath, below
     aim: towards, toward, without touching, without hitting, without moving, without knocking over
