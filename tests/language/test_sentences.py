@@ -96,11 +96,19 @@ def test_changed_words_are_warned_of(text: str, warning: str) -> None:
     assert any(w.startswith(warning) for w in plan(text).warnings)
 
 
+@pytest.mark.parametrize("words", ["far from", "away from", "far away from"])
+def test_what_is_far_from_another_is_not_planned_and_told(words: str) -> None:
+    read = plan(f"a mug and a plate, a candle {words} the mug")
+    assert read.warnings == (f"Not understood: '{words} the mug'.",)
+    assert {o.name for o in read.objects} == {"mug_1", "plate_1", "candle_1"}
+
+
 @pytest.mark.parametrize(
     "text",
     ["a towel", "two drinking glasses", "a breadboard", "a nail file", "a moka pot",
      "a standing mirror", "poker chips", "mugs of various sizes", "a chessboard",
-     "a cat figurine riding a toy truck", "a barista's counter with an espresso machine"],
+     "a cat figurine riding a toy truck", "a barista's counter with an espresso machine",
+     "an espresso, a mojito and a hot chocolate"],
 )  # fmt: skip
 def test_known_words_need_no_warning(text: str) -> None:
     assert plan(text).warnings == ()

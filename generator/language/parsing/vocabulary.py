@@ -218,10 +218,13 @@ SUBSTANCES = _words(
 SYNONYMS = _pairs(
     """
     mug: beer mug, tea mug, tankard, travel mug
-    teacup: tea cup, cappuccino cup, espresso cup
+    teacup: tea cup, cappuccino cup, espresso cup, espresso, cappuccino, latte, americano
+    teacup: macchiato, flat white, mocha, matcha latte
+    mug: hot chocolate, hot cocoa
+    cocktail glass: mojito, margarita, cosmopolitan, spritz
     cup: paper cup, tumbler
     glass: water glass, drinking glass, juice glass, beer glass, glass of water, glass of milk
-    glass: glass of juice, drink, tumbler
+    glass: glass of juice, drink, tumbler, lemonade, iced tea, iced coffee
     wine glass: goblet, wineglass, champagne glass, stemware, chalice
     bottle: water bottle, bottle of water, plastic bottle, beer bottle, soda bottle, flagon
     wine bottle: bottle of wine, wine, champagne bottle

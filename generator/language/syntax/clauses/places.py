@@ -36,6 +36,8 @@ class PlaceReader(Cursor):
         before = self.i
         if (distance := self._distance()) is not None:
             return self._place_apart(distance, leading=leading)
+        if far := self._far_from():
+            return far
         if self._text() in _DEGREES and self._tag(1) in ("relation", "here"):
             self.i += 1  # "right next to it"
         found = read_zone(self.tokens, self.i)
@@ -153,6 +155,21 @@ class PlaceReader(Cursor):
             return None
         self.lost.append(said)
         return place
+
+    def _far_from(self) -> Location | None:
+        """Read "far from the candle" and "away from it", which no plan has."""
+        before = self.i
+        k = 1 + (self._text() == "far" and self._text(1) == "away")
+        if self._text() not in ("far", "away") or self._text(k) != "from":
+            return None
+        self.i += k + 1
+        target = self._target(nested=False)
+        if target is None:
+            self.i = before
+            return None
+        said = " ".join(token.text for token in self.tokens[before : self.i])
+        self.lost.append(said)
+        return Location("aim", target)
 
     def _apart(self) -> bool:
         """Step over "10 cm apart"."""
