@@ -64,7 +64,10 @@ def studio(
     with place.locking(), bind(host, port) as listening:
         open_database(place.database).close()  # what is wrong with it is said before all else
         tokens = {name: place.make_token(name) for name in studies}
-        access = Access(host, listening.getsockname()[1], secrets.token_urlsafe(24), tokens)
+        number, ticket = listening.getsockname()[1], secrets.token_urlsafe(24)
+        access = Access(
+            host, number, secrets.token_urlsafe(24), tokens, ticket if browser else None
+        )
         if not access.is_local:
             print(escape(
                 f"warning: {host} lets other machines in, unencrypted; whoever knows the token can "

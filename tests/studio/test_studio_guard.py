@@ -1,12 +1,14 @@
 """Who may ask: the token, the host, the origin; and what every answer says."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from starlette.responses import PlainTextResponse
 from starlette.testclient import TestClient
 from studio_clients import ACCESS, TOKEN
 
-from tabletopgen_web.studio.server.guard import HEADERS, Access
+from tabletopgen_web.studio.server.guard import HEADERS, Access, StudioGuard
 
 OWN = "http://127.0.0.1:8123"
 
@@ -27,6 +29,21 @@ def test_the_printed_address_sets_the_cookie_and_leads_to_the_page(client: TestC
     page = client.get("/")
     assert page.status_code == 200 and "Studio" in page.text
     assert TOKEN not in page.text
+
+
+def test_a_browser_is_started_with_an_address_that_opens_once() -> None:
+    access = replace(ACCESS, ticket="the-ticket")
+    guarded = StudioGuard(PlainTextResponse("the page"), access)
+    assert TOKEN not in access.ticket_link
+    own, other = (TestClient(guarded, base_url=ACCESS.address) for _ in range(2))
+    for wrong in ("?ticket=", "?ticket=wrong", f"?ticket={TOKEN}", "?token=the-ticket"):
+        assert other.get(f"/{wrong}").status_code == 403
+    assert own.get("/?ticket=the-ticket").text == "the page"
+    assert own.get("/?ticket=the-ticket").text == "the page", "its cookie is there"
+    refused = other.get("/?ticket=the-ticket")
+    assert refused.status_code == 403 and "once" in refused.text
+    bare = TestClient(StudioGuard(PlainTextResponse("the page"), ACCESS), base_url=ACCESS.address)
+    assert bare.get("/?ticket=None").status_code == 403
 
 
 @pytest.mark.parametrize("query", ["", "?token=", "?token=wrong", "?token=%00%ff",

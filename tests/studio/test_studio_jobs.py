@@ -128,6 +128,16 @@ def test_the_queue_is_bounded(fake: TestClient, monkeypatch: pytest.MonkeyPatch)
     queue(fake)
 
 
+def test_a_job_is_resumed_only_if_the_queue_has_room(
+    fake: TestClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    job = queue(fake, "slow")
+    fake.post(f"/api/jobs/{job}/cancel")
+    assert wait_for(fake, job)["state"] == "cancelled"
+    monkeypatch.setattr(jobs, "QUEUE_LIMIT", 0)
+    assert fake.post(f"/api/jobs/{job}/resume").status_code == 429
+
+
 def test_several_jobs_run_at_once_if_there_are_workers(
     tmp_path: Path, static: Path, store: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -207,6 +217,31 @@ def test_an_ending_that_cannot_be_written_is_written_later(
     monkeypatch.setattr(jobs.JobStore, "finish", refuse)
     monkeypatch.setattr("tabletopgen_web.studio.queue.runner._AGAIN", 0.05)
     assert wait_for(fake, queue(fake))["state"] == "done" and not refusals
+
+
+def test_a_job_that_cannot_be_taken_does_not_stop_the_queue(
+    fake: TestClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole, faults = jobs.JobStore.take, [1, 2]
+
+    def fail(store: jobs.JobStore) -> object:
+        if faults:
+            faults.pop()
+            raise RuntimeError("a defect")
+        return whole(store)
+
+    monkeypatch.setattr(jobs.JobStore, "take", fail)
+    monkeypatch.setattr("tabletopgen_web.studio.queue.runner._AGAIN", 0.05)
+    assert wait_for(fake, queue(fake))["state"] == "done" and not faults
+
+
+def test_jobs_that_make_way_take_their_files_along(
+    fake: TestClient, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(jobs, "_MOST_JOBS", 2)
+    made = [wait_for(fake, queue(fake))["id"] for _ in range(4)]
+    (figures,) = tmp_path.rglob("figures")
+    assert {path.name for path in figures.iterdir()} == {*made[2:]}
 
 
 def test_an_estimate_asks_a_process_of_its_own(fake: TestClient) -> None:

@@ -16,6 +16,9 @@ from generator.errors import StorageError
 SCHEMA = 1
 """Version of the tables; others are refused."""
 
+REMOVAL = """type = 'state' AND data = '{"state": "deleted"}'"""
+"""What tells the event that a job was removed."""
+
 _TABLES = (
     """CREATE TABLE jobs (
         number INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE, kind TEXT NOT NULL,
@@ -27,6 +30,7 @@ _TABLES = (
         seq INTEGER PRIMARY KEY AUTOINCREMENT, job TEXT NOT NULL, type TEXT NOT NULL,
         time REAL NOT NULL, data TEXT NOT NULL)""",
     "CREATE INDEX events_of_jobs ON events (job, seq)",
+    f"CREATE INDEX removals ON events (seq) WHERE {REMOVAL}",
 )
 _MOST_VALUE_BYTES = 4 * 2**20
 
@@ -40,6 +44,8 @@ def open_database(path: Path) -> sqlite3.Connection:
     with storing(path):
         if path.is_symlink() or (path.exists() and not stat.S_ISREG(path.stat().st_mode)):
             raise StorageError(f"{path} is not a regular file. Choose another --folder.")
+        path.touch(0o600)  # SQLite's other files are as private as this one
+        path.chmod(0o600)
         database = sqlite3.connect(path, timeout=10, isolation_level=None, check_same_thread=False)
         try:
             database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _MOST_VALUE_BYTES)
@@ -50,7 +56,6 @@ def open_database(path: Path) -> sqlite3.Connection:
         except BaseException:
             database.close()
             raise
-        path.chmod(0o600)
         return database
 
 

@@ -6,7 +6,7 @@ import contextlib
 import json
 import secrets
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +23,7 @@ from ..contracts import (
 )
 from ..refusals import RefusedError
 from ..specs import read_spec, title_of
-from .database import storing, transaction
+from .database import REMOVAL, storing, transaction
 from .history import JobHistory
 
 QUEUE_LIMIT = 200
@@ -45,15 +45,20 @@ _RESUMABLE = ("failed", "cancelled", "interrupted")
 class JobStore(JobHistory):
     """The queue, and the history of what happened; for one thread.
 
-    ``changed`` is called after each change. What the disk refuses is a StorageError.
+    What the disk refuses is a StorageError.
+
+    Attributes:
+        changed: called after each change.
+        dropped: called with the jobs that made way for a new one.
 
     Raises:
         StorageError: the database cannot be used.
     """
 
-    def __init__(self, path: Path, changed: Callable[[], None] = lambda: None) -> None:
+    def __init__(self, path: Path) -> None:
         super().__init__(path)
-        self.changed = changed
+        self.changed: Callable[[], None] = lambda: None
+        self.dropped: Callable[[Sequence[str]], None] = lambda jobs: None
         self._reserve = path.with_name("reserve")
 
     def add(self, request: Mapping[str, Any]) -> JobRow:
@@ -65,21 +70,16 @@ class JobStore(JobHistory):
         """
         spec = read_spec(request)
         job, now = secrets.token_hex(6), time.time()
+        self._check_room()
         with self._changing():
-            (busy,) = self._database.execute(
-                "SELECT count(*) FROM jobs WHERE state IN ('queued', 'running')"
-            ).fetchone()
-            if busy >= QUEUE_LIMIT:
-                raise RefusedError(
-                    429, f"{busy} jobs wait or run, which is the limit. Wait for one to end."
-                )
             self._database.execute(
                 "INSERT INTO jobs (id, kind, title, request, state, created, queued) "
                 "VALUES (?, ?, ?, ?, 'queued', ?, ?)",
                 (job, request["kind"], title_of(spec), json.dumps(request), now, now),
             )
             self._tell(job, "state", {"state": "queued", "kind": request["kind"]})
-            self._drop_old()
+            old = self._drop_old()
+        self.dropped(old)
         return self.get(job)
 
     def take(self) -> JobRow | None:
@@ -135,12 +135,13 @@ class JobStore(JobHistory):
         """Queue a job again that failed, was cancelled or interrupted, just as it was asked for.
 
         Raises:
-            RefusedError: there is none, or it is in another state.
+            RefusedError: there is none, it is in another state, or the queue is full.
         """
         state = self.get(job).state
         if state not in _RESUMABLE:
             raise RefusedError(409, f"The job is {state}; only jobs that ended without a result "
                                     "are resumed.")  # fmt: skip
+        self._check_room()
         self._requeue(job, runs=0)
         return self.get(job)
 
@@ -193,13 +194,22 @@ class JobStore(JobHistory):
                 self._tell(job, "result", told)
             self._tell(job, "state", {"state": state, **({"error": error} if error else {})})
 
+    def _check_room(self) -> None:
+        """Refuse a job more than the queue takes."""
+        ((busy,),) = self._select("SELECT count(*) FROM jobs WHERE state IN ('queued', 'running')")
+        if busy >= QUEUE_LIMIT:
+            raise RefusedError(
+                429, f"{busy} jobs wait or run, which is the limit. Wait for one to end."
+            )
+
     def _keep_reserve(self) -> None:
         """Take up the place in which endings can be written on a full disk."""
-        if not self._reserve.exists():
-            try:
-                self._reserve.write_bytes(bytes(_RESERVED))
-            except OSError:
-                self._reserve.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            if not self._reserve.exists():
+                try:
+                    self._reserve.write_bytes(bytes(_RESERVED))
+                except OSError:
+                    self._reserve.unlink(missing_ok=True)
 
     def _requeue(self, job: str, runs: int) -> None:
         with self._changing():
@@ -214,20 +224,20 @@ class JobStore(JobHistory):
         self._database.execute("DELETE FROM jobs WHERE id = ?", (job,))
         self._tell(job, "state", {"state": "deleted"})
         self._database.execute(
-            "DELETE FROM events WHERE job NOT IN (SELECT id FROM jobs) AND seq NOT IN (SELECT seq "
-            "FROM events WHERE job NOT IN (SELECT id FROM jobs) ORDER BY seq DESC LIMIT ?)",
-            (_MOST_DELETED,),
-        )
+            f"DELETE FROM events WHERE {REMOVAL} AND seq NOT IN (SELECT seq FROM events "
+            f"WHERE {REMOVAL} ORDER BY seq DESC LIMIT ?)", (_MOST_DELETED,),
+        )  # fmt: skip
 
-    def _drop_old(self) -> None:
+    def _drop_old(self) -> list[str]:
         (count,) = self._database.execute("SELECT count(*) FROM jobs").fetchone()
-        if count > _MOST_JOBS:
-            old = self._database.execute(
-                f"SELECT id FROM jobs WHERE state IN {_OVER} ORDER BY number LIMIT ?",
-                (count - _MOST_JOBS,),
-            ).fetchall()
-            for (job,) in old:
-                self._remove(job)
+        rows = self._select(
+            f"SELECT id FROM jobs WHERE state IN {_OVER} ORDER BY number LIMIT ?",
+            max(count - _MOST_JOBS, 0),
+        )
+        old = [row["id"] for row in rows]
+        for job in old:
+            self._remove(job)
+        return old
 
     def _tell(self, job: str, kind: EventType, data: Mapping[str, Any]) -> None:
         self._database.execute(

@@ -19,7 +19,7 @@ Order = Callable[[JobRow], Mapping[str, Any]]
 """Makes of a job what its process is told; a TabletopError says why it cannot be begun."""
 
 _LOG = logging.getLogger(__name__)
-_AGAIN = 2.0  # seconds between two tries to write how a job ended
+_AGAIN = 2.0  # seconds between two tries to take a job, or to write how one ended
 _MOST_ERROR = 2000  # characters of a message
 
 
@@ -64,6 +64,10 @@ class Runner:
                 self._save_endings()
                 job = self._store.take()
             except StorageError:  # the disk is full: try again later
+                await asyncio.sleep(_AGAIN)
+                continue
+            except Exception:  # a defect of ours stops no other job
+                _LOG.exception("No job could be taken.")
                 await asyncio.sleep(_AGAIN)
                 continue
             if job is not None:
@@ -121,13 +125,14 @@ class Runner:
         self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None
     ) -> None:
         self._unsaved[job] = state, error, result
-        with contextlib.suppress(StorageError):  # it is tried again before the next job
-            self._save_endings()
+        self._save_endings()
 
     def _save_endings(self) -> None:
+        """Write down how jobs ended; what the disk refuses is tried again before the next job."""
         for job, (state, error, result) in list(self._unsaved.items()):
-            self._store.finish(job, state, error, result)
-            del self._unsaved[job]
+            with contextlib.suppress(StorageError):
+                self._store.finish(job, state, error, result)
+                del self._unsaved[job]
 
 
 def _as_result(job: str, message: Mapping[str, Any]) -> JobResult:

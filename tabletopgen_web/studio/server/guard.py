@@ -56,13 +56,15 @@ _STUDY_TITLE = "User study"  # raters are not to read the name of a method
 class Access:
     """Where the server listens, and the token that opens it.
 
-    ``studies`` are the tokens of raters, by study.
+    ``studies`` are the tokens of raters, by study. ``ticket`` opens it once: other users of this
+    machine see what a program was started with, a browser's address included.
     """
 
     host: str
     port: int
     token: str
     studies: Mapping[str, str] = field(default_factory=dict)
+    ticket: str | None = None
 
     @property
     def address(self) -> str:
@@ -75,6 +77,11 @@ class Access:
     def link(self) -> str:
         """What to open in a browser; it has the token."""
         return f"{self.address}?token={self.token}"
+
+    @property
+    def ticket_link(self) -> str:
+        """What to start a browser with."""
+        return f"{self.address}?ticket={self.ticket}"
 
     @property
     def cookie(self) -> str:
@@ -126,6 +133,7 @@ class StudioGuard:
 
     def __init__(self, app: ASGIApp, access: Access) -> None:
         self._app, self._access = app, access
+        self._ticket = access.ticket  # None once it is used
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request, or pass it on."""
@@ -161,9 +169,11 @@ class StudioGuard:
         study = self._access.study_asked(scope)
         page = safe and (scope["path"] == "/" or scope["path"].startswith("/study/"))
         if page and (scope["path"] == "/" or study is not None):
-            given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [])
-            if given:
+            query = parse_qs(scope["query_string"].decode("latin-1"))
+            if given := query.get("token", []):
                 return self._open(given, study)
+            if study is None and (given := query.get("ticket", [])):
+                return self._open_once(given, headers)
         if self._bears(headers) or self._has_cookie(headers, None):
             return None
         if study is not None and self._has_cookie(headers, study):
@@ -190,6 +200,16 @@ class StudioGuard:
             site = "lax"  # a strict one is not sent when a page, such as a mailbox, led here
         answer.set_cookie(name, token, httponly=True, samesite=site, path="/")
         return answer
+
+    def _open_once(self, given: list[str], headers: Headers) -> Response:
+        """Turn the ticket of an address into a cookie, the first time."""
+        ticket = (self._ticket or "").encode()
+        if ticket and secrets.compare_digest(given[0].encode("utf-8", "replace"), ticket):
+            self._ticket = None
+            return self._open([self._access.token], None)
+        if self._has_cookie(headers, None):
+            return RedirectResponse("/", status_code=303)
+        return _show("This address opened the studio once. Open the one that it printed.")
 
     def _bears(self, headers: Headers) -> bool:
         given = headers.getlist("authorization")

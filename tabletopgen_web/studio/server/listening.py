@@ -10,15 +10,18 @@ import threading
 import webbrowser
 from collections.abc import Callable, Iterator
 from types import FrameType
+from typing import cast
 
 import uvicorn
 from starlette.types import ASGIApp
+from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
 
 from generator.errors import BackendError
 
 from .guard import Access
 
 _GRACE = 2  # seconds that answers under way have at the end
+_HEAD = 15.0  # seconds in which the head of a request is to come
 
 
 @contextlib.contextmanager
@@ -38,6 +41,38 @@ def bind(host: str, port: int) -> Iterator[socket.socket]:
         ) from error
     with listening:
         yield listening
+
+
+class HastyProtocol(H11Protocol):
+    """Closes connections on which no whole head of a request comes: there is room for so many."""
+
+    def connection_made(self, transport: asyncio.Transport) -> None:
+        """Begin to wait for a request."""
+        super().connection_made(transport)
+        self._late: asyncio.TimerHandle | None = None
+        self._wait()
+
+    def data_received(self, data: bytes) -> None:
+        """Take what came; wait on where it is no whole head."""
+        super().data_received(data)
+        cycle = cast("RequestResponseCycle | None", self.cycle)
+        if cycle is not None and not cycle.response_complete:
+            self._stop_waiting()
+        elif self._late is None:
+            self._wait()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Wait no longer."""
+        self._stop_waiting()
+        super().connection_lost(exc)
+
+    def _wait(self) -> None:
+        self._late = self.loop.call_later(_HEAD, self.transport.close)
+
+    def _stop_waiting(self) -> None:
+        if self._late is not None:
+            self._late.cancel()
+            self._late = None
 
 
 class _Server(uvicorn.Server):
@@ -62,7 +97,7 @@ def serve(
     """
     config = uvicorn.Config(
         app, log_level="warning", access_log=False, server_header=False, proxy_headers=False,
-        ws="none", http="h11", loop="asyncio", lifespan="on", timeout_keep_alive=30,
+        ws="none", http=HastyProtocol, loop="asyncio", lifespan="on", timeout_keep_alive=30,
         timeout_graceful_shutdown=_GRACE, limit_concurrency=512,
     )  # fmt: skip
     print(f"Open {access.link}", flush=True)
@@ -71,7 +106,8 @@ def serve(
     print("Ctrl-C ends the studio; jobs that run then begin again with the next one.",
           file=sys.stderr)  # fmt: skip
     if browse:
-        threading.Thread(target=webbrowser.open, args=(access.link,), daemon=True).start()
+        opened = (access.ticket_link,)
+        threading.Thread(target=webbrowser.open, args=opened, daemon=True).start()
     server = _Server(config, stop)
     with contextlib.suppress(KeyboardInterrupt):
         asyncio.run(server.serve(sockets=[listening]))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -82,6 +82,7 @@ class StudioServices:
         self.answers = AnswerBook(self.folder.answers)
         self.runner = Runner(self.store, self.make_order, self.workers)
         self.store.changed = self._notify
+        self.store.dropped = self._remove_files
 
     def sweep(self) -> None:
         """Remove what jobs that are no more had or made, and outdated views, if possible."""
@@ -90,10 +91,7 @@ class StudioServices:
         self.pictures.sweep({job.request["picture"] for job in jobs if "picture" in job.request})
         known = {job.id for job in jobs}
         for folder in (self.folder.figures, self.folder.files):
-            for path in folder.iterdir():
-                if path.name not in known:
-                    with contextlib.suppress(StorageError):
-                        remove_tree(folder, path.name)
+            self._remove_files(path.name for path in folder.iterdir() if path.name not in known)
 
     def make_order(self, job: JobRow) -> Mapping[str, Any]:
         """Return what the process of a job is told.
@@ -142,6 +140,13 @@ class StudioServices:
             None if scene is None else self.scenes.find(scene)[0],
             None if picture is None else self.pictures.path(picture),
         ).plain()  # fmt: skip
+
+    def _remove_files(self, jobs: Iterable[str]) -> None:
+        """Remove what jobs found and made, if possible."""
+        for job in jobs:
+            for folder in (self.folder.figures, self.folder.files):
+                with contextlib.suppress(StorageError):
+                    remove_tree(folder, job)
 
     def _notify(self) -> None:
         self.changes.notify()

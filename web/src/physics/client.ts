@@ -10,6 +10,8 @@ interface Waiting {
 export class Physics {
   private worker: Worker | null = null;
   private closed = false;
+  /** Why the worker has failed; null while it has not. */
+  private broken: string | null = null;
   private readonly waiting = new Map<number, Waiting>();
   private next = 1;
 
@@ -32,6 +34,7 @@ export class Physics {
     this.worker.onmessage = (event: MessageEvent<Reply>) => this.heed(event.data);
     this.worker.onerror = (event) => {
       const message = event.message || "The physics could not be started in this browser.";
+      this.broken = message;
       for (const { reject } of this.waiting.values()) reject(new Error(message));
       this.waiting.clear();
       this.onBreak(message);
@@ -58,6 +61,7 @@ export class Physics {
     const id = this.next++;
     return new Promise((resolve, reject) => {
       if (this.closed) return;
+      if (this.broken !== null) return reject(new Error(this.broken));
       this.waiting.set(id, { resolve, reject });
       this.worker?.postMessage({ ...command, id });
     });
@@ -65,7 +69,7 @@ export class Physics {
 
   /** Sends a command of which nothing is awaited. */
   tell(command: Command): void {
-    this.ask(command).catch((error: unknown) => console.warn("physics:", error));
+    if (this.broken === null) this.ask(command).catch((error: unknown) => console.warn("physics:", error));
   }
 
   close(): void {

@@ -109,7 +109,6 @@ export interface Placed {
 export type Command =
   | { kind: "load"; module: WebAssembly.Module; xml: string; files: [string, Uint8Array][]; start: string }
   | { kind: "run"; running: boolean }
-  | { kind: "speed"; factor: number }
   | { kind: "step"; steps: number }
   | { kind: "reset" }
   | { kind: "show"; centres: boolean; contacts: boolean }

@@ -51,8 +51,14 @@ export class Simulation {
       for (const [name, bytes] of files) vfs.addBuffer(name, bytes);
       const model = mujoco.MjModel.from_xml_string(xml, vfs);
       if (!model) throw new Error("MuJoCo cannot read the scene.");
-      const key = idOf(mujoco, model, "KEY", start);
-      return new Simulation(mujoco, model, new mujoco.MjData(model), key);
+      const data = new mujoco.MjData(model);
+      try {
+        return new Simulation(mujoco, model, data, idOf(mujoco, model, "KEY", start));
+      } catch (error) {
+        data.delete();
+        model.delete();
+        throw error;
+      }
     } finally {
       vfs.delete();
     }

@@ -12,7 +12,6 @@ const BUSY = 12;
 let mujoco: Promise<MainModule> | null = null;
 let simulation: Simulation | null = null;
 let running = false;
-let speed = 1;
 let shown = { centres: false, contacts: false };
 let owed = 0;
 let last = 0;
@@ -30,7 +29,7 @@ function sendFrame(): void {
 function tick(): void {
   if (!simulation || !running) return;
   const now = performance.now();
-  owed = Math.min(owed + ((now - last) / 1000) * speed, MOST_BEHIND);
+  owed = Math.min(owed + (now - last) / 1000, MOST_BEHIND);
   last = now;
   const { timestep } = simulation;
   while (owed >= timestep && performance.now() - now < BUSY) {
@@ -76,9 +75,6 @@ function heed(request: Request): Answer {
   switch (request.kind) {
     case "run":
       run(request.running);
-      return null;
-    case "speed":
-      speed = request.factor;
       return null;
     case "step":
       simulation.step(request.steps);

@@ -34,7 +34,9 @@ function Sending({ store, path }: { store: Store; path: string }) {
   const { sent } = store.progress.value;
   const send = async (): Promise<void> => {
     setFailed(false);
+    const { rater } = store.progress.value;
     const took = await post(path, toText(store.study, store.pages.value, store.progress.value));
+    if (store.progress.value.rater !== rater) return; // another one has begun meanwhile
     if (took) store.change({ sent: true });
     else setFailed(true);
   };

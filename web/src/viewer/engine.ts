@@ -248,7 +248,10 @@ export class Engine extends LiveScene {
 
   protected show(frame: Frame): void {
     this.time.value = frame.time;
-    if (!this.model?.place(frame.poses) && !frame.centres && !frame.contacts) return;
+    const marked = this.marks?.shown ?? false;
+    this.marks?.showCentres(frame.centres);
+    this.marks?.showContacts(frame.contacts);
+    if (!this.model?.place(frame.poses) && !marked && !this.marks?.shown) return;
     this.marks?.follow();
     if (this.unseen) {
       this.unseen = false;
@@ -256,8 +259,6 @@ export class Engine extends LiveScene {
       if (this.firstView && this.stage) this.stage.view = this.firstView;
       this.firstView = null;
     }
-    this.marks?.showCentres(frame.centres);
-    this.marks?.showContacts(frame.contacts);
     this.stage?.draw();
   }
 

@@ -26,7 +26,10 @@ export abstract class LiveScene {
   files: SceneFiles | null = null;
   protected readonly physics = new Physics(
     (frame) => this.show(frame),
-    (message) => (this.error.value = `The physics stopped: ${message}`),
+    (message) => {
+      this.player.stop();
+      this.error.value = `The physics stopped: ${message}`;
+    },
   );
   protected readonly stop = new AbortController();
   protected closed = false;

@@ -37,6 +37,11 @@ export class Marks {
     }
   }
 
+  /** Whether centres of mass or contacts are shown. */
+  get shown(): boolean {
+    return this.centres.visible || this.spots.visible;
+  }
+
   showCentres(positions: Float32Array | null): void {
     this.centres.visible = positions !== null;
     if (!positions) return;

@@ -55,6 +55,9 @@ export class PlaceCheck {
         const why = await this.find(site);
         if (this.latest) this.told(why);
       }
+    } catch (error) {
+      console.warn("place:", error); // who edits hears of it when the place is asked for
+      this.forget();
     } finally {
       this.asking = false;
     }
