@@ -21,6 +21,8 @@ from generator.calls.http.dialing import proxy_for
 from generator.errors import BackendError, TabletopError, UnusableError
 
 TIMEOUT = 0.5
+SPARE = 10.0
+"""Seconds that a machine with much to do may take besides; the servers here never end."""
 HEAD = b"HTTP/1.1 200 OK\r\ncontent-type: application/json\r\n"
 CHUNKED = HEAD + b"transfer-encoding: chunked\r\n\r\n"
 
@@ -81,7 +83,7 @@ def test_a_server_without_an_end_is_left_in_time(talk: Talk) -> None:
         began = time.monotonic()
         with pytest.raises(BackendError, match="cloud, plan_scene"):
             ask(shared, url, timeout=TIMEOUT, most_bytes=2**20)
-        assert time.monotonic() - began < TIMEOUT + 2
+        assert time.monotonic() - began < TIMEOUT + SPARE
     assert not [t for t in set(threading.enumerate()) - before if t.name == "call"]
     assert [entry.outcome for entry in shared.account.entries] == ["failed"]
 
@@ -99,7 +101,7 @@ def test_a_handshake_byte_by_byte_is_left_in_time() -> None:
         began = time.monotonic()
         with pytest.raises(BackendError, match="did not take the call"):
             ask(session(attempts=1), url.replace("http:", "https:"), timeout=TIMEOUT)
-        assert time.monotonic() - began < TIMEOUT + 2
+        assert time.monotonic() - began < TIMEOUT + SPARE
 
 
 @pytest.mark.slow
@@ -108,7 +110,7 @@ def test_a_name_that_is_looked_up_for_ever_is_left_in_time(monkeypatch: pytest.M
 
     def lookup(*given: object, **more: object) -> list:
         asked.set()
-        done.wait(20)
+        done.wait(60)
         return []
 
     monkeypatch.setattr("socket.getaddrinfo", lookup)
@@ -119,7 +121,7 @@ def test_a_name_that_is_looked_up_for_ever_is_left_in_time(monkeypatch: pytest.M
     finally:
         done.set()
     assert asked.is_set()
-    assert time.monotonic() - began < TIMEOUT + 2
+    assert time.monotonic() - began < TIMEOUT + SPARE
 
 
 @pytest.mark.slow
@@ -153,7 +155,7 @@ def test_a_redirect_is_bounded_by_the_time_of_the_call() -> None:
         began = time.monotonic()
         with pytest.raises(BackendError, match="did not answer within"):
             ask(session(attempts=1), server.url, timeout=TIMEOUT)
-        assert time.monotonic() - began < TIMEOUT + 2
+        assert time.monotonic() - began < TIMEOUT + SPARE
     assert len(server.asked) == 2
 
 

@@ -21,7 +21,7 @@ SMALL: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.fixture(scope="session", autouse=True)
+@pytest.fixture(scope="module", autouse=True)
 def one_thread() -> Iterator[None]:
     """Small networks are faster on one thread, above all where tests run side by side."""
     before = torch.get_num_threads()

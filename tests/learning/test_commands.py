@@ -136,7 +136,10 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
         (("train",), 2, "required"),
     ],
 )
-def test_wrong_requests_are_explained(trained: Path, args, code, why, shell) -> None:
+def test_wrong_requests_are_explained(
+    trained: Path, args, code, why, shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
     assert why in shell(*(a.format(trained) for a in args), code=code).err
     assert not Path("runs").exists()
 

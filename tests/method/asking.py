@@ -1,6 +1,7 @@
 """Backends that ask a slow local server, for stages that ask about many things at once."""
 
 import json
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,14 +16,37 @@ from generator.calls import Session
 from generator.scene import Detection, Instance, Mesh, Model, Reference, SizePrior, View
 
 
+class SlowServer:
+    """A server's address, and how many it answers at once."""
+
+    def __init__(self) -> None:
+        self.url = ""
+        self.peak = 0
+        self._busy = 0
+        self._lock = threading.Lock()
+
+    @contextmanager
+    def answering(self) -> Iterator[None]:
+        with self._lock:
+            self._busy += 1
+            self.peak = max(self.peak, self._busy)
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._busy -= 1
+
+
 @contextmanager
-def slow_server(delay: float) -> Iterator[str]:
-    """Serve every POST with what it was sent, after ``delay`` seconds; yield the address."""
+def slow_server(delay: float) -> Iterator[SlowServer]:
+    """Serve every POST with what it was sent, after ``delay`` seconds."""
+    server = SlowServer()
 
     class Handler(BaseHTTPRequestHandler):
         def do_POST(self) -> None:
             body = self.rfile.read(int(self.headers["content-length"]))
-            time.sleep(delay)
+            with server.answering():
+                time.sleep(delay)
             self.send_response(200)
             self.send_header("content-type", "application/json")
             self.send_header("content-length", str(len(body)))
@@ -33,7 +57,8 @@ def slow_server(delay: float) -> Iterator[str]:
             pass
 
     with local_server(Handler) as url:
-        yield url
+        server.url = url
+        yield server
 
 
 @dataclass(frozen=True)
