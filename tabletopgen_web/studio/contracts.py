@@ -41,7 +41,9 @@ class JobResult:
     """What a job made: a scene of the workspace, or a file to fetch from ``url``.
 
     ``facts`` are more about it: ``spent`` (what calls to servers cost), of an episode ``success``
-    and ``steps``, of an edit ``not_understood`` (words of what it did not take).
+    and ``steps``, of an edit ``not_understood`` (words of what it did not take), of a scene of a
+    picture ``mean_iou`` (how like the picture its view is, in [0, 1] or None) and ``doubts`` (why
+    it is not the picture's).
     """
 
     scene: str | None = None

@@ -75,9 +75,9 @@ def to_csv(report: StudyReport) -> str:
 
 
 def lines(report: StudyReport) -> list[str]:
-    """Return what a terminal shows: the table with intervals, and who counts."""
+    """Return what a terminal shows: the table with 95 % intervals, and who counts."""
     wide = max(len(m.method) for m in report.methods)
-    rows = [f"{'':<{wide}}" + "".join(f"  {h:<17}" for h in (*SHORT, "Avg.")) + "  chosen"]
+    rows = [f"{'':<{wide}}" + "".join(f"  {h:<17}" for h in (*SHORT, "Avg.")) + "  chosen (share)"]
     for m in report.methods:
         cells = [_interval(mean) for mean in (*(m.means[c] for c in CRITERIA), m.average)]
         share = _percent(m.share, m.share_interval)
@@ -89,13 +89,16 @@ def lines(report: StudyReport) -> list[str]:
 def count_lines(report: StudyReport) -> list[str]:
     """Return who counts, who does not and why, and how long it took."""
     out, left = report.excluded, len(report.left_out)
-    raters = "rater" if report.read == 1 else "raters"
-    count = "counts" if report.raters == 1 else "count"
-    checks = "check" if out.allowed_failures == 1 else "checks"
+    raters = "rater" if report.raters == 1 else "raters"
+    few = ["intervals and agreement need two raters or more"] if report.raters < 2 else []
+    checks = {0: "an attention check", 1: "more than 1 attention check"}.get(
+        out.allowed_failures, f"more than {out.allowed_failures} attention checks"
+    )
     return [
-        f"{report.raters} of {report.read} {raters} {count}, {report.ratings_each} results rated "
+        f"{report.raters} {raters} of {report.read} counted, {report.ratings_each} results rated "
         f"by each; they took {report.mean_seconds:.0f} s on average",
-        f"{len(out.inattentive)} failed more than {out.allowed_failures} attention {checks}",
+        *few,
+        f"{len(out.inattentive)} failed {checks}",
         f"{len(out.too_fast)} took less than {out.min_seconds:g} s",
         f"{left} {'file was' if left == 1 else 'files were'} left out",
     ]

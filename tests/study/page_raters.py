@@ -20,7 +20,7 @@ from tabletopgen_web.study.key import StudyKey
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, BrowserContext, Page
 
-LONG = 20_000
+LONG = 60_000
 """Milliseconds after which a step is taken to hang."""
 
 

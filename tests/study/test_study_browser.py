@@ -24,7 +24,7 @@ from page_raters import (
 from tabletopgen_web.study.page import StudyFiles, write_study
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser
+    from playwright.sync_api import Browser, Route
 
 pytestmark = pytest.mark.slow
 
@@ -205,6 +205,34 @@ def test_answers_are_posted_and_a_failure_keeps_them(
         answer_all(page, files.key, 0)
         save_download(page, lambda: page.keyboard.press("Enter"), tmp_path)
         page.get_by_text("saved as the file").wait_for()
+
+
+def test_who_begins_while_answers_are_sent_has_not_sent_any(
+    browser: Browser, template: str, tmp_path: Path
+) -> None:
+    files = tiny.small_study(
+        tmp_path / "pictures", names=tiny.SCENES[:2], template=template, post=tiny.POST
+    )
+    write_study(files, tmp_path / "served" / "study.html")
+    with serving(tmp_path / "served") as address, opened(browser, f"{address}/study.html") as (
+        _, page,
+    ):  # fmt: skip
+        held: list[Route] = []
+        page.route("**/answers", lambda route: held.append(route))
+        answer_all(page, files.key, 0)
+        with page.expect_request("**/answers"):
+            page.keyboard.press("Enter")
+        page.get_by_role("button", name="Start over").click()
+        page.get_by_role("button", name="Delete and start over").click()
+        with page.expect_response("**/answers"):
+            held[0].continue_()
+        page.wait_for_timeout(200)  # in which a page that is wrong would take them for these
+        kept = page.evaluate("key => localStorage[key]", f"study-{files.key.study}")
+        assert json.loads(kept)["sent"] is False
+        answer_all(page, files.key, 1)
+        page.unroute("**/answers")
+        page.keyboard.press("Enter")
+        page.get_by_text("Your answers were sent").wait_for()
 
 
 # ---------------------------------------------------------------------------------- accessibility

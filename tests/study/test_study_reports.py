@@ -276,7 +276,7 @@ def test_the_command_writes_the_report(
     report("--json", "--out", str(tmp_path / "out"))
     assert {p.name: p.read_bytes() for p in (tmp_path / "out").iterdir()} == made
     lines = report().out
-    assert "5.50 (5.00–6.00)" in lines and "3 of 3 raters count" in lines
+    assert "5.50 (5.00–6.00)" in lines and "3 raters of 3 counted" in lines
 
 
 def test_without_matplotlib_there_is_no_picture(

@@ -118,6 +118,52 @@ def test_redo_goes_to_the_newest_and_keeps_the_focus(browser: Browser, studio: S
     until(page, "document.activeElement.textContent === 'Redo'", 5)
 
 
+def test_redo_brings_back_what_was_undone(browser: Browser, studio: Studio) -> None:
+    page = opened(browser).page
+    first, newest, older = (find(n)[0].name for n in ("coffee-oval", "office-desk", "tidy-task-2"))
+    for scene, before, later in (
+        (first, [], [newest, older]), (older, [first], []), (newest, [first], []),
+    ):  # fmt: skip
+        steps = [
+            {"id": n, "digest": "0", "kind": "made", "asked": "", "names": [], "exists": True}
+            for n in (*before, scene)
+        ]
+        play(page, f"**/api/scenes/{scene}/history", {"scene": scene, "steps": steps,
+                                                      "later": later})  # fmt: skip
+    page.goto(studio.address)
+    page.get_by_role("heading", name="Make a table").wait_for()
+    page.goto(f"{studio.root}#/scene/{older}")
+    wait_for_scenes(page)
+    page.get_by_role("button", name="Undo").click()
+    page.wait_for_url(f"**/{first}")
+    page.get_by_role("button", name="Redo").click()
+    page.wait_for_url(f"**/{older}")
+
+
+def test_an_edit_is_followed_after_a_reload_and_from_another_tab(
+    browser: Browser, tmp_path: Path
+) -> None:
+    (tmp_path / "store").mkdir()
+    with running(tmp_path / "studio", tmp_path / "store") as own:
+        page = enter(browser, own).page
+        make(page)
+        where = page.url
+        other = page.context.new_page()
+        other.goto(where)
+        wait_for_scenes(other)
+        page.get_by_placeholder("a red mug left of the laptop").fill("a spoon")
+        page.get_by_role("button", name="Add", exact=True).click()
+        page.locator(".working").wait_for()
+        page.reload()
+        for each in (page, other):
+            each.get_by_text("done; the table was settled").wait_for(timeout=120_000)
+            assert each.url != where
+        assert page.url == other.url
+        wait_for_scenes(page)
+        page.get_by_role("option", name="spoon_1").wait_for(state="attached")
+        assert sum(job["kind"] == "edit" for job in jobs(page)) == 1
+
+
 def test_a_studio_with_a_new_token_is_found_again(browser: Browser, studio: Studio) -> None:
     page = opened(browser).page
     refused: list[Route] = []

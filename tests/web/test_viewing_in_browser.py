@@ -155,6 +155,21 @@ def test_a_reset_opens_the_gripper_in_word_and_deed(browser: Browser, address: s
     assert page.evaluate(f"{ENGINE}.state()")["ctrl"][7] == 255
 
 
+@pytest.mark.parametrize(
+    ("button", "mark"), [("Centres of mass", "centres"), ("Contacts", "spots")]
+)
+def test_marks_go_when_they_are_switched_off(
+    browser: Browser, address: str, button: str, mark: str
+) -> None:
+    page = opened(browser).page
+    show(page, address)
+    page.get_by_role("button", name="Pause").click()  # nothing moves any more
+    shown = f"{ENGINE}.marks.{mark}.visible"
+    for wanted in ("true", "false"):
+        page.get_by_role("button", name=button).click()
+        until(page, f"{shown} === {wanted}", 20)
+
+
 def test_what_nobody_sees_does_not_run(browser: Browser, address: str) -> None:
     page = opened(browser).page
     show(page, address)

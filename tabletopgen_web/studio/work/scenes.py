@@ -70,9 +70,10 @@ def generate_scene(spec: GenerateSpec, order: JobOrder, telling: Telling) -> dic
     session = open_session(spec.paid)
     made = run_generate(spec, order, telling, session, spec.paid.mix.select(session))
     path = made.save(order.scenes)
-    match = made.match
-    doubts = list(match.doubts) if match is not None else []
-    return {"scene": path.name, "facts": _spend(session, path) | {"doubts": doubts}}
+    facts = _spend(session, path)
+    if (match := made.match) is not None:
+        facts |= {"mean_iou": match.mean_iou, "doubts": list(match.doubts)}
+    return {"scene": path.name, "facts": facts}
 
 
 def compose_scene(spec: ComposeSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:

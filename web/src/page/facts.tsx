@@ -1,4 +1,5 @@
 /** What is known of a scene: things, gate, certificate, downloads. */
+import { Fragment } from "preact";
 import type { CertificateRow, Download, GateRow, SceneFiles, ThingRow } from "../data";
 
 const cm = (size: readonly number[]): string => size.map((v) => (100 * v).toFixed(1)).join(" × ");
@@ -58,8 +59,8 @@ function Things({ things, table, selected }: { things: ThingRow[]; table: readon
           <tbody>
             {things.map((thing) => (
               <tr key={thing.name} aria-current={thing.name === selected ? "true" : undefined}>
-                <td>
-                  {thing.name}
+                <td class="named">
+                  <Breaking name={thing.name} />
                   {!thing.name.startsWith(thing.label.replaceAll(" ", "_")) && <span class="quiet"> ({thing.label})</span>}
                 </td>
                 <td class="whole">{cm(thing.size)}</td>
@@ -71,6 +72,21 @@ function Things({ things, table, selected }: { things: ThingRow[]; table: readon
       </div>
       <p class="small quiet">Table {cm(table)} cm</p>
     </section>
+  );
+}
+
+/** A name that may go on in another line after an underscore. */
+function Breaking({ name }: { name: string }) {
+  const [first, ...rest] = name.split("_");
+  return (
+    <>
+      {first}
+      {rest.map((part, k) => (
+        <Fragment key={k}>
+          <wbr />_{part}
+        </Fragment>
+      ))}
+    </>
   );
 }
 
@@ -114,10 +130,10 @@ function Certificate({ certificate }: { certificate: CertificateRow }) {
           <tr>
             <th scope="col">task</th>
             <th scope="col" class="number">
-              certified
+              instances certified
             </th>
             <th scope="col" class="number">
-              solved
+              episodes solved
             </th>
           </tr>
         </thead>
@@ -133,6 +149,7 @@ function Certificate({ certificate }: { certificate: CertificateRow }) {
           ))}
         </tbody>
       </table>
+      <p class="small quiet">An instance, such as a thing to lift, is certified where the expert solves it from every start that was tried.</p>
     </section>
   );
 }

@@ -57,7 +57,7 @@ function Beside({ gallery, row }: { gallery: Gallery; row: SceneRow }) {
       <label class="row">
         Beside
         <select value={other.value} onChange={(event) => (other.value = event.currentTarget.value)}>
-          <option value="">…</option>
+          <option value="">another table</option>
           {gallery.scenes.map((each) => !each.error && each.id !== row.id && <option value={each.id}>{each.name}</option>)}
         </select>
       </label>

@@ -261,7 +261,6 @@ export const api = {
   explain: (text: string, seed = 0) => ask<Explanation>("POST", "/api/explain", { text, seed }),
   estimate: (request: JobRequest) => ask<EstimateRow>("POST", "/api/estimate", request),
   scenes: async () => (await ask<{ scenes: StudioScene[] }>("GET", "/api/scenes")).scenes,
-  scene: (id: string) => ask<StudioScene>("GET", scene(id)),
   /** The folder of a scene, as the viewer opens it. */
   folder: (id: string) => `${scene(id)}/`,
   history: (id: string) => ask<SceneHistory>("GET", `${scene(id)}/history`),

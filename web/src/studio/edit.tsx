@@ -1,14 +1,14 @@
 /** A scene of the studio: looked at, changed by mouse or words, saved, tried with the expert. */
-import { useSignal, type Signal } from "@preact/signals";
+import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { addressOf, useTitle } from "../ui/routing";
 import { Facts } from "../page/facts";
 import type { Engine } from "../viewer/engine";
 import type { Move } from "../viewer/placing";
 import { Viewer } from "../viewer/viewer";
-import { api, type EditRequest, type SceneHistory, type StudioScene } from "./api";
+import { api, type EditRequest, type JobRow, type SceneHistory, type StudioScene } from "./api";
 import { EnvironmentPanel } from "./environment";
-import { attempt, begin, refreshScenes, scenes, scenesRead, tell, whenOver, type Message } from "./store";
+import { attempt, begin, editUnderWay, jobList, refreshScenes, scenes, scenesRead, tell, whenOver, type Message } from "./store";
 
 const STYLES = ["plain", "cartoon", "low-poly"];
 
@@ -23,23 +23,30 @@ export function EditPage({ id }: { id: string }) {
   const kept = useRef<{ view: number[] | null; chosen: string | null }>({ view: null, chosen: null });
   useTitle(`${row?.name ?? "Scene"} – TabletopGen studio`);
 
+  const pending = editUnderWay(id);
+  const working = busy.value ?? (pending ? `${pending.title} …` : null);
+
   const leave = (): void => {
     const left = engine.value;
     kept.current = { view: left?.stage?.view ?? null, chosen: left?.selected.value ?? null };
   };
 
   const edit = async (asked: Edit): Promise<void> => {
-    const edited = engine.value;
-    if (busy.value || !edited) return;
+    if (busy.value || editUnderWay(id)) {
+      engine.value?.putBack();
+      return;
+    }
     busy.value = `${asked.action} …`;
-    edited.locked = true;
-    const here = location.hash;
     const job = await begin({ kind: "edit", scene: id, ...asked });
-    const over = job && (await whenOver(job.id));
-    busy.value = null;
-    edited.locked = false;
-    if (over?.state === "done" && over.result?.scene) {
-      leave();
+    busy.value = null; // from here on it is the job that is under way
+    if (!job) engine.value?.putBack();
+  };
+
+  /** Goes to what an edit of this scene made, or says why there is nothing. */
+  const end = async (over: JobRow): Promise<void> => {
+    const here = addressOf("scene", id);
+    if (over.state === "done" && over.result?.scene) {
+      if (location.hash === here) leave();
       await refreshScenes();
       const there = addressOf("scene", over.result.scene);
       const open = (): void => void (location.hash = there);
@@ -48,13 +55,21 @@ export function EditPage({ id }: { id: string }) {
       const remedy = stayed ? undefined : { label: "Open it", run: open };
       const lost = (over.result.facts["not_understood"] ?? []) as string[];
       tell([`${over.title}: done; the table was settled and passed its gate.`, ...lost].join(" "), lost.length > 0, remedy);
-    } else {
-      edited.putBack();
-      const said = over?.error ?? `The edit ${over?.state}.`;
-      const onto = asked.to && said.includes("in the way") ? ` To put it on something, write “on the …” under “Move it”.` : "";
-      if (over) tell(said + onto, true, remedyOf(asked, said, edit));
+      return;
     }
+    if (location.hash === here) engine.value?.putBack();
+    const asked = over.request as EditRequest;
+    const said = over.error ?? `The edit was ${over.state}.`;
+    const onto = asked.to && said.includes("in the way") ? ` To put it on something, write “on the …” under “Move it”.` : "";
+    tell(said + onto, true, remedyOf(asked, said, edit));
   };
+
+  useEffect(() => {
+    if (pending) void follow(pending.id, end);
+  }, [pending?.id]);
+  useEffect(() => {
+    if (engine.value) engine.value.locked = working !== null;
+  }, [engine.value, working]);
 
   const keep = (found: Engine): void => {
     engine.value = found;
@@ -77,22 +92,67 @@ export function EditPage({ id }: { id: string }) {
             {row.saved ? "Saved" : "Save to the store"}
           </button>
         )}
-        <span class="small quiet" role="status">
-          {busy.value}
-        </span>
       </div>
       {row.prompt && <p class="quiet">“{row.prompt}”</p>}
       <div class="sides">
         <div class="stack">
-          <Viewer base={api.folder(id)} label={row.name} onEngine={keep} />
+          <Viewer base={api.folder(id)} label={row.name} onEngine={keep} working={<Working words={working} job={pending} />} />
           {engine.value?.ready.value && <EnvironmentPanel row={row} engine={engine.value} />}
         </div>
         <div class="stack">
-          {engine.value?.ready.value && row.editable && <EditPanel engine={engine.value} names={row.things.map((t) => t.name)} busy={busy} edit={edit} />}
+          {engine.value?.ready.value && row.editable && <EditPanel engine={engine.value} names={row.things.map((t) => t.name)} off={working !== null || engine.value.mode.value !== "scene"} edit={edit} />}
+          <Likeness id={id} />
           {files && <Facts files={files} base={api.folder(id)} selected={engine.value?.selected.value ?? null} />}
         </div>
       </div>
     </div>
+  );
+}
+
+/** The edits that this page waits for. */
+const followed = new Set<string>();
+
+/** Waits for an edit, once, and says how it ended. */
+async function follow(id: string, end: (over: JobRow) => Promise<void>): Promise<void> {
+  if (followed.has(id)) return;
+  followed.add(id);
+  const over = await whenOver(id);
+  followed.delete(id);
+  if (over) await end(over);
+}
+
+/** What is being done to the scene, over the view of it. */
+function Working({ words, job }: { words: string | null; job: JobRow | undefined }) {
+  return (
+    <div class={words ? "working" : ""} role="status">
+      {words}
+      {job && (
+        <button class="slim" onClick={() => void attempt(() => api.cancel(job.id))}>
+          Cancel
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** How like its picture a scene is that was made of one here. */
+function Likeness({ id }: { id: string }) {
+  const facts = jobList.value.find((job) => job.kind === "generate" && job.result?.scene === id)?.result?.facts;
+  const overlap = facts?.["mean_iou"] as number | null | undefined;
+  const doubts = (facts?.["doubts"] ?? []) as string[];
+  if (overlap == null && doubts.length === 0) return null;
+  return (
+    <section class="panel">
+      <h2>Likeness to the picture{overlap != null && `: ${overlap.toFixed(2)}`}</h2>
+      {doubts.map((words) => (
+        <p class="small bad" key={words}>
+          {words}
+        </p>
+      ))}
+      {overlap != null && (
+        <p class="small quiet">Mean overlap, from the picture's camera, of what was found in it; 1 is the same outlines. What was not found is not counted: look at both.</p>
+      )}
+    </section>
   );
 }
 
@@ -116,6 +176,9 @@ function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void
   return { label: "Put it there", run: () => void edit({ ...asked, to }) };
 }
 
+/** By scene, the later one from which this page came back to it. */
+const cameFrom = new Map<string, string>();
+
 /** Back to what a scene was edited from, and forth to what was made of it last. */
 function History({ id, leave }: { id: string; leave: () => void }) {
   const chain = useSignal<SceneHistory | null>(null);
@@ -128,13 +191,15 @@ function History({ id, leave }: { id: string; leave: () => void }) {
     return () => {
       wanted = false;
     };
-  }, [id]);
+  }, [id, scenes.value]); // another page may have edited it
   const known = chain.value?.scene === id ? chain.value : null;
   const waiting = !known && chain.value !== null; // a button that is disabled loses the focus
   const before = known?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
-  const after = known?.later[0]; // the newest
+  const left = cameFrom.get(id); // what Redo is to bring back, if it is still there
+  const after = known?.later.find((later) => later === left) ?? known?.later[0]; // else the newest
   const go = (to: string): void => {
     leave();
+    if (to === before) cameFrom.set(to, id);
     location.hash = addressOf("scene", to);
   };
   return (
@@ -152,20 +217,20 @@ function History({ id, leave }: { id: string; leave: () => void }) {
 interface EditPanelProps {
   engine: Engine;
   names: string[];
-  busy: Signal<string | null>;
+  /** Whether nothing can be asked for now. */
+  off: boolean;
   edit: (asked: Edit) => Promise<void>;
 }
 
-function EditPanel({ engine, names, busy, edit }: EditPanelProps) {
+function EditPanel({ engine, names, off, edit }: EditPanelProps) {
   const chosen = engine.selected.value;
-  const off = busy.value !== null;
   const turn = useSignal(0);
   const editing = engine.editing.value;
   return (
     <section class="panel" aria-label="Edit">
       <h2>Edit</h2>
       <label class="row">
-        <input type="checkbox" checked={editing} onChange={(event) => engine.edit(event.currentTarget.checked)} />
+        <input type="checkbox" checked={editing} disabled={off} onChange={(event) => engine.edit(event.currentTarget.checked)} />
         <span>
           Drag things to new places<span class="with-keys">; Shift turns them</span>
         </span>

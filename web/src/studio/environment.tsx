@@ -29,7 +29,12 @@ export function EnvironmentPanel({ row: { id, in: place, saved }, engine }: { ro
     const job = await begin({ kind: "export", scene: id, format: format.value });
     const over = job && (await whenOver(job.id));
     busy.value = false;
-    if (over?.state === "done" && over.result?.url) location.assign(over.result.url);
+    const url = over?.state === "done" ? over.result?.url : null;
+    if (url) {
+      const fetchIt = (): void => location.assign(url);
+      fetchIt();
+      tell(`${over?.result?.file} was made, and its download has begun.`, false, { label: "Download it again", run: fetchIt });
+    }
     else if (over) tell(over.error ?? `The export ${over.state}.`, true);
   };
   return (

@@ -19,19 +19,19 @@ export function JobPage({ id }: { id: string }) {
   return (
     <div class="stack">
       <h1>{job.title}</h1>
-      <div class="row" role="status">
+      <div role="status">
         <Progress job={job} />
+      </div>
+      <div class="row">
+        {made && (
+          <a class="button primary" href={addressOf("scene", made)}>
+            Open the table
+          </a>
+        )}
         <Controls job={job} />
       </div>
       {job.request.kind === "generate" && job.request.picture && (
         <img class="thumb" alt="The picture it is made from" src={api.picture(job.request.picture)} />
-      )}
-      {made && (
-        <p>
-          <a class="button" href={addressOf("scene", made)}>
-            Open the table
-          </a>
-        </p>
       )}
       {stages.map((stage) => (
         <section key={stage} class="panel">

@@ -147,7 +147,9 @@ function Drop({ picture }: { picture: Signal<PictureRow | null> }) {
     busy.value = true;
     const found = await attempt(() => api.upload(file));
     busy.value = false;
-    if (found) picture.value = found;
+    if (!found) return;
+    picture.value = found;
+    if (message.value?.bad) message.value = null; // what was said of another file, or of none
   };
   if (picture.value) {
     return (
@@ -177,7 +179,11 @@ function Drop({ picture }: { picture: Signal<PictureRow | null> }) {
       }}
     >
       {busy.value ? "Reading the picture …" : "or drop a picture of a tabletop here, or choose one"}
-      <input type="file" accept="image/png,image/jpeg,image/webp" onChange={(event) => void take(event.currentTarget.files?.[0])} />
+      <input type="file" accept="image/png,image/jpeg,image/webp" onChange={(event) => {
+          const input = event.currentTarget;
+          void take(input.files?.[0]).then(() => (input.value = "")); // one that was refused is not chosen
+        }}
+      />
     </label>
   );
 }

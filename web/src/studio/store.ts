@@ -22,6 +22,10 @@ export const message = signal<Message | null>(null);
 
 export const jobList = computed(() => [...jobs.value.values()].sort((a, b) => b.created - a.created));
 
+/** The edit of a scene that waits or runs, whoever began it. */
+export const editUnderWay = (id: string): JobRow | undefined =>
+  jobList.value.find((job) => job.request.kind === "edit" && job.request.scene === id && !isOver(job));
+
 /** Whether nothing more comes of a job by itself; an interrupted one begins again unless it says why not. */
 export const isOver = (job: JobRow): boolean =>
   ["done", "failed", "cancelled"].includes(job.state) || (job.state === "interrupted" && job.error !== null);
@@ -82,6 +86,7 @@ async function readJob(id: string): Promise<void> {
 
 /** Begins a job; resolves to it, or to undefined where it was refused. */
 export async function begin(request: JobRequest): Promise<JobRow | undefined> {
+  message.value = null; // it was about what was done before
   const job = await attempt(() => api.begin(request));
   if (job && !jobs.value.has(job.id)) put(job); // else events have told more of it
   return job;
@@ -100,10 +105,7 @@ export function whenOver(id: string): Promise<JobRow | undefined> {
 }
 
 async function heed(event: JobEvent): Promise<void> {
-  if (event.type === "state" && event.state === "deleted") {
-    drop(event.job);
-    return;
-  }
+  if (event.type === "state" && event.state === "deleted") drop(event.job); // one read meanwhile goes, too
   await refreshJob(event.job);
   if (event.type === "result" && event.scene) await refreshScenes();
 }
@@ -114,13 +116,23 @@ function hear(is: boolean): void {
   connected.value = is;
 }
 
-/** Reads everything once, then follows what happens. */
+/** Milliseconds until a studio that did not answer at the beginning is asked again. */
+const AGAIN = 2000;
+
+/** Reads everything once, then follows what happens; tries until that is so. */
 export async function connect(): Promise<void> {
-  await attempt(async () => {
+  const begun = await attempt(async () => {
     const state = await api.state();
     jobs.value = new Map((await api.jobs()).map((job) => [job.id, job]));
     studio.value = state;
     await refreshScenes();
     listen(state.last_event, (event) => void heed(event), hear);
+    return true;
   });
+  if (!begun) {
+    setTimeout(() => void connect(), AGAIN);
+    return;
+  }
+  // Other pages save and remove scenes, of which no event tells.
+  window.addEventListener("focus", () => void refreshScenes());
 }

@@ -1,5 +1,6 @@
 /** A scene in the page: the canvas, its tools, and what went wrong. */
 import { useComputed } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { ROBOT } from "../physics/names";
 import { Engine } from "./engine";
@@ -12,6 +13,8 @@ export interface ViewerProps {
   /** Only what fits into another page: no arm, no picture. */
   small?: boolean;
   onEngine?: (engine: Engine) => void;
+  /** What is shown over the view while something is done to the scene. */
+  working?: ComponentChildren;
 }
 
 declare global {
@@ -21,7 +24,7 @@ declare global {
   }
 }
 
-export function Viewer({ base, label, small = false, onEngine }: ViewerProps) {
+export function Viewer({ base, label, small = false, onEngine, working }: ViewerProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const engine = useMemo(() => new Engine(), [base]);
   useEffect(() => {
@@ -50,6 +53,7 @@ export function Viewer({ base, label, small = false, onEngine }: ViewerProps) {
           onBlur={() => engine.releaseKeys()}
         />
         <Overlays engine={engine} base={base} />
+        {working}
         {loading.value && (
           <div class="over" role="status">
             Loading the scene …
