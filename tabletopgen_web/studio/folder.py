@@ -3,6 +3,7 @@
 ::
 
     jobs.sqlite3       jobs and events
+    reserve            room in which endings are written on a full disk
     scenes/            the workspace: bundles made here
     pictures/<id>      uploaded pictures, as they came; <id>.png as they are shown
     figures/<job>/     what the stages of a job found
