@@ -6,9 +6,10 @@ for the same input, and gives depth and instance ids beside the picture.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float, Int, UInt8
@@ -165,14 +166,19 @@ def _colors(
             normals = corner_normals(item.vertices, item.faces)
             parts = np.split(own, range(_PIECE, len(own), _PIECE))
             pieces += [(item, normals, part) for part in parts]
-    if len(color) <= 2 * _PIECE:  # a pool would cost more than it saves
-        for piece in pieces:
-            paint(*piece)
-        return color
-    with ThreadPoolExecutor(threads()) as pool:
-        for done in [pool.submit(paint, *piece) for piece in pieces]:
-            done.result()
+    _at_once(paint, pieces)
     return color
+
+
+def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> None:
+    """Do work on pieces on threads; of few, a pool would cost more than it saves."""
+    if len(pieces) <= 2:
+        for piece in pieces:
+            work(*piece)
+        return
+    with ThreadPoolExecutor(threads()) as pool:
+        for done in [pool.submit(work, *piece) for piece in pieces]:
+            done.result()
 
 
 def _centers(samples: Int[np.ndarray, "k"], camera: Camera, width: int) -> np.ndarray:
@@ -185,11 +191,15 @@ def _ground_shade(
 ) -> Float[np.ndarray, "p"]:
     """Return the factor by which the shadow on the floor z = 0 darkens the background."""
     factor = np.ones(len(hits.item))
+
+    def darken(part: Int[np.ndarray, "k"]) -> None:
+        points = camera.on_plane(_centers(part, camera, width), 0.0)
+        seen = np.isfinite(points).all(1)
+        up = np.broadcast_to([0.0, 0.0, 1.0], points[seen].shape)
+        factor[part[seen]] = 1 - strength * (1 - shadow.lit_share(points[seen], up))
+
     empty = np.flatnonzero(hits.item < 0)
-    points = camera.on_plane(_centers(empty, camera, width), 0.0)
-    seen = np.isfinite(points).all(1)
-    up = np.broadcast_to([0.0, 0.0, 1.0], points[seen].shape)
-    factor[empty[seen]] = 1 - strength * (1 - shadow.lit_share(points[seen], up))
+    _at_once(darken, [(part,) for part in np.split(empty, range(_PIECE, len(empty), _PIECE))])
     return factor
 
 

@@ -70,6 +70,12 @@ async function load(request: Request & { kind: "load" }): Promise<ModelData> {
   return simulation.described;
 }
 
+/** What of a model is large: it is handed over, not copied; nothing here needs it again. */
+function buffersOf({ meshes, textures }: ModelData): ArrayBufferLike[] {
+  const corners = meshes.flatMap(({ positions, normals, uvs }) => [positions.buffer, normals.buffer, ...(uvs ? [uvs.buffer] : [])]);
+  return [...corners, ...textures.map(({ pixels }) => pixels.buffer)];
+}
+
 function heed(request: Request): Answer {
   if (!simulation) throw new Error("No scene is loaded.");
   switch (request.kind) {
@@ -112,9 +118,13 @@ function heed(request: Request): Answer {
 self.onmessage = async (event: MessageEvent<Request>): Promise<void> => {
   const request = event.data;
   try {
-    const value = request.kind === "load" ? await load(request) : heed(request);
-    send({ kind: "done", id: request.id, value });
-    if (request.kind === "load") sendFrame();
+    if (request.kind === "load") {
+      const value = await load(request);
+      send({ kind: "done", id: request.id, value }, buffersOf(value));
+      sendFrame();
+    } else {
+      send({ kind: "done", id: request.id, value: heed(request) });
+    }
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
     send({ kind: "failed", id: request.id, message: message.trim() });
