@@ -2,6 +2,7 @@
 
 import os
 import signal
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,6 +13,9 @@ import pytest
 # was, so that what the product spreads over threads of its own stays spread.
 for name in ("MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(name, "1")
+
+# What whoever runs the tests has made and saved is none of theirs.
+os.environ["TABLETOPGEN_CACHE"] = str(Path(tempfile.gettempdir()) / f"no-store-{os.getpid()}")
 
 if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
     import typechecking

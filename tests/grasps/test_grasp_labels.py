@@ -51,12 +51,11 @@ def labels() -> GraspLabels:
     )  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def made(box: Object, tmp_path_factory: pytest.TempPathFactory) -> Path:
+@pytest.fixture
+def made(box: Object, tmp_path: Path) -> Path:
     """A bundle with a box that fingers hold and a cube that is too wide for them."""
     wide = toy_object("cube_1", (0.085, 0.085, 0.085), (0.3, 0.0))
-    folder = tmp_path_factory.mktemp("bundles")
-    return save(toy_scene((box, wide)), folder, allow_failed=True)
+    return save(toy_scene((box, wide)), tmp_path / "bundles", allow_failed=True)
 
 
 @pytest.fixture(autouse=True)
