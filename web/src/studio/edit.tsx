@@ -6,8 +6,9 @@ import { Facts } from "../page/facts";
 import type { Engine } from "../viewer/engine";
 import type { Move } from "../viewer/placing";
 import { Viewer } from "../viewer/viewer";
-import { api, type EditRequest, type JobRow, type SceneHistory, type StudioScene } from "./api";
+import { api, type EditRequest, type JobRow, type StudioScene } from "./api";
 import { EnvironmentPanel } from "./environment";
+import { History } from "./history";
 import { attempt, begin, editUnderWay, jobList, refreshScenes, scenes, scenesRead, tell, whenOver, type Message } from "./store";
 
 const STYLES = ["plain", "cartoon", "low-poly"];
@@ -137,21 +138,13 @@ function Working({ words, job }: { words: string | null; job: JobRow | undefined
 
 /** How like its picture a scene is that was made of one here. */
 function Likeness({ id }: { id: string }) {
-  const facts = jobList.value.find((job) => job.kind === "generate" && job.result?.scene === id)?.result?.facts;
-  const overlap = facts?.["mean_iou"] as number | null | undefined;
-  const doubts = (facts?.["doubts"] ?? []) as string[];
-  if (overlap == null && doubts.length === 0) return null;
+  const made = jobList.value.find((job) => job.kind === "generate" && job.result?.scene === id);
+  const overlap = made?.result?.facts["mean_iou"] as number | null | undefined;
+  if (overlap == null) return null;
   return (
     <section class="panel">
-      <h2>Likeness to the picture{overlap != null && `: ${overlap.toFixed(2)}`}</h2>
-      {doubts.map((words) => (
-        <p class="small bad" key={words}>
-          {words}
-        </p>
-      ))}
-      {overlap != null && (
-        <p class="small quiet">Mean overlap, from the picture's camera, of what was found in it; 1 is the same outlines. What was not found is not counted: look at both.</p>
-      )}
+      <h2>Likeness to the picture: {overlap.toFixed(2)}</h2>
+      <p class="small quiet">Mean overlap, from the picture's camera, of what was found in it; 1 is the same outlines. What was not found is not counted: look at both.</p>
     </section>
   );
 }
@@ -174,44 +167,6 @@ function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void
   if (!free || asked.action !== "move") return undefined;
   const to: [number, number] = [Number(free[1]), Number(free[2])];
   return { label: "Put it there", run: () => void edit({ ...asked, to }) };
-}
-
-/** By scene, the later one from which this page came back to it. */
-const cameFrom = new Map<string, string>();
-
-/** Back to what a scene was edited from, and forth to what was made of it last. */
-function History({ id, leave }: { id: string; leave: () => void }) {
-  const chain = useSignal<SceneHistory | null>(null);
-  useEffect(() => {
-    let wanted = true;
-    void attempt(async () => {
-      const found = await api.history(id);
-      if (wanted) chain.value = found;
-    });
-    return () => {
-      wanted = false;
-    };
-  }, [id, scenes.value]); // another page may have edited it
-  const known = chain.value?.scene === id ? chain.value : null;
-  const waiting = !known && chain.value !== null; // a button that is disabled loses the focus
-  const before = known?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
-  const left = cameFrom.get(id); // what Redo is to bring back, if it is still there
-  const after = known?.later.find((later) => later === left) ?? known?.later[0]; // else the newest
-  const go = (to: string): void => {
-    leave();
-    if (to === before) cameFrom.set(to, id);
-    location.hash = addressOf("scene", to);
-  };
-  return (
-    <div class="row" role="group" aria-label="History">
-      <button disabled={!before && !waiting} aria-disabled={waiting} onClick={() => before && go(before)}>
-        Undo
-      </button>
-      <button disabled={!after && !waiting} aria-disabled={waiting} onClick={() => after && go(after)}>
-        Redo
-      </button>
-    </div>
-  );
 }
 
 interface EditPanelProps {
