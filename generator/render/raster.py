@@ -171,8 +171,11 @@ def _colors(
 
 
 def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> None:
-    """Do work on pieces on threads; of few, a pool would cost more than it saves."""
-    if len(pieces) <= 2:
+    """Do work on pieces, which end with their pixels, on threads.
+
+    Of few pixels, a pool would cost more than it saves.
+    """
+    if sum(len(piece[-1]) for piece in pieces) <= 2 * _PIECE:
         for piece in pieces:
             work(*piece)
         return

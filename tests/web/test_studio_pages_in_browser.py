@@ -30,6 +30,14 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
         yield found
 
 
+@pytest.fixture
+def own(tmp_path: Path) -> Iterator[Studio]:
+    """A studio of one test's own."""
+    (tmp_path / "store").mkdir()
+    with running(tmp_path / "studio", tmp_path / "store") as found:
+        yield found
+
+
 def play(page: Page, path: str, value: Any, status: int = 200) -> None:
     """Answer a request in place of the server."""
     page.context.route(path, lambda route: route.fulfill(status=status, json=value))
@@ -119,7 +127,7 @@ def test_redo_goes_to_the_newest_and_keeps_the_focus(browser: Browser, studio: S
 
 
 def test_redo_brings_back_what_was_undone(browser: Browser, studio: Studio) -> None:
-    page = opened(browser).page
+    page = enter(browser, studio).page
     first, newest, older = (find(n)[0].name for n in ("coffee-oval", "office-desk", "tidy-task-2"))
     for scene, before, later in (
         (first, [], [newest, older]), (older, [first], []), (newest, [first], []),
@@ -130,8 +138,6 @@ def test_redo_brings_back_what_was_undone(browser: Browser, studio: Studio) -> N
         ]
         play(page, f"**/api/scenes/{scene}/history", {"scene": scene, "steps": steps,
                                                       "later": later})  # fmt: skip
-    page.goto(studio.address)
-    page.get_by_role("heading", name="Make a table").wait_for()
     page.goto(f"{studio.root}#/scene/{older}")
     wait_for_scenes(page)
     page.get_by_role("button", name="Undo").click()
@@ -141,27 +147,25 @@ def test_redo_brings_back_what_was_undone(browser: Browser, studio: Studio) -> N
 
 
 def test_an_edit_is_followed_after_a_reload_and_from_another_tab(
-    browser: Browser, tmp_path: Path
+    browser: Browser, own: Studio
 ) -> None:
-    (tmp_path / "store").mkdir()
-    with running(tmp_path / "studio", tmp_path / "store") as own:
-        page = enter(browser, own).page
-        make(page)
-        where = page.url
-        other = page.context.new_page()
-        other.goto(where)
-        wait_for_scenes(other)
-        page.get_by_placeholder("a red mug left of the laptop").fill("a spoon")
-        page.get_by_role("button", name="Add", exact=True).click()
-        page.locator(".working").wait_for()
-        page.reload()
-        for each in (page, other):
-            each.get_by_text("done; the table was settled").wait_for(timeout=120_000)
-            assert each.url != where
-        assert page.url == other.url
-        wait_for_scenes(page)
-        page.get_by_role("option", name="spoon_1").wait_for(state="attached")
-        assert sum(job["kind"] == "edit" for job in jobs(page)) == 1
+    page = enter(browser, own).page
+    make(page)
+    where = page.url
+    other = page.context.new_page()
+    other.goto(where)
+    wait_for_scenes(other)
+    page.get_by_placeholder("a red mug left of the laptop").fill("a spoon")
+    page.get_by_role("button", name="Add", exact=True).click()
+    page.locator(".working").wait_for()
+    page.reload()
+    for each in (page, other):
+        each.get_by_text("done; the table was settled").wait_for(timeout=120_000)
+        assert each.url != where
+    assert page.url == other.url
+    wait_for_scenes(page)
+    page.get_by_role("option", name="spoon_1").wait_for(state="attached")
+    assert sum(job["kind"] == "edit" for job in jobs(page)) == 1
 
 
 def test_a_studio_with_a_new_token_is_found_again(browser: Browser, studio: Studio) -> None:
@@ -288,22 +292,20 @@ def test_costs_come_before_spending_and_go_when_they_no_longer_hold(
 
 
 def test_a_turn_sends_no_place_and_who_has_left_is_not_fetched_back(
-    browser: Browser, tmp_path: Path
+    browser: Browser, own: Studio
 ) -> None:
-    (tmp_path / "store").mkdir()
-    with running(tmp_path / "studio", tmp_path / "store") as own:
-        page = enter(browser, own).page
-        make(page)
-        page.get_by_role("button", name="Above").click()
-        page.wait_for_timeout(500)
-        drag(page, "mug_1", 12, 10, shift=True)
-        asked = next(job["request"] for job in jobs(page) if job["kind"] == "edit")
-        assert "to" not in asked and abs(asked["turn"]) >= 1
-        page.get_by_placeholder("a red mug left of the laptop").fill("a spoon")
-        page.get_by_role("button", name="Add", exact=True).click()
-        page.get_by_role("link", name="Scenes", exact=True).click()
-        page.get_by_role("button", name="Open it").wait_for(timeout=120_000)
-        assert page.url.endswith("#/scenes")
-        page.get_by_role("button", name="Open it").click()
-        wait_for_scenes(page)
-        assert "/scene/" in page.url
+    page = enter(browser, own).page
+    make(page)
+    page.get_by_role("button", name="Above").click()
+    page.wait_for_timeout(500)
+    drag(page, "mug_1", 12, 10, shift=True)
+    asked = next(job["request"] for job in jobs(page) if job["kind"] == "edit")
+    assert "to" not in asked and abs(asked["turn"]) >= 1
+    page.get_by_placeholder("a red mug left of the laptop").fill("a spoon")
+    page.get_by_role("button", name="Add", exact=True).click()
+    page.get_by_role("link", name="Scenes", exact=True).click()
+    page.get_by_role("button", name="Open it").wait_for(timeout=120_000)
+    assert page.url.endswith("#/scenes")
+    page.get_by_role("button", name="Open it").click()
+    wait_for_scenes(page)
+    assert "/scene/" in page.url

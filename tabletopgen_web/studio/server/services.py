@@ -89,9 +89,9 @@ class StudioServices:
         self.scenes.sweep()
         jobs = self.store.list_jobs()
         self.pictures.sweep({job.request["picture"] for job in jobs if "picture" in job.request})
-        known = {job.id for job in jobs}
-        for folder in (self.folder.figures, self.folder.files):
-            self._remove_files(path.name for path in folder.iterdir() if path.name not in known)
+        folders = (self.folder.figures, self.folder.files)
+        kept = {path.name for folder in folders for path in folder.iterdir()}
+        self._remove_files(kept - {job.id for job in jobs})
 
     def make_order(self, job: JobRow) -> Mapping[str, Any]:
         """Return what the process of a job is told.

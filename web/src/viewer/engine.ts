@@ -193,19 +193,19 @@ export class Engine extends LiveScene {
   private place(body: number, held: THREE.Vector3, target: THREE.Vector3, shift: boolean): void {
     const { model } = this;
     if (!model) return;
-    const { name } = model.data.bodies[body]!;
-    const bodies = this.carriedBy(name);
     if (!this.placing) {
+      const { name } = model.data.bodies[body]!;
+      const bodies = this.carriedBy(name);
+      const falls = this.files?.row.things.find((thing) => thing.name === name)?.on !== "table";
       this.run(false);
       this.select(body);
       this.placing = new Placing(bodies.map((each) => model.bodies[each]!.group), held);
-      this.check = new PlaceCheck(model, (placed) => this.physics.overlaps(placed), (why) => this.block(why));
+      this.check = new PlaceCheck(model, bodies, falls, (placed) => this.physics.overlaps(placed), (why) => this.block(why));
     }
     this.placing.drag(target, shift);
     this.marks?.follow();
     const move = this.placing.end();
-    const stands = this.files?.row.things.find((thing) => thing.name === name)?.on === "table";
-    if (move && (move.to || stands)) this.check?.look({ bodies, falls: !stands });
+    if (move && (move.to || !this.check?.falls)) this.check?.look();
     else this.check?.forget();
   }
 

@@ -8,26 +8,26 @@ const GAP = 2e-4;
 /** Corners this far below the highest of a table still belong to its top, metres. */
 const LEVEL = 2e-3;
 
-interface Site {
-  /** The bodies that move: the thing, then what it carries. */
-  bodies: number[];
-  /** Whether it is let down onto the table, from what it stood on. */
-  falls: boolean;
-}
-
 export class PlaceCheck {
   /** The table's top from above: a convex outline, counter-clockwise. */
   private readonly top: THREE.Vector2[];
   private readonly height: number;
-  private latest: Site | null = null;
+  /** Whether the place as it is drawn now has still to be looked at. */
+  private fresh = false;
+  /** Whether what is found is to be told. */
+  private wanted = false;
   private asking = false;
 
   /**
+   * @param bodies - those that move: the thing, then what it carries.
+   * @param falls - whether it is let down onto the table, from what it stood on.
    * @param overlaps - gives the bodies that others would overlap elsewhere.
    * @param told - called with why the thing cannot stand there, in words; null where it can.
    */
   constructor(
     private readonly model: BuiltModel,
+    private readonly bodies: number[],
+    readonly falls: boolean,
     private readonly overlaps: (placed: Placed[]) => Promise<number[]>,
     private readonly told: (why: string | null) => void,
   ) {
@@ -36,24 +36,25 @@ export class PlaceCheck {
     this.top = outline(fixed.filter(({ z }) => z > this.height - LEVEL));
   }
 
-  /** Looks at a site as it is drawn now; where one is being looked at, the last one is next. */
-  look(site: Site): void {
-    this.latest = site;
+  /** Looks at the place as it is drawn now; where one is being looked at, the last one is next. */
+  look(): void {
+    this.fresh = this.wanted = true;
     if (!this.asking) void this.work();
   }
 
-  /** Forgets the site: whatever is found of it is no longer told. */
+  /** Forgets the place: whatever is found of it is no longer told. */
   forget(): void {
-    this.latest = null;
+    this.fresh = this.wanted = false;
     this.told(null);
   }
 
   private async work(): Promise<void> {
     this.asking = true;
     try {
-      for (let site = this.latest; site; site = this.latest === site ? null : this.latest) {
-        const why = await this.find(site);
-        if (this.latest) this.told(why);
+      while (this.fresh) {
+        this.fresh = false;
+        const why = await this.find();
+        if (this.wanted) this.told(why);
       }
     } catch (error) {
       console.warn("place:", error); // who edits hears of it when the place is asked for
@@ -63,14 +64,14 @@ export class PlaceCheck {
     }
   }
 
-  private async find({ bodies, falls }: Site): Promise<string | null> {
-    const points = corners(this.model, bodies[0]!);
+  private async find(): Promise<string | null> {
+    const points = corners(this.model, this.bodies[0]!);
     const low = Math.min(...points.map(({ z }) => z));
     const high = Math.max(...points.map(({ z }) => z));
     const base = points.filter(({ z }) => z <= low + 0.1 * (high - low));
     if (!base.every((point) => inside(this.top, point))) return "off the table";
-    const down = falls && this.top.length ? low - this.height - GAP : 0;
-    const found = await this.overlaps(bodies.map((body) => placed(body, this.model.bodies[body]!.group, down)));
+    const down = this.falls && this.top.length ? low - this.height - GAP : 0;
+    const found = await this.overlaps(this.bodies.map((body) => placed(body, this.model.bodies[body]!.group, down)));
     const names = found.map((body) => this.model.data.bodies[body]!.name);
     return names.length ? `${names.join(", ")} in the way` : null;
   }
