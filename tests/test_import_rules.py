@@ -16,6 +16,7 @@ PACKAGES = ("generator", "tabletopgen_env", "tabletopgen_web", "assets_cache", "
 LAYERS: tuple[tuple[str, ...], ...] = (
     ("generator.errors", "generator.threads"),
     ("generator.io",),
+    ("generator.sandbox",),
     ("generator.scene", "generator.calls"),
     ("generator.geometry", "generator.backends.protocols", "generator.backends.installing"),
     ("generator.render", "generator.physics"),

@@ -1,0 +1,106 @@
+"""The child of a sandbox: ``python -m generator.sandbox.child``; see ``running``.
+
+It reads one request from its standard input, sets its limits, and writes the packed answer to what
+was its standard output when it started.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib
+import math
+import os
+import signal
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from ..errors import TabletopError
+from .packing import pack, unpack
+
+_DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
+
+
+def main() -> None:
+    """Answer one request."""
+    given, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    with Path(os.devnull).open("rb") as nothing:
+        os.dup2(nothing.fileno(), 0)
+    os.dup2(2, 1)  # what libraries print is no part of the answer
+    request = unpack(given.read(), _find)
+    _leave_with(int(request["parent"]))
+    function = _find(f"{request['module']}:{request['name']}")
+    _work_nowhere()
+    _limit(float(request["cpu_seconds"]), int(request["memory"]))
+    answers.write(_answer(function, request["args"], int(request["memory"])))
+    answers.flush()
+    os._exit(0)  # leaves nothing to the exit handlers of libraries that have parsed foreign data
+
+
+def _answer(function: Any, args: tuple[Any, ...], memory: int) -> bytes:
+    """Return, packed, the function's result, or the error that it raises."""
+    from .running import memory_text
+
+    try:
+        return pack({"result": function(*args)})
+    except TabletopError as error:
+        message = str(error.args[0]) if error.args else ""
+        return pack({"error": type(error).__name__, "message": message, "breach": ""})
+    except MemoryError:
+        name, message, breach = "MemoryError", memory_text(memory), "memory"
+    except Exception as error:  # whatever a parser stumbles over in a foreign file
+        name, breach = type(error).__name__, "parser"
+        message = f"is damaged ({name}: {' '.join(str(error).split())[:300]})"
+    return pack({"error": name, "message": message, "breach": breach})
+
+
+def _find(name: str) -> Any:
+    """Return a class or function of a module: the request is the parent's own."""
+    module, _, path = name.partition(":")
+    found: Any = importlib.import_module(module)
+    for part in path.split("."):
+        found = getattr(found, part)
+    return found
+
+
+def _leave_with(parent: int) -> None:
+    """Have the kernel kill this process when the parent dies (Linux)."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_DIES_WITH_PARENT, int(signal.SIGKILL))
+        if os.getppid() != parent:
+            os._exit(1)
+
+
+def _work_nowhere() -> None:
+    """Work in a folder that is removed already: relative names cannot be created there."""
+    folder = tempfile.mkdtemp()
+    os.chdir(folder)
+    Path(folder).rmdir()
+
+
+def _limit(cpu_seconds: float, memory: int) -> None:
+    """Limit what happens from now on; inherited limits stay where they are smaller."""
+    import resource
+
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    seconds = math.ceil(used.ru_utime + used.ru_stime + cpu_seconds)
+    _lower(resource.RLIMIT_CPU, seconds)
+    _lower(resource.RLIMIT_CORE, 0)
+    _lower(resource.RLIMIT_FSIZE, 0)
+    statm = Path("/proc/self/statm")
+    if statm.is_file():
+        pages = int(statm.read_text().split()[0])
+        _lower(resource.RLIMIT_AS, pages * resource.getpagesize() + memory)
+
+
+def _lower(kind: int, limit: int) -> None:
+    import resource
+
+    soft, hard = resource.getrlimit(kind)
+    known = [value for value in (limit, soft, hard) if value != resource.RLIM_INFINITY]
+    resource.setrlimit(kind, (min(known), min(known)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,261 @@
+"""Functions run in a child process with limits."""
+
+import os
+import resource
+import subprocess
+import sys
+import threading
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from generator.errors import InputError
+from generator.sandbox import Limits, SandboxError, call
+from generator.sandbox.packing import class_name, pack, unpack
+
+
+@dataclass(frozen=True)
+class Pair:
+    left: np.ndarray
+    right: tuple[Any, ...]
+
+
+def echo(*args: object) -> object:
+    return args
+
+
+def pair(array: np.ndarray) -> Pair:
+    return Pair(array * 2, ("words", None, 1.5, b"raw", Path("a/b"), {"k": [1, 2]}))
+
+
+def spin() -> None:
+    while True:
+        pass
+
+
+def fill() -> int:
+    return len(bytearray(2**40))
+
+
+def grow() -> None:
+    held = []
+    while True:
+        held.append(np.ones(2**22))
+
+
+def pour() -> bytes:
+    return bytes(2**24)
+
+
+def crash() -> None:
+    os.abort()
+
+
+def blunder() -> None:
+    raise KeyError("a parser's own")
+
+
+def refuse() -> None:
+    raise InputError("Nothing of this can be used.")
+
+
+def write() -> str:
+    try:
+        Path("left_behind").write_text("text")
+    except OSError as error:
+        return type(error).__name__
+    return "written"
+
+
+def chatter() -> str:
+    print("words on standard output" * 10_000)
+    sys.stderr.write("words on standard error" * 10_000)
+    return "answer"
+
+
+def limits_inside() -> list[int]:
+    kinds = (resource.RLIMIT_CPU, resource.RLIMIT_AS, resource.RLIMIT_CORE)
+    return [resource.getrlimit(kind)[0] for kind in kinds]
+
+
+def nested() -> int:
+    return call(os.getpid) - os.getpid()
+
+
+def sleep() -> None:
+    time.sleep(600)
+
+
+def test_values_come_back_as_they_were() -> None:
+    array = np.arange(12, dtype=np.float32).reshape(3, 4)
+    empty = np.zeros((0, 3))
+    back = call(echo, array, "text", empty, 3, None, True, (1, [2.5, {"a": b"b"}]))
+    assert np.array_equal(back[0], array) and back[0].dtype == array.dtype
+    assert back[2].shape == (0, 3)
+    assert (back[1], *back[3:]) == ("text", 3, None, True, (1, [2.5, {"a": b"b"}]))
+
+
+def test_dataclasses_come_back_if_they_are_expected() -> None:
+    found = call(pair, np.arange(3), returns=(Pair,))
+    assert found.left.tolist() == [0, 2, 4]
+    assert found.right == ("words", None, 1.5, b"raw", Path("a/b"), {"k": [1, 2]})
+    with pytest.raises(SandboxError, match="not expected"):
+        call(pair, np.arange(3))
+
+
+def test_an_array_used_twice_is_one_array() -> None:
+    array = np.zeros((50, 50))
+    raw = pack([array, array])
+    assert len(raw) < 1.5 * array.nbytes
+    first, second = unpack(raw, lambda name: object)
+    assert first is second
+
+
+@pytest.mark.parametrize("cut", [0, 3, 12, 40, -100])
+def test_a_damaged_answer_is_refused(cut: int) -> None:
+    raw = pack({"a": np.arange(100)})
+    with pytest.raises(ValueError, match=r"packed value|cut off|Expecting|Unterminated|utf"):
+        unpack(raw[:cut], lambda name: object)
+
+
+def test_an_array_larger_than_its_buffer_is_refused() -> None:
+    raw = pack(np.zeros(4)).replace(b'"shape": [4]', b'"shape": [9]')
+    with pytest.raises(ValueError, match="bytes"):
+        unpack(raw, lambda name: object)
+
+
+def test_objects_are_not_packed() -> None:
+    for value in (object(), np.array([object()]), {1: 2}):
+        with pytest.raises(TypeError):
+            pack(value)
+
+
+def test_names_of_classes() -> None:
+    assert class_name(Limits) == "generator.sandbox.running:Limits"
+
+
+@pytest.mark.parametrize(
+    ("function", "limits", "breach"),
+    [
+        (spin, Limits(cpu_seconds=0.5), "time"),
+        (fill, Limits(), "memory"),
+        (grow, Limits(memory=2**28), "memory"),
+        (pour, Limits(output=2**20), "output"),
+        (crash, Limits(), "crash"),
+        (blunder, Limits(), "parser"),
+    ],
+)
+def test_a_child_that_goes_wrong_is_one_error(function: Any, limits: Limits, breach: str) -> None:
+    with pytest.raises(SandboxError) as caught:
+        call(function, limits=limits)
+    assert caught.value.breach == breach
+
+
+def test_errors_of_the_project_are_raised_as_they_are() -> None:
+    with pytest.raises(InputError, match="Nothing of this"):
+        call(refuse)
+
+
+def test_nothing_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    assert call(write) in ("FileNotFoundError", "OSError")
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_what_libraries_print_is_no_part_of_the_answer() -> None:
+    assert call(chatter) == "answer"
+
+
+def test_calls_inside_a_child_start_no_other() -> None:
+    assert call(nested) == 0
+
+
+def test_a_call_is_cancelled() -> None:
+    cancelled = threading.Event()
+    timer = threading.Timer(1.0, cancelled.set)
+    timer.start()
+    with pytest.raises(SandboxError) as caught:
+        call(sleep, cancelled=cancelled)
+    timer.join(timeout=10)
+    assert caught.value.breach == "cancelled"
+
+
+_UNDER_LIMITS = """
+import resource, sys
+for kind in (resource.RLIMIT_CPU, resource.RLIMIT_AS):
+    soft, hard = resource.getrlimit(kind)
+memory = int(sys.argv[1])
+resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+resource.setrlimit(resource.RLIMIT_CPU, (50, 60))
+import test_sandbox
+from generator.sandbox import Limits, call
+print(*call(test_sandbox.limits_inside, limits=Limits(cpu_seconds=1000, memory=2**40)))
+"""
+
+
+def test_smaller_inherited_limits_stay() -> None:
+    memory = 6 * 2**30
+    done = subprocess.run(
+        [sys.executable, "-c", _UNDER_LIMITS, str(memory)],
+        cwd=Path(__file__).parent, capture_output=True, text=True, timeout=120, check=False,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([*sys.path, str(Path(__file__).parent)])},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert [int(word) for word in done.stdout.split()] == [50, memory, 0]
+
+
+_ABANDONED = """
+import sys, test_sandbox
+from generator.sandbox import call
+print("begun", flush=True)
+call(test_sandbox.sleep)
+"""
+
+
+def _children(pid: int) -> list[int]:
+    listed = Path(f"/proc/{pid}/task/{pid}/children")
+    return [int(word) for word in listed.read_text().split()] if listed.is_file() else []
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the kernel ends orphans on Linux only")
+def test_a_child_ends_with_its_parent() -> None:
+    parent = subprocess.Popen(
+        [sys.executable, "-c", _ABANDONED], cwd=Path(__file__).parent, stdout=subprocess.PIPE,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([*sys.path, str(Path(__file__).parent)])},
+    )  # fmt: skip
+    assert parent.stdout is not None
+    try:
+        assert parent.stdout.readline() == b"begun\n"
+        for _ in range(600):
+            children = _children(parent.pid)
+            if children and _children(children[0]) == [] and _is_limited(children[0]):
+                break
+            time.sleep(0.05)
+        assert children
+    finally:
+        parent.kill()
+        parent.wait(timeout=30)
+        parent.stdout.close()
+    for _ in range(600):
+        if not Path(f"/proc/{children[0]}/cmdline").is_file() or _is_zombie(children[0]):
+            return
+        time.sleep(0.05)
+    pytest.fail("the child outlives its parent")
+
+
+def _is_limited(pid: int) -> bool:
+    """Whether the child has set its limits, which it does after it ties itself to its parent."""
+    limits = Path(f"/proc/{pid}/limits").read_text()
+    return any(line.startswith("Max file size") and " 0 " in line for line in limits.splitlines())
+
+
+def _is_zombie(pid: int) -> bool:
+    try:
+        return " Z " in Path(f"/proc/{pid}/stat").read_text()
+    except OSError:
+        return True
