@@ -1,17 +1,20 @@
 """Convex decomposition of meshes that come without convex parts (Sec. 3.4), by CoACD.
 
 X. Wei et al., "Approximate convex decomposition for 3D meshes with collision-aware concavity and
-tree search", SIGGRAPH 2022. It is a blocking C call, so it runs in a child process with a time
-limit, on a mesh reduced to about a thousand faces, once per mesh: results are kept by content.
+tree search", SIGGRAPH 2022. It is a blocking C call, so it runs in a sandbox, on a mesh reduced to
+about a thousand faces, once per mesh: results are kept by content.
+
+CoACD first cuts a mesh into pieces, then merges them, which takes longest: a rough mesh falls into
+hundreds of pieces. The cut is therefore tried at falling thresholds, and the finest one that leaves
+a moderate number of pieces is merged. The number of pieces, never a clock, decides the result.
 """
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
-import subprocess
-import sys
 import tempfile
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +23,7 @@ from jaxtyping import Float
 
 from ..errors import SceneError
 from ..io.npz import read_arrays
+from ..sandbox import Limits, SandboxError, call
 from ..scene import ConvexPart, Mesh
 from ..scene.triangles import Faces, Vertices, closed, pieces
 from .inertia import weld
@@ -29,46 +33,46 @@ _FULL = 1.001  # of its hull that a mesh may fill, as reckoned
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
 _MOST_PIECES = 200  # of more, the boxes are not compared
 
-_CHILD = """
-import sys, numpy as np, coacd
-coacd.set_log_level("error")
-mesh = np.load(sys.argv[1])
-hulls = coacd.run_coacd(
-    coacd.Mesh(mesh["vertices"], mesh["faces"]), threshold=0.06, max_convex_hull=24,
-    preprocess_mode=sys.argv[3], preprocess_resolution=30, resolution=300, mcts_nodes=5,
-    mcts_iterations=20, mcts_max_depth=1, decimate=True, max_ch_vertex=48, seed=0,
-)
-np.savez(sys.argv[2], *[vertices for vertices, _ in hulls])
-"""
+_LIMITS = Limits(cpu_seconds=90.0, threads=1)  # several times what the roughest meshes take
+_SETTINGS = {
+    "max_convex_hull": 24, "preprocess_resolution": 30, "resolution": 300, "mcts_nodes": 5,
+    "mcts_iterations": 20, "mcts_max_depth": 1, "decimate": True, "max_ch_vertex": 48, "seed": 0,
+}  # fmt: skip
+_THRESHOLDS = 0.15, 0.06  # of concavity, from coarse to fine
+_MOST_CUTS = 48  # pieces of a cut up to which the next finer one is made
 
 
 def decompose(
-    mesh: Mesh, scale: Float[np.ndarray, "3"], *, seconds: float = 60.0, cache: Path | None = None
+    mesh: Mesh,
+    scale: Float[np.ndarray, "3"],
+    *,
+    limits: Limits = _LIMITS,
+    cache: Path | None = None,
 ) -> tuple[ConvexPart, ...]:
     """Return convex parts of a canonical mesh, in the canonical frame, as cut at ``scale``.
 
     Results are kept in ``cache`` (by default a folder of the user's cache) if it can be written.
 
     Raises:
-        SceneError: CoACD failed or took longer than ``seconds``.
+        SceneError: CoACD failed or reached one of the ``limits``.
     """
     proportions = np.round(np.asarray(scale, float) / np.max(scale), 3).clip(1e-3)
     vertices, faces = weld(mesh)
     if not len(faces):
         raise SceneError("The mesh has no triangle with an area. Give the model convex parts.")
-    digest = hashlib.sha256(_CHILD.encode())
+    digest = hashlib.sha256(repr((_SETTINGS, _THRESHOLDS, _MOST_CUTS)).encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())
     kept = (cache or hulls_folder()) / f"{digest.hexdigest()[:24]}.npz"
     hulls = _read(kept) if kept.is_file() else None
     if not hulls:
-        hulls = _coacd(vertices * proportions, faces, seconds)
+        hulls = _coacd(vertices * proportions, faces, limits)
         _keep(kept, hulls)
     return tuple(ConvexPart((hull / proportions).clip(-0.5, 0.5)) for hull in hulls)
 
 
-def _coacd(vertices: Vertices, faces: Faces, seconds: float) -> list[Float[np.ndarray, "_k 3"]]:
-    """Run CoACD in a child process on a reduced mesh."""
+def _coacd(vertices: Vertices, faces: Faces, limits: Limits) -> list[Float[np.ndarray, "_k 3"]]:
+    """Run CoACD in a sandbox on a reduced mesh."""
     if len(faces) > _MOST_FACES:
         import fast_simplification
 
@@ -76,25 +80,39 @@ def _coacd(vertices: Vertices, faces: Faces, seconds: float) -> list[Float[np.nd
             vertices, faces.astype(np.int32), target_count=_MOST_FACES
         )
         vertices, faces = fewer[0].astype(np.float64), fewer[1].astype(np.int64)
-    mode = "off" if closed(faces) and not _overlaps(vertices, faces) else "on"
-    with tempfile.TemporaryDirectory() as folder:
-        given, made = Path(folder) / "mesh.npz", Path(folder) / "hulls.npz"
-        np.savez(given, vertices=vertices, faces=faces)
-        command = [sys.executable, "-c", _CHILD, str(given), str(made), mode]
-        try:
-            subprocess.run(command, check=True, capture_output=True, timeout=seconds)
-        except subprocess.TimeoutExpired as error:
-            raise SceneError(
-                f"Convex decomposition of {len(faces)} faces took longer than {seconds:g} s. "
-                "Give the model convex parts, or a simpler mesh."
-            ) from error
-        except subprocess.CalledProcessError as error:
-            said = error.stderr.decode(errors="replace").strip().splitlines()[-1:]
-            raise SceneError(f"Convex decomposition failed: {' '.join(said)}") from error
-        hulls = _read(made)
+    remesh = not closed(faces) or _overlaps(vertices, faces)
+    try:
+        hulls = call(run_coacd, vertices, faces, remesh, limits=limits)
+    except SandboxError as error:
+        raise SceneError(
+            f"Convex decomposition of {len(faces)} faces failed: it {error}. Give the model convex "
+            "parts, or a simpler mesh."
+        ) from error
     if not hulls:
         raise SceneError("Convex decomposition found no solid piece. Give the model convex parts.")
     return hulls
+
+
+def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> list[Float[np.ndarray, "_k 3"]]:
+    """Return the hulls of a mesh, decomposed in this process.
+
+    ``remesh`` makes the surface again first, which open and overlapping meshes need.
+    """
+    import coacd
+
+    coacd.set_log_level("error")
+    settings = {**_SETTINGS, "preprocess_mode": "on" if remesh else "off"}
+
+    def run(threshold: float, merge: bool) -> list[Float[np.ndarray, "_k 3"]]:
+        mesh = coacd.Mesh(vertices, faces)
+        return [h for h, _ in coacd.run_coacd(mesh, threshold=threshold, merge=merge, **settings)]
+
+    chosen = _THRESHOLDS[0]
+    for threshold, finer in pairwise(_THRESHOLDS):
+        if len(run(threshold, merge=False)) > _MOST_CUTS:
+            break
+        chosen = finer
+    return run(chosen, merge=True)
 
 
 def _overlaps(vertices: Vertices, faces: Faces) -> bool:

@@ -40,18 +40,19 @@ def main() -> None:
 
 def _answer(function: Any, args: tuple[Any, ...], memory: int) -> bytes:
     """Return, packed, the function's result, or the error that it raises."""
-    from .running import memory_text
+    from .running import lacks_memory, memory_text
 
     try:
         return pack({"result": function(*args)})
     except TabletopError as error:
         message = str(error.args[0]) if error.args else ""
         return pack({"error": type(error).__name__, "message": message, "breach": ""})
-    except MemoryError:
-        name, message, breach = "MemoryError", memory_text(memory), "memory"
     except Exception as error:  # whatever a parser stumbles over in a foreign file
-        name, breach = type(error).__name__, "parser"
-        message = f"is damaged ({name}: {' '.join(str(error).split())[:300]})"
+        name, words = type(error).__name__, " ".join(str(error).split())[:300]
+        if lacks_memory(f"{name}: {words}"):
+            message, breach = memory_text(memory), "memory"
+        else:
+            message, breach = f"is damaged ({name}: {words})", "parser"
     return pack({"error": name, "message": message, "breach": breach})
 
 

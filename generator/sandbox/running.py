@@ -219,9 +219,14 @@ def _explain(breach: Breach | None, code: int, words: bytes, limits: Limits) -> 
         return SandboxError("time", f"takes more than {seconds}")
     said = words.decode(errors="replace").strip().splitlines()[-1:]
     text = said[0][:300] if said else _name_of(code)
-    if any(sign in text for sign in ("MemoryError", "bad_alloc", "llocat", "failed to map")):
+    if lacks_memory(text):
         return SandboxError("memory", memory_text(limits.memory))
     return SandboxError("crash", f"breaks its reader ({text})")
+
+
+def lacks_memory(text: str) -> bool:
+    """Return whether the last words of a program say that it could not allocate memory."""
+    return any(sign in text for sign in ("MemoryError", "bad_alloc", "llocat", "failed to map"))
 
 
 def memory_text(memory: int) -> str:

@@ -1,4 +1,5 @@
 import dataclasses
+import resource
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from generator.errors import SceneError
 from generator.physics import decomposition
 from generator.physics.decomposition import decompose
 from generator.physics.parts import model_parts, scale_part
+from generator.sandbox import Limits
 from generator.scene import ConvexPart, Mesh, Model
 
 
@@ -94,7 +96,7 @@ def test_crossed_bars_and_solids_turned_inside_out_are_decomposed_in_time(tmp_pa
     for ball in balls:
         ball.invert()
     for meshes in (bars, balls):
-        parts = decompose(together(*meshes), np.full(3, 0.1), seconds=40, cache=tmp_path)
+        parts = decompose(together(*meshes), np.full(3, 0.1), cache=tmp_path)
         assert inside(parts, [0.05, 0.02, 0.02])
 
 
@@ -122,10 +124,23 @@ def test_a_mesh_that_holds_more_than_its_hull_overlaps_itself() -> None:
     assert not decomposition._overlaps(vertices * [1, 1, 0], ball.faces), "flat"
 
 
-def test_the_time_limit_holds(tmp_path: Path) -> None:
-    with pytest.raises(SceneError, match=r"longer than 0\.01 s"):
-        decompose(sphere_mesh(), np.full(3, 0.1), seconds=0.01, cache=tmp_path)
+def test_limits_hold_and_leave_nothing(tmp_path: Path) -> None:
+    limits = Limits(cpu_seconds=30, memory=2**20)
+    with pytest.raises(SceneError, match="memory"):
+        decompose(sphere_mesh(), np.full(3, 0.1), limits=limits, cache=tmp_path)
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.slow
+def test_a_rough_mesh_is_cut_coarsely_not_given_up(tmp_path: Path) -> None:
+    """Loose triangles fall into more pieces than can be merged in reasonable time."""
+    corners = np.random.default_rng(0).standard_normal((3 * 2000, 3))
+    soup = trimesh.Trimesh(corners, np.arange(len(corners)).reshape(-1, 3), process=False)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    parts = decompose(together(soup), np.full(3, 0.1), cache=tmp_path)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    assert 1 <= len(parts) <= 24
+    assert after.ru_utime - before.ru_utime < 30
 
 
 def test_known_parts_are_scaled_not_made(monkeypatch) -> None:
