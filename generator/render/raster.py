@@ -113,11 +113,11 @@ def _colors(
     color = np.empty((3, len(hits.item)))
 
     def paint(item: Item, normals: Float[np.ndarray, "m 3 3"], own: Int[np.ndarray, "k"]) -> None:
-        face, w = hits.face[own], hits.weights[:, own]
-        corner = item.faces[face]
-        point = interpolate(item.vertices[corner], w)
-        normal = interpolate(normals[face], w)
-        albedo = sample_texture(item.texture, interpolate(item.uv[corner], w))
+        face, w = hits.face[own], np.take(hits.weights, own, axis=1)
+        corner = np.take(item.faces, face, axis=0)  # faster than indexing with arrays
+        point = interpolate(np.take(item.vertices, corner, axis=0), w)
+        normal = interpolate(np.take(normals, face, axis=0), w)
+        albedo = sample_texture(item.texture, interpolate(np.take(item.uv, corner, axis=0), w))
         lit = np.ones(len(own)) if shadow is None else shadow.lit_share(point, normal)
         shaded = shade(albedo, normal, camera.position - point, lit, light)
         for k in range(3):
@@ -125,9 +125,10 @@ def _colors(
 
     pieces = []
     order = np.argsort(hits.item, kind="stable")
-    ends = np.cumsum(np.bincount(hits.item, minlength=len(items)))
-    for item, own in zip(items, np.split(order, ends[:-1]), strict=True):
-        if len(own):
+    counts = np.bincount(hits.item, minlength=len(items))
+    for item, end, count in zip(items, np.cumsum(counts), counts, strict=True):
+        if count:
+            own = order[end - count : end]
             normals = corner_normals(item.vertices, item.faces)
             parts = np.split(own, range(_PIECE, len(own), _PIECE))
             pieces += [(item, normals, part) for part in parts]
@@ -167,10 +168,13 @@ def _shade_ground(
     def darken(part: Int[np.ndarray, "k"]) -> None:
         points = camera.on_plane(_centers(part, camera, width), 0.0)
         seen = np.isfinite(points[:, 2])
-        up = np.broadcast_to([0.0, 0.0, 1.0], points[seen].shape)
-        factor = 1 - strength * (1 - shadow.lit_share(points[seen], up))
+        if not seen.all():
+            part, points = part[seen], points[seen]
+        lit = shadow.lit_share(points, np.broadcast_to([0.0, 0.0, 1.0], points.shape))
+        dark = np.flatnonzero(lit < 1)
+        factor = 1 - strength * (1 - lit[dark])
         for channel in color:
-            channel[part[seen]] *= factor
+            channel[part[dark]] *= factor
 
     _at_once(darken, [(part,) for part in np.split(empty, range(_PIECE, len(empty), _PIECE))])
 

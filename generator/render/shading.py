@@ -100,7 +100,7 @@ def sample_texture(
     left, right = np.clip(x0, 0, width - 1), np.clip(x0 + 1, 0, width - 1)
     top, bottom = np.clip(y0, 0, height - 1) * width, np.clip(y0 + 1, 0, height - 1) * width
     texels = texture.reshape(-1, 3)
-    four = [texels[row + column] for row in (top, bottom) for column in (left, right)]
+    four = [np.take(texels, i + j, axis=0) for i in (top, bottom) for j in (left, right)]
     color = np.empty((len(uv), 3))
     for k in range(3):
         a, b, c, d = (texel[:, k] for texel in four)

@@ -46,9 +46,11 @@ class Shadow:
         self._top = float(high[2]) + 1.0
         self._softness = light.softness
         self._reach = max(1.0, light.softness * self._scale)
-        blocks = [self._pixels(vertices)[faces] for vertices, faces in surfaces]
-        corners = np.concatenate(blocks) if blocks else np.zeros((0, 3, 3))
-        corners = np.concatenate([corners[..., :2], self._top - corners[..., 2:]], -1)
+        blocks = [np.zeros((0, 3, 3))]
+        for vertices, faces in surfaces:
+            x, y, far = self._on_map(vertices)
+            blocks.append(np.stack([x, y, self._top - far], 1)[faces])
+        corners = np.concatenate(blocks)
         self._fill(nearest(corners, _SIZE, _SIZE)[1].reshape(_SIZE, _SIZE))
 
     def _fill(self, depth_map: Float[np.ndarray, "h w"]) -> None:
@@ -62,33 +64,36 @@ class Shadow:
         self._highest = _extremes(padded, around, np.maximum).ravel()
         self._lowest = _extremes(padded, around, np.minimum).ravel()
 
-    def _pixels(self, points: Float[np.ndarray, "p 3"]) -> Float[np.ndarray, "p 3"]:
-        p = points @ self._axes.T
-        p[:, :2] = (p[:, :2] - self._low[:2]) * self._scale + _RIM
-        return p
+    def _on_map(self, points: Float[np.ndarray, "p 3"]) -> tuple[Float[np.ndarray, "p"], ...]:
+        """Return column and row on the map, in cells, and the distance along the sun's rays, m."""
+        turned = points @ self._axes.T
+        x, y = ((turned[:, k] - self._low[k]) * self._scale + _RIM for k in range(2))
+        return x, y, turned[:, 2]
 
     def lit_share(
         self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
     ) -> Float[np.ndarray, "p"]:
         """Return the lit share of each point in [0, 1]; points off the map are lit."""
-        p = self._pixels(points)  # the bias grows with the slope: no surface shades itself
+        x, y, far = self._on_map(points)
         cosine = np.clip(np.abs(normals @ self._axes[2]), 0.15, 1)
         bias = 0.002 + self._softness * np.sqrt(1 - cosine**2) / cosine * 1.5
-        closeness = self._top - p[:, 2] + bias
-        x, y = np.ascontiguousarray(p[:, 0]), np.ascontiguousarray(p[:, 1])
+        closeness = self._top - far + bias  # grows with the slope: no surface shades itself
         tile = self._tile_along(y) * self._tiles + self._tile_along(x)
-        share = (closeness >= self._highest[tile]).astype(float)
-        unsure = np.flatnonzero((share == 0) & (closeness >= self._lowest[tile]))
+        share = (closeness >= np.take(self._highest, tile)).astype(float)
+        unsure = np.flatnonzero((share == 0) & (closeness >= np.take(self._lowest, tile)))
         share[unsure] = self._sample(x[unsure], y[unsure], closeness[unsure])
         return share
 
     def _tile_along(self, x: Float[np.ndarray, "p"]) -> Int[np.ndarray, "p"]:
         """Return the column (or row) of the tiles at map coordinates; the nearest if off them."""
-        cell = np.clip(x + self._border, 0, self._width - 1).astype(np.int32)
+        cell = np.clip(x + self._border, 0, self._width - 1).astype(np.int64)
         return cell // _TILE
 
     def _sample(
-        self, x: Float[np.ndarray, "p"], y: Float[np.ndarray, "p"], closeness: Float[np.ndarray, "p"]
+        self,
+        x: Float[np.ndarray, "p"],
+        y: Float[np.ndarray, "p"],
+        closeness: Float[np.ndarray, "p"],
     ) -> Float[np.ndarray, "p"]:
         """Return the share of the samples around points, in map coordinates, that are lit."""
         total = np.zeros(len(x), np.int32)
@@ -96,7 +101,7 @@ class Shadow:
         for dx, dy in _TAPS:
             column = (x + dx * self._reach).astype(np.int64)
             row = (y + dy * self._reach).astype(np.int64)
-            total += closeness >= self._map[row * self._width + column + first]
+            total += closeness >= np.take(self._map, row * self._width + column + first)
         return total / len(_TAPS)
 
 
