@@ -142,7 +142,7 @@ def compose(
     density: Density | None = None,
     json: bool = False,
 ) -> int:
-    """Turn a text into a table directly, without drawing a picture first: a few seconds.
+    """Turn a text into a table directly, without drawing a picture first: 2 to 6 CPU seconds.
 
     Args:
         text: A description ("a round dining table for two").

@@ -28,8 +28,7 @@ def test_tiles_give_the_share_that_samples_give(softness: float) -> None:
     shares = shadow.lit_share(points, normals)
     shadow._highest[:], shadow._lowest[:] = np.inf, -np.inf  # no tile decides
     assert np.array_equal(shares, shadow.lit_share(points, normals))
-    assert {0.0, 1.0} < set(shares)
-    assert ((shares >= 0) & (shares <= 1)).all()
+    assert shares.max() == 1 and 0 <= shares.min() < 0.5 and len(set(shares)) > 3
 
 
 def test_points_off_the_map_are_lit() -> None:
