@@ -50,7 +50,7 @@ def app(name: str) -> tyro.extras.SubcommandApp:
     for known, entry in commands().items():
         summary = summary_of(entry)
         if summary is not None:
-            listed: Any = load(entry) if name.startswith(_COMPLETION) else _listed(summary)
+            listed: Any = load(entry) if name.startswith(_COMPLETION) else _stub(summary)
             made.command(listed, name=known, help=summary)
     return made
 
@@ -64,7 +64,7 @@ def _entry(name: str) -> EntryPoint:
     return known[name]
 
 
-def _listed(summary: str) -> Callable[[], int]:
+def _stub(summary: str) -> Callable[[], int]:
     """Return a command without arguments that a list of commands shows; it is never run."""
 
     def entry() -> int:

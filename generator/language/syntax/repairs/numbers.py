@@ -100,7 +100,7 @@ def unused_numbers(
     counts |= {count for noun in nouns for count in _alike(noun.variants)}
     lengths = [v for noun in nouns for v in _kept_lengths(noun)]
     lengths += [v for post in posts if isinstance(post, Description) for v in post.lengths]
-    withdrawn = _covered(spelt) - _covered(said)  # taken back, or talk about the text
+    withdrawn = _places_of(spelt) - _places_of(said)  # taken back, or talk about the text
     unused: list[str] = []
     for number in written_numbers(text):
         if withdrawn.intersection(range(number.start, number.end)):
@@ -166,7 +166,7 @@ def _is_name(text: str, found: re.Match[str]) -> bool:
     return named is not None and named.group().strip() != sentence
 
 
-def _covered(tokens: Sequence[Token]) -> set[int]:
+def _places_of(tokens: Sequence[Token]) -> set[int]:
     """Return the places in the text at which tokens stand."""
     return {place for token in tokens for place in range(*token.span)}
 
