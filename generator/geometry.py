@@ -180,7 +180,9 @@ class Camera:
         uv = np.atleast_2d(np.asarray(pixels, float))
         p = np.column_stack([(uv - self.center) / self.focal, np.ones(len(uv))])
         d = p @ self.rotation
-        return d / np.linalg.norm(d, axis=1, keepdims=True)
+        squares = d * d
+        length = np.sqrt((squares[:, 0] + squares[:, 1]) + squares[:, 2])
+        return d / length[:, None]
 
     def on_plane(self, pixels: Real[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "n 3"]:
         """Return where the rays through ``pixels`` meet the horizontal plane at height ``z``.

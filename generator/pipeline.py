@@ -62,14 +62,14 @@ def generate(
     seed = int(seed)
     b = backends or Backends.select("embedded")
     config = config or Config()
-    b.check()  # what is missing is told before any work
+    b.check()  # fail before any work if a dependency or a file is missing
+    source = fetch(source, config.reference)
+    depth = fetch_depth(depth, config.reference)
     guesser = pose_guesser(b.reasoner) if config.without else None
     clock = Stopwatch(STAGES, progress, watch)
     step = clock.step
 
     step()  # Sec. 3: text to plan to reference image; a picture passes through
-    source = fetch(source, config.reference)
-    depth = fetch_depth(depth, config.reference)
     reference = refer(
         source, b.reasoner, b.imager, seed, config.reference, depth=depth, intrinsics=intrinsics
     )

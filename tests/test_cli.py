@@ -149,7 +149,6 @@ def test_help_names_every_command(shell: Shell) -> None:
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (("frob",), "frob"),
         (("inspect", "a", "b"), "b"),
         (("generate", TEXT, "desk"), "desk"),
         (("view", "a", "--frob", "3"), "--frob"),

@@ -1,5 +1,6 @@
 """Commands of other packages: declared by them, imported when they are asked for."""
 
+import py_compile
 import subprocess
 import sys
 import textwrap
@@ -11,6 +12,7 @@ import pytest
 from command import Shell, command
 from tyro.extras import SubcommandApp
 
+from generator import cli
 from generator.cli import plugins
 
 ROOT = Path(__file__).parents[1]
@@ -34,26 +36,84 @@ def test_the_environments_commands_are_declared() -> None:
     assert tuple(sorted(declared)) == OTHERS
     found = plugins.find_commands()
     assert {name: found[name].value for name in OTHERS} == declared
-    loaded = {name: plugins.load(found[name], True) for name in OTHERS}
+    loaded = {name: plugins.load(found[name]) for name in OTHERS}
     groups = {name for name, each in loaded.items() if isinstance(each, SubcommandApp)}
     assert groups == {"bench", "study"} and all(
         callable(loaded[name]) for name in {*loaded} - groups
     )
-    assert plugins.purpose_of(found["bench"]).startswith("Play fixed suites")
+    assert str(plugins.summary_of(found["bench"])).startswith("Play fixed suites")
 
 
-def test_help_lists_them_and_loads_nothing_heavy() -> None:
-    shown = printed_by("""
-        import sys
-        from generator import cli
-        try:
-            cli.run(["--help"])
-        except SystemExit:
-            pass
-        print({"torch", "mujoco", "stable_baselines3", "matplotlib"} & set(sys.modules))
-        """)
-    assert all(f" {name} " in shown for name in (*OTHERS, "doctor", "generate"))
-    assert shown.splitlines()[-1] == "set()"
+def test_summaries_are_first_paragraphs_of_docstrings() -> None:
+    for entry in cli.commands().values():
+        command = plugins.load(entry)
+        group = isinstance(command, SubcommandApp)
+        text = sys.modules[entry.module].__doc__ if group else command.__doc__
+        assert text
+        assert plugins.summary_of(entry) == " ".join(text.strip().partition("\n\n")[0].split())
+
+
+HEAVY = {
+    "cv2", "gymnasium", "matplotlib", "mujoco", "numpy", "scipy", "stable_baselines3", "torch",
+    "trimesh",
+}  # fmt: skip
+_LISTING = """
+    import resource, sys
+    from generator import cli
+    try:
+        cli.run(["--help"])
+    except SystemExit:
+        pass
+    print(*sorted(sys.modules))
+    print(sum(resource.getrusage(resource.RUSAGE_SELF)[:2]))
+    """
+
+
+def test_help_lists_all_commands_and_loads_none() -> None:
+    *shown, names, seconds = printed_by(_LISTING).splitlines()
+    assert all(f" {name} " in "\n".join(shown) for name in (*OTHERS, *plugins.OWN))
+    loaded = set(names.split())
+    assert not HEAVY & loaded
+    assert not {entry.module for entry in cli.commands().values()} & loaded
+    assert not {"tabletopgen_env", "tabletopgen_web", "assets_cache"} & loaded
+    assert float(seconds) < 1.5  # CPU seconds, about 0.2 on an idle machine
+
+
+@pytest.mark.parametrize("name", ["compose", "generate", "explain", "studio"])
+def test_help_of_a_command_loads_no_heavy_library(name: str) -> None:
+    code = _LISTING.replace('["--help"]', f'["{name}", "--help"]')
+    *_, names, _ = printed_by(code).splitlines()
+    assert not (HEAVY - {"cv2", "gymnasium", "numpy"}) & set(names.split())
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"), [("compos", "compose"), ("inpsect", "inspect"), ("bnech", "bench")]
+)
+def test_a_misspelt_command_proposes_the_one_that_is_meant(
+    typed: str, meant: str, shell: Shell
+) -> None:
+    error = shell(typed, "a desk", code=2).err
+    assert error.startswith(f"error: Unknown command '{typed}'. Did you mean '{meant}'?")
+    assert "generate" in error
+
+
+def test_an_unknown_command_lists_those_that_exist(shell: Shell) -> None:
+    error = shell("xyzzy", code=2).err
+    assert "Did you mean" not in error and all(name in error for name in (*OTHERS, *plugins.OWN))
+
+
+def test_a_command_without_source_is_imported_for_its_summary(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = tmp_path / "bare_plugin"
+    package.mkdir()
+    (package / "__init__.py").write_text("")
+    made = tmp_path / "source.py"
+    made.write_text("def up():\n    '''Wash up.\n\n    All of it.\n    '''\n")
+    py_compile.compile(str(made), cfile=str(package / "sink.pyc"))
+    monkeypatch.syspath_prepend(tmp_path)
+    entry = EntryPoint("wash", "bare_plugin.sink:up", plugins.GROUP)
+    assert plugins.summary_of(entry) == "Wash up."
 
 
 def test_own_commands_load_none_of_them() -> None:

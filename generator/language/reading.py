@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -30,6 +30,7 @@ from .semantics.interpreter import Interpreter
 from .syntax.clauses.parser import Parser
 from .syntax.phrases.tree import Sentence
 from .syntax.repairs.corrections import correct_course
+from .syntax.repairs.numbers import unused_numbers, written_numbers
 from .syntax.repairs.talk import drop_talk
 from .syntax.text.tokens import list_skipped, small_words, tokens_of
 from .syntax.text.words import words_of
@@ -80,16 +81,34 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
     """
     check_text(prompt)
     spelt, fixes = correct(words_of(_undrawn(prompt)), _known_words())
-    said = correct_course(tokens_of(spelt, lexicon.is_phrase_start))
-    tokens, talk = drop_talk(said)
+    written = tokens_of(spelt, lexicon.is_phrase_start)
+    tokens, talk = drop_talk(correct_course(written))
     parser = Parser(tokens)
     sentences = parser.sentences()
-    reading = Interpreter(rng).read(sentences)
+    reading = _interpret(prompt, sentences, rng)
     reading.lost += talk
     reading.lost += [*parser.lost, *list_skipped(parser.skipped)]
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
     reading.warnings += [f"{NOT_UNDERSTOOD}{phrase!r}." for phrase in dict.fromkeys(reading.lost)]
+    people = (reading.people, *(clause.people for s in sentences for clause in s.clauses))
+    unused = unused_numbers(prompt, written, tokens, sentences, people)
+    told = " ".join(reading.lost).lower()
+    reading.warnings += [
+        f"The number {number!r} was not used." for number in unused if number.lower() not in told
+    ]
     return ReadText(tuple(sentences), reading, fixes)
+
+
+def _interpret(prompt: str, sentences: Sequence[Sentence], rng: np.random.Generator) -> Reading:
+    """Return what clauses mean; a number that cannot be read is named where they mean nothing."""
+    try:
+        return Interpreter(rng).read(sentences)
+    except InputError as error:
+        strange = [n.text for n in written_numbers(prompt) if n.value is None or n.unit]
+        if not strange:
+            raise
+        names = ", ".join(map(repr, dict.fromkeys(strange)))
+        raise InputError(f"{error} Not every number can be read; without {names}?") from error
 
 
 def check_text(prompt: str) -> None:

@@ -18,18 +18,12 @@ from ..geometry import Camera, quaternion_matrix
 from ..scene import Mesh
 from ..threads import threads
 from .backdrop import Backdrop
-from .scanlines import nearest, rasterise
-from .shading import Light, corner_normals, sample_texture, shade
+from .scanlines import barycentric, nearest
+from .shading import Light, corner_normals, interpolate, sample_texture, shade
+from .shadow import Shadow
 
 BACKGROUND = -1
 """Instance id of pixels that show nothing."""
-
-_TAPS = tuple(
-    (r * np.cos(t), r * np.sin(t))
-    for r, t in [(0.0, 0.0)]
-    + [(0.5, np.pi / 2 * (k + 0.25)) for k in range(4)]
-    + [(1.0, np.pi / 3 * k) for k in range(6)]
-)  # where a soft shadow is sampled, in units of its softness
 
 _PIECE = 1 << 14  # pixels shaded at once: they fit into a processor's cache
 
@@ -69,16 +63,21 @@ def place(
 
 @dataclass(frozen=True, eq=False)
 class _Hits:
-    """The nearest surface per pixel: item (-1 none), face, barycentric weights, depth."""
+    """What the samples of a picture see: ``pixel`` are those that see a surface, ascending.
 
-    item: Int[np.ndarray, "p"]
-    face: Int[np.ndarray, "p"]
-    weights: Float[np.ndarray, "p 3"]
+    Of each of these the item, the face and the weights of its corners; ``depth`` is that of all
+    samples, inf where nothing is.
+    """
+
+    pixel: Int[np.ndarray, "k"]
+    item: Int[np.ndarray, "k"]
+    face: Int[np.ndarray, "k"]
+    weights: Float[np.ndarray, "3 k"]
     depth: Float[np.ndarray, "p"]
 
 
 def _trace(items: Sequence[Item], camera: Camera, width: int, height: int) -> _Hits:
-    """Find what each pixel of a ``width`` x ``height`` image sees."""
+    """Find what each sample of a ``width`` x ``height`` image sees."""
     factor = width / camera.width
     blocks, face_item, face_index = [], [], []
     for k, item in enumerate(items):
@@ -88,81 +87,48 @@ def _trace(items: Sequence[Item], camera: Camera, width: int, height: int) -> _H
         block = np.concatenate([xy, 1.0 / np.maximum(p[:, 2:], 1e-6)], 1)[item.faces]
         ahead = np.flatnonzero((p[item.faces, 2] > 1e-3).all(1))
         blocks.append(block[ahead])
-        face_item.append(np.full(len(ahead), k))
+        face_item.append(np.full(len(ahead), k, np.min_scalar_type(len(items))))
         face_index.append(ahead)
-    corners = np.concatenate(blocks) if blocks else np.zeros((0, 3, 3))
-    owner, weights, near = rasterise(corners, width, height)
-    hit = owner >= 0
-    item_of, face_of = np.full(len(owner), -1), np.zeros(len(owner), np.int64)
-    if hit.any():
-        item_of[hit] = np.concatenate(face_item)[owner[hit]]
-        face_of[hit] = np.concatenate(face_index)[owner[hit]]
-        weights[hit] *= corners[owner[hit], :, 2]  # perspective-correct
-        weights[hit] /= weights[hit].sum(1, keepdims=True)
-    depth = np.full(len(owner), np.inf)
-    depth[hit] = 1.0 / near[hit]
-    return _Hits(item_of, face_of, weights, depth)
-
-
-class _Shadow:
-    """Which points the sun sees: an orthographic depth map around the items."""
-
-    def __init__(self, items: Sequence[Item], light: Light, size: int = 1024) -> None:
-        forward = -light.direction
-        side = np.cross(forward, [0.0, 1.0, 0.0])
-        side /= np.linalg.norm(side)
-        self._axes = np.stack([side, np.cross(forward, side), forward])
-        points = np.concatenate([item.vertices for item in items]) @ self._axes.T
-        self._low, high = points.min(0), points.max(0)
-        self._scale = (size - 8) / max(float((high - self._low)[:2].max()), 1e-6)
-        self._size = size
-        blocks = [self._pixels(item.vertices)[item.faces] for item in items if item.opacity >= 1]
-        corners = np.concatenate(blocks) if blocks else np.zeros((0, 3, 3))
-        self._top = float(high[2]) + 1.0
-        corners = np.concatenate([corners[..., :2], self._top - corners[..., 2:]], -1)
-        self._map = nearest(corners, size, size)[1]
-        self._softness = light.softness
-
-    def _pixels(self, points: np.ndarray) -> np.ndarray:
-        p = points @ self._axes.T
-        p[:, :2] = (p[:, :2] - self._low[:2]) * self._scale + 4
-        return p
-
-    def lit_share(
-        self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
-    ) -> Float[np.ndarray, "p"]:
-        """Return the lit share of each point in [0, 1]; points off the map are lit."""
-        p = self._pixels(points)  # the bias grows with the slope: no surface shades itself
-        cosine = np.clip(np.abs(normals @ self._axes[2]), 0.15, 1)
-        bias = 0.002 + self._softness * np.sqrt(1 - cosine**2) / cosine * 1.5
-        closeness = self._top - p[:, 2] + bias
-        reach = max(1.0, self._softness * self._scale)
-        total = np.zeros(len(points))
-        for dx, dy in _TAPS:
-            x, y = (p[:, 0] + dx * reach).astype(np.int64), (p[:, 1] + dy * reach).astype(np.int64)
-            on = (x >= 0) & (y >= 0) & (x < self._size) & (y < self._size)
-            total += ~on | (closeness >= self._map[np.where(on, y * self._size + x, 0)])
-        return total / len(_TAPS)
+    depth = np.full(width * height, np.inf)
+    if not blocks:
+        none = np.zeros(0, np.int64)
+        return _Hits(none, none, none, np.zeros((3, 0)), depth)
+    corners = np.concatenate(blocks)
+    owner, near = nearest(corners, width, height)
+    pixel = np.flatnonzero(owner >= 0)
+    triangle = owner[pixel]
+    weights = barycentric(corners[..., :2], triangle, pixel, width)
+    for k in range(3):
+        weights[k] *= corners[:, k, 2][triangle]  # perspective-correct
+    weights /= (weights[0] + weights[1]) + weights[2]
+    depth[pixel] = 1.0 / near[pixel]
+    item_of, face_of = np.concatenate(face_item)[triangle], np.concatenate(face_index)[triangle]
+    return _Hits(pixel, item_of, face_of, weights, depth)
 
 
 def _colors(
-    items: Sequence[Item], hits: _Hits, camera: Camera, light: Light, shadow: _Shadow | None
-) -> Float[np.ndarray, "p 3"]:
-    """Shade every hit pixel, on threads; colours are in [0, 1], zero where nothing was hit."""
-    color = np.zeros((len(hits.item), 3))
+    items: Sequence[Item], hits: _Hits, camera: Camera, light: Light, shadow: Shadow | None
+) -> Float[np.ndarray, "3 k"]:
+    """Shade every hit, on threads; colours are in [0, 1]."""
+    color = np.empty((3, len(hits.item)))
 
     def paint(item: Item, normals: Float[np.ndarray, "m 3 3"], own: Int[np.ndarray, "k"]) -> None:
-        face, w = hits.face[own], hits.weights[own][:, :, None]
-        point = (item.vertices[item.faces[face]] * w).sum(1)
-        normal = (normals[face] * w).sum(1)
-        albedo = sample_texture(item.texture, (item.uv[item.faces[face]] * w).sum(1))
+        face, w = hits.face[own], np.take(hits.weights, own, axis=1)
+        corner = np.take(item.faces, face, axis=0)  # faster than indexing with arrays
+        point = interpolate(np.take(item.vertices, corner, axis=0), w)
+        normal = interpolate(np.take(normals, face, axis=0), w)
+        albedo = sample_texture(item.texture, interpolate(np.take(item.uv, corner, axis=0), w))
         lit = np.ones(len(own)) if shadow is None else shadow.lit_share(point, normal)
-        color[own] = shade(albedo, normal, camera.position - point, lit, light)
+        shaded = shade(albedo, normal, camera.position - point, lit, light)
+        for k in range(3):
+            color[k, own] = shaded[:, k]
 
     pieces = []
-    for k, item in enumerate(items):
-        own = np.flatnonzero(hits.item == k)
-        if len(own):
+    order = np.argsort(hits.item, kind="stable")
+    counts = np.bincount(hits.item, minlength=len(items))
+    for item, end, count in zip(items, np.cumsum(counts), counts, strict=True):
+        if count:
+            own = order[end - count : end]
             normals = corner_normals(item.vertices, item.faces)
             parts = np.split(own, range(_PIECE, len(own), _PIECE))
             pieces += [(item, normals, part) for part in parts]
@@ -189,21 +155,28 @@ def _centers(samples: Int[np.ndarray, "k"], camera: Camera, width: int) -> np.nd
     return (np.stack([samples % width, samples // width], 1) + 0.5) * (camera.width / width)
 
 
-def _ground_shade(
-    hits: _Hits, camera: Camera, width: int, shadow: _Shadow, strength: float
-) -> Float[np.ndarray, "p"]:
-    """Return the factor by which the shadow on the floor z = 0 darkens the background."""
-    factor = np.ones(len(hits.item))
+def _shade_ground(
+    color: Float[np.ndarray, "3 p"],
+    empty: Int[np.ndarray, "k"],
+    camera: Camera,
+    width: int,
+    shadow: Shadow,
+    strength: float,
+) -> None:
+    """Darken the empty samples by the shadow on the floor z = 0."""
 
     def darken(part: Int[np.ndarray, "k"]) -> None:
         points = camera.on_plane(_centers(part, camera, width), 0.0)
-        seen = np.isfinite(points).all(1)
-        up = np.broadcast_to([0.0, 0.0, 1.0], points[seen].shape)
-        factor[part[seen]] = 1 - strength * (1 - shadow.lit_share(points[seen], up))
+        seen = np.isfinite(points[:, 2])
+        if not seen.all():
+            part, points = part[seen], points[seen]
+        lit = shadow.lit_share(points, np.broadcast_to([0.0, 0.0, 1.0], points.shape))
+        dark = np.flatnonzero(lit < 1)
+        factor = 1 - strength * (1 - lit[dark])
+        for channel in color:
+            channel[part[dark]] *= factor
 
-    empty = np.flatnonzero(hits.item < 0)
     _at_once(darken, [(part,) for part in np.split(empty, range(_PIECE, len(empty), _PIECE))])
-    return factor
 
 
 def render(
@@ -228,39 +201,59 @@ def render(
     width, height = camera.width * supersample, camera.height * supersample
     solid = [item for item in items if item.opacity >= 1]
     glass = [item for item in items if item.opacity < 1]
-    shadow = _Shadow(solid, light) if shadows and solid else None
+    shadow = None
+    if shadows and solid:
+        points = np.concatenate([item.vertices for item in solid])
+        shadow = Shadow(points, [(item.vertices, item.faces) for item in solid], light)
     hits = _trace(solid, camera, width, height)
-    color = _colors(solid, hits, camera, light, shadow)
-    empty = hits.item < 0
-    color[empty] = np.asarray(background) / 255.0
-    if shadow is not None and ground_shadow > 0:
-        color *= _ground_shade(hits, camera, width, shadow, ground_shadow)[:, None]
-    ids = np.where(empty, BACKGROUND, np.array([i.id for i in solid] + [0])[hits.item])
     depth = hits.depth
+    color = np.repeat(np.asarray(background)[:, None] / 255.0, len(depth), axis=1)
+    ids = np.full(len(depth), BACKGROUND)
+    _lay(color, hits.pixel, _colors(solid, hits, camera, light, shadow))
+    ids[hits.pixel] = np.array([i.id for i in solid], int)[hits.item]
+    empty = np.flatnonzero(np.isinf(depth))
+    if shadow is not None and ground_shadow > 0:
+        _shade_ground(color, empty, camera, width, shadow, ground_shadow)
     if backdrop is not None:
-        behind = np.flatnonzero(empty)
-        pixels = _centers(behind, camera, width)
+        pixels = _centers(empty, camera, width)
         lit = None if shadow is None else shadow.lit_share
-        color[behind], depth[behind] = backdrop.sample(camera, pixels, light, lit)
-        ids[behind] = np.where(np.isfinite(depth[behind]), backdrop.id, BACKGROUND)
+        behind, depth[empty] = backdrop.sample(camera, pixels, light, lit)
+        _lay(color, empty, behind.T)
+        ids[empty] = np.where(np.isfinite(depth[empty]), backdrop.id, BACKGROUND)
     if glass:
         layer = _trace(glass, camera, width, height)
-        front = np.flatnonzero((layer.item >= 0) & (layer.depth < depth))
-        opacity = np.array([i.opacity for i in glass])[layer.item[front]][:, None]
-        over = _colors(glass, layer, camera, light, None)[front]
-        color[front] = opacity * over + (1 - opacity) * color[front]
-        ids[front] = np.array([i.id for i in glass])[layer.item[front]]
-        depth = np.where((layer.item >= 0) & (layer.depth < depth), layer.depth, depth)
+        front = np.flatnonzero(layer.depth[layer.pixel] < depth[layer.pixel])
+        pixel, of = layer.pixel[front], layer.item[front]
+        opacity = np.array([i.opacity for i in glass])[of]
+        over = _colors(glass, layer, camera, light, None)[:, front]
+        _lay(color, pixel, opacity * over + (1 - opacity) * color[:, pixel])
+        ids[pixel] = np.array([i.id for i in glass])[of]
+        depth[pixel] = layer.depth[pixel]
     return _resolve(color, depth, ids, camera, supersample)
 
 
+def _lay(
+    color: Float[np.ndarray, "3 p"], samples: Int[np.ndarray, "k"], new: Float[np.ndarray, "3 k"]
+) -> None:
+    """Set the colours of samples, channel by channel."""
+    for channel, values in zip(color, new, strict=True):
+        channel[samples] = values
+
+
 def _resolve(
-    color: np.ndarray, depth: np.ndarray, ids: np.ndarray, camera: Camera, samples: int
+    color: Float[np.ndarray, "3 p"],
+    depth: Float[np.ndarray, "p"],
+    ids: Int[np.ndarray, "p"],
+    camera: Camera,
+    samples: int,
 ) -> Rendered:
     """Average the samples' colours; depth and ids are those of one sample near the centre."""
     h, w, s = camera.height, camera.width, samples
-    mean = color.reshape(h, s, w, s, 3).mean((1, 3))
-    image = np.clip(mean * 255.0 + 0.5, 0, 255).astype(np.uint8)
+    image = np.empty((h, w, 3), np.uint8)
+    for k, channel in enumerate(color):
+        grid = channel.reshape(h, s, w, s)
+        total = sum(grid[:, i, :, j] for i in range(s) for j in range(s))
+        image[..., k] = np.clip(total / s**2 * 255.0 + 0.5, 0, 255)
     pick = (slice(s // 2, None, s), slice(s // 2, None, s))
     return Rendered(
         image,

@@ -57,7 +57,10 @@ def rasterise(
     screen-space barycentric weights, and the interpolated third coordinate (0 where nothing is).
     """
     owner, near = nearest(corners, width, height)
-    return owner, _weights(corners[..., :2], owner, width), near
+    weights = np.zeros((len(owner), 3))
+    hit = np.flatnonzero(owner >= 0)
+    weights[hit] = barycentric(corners[..., :2], owner[hit], hit, width).T
+    return owner, weights, near
 
 
 def nearest(
@@ -116,18 +119,19 @@ def _portions(
     return np.split(np.arange(len(xy)), np.unique(np.searchsorted(rows, cuts)))
 
 
-def _weights(
-    xy: Float[np.ndarray, "m 3 2"], owner: Int[np.ndarray, "hw"], width: int
-) -> Float[np.ndarray, "hw 3"]:
-    """Return the barycentric weights of each owned pixel's centre in its triangle."""
-    weights = np.zeros((len(owner), 3))
-    hit = np.flatnonzero(owner >= 0)
-    t = owner[hit]
-    x, y = hit % width + 0.5, hit // width + 0.5
+def barycentric(
+    xy: Float[np.ndarray, "m 3 2"],
+    triangle: Int[np.ndarray, "k"],
+    pixel: Int[np.ndarray, "k"],
+    width: int,
+) -> Float[np.ndarray, "3 k"]:
+    """Return the barycentric weights, in [0, 1], of pixels' centres in a triangle each."""
+    x, y = pixel % width + 0.5, pixel // width + 0.5
     e1, e2 = xy[:, 1] - xy[:, 0], xy[:, 2] - xy[:, 0]
-    area = e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0]
-    b, c, a = xy[t, 1], xy[t, 2], xy[t, 0]
-    w0 = ((b[:, 0] - x) * (c[:, 1] - y) - (b[:, 1] - y) * (c[:, 0] - x)) / area[t]
-    w1 = ((c[:, 0] - x) * (a[:, 1] - y) - (c[:, 1] - y) * (a[:, 0] - x)) / area[t]
-    weights[hit] = np.stack([w0, w1, 1.0 - w0 - w1], 1)
-    return np.clip(weights, 0.0, 1.0)
+    area = (e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0])[triangle]
+    (ax, ay), (bx, by), (cx, cy) = (
+        (xy[:, k, 0][triangle] - x, xy[:, k, 1][triangle] - y) for k in range(3)
+    )
+    w0 = (bx * cy - by * cx) / area
+    w1 = (cx * ay - cy * ax) / area
+    return np.clip(np.stack([w0, w1, 1.0 - w0 - w1]), 0.0, 1.0)

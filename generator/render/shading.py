@@ -16,7 +16,10 @@ _PIECE = 1 << 20  # such pairs held at once
 
 
 def _unit(v: np.ndarray) -> np.ndarray:
-    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-12)
+    """Return vectors along the last axis at length 1; NumPy's own norm is slow on short ones."""
+    x, y, z = (v[..., k] for k in range(3))
+    length = np.sqrt((x * x + y * y) + z * z)
+    return v / np.maximum(length, 1e-12)[..., None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +77,17 @@ def corner_normals(
     return _unit(total).reshape(-1, 3, 3)
 
 
+def interpolate(
+    corners: Float[np.ndarray, "p 3 c"], weights: Float[np.ndarray, "3 p"]
+) -> Float[np.ndarray, "p c"]:
+    """Return the weighted sums of values at the three corners of triangles."""
+    made = np.empty((len(corners), corners.shape[2]))
+    for k in range(corners.shape[2]):
+        a, b, c = corners[:, 0, k], corners[:, 1, k], corners[:, 2, k]
+        made[:, k] = (a * weights[0] + b * weights[1]) + c * weights[2]
+    return made
+
+
 def sample_texture(
     texture: UInt8[np.ndarray, "th tw 3"], uv: Float[np.ndarray, "p 2"]
 ) -> Float[np.ndarray, "p 3"]:
@@ -82,12 +96,18 @@ def sample_texture(
     x = np.clip(uv[:, 0], 0, 1) * width - 0.5
     y = (1 - np.clip(uv[:, 1], 0, 1)) * height - 0.5
     x0, y0 = np.floor(x).astype(int), np.floor(y).astype(int)
-    fx, fy = (x - x0)[:, None], (y - y0)[:, None]
+    fx, fy = x - x0, y - y0
     left, right = np.clip(x0, 0, width - 1), np.clip(x0 + 1, 0, width - 1)
-    top, bottom = np.clip(y0, 0, height - 1), np.clip(y0 + 1, 0, height - 1)
-    upper = texture[top, left] * (1 - fx) + texture[top, right] * fx
-    lower = texture[bottom, left] * (1 - fx) + texture[bottom, right] * fx
-    return (upper * (1 - fy) + lower * fy) / 255.0
+    top, bottom = np.clip(y0, 0, height - 1) * width, np.clip(y0 + 1, 0, height - 1) * width
+    texels = texture.reshape(-1, 3)
+    four = [np.take(texels, i + j, axis=0) for i in (top, bottom) for j in (left, right)]
+    color = np.empty((len(uv), 3))
+    for k in range(3):
+        a, b, c, d = (texel[:, k] for texel in four)
+        upper = a * (1 - fx) + b * fx
+        lower = c * (1 - fx) + d * fx
+        color[:, k] = (upper * (1 - fy) + lower * fy) / 255.0
+    return color
 
 
 def shade(
@@ -99,10 +119,17 @@ def shade(
 ) -> Float[np.ndarray, "p 3"]:
     """Return Lambert light with a sky and a small highlight; ``lit`` is the sun's visible share."""
     n, view = _unit(normal), _unit(to_camera)
-    n = np.where((n * view).sum(1, keepdims=True) < 0, -n, n)
+    n[_dot(n, view) < 0] *= -1
     facing = np.clip(n @ light.direction, 0, 1) * lit
     sky = light.sky * (0.84 + 0.16 * n[:, 2]) * (0.9 + 0.1 * lit)
     half = _unit(view + light.direction)
-    gloss = light.gloss * np.clip((n * half).sum(1), 0, 1) ** 40 * lit
-    matt = albedo * (sky + light.sun * facing)[:, None] * np.asarray(light.tint)
-    return np.clip(matt + gloss[:, None], 0, 1)
+    gloss = light.gloss * np.clip(_dot(n, half), 0, 1) ** 40 * lit
+    matt = sky + light.sun * facing
+    color = np.empty((len(albedo), 3))
+    for k, tint in enumerate(light.tint):
+        color[:, k] = np.clip(albedo[:, k] * matt * tint + gloss, 0, 1)
+    return color
+
+
+def _dot(a: Float[np.ndarray, "p 3"], b: Float[np.ndarray, "p 3"]) -> Float[np.ndarray, "p"]:
+    return (a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]) + a[:, 2] * b[:, 2]

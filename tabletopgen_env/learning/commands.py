@@ -102,12 +102,13 @@ def train(
         changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
         files: What of a run is kept, and what runs share.
     """
-    need_sb3()
     from .recipes import recipe as named
+
+    chosen = named(recipe, changes)  # before anything heavy is loaded
+    need_sb3()
     from .tracking import TrainingPlan
     from .training import train as trained
 
-    chosen = named(recipe, changes)
     if steps is not None and chosen.algorithm == "clone":
         raise InputError(
             f"{chosen.name} is as long as its rounds: change those, as in --set cloning.rounds=4."

@@ -72,6 +72,7 @@ class Script:
     hang: float = 3.0
     sent: Callable[[Request, bytes], None] = lambda request, answer: None
     key: str = KEY
+    models: tuple[str, ...] = (CHAT, IMAGES)
 
     def asked(self, path: str) -> list[Request]:
         return [r for r in self.requests if r.path.endswith(path)]
@@ -184,7 +185,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def answered(self, request: Request) -> dict[str, Any]:
         model = request.body.get("model")
-        if model not in (CHAT, IMAGES):
+        if model not in self.script.models:
             raise Fault(404, f"The model `{model}` does not exist", "model_not_found")
         if request.path == "/v1/chat/completions":
             return self.chat(request)

@@ -78,6 +78,12 @@ class CloudImager:
         if self.form not in RATIOS:
             raise BackendError(f"Imager has no form {self.form!r}." + choices(self.form, RATIOS))
 
+    def check(self) -> None:
+        """Check that the models' prices are known if there is a budget (BudgetError: no)."""
+        models = {self.model: self.base_url, self.chat_model: self.chat_base_url}
+        for model, url in models.items():
+            self.session.check_price(model, url, f"cloud, imager ({model})")
+
     @property
     def server(self) -> str:
         """The image server's name: its provider's, or host and port."""

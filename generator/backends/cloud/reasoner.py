@@ -56,6 +56,10 @@ class CloudReasoner:
     def __post_init__(self) -> None:
         object.__setattr__(self, "base_url", configuration.checked_url(self.base_url))
 
+    def check(self) -> None:
+        """Check that the price of the model is known if there is a budget (BudgetError: no)."""
+        self.session.check_price(self.model, self.base_url, f"cloud, reasoner ({self.model})")
+
     @property
     def server(self) -> str:
         """The server's name: its provider's, or host and port."""

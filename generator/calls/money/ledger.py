@@ -14,7 +14,7 @@ from ...errors import BudgetError, StorageError
 from ...io.files import write_whole
 from .budget import SharedBudget
 from .entries import Entry, LedgerRow, rows_of, table
-from .prices import Prices
+from .prices import Prices, unknown_price
 from .spending import Spending
 
 LEDGER = "ledger.json"
@@ -134,10 +134,7 @@ class Account:
             BudgetError: it might exceed the budget, or nobody knows.
         """
         if budget is not None and maximum is None:
-            raise BudgetError(
-                f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
-                'Add the model, or its server as "@host", to the price table, or give no budget.'
-            )
+            raise unknown_price(what, budget)
         if budget is not None and maximum and self._shared is None:  # a shared one has its own sum
             self._check_earlier(what, budget)
         with self._ended:

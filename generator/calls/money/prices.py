@@ -10,7 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ...errors import InputError, choices, require, require_number
+from ...errors import BudgetError, InputError, choices, require, require_number
 from ...io.reading import parse_toml, printable, read_regular
 
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
@@ -101,6 +101,16 @@ class Prices:
             if name in self.models:
                 return self.models[name]
         return None
+
+
+def unknown_price(what: str, budget: float, name: str = "MODEL") -> BudgetError:
+    """Return the error of a call to ``name``, a model or "@host", whose price is not known."""
+    return BudgetError(
+        f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. Copy "
+        f'the price table {_SHIPPED}, add [models."{name}"] with "input" and "output" (per '
+        'million tokens), "image" or "call", and name the copy by --prices FILE (Prices.load in '
+        "Python); or give no budget."
+    )
 
 
 def _price(where: str, entry: Any) -> Price:

@@ -29,8 +29,9 @@ def setting(server: Running, monkeypatch: pytest.MonkeyPatch):
 
 def test_openai_is_asked_if_nothing_is_said(setting) -> None:
     reasoner, imager = CloudReasoner(), CloudImager()
-    assert (reasoner.base_url, reasoner.model, reasoner.server) == (OPENAI, "gpt-4o", "openai")
-    assert (imager.base_url, imager.model, imager.form) == (OPENAI, "gpt-image-1", "openai")
+    assert (reasoner.base_url, reasoner.model, reasoner.server) == (OPENAI, "gpt-6-luna", "openai")
+    assert (imager.base_url, imager.form) == (OPENAI, "openai")
+    assert imager.model == "gpt-image-2.6-sunburst"
 
 
 def test_pictures_may_come_from_another_server(setting) -> None:
@@ -38,7 +39,7 @@ def test_pictures_may_come_from_another_server(setting) -> None:
     setting("TABLETOPGEN_CLOUD_IMAGE_MODEL", "ep-1")
     imager = CloudImager()
     assert (imager.base_url, imager.form, imager.server) == (ARK, "seedream", "ark")
-    assert (imager.chat_base_url, imager.chat_model) == (OPENAI, "gpt-4o")
+    assert (imager.chat_base_url, imager.chat_model) == (OPENAI, "gpt-6-luna")
 
 
 def test_the_environment_chooses(server: Running) -> None:

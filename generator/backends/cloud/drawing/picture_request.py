@@ -42,6 +42,9 @@ _SEEDREAM = {"response_format": "b64_json", "watermark": False,
              "sequential_image_generation": "disabled"}  # fmt: skip
 """What Seedream is told beside text and size."""
 
+_FAITHFUL = re.compile(r"gpt-image-([2-9]|1-mini)")
+"""Models that reject ``input_fidelity``: from 2 on it is always high (checked on 2026-11-28)."""
+
 _LONG = 2048  # pixels of the longer side, in the form that takes any size
 _BLOCKED = re.compile(
     r"moderation|content[_ ]policy|safety system|(?<!case)(?<!case[-_ ])(?<!in)sensitive"
@@ -94,7 +97,7 @@ class Painter:
         files = [encode_png(picture) for picture in pictures]
         options: dict[str, Any] = {"size": self._size(ratio)}
         if self.form == "openai" and files:
-            options |= _editing(keep, clear)
+            options |= _editing(self.server.model, keep, clear)
             request = self._edit(files, text)
         else:
             options |= _SEEDREAM if self.form == "seedream" else {}
@@ -231,9 +234,9 @@ class Painter:
         return data
 
 
-def _editing(keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
-    """Return what OpenAI's image models are told of an edit; see ``Painter.paint``."""
-    options: dict[str, Any] = {"input_fidelity": "high"}
+def _editing(model: str, keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
+    """Return the options of an edit by OpenAI's image models; see ``Painter.paint``."""
+    options: dict[str, Any] = {} if _FAITHFUL.search(model) else {"input_fidelity": "high"}
     if clear:
         options["background"] = "transparent"
     if keep is not None:

@@ -19,6 +19,8 @@ not sent (``OPENAI_CUSTOM_HEADERS``), or to OpenAI alone (``OPENAI_ORG_ID``, ``O
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Literal
 
 from ....calls.http.address import checked_address, local
@@ -29,8 +31,17 @@ Purpose = Literal["chat", "image"]
 
 OPENAI = "https://api.openai.com/v1"
 
-_USUAL = {"chat": "gpt-4o", "image": "gpt-image-1"}
-"""What OpenAI's own server is asked, if nothing else is said."""
+DEFAULTS: Mapping[Purpose, str] = MappingProxyType(
+    {"chat": "gpt-6-luna", "image": "gpt-image-2.6-sunburst"}
+)
+"""Models that OpenAI's own server is asked for, unless others are named.
+
+Checked on 2026-11-28 against what developers.openai.com publishes (the pages of the models, their
+prices, and the deprecations), without a key. gpt-6-luna is the replacement that the deprecations
+name for gpt-4o and gpt-4.1, which end on 2027-01-14; it takes pictures and answers by schema.
+gpt-image-1 ended on 2026-10-23, gpt-image-1.5 and -mini end on 2026-12-01. Of the image models of
+2.6, sunburst is the one for edits; flare is faster, at the same prices.
+"""
 
 _PROVIDERS = {
     "api.openai.com": ("openai", "OPENAI_API_KEY"),
@@ -72,7 +83,7 @@ def _model(purpose: Purpose, url: str) -> str:
     if named := os.environ.get(variable):
         return named
     if host(url) == host(OPENAI):
-        return _USUAL[purpose]
+        return DEFAULTS[purpose]
     raise BackendError(
         f"cloud: no {purpose} model is named for {url}. Set {variable} to one the server has, or "
         "pass model=... to the backend's class."
