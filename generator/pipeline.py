@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 from .backends import Backends
 from .comparison.doubts import match_picture, warn_of_eye_level
@@ -16,7 +17,7 @@ from .method.modeling import make_models
 from .method.publish import Reconstruction, publish
 from .method.reference import DepthSource, Source, fetch, fetch_depth, refer, source_digest
 from .method.refinement import refine_scene
-from .method.rotation import estimate_rotations
+from .method.rotation import estimate_rotation, estimate_rotations
 from .method.stopwatch import Stopwatch, Watch
 from .scene import Instance, Intrinsics, Provenance, Reference, Scene
 from .scene.provenance import plain, scene_name, versions
@@ -127,7 +128,11 @@ def generate(
         _provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
         name or scene_name(reference.prompt), seed,
         config.assembly, config.refinement, config.supplement,
-        getattr(b.imager, "draws_catalogue", False), config.leave_out,
+        getattr(b.imager, "draws_catalogue", False), config.leave_out, rotations,
+        None if guesser is not None and "dro" in config.without else partial(
+            estimate_rotation, reference, instances, view=view, encoder=b.encoder,
+            config=config.rotation, seed=seed,
+        ),
     )  # fmt: skip
     scene = publish(found, refined, alignment.placements)
     match = None

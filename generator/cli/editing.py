@@ -62,7 +62,7 @@ def edit(
     calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
-    """Change one thing of a finished scene; everything else stays as it is, to the byte.
+    """Change one thing of a finished scene; what that does not disturb stays, to the byte.
 
     swap mug_1 "a teapot" · add "a red mug left of the laptop" · remove mug_1 · move mug_1 "behind
     the laptop" · move mug_1 --to 0.2 -0.1 --turn 90 · restyle cartoon mug_1

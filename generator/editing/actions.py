@@ -90,7 +90,7 @@ def swap(
     new = _body(planned.name, made.model, old, yaw)
     wanted = _exchange(scene, name, new)
     arranged = set_down(wanted, [new.name])
-    done = settle_again(wanted, arranged, [new.name], config)
+    done = settle_again(scene, wanted, arranged, [new.name], config)
     took = replace(asked.planned, relations=held_relations(scene, name))
     done = planning.swap_in_plan(done, name, took)
     edit = _edit(opened, "swap", (name, new.name), text, seed, backends, config)
@@ -126,7 +126,7 @@ def add(
         new = body(made.model, placement)
         return scene.replace(objects=(*scene.objects, new))
 
-    done = try_places(place, planned.name, [planned.name], config, attempts=ATTEMPTS)
+    done = try_places(scene, place, planned.name, [planned.name], config, attempts=ATTEMPTS)
     done = planning.add_to_plan(done, planned)
     edit = _edit(opened, "add", (planned.name,), text, seed, backends, config)
     return Edited.of(opened, done, edit, asked.warnings)
@@ -150,7 +150,7 @@ def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edite
     loose = [o.name for o in scene.objects if o.name in left and o.placement.on in gone]
     kept = [replace(o, placement=left[o.name]) for o in scene.objects if o.name in left]
     wanted = scene.replace(objects=tuple(kept))
-    done = settle_again(wanted, set_down(wanted, loose), (), config, loose)
+    done = settle_again(scene, wanted, set_down(wanted, loose), (), config, loose)
     done = planning.remove_from_plan(done, gone)
     messages = tuple(f"{n} was removed with {name}." for n in gone if n != name)
     messages += tuple(f"{n} was set down as {name} was removed." for n in loose)
@@ -203,7 +203,7 @@ def move(
         return moved_by(scene, thing, place)
 
     attempts = ATTEMPTS if isinstance(where, str) else 1
-    done = try_places(place, name, (), config, (name, *above), attempts)
+    done = try_places(scene, place, name, (), config, (name, *above), attempts)
     done = planning.move_in_plan(done, name, planned.relations)
     asked = where if isinstance(where, str) else _metres(where, turn)
     edit = _edit(opened, "move", (name, *above), asked, seed, backends, config)
@@ -242,7 +242,7 @@ def restyle(
         _body(o.name, models[o.name], o, o.placement.yaw) if o.name in models else o
         for o in scene.objects
     ))  # fmt: skip
-    done = settle_again(wanted, set_down(wanted, chosen), chosen, config)
+    done = settle_again(scene, wanted, set_down(wanted, chosen), chosen, config)
     edit = _edit(opened, "restyle", tuple(chosen), style, seed, backends, config)
     messages = tuple(w for n in chosen for w in _aside(wanted, done, n))
     return Edited.of(opened, planning.restyle_plan(done, chosen, style), edit, messages)

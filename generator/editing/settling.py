@@ -3,30 +3,64 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
 
 from ..errors import SceneError
 from ..generation import Config
-from ..method.assembly import reassemble
+from ..method.assembly import AssemblyConfig, Rested, finish, keep_unmoved, rest
 from ..physics.seating import overlapping
 from ..scene import TABLE, Scene
+from .disturbance import connected, disturbed
 from .placing import check_held, loads, set_down
 
 
 def settle_again(
+    before: Scene,
     wanted: Scene,
     arranged: Scene,
     fresh: Collection[str],
     config: Config,
     loose: Collection[str] = (),
 ) -> Scene:
-    """Settle and judge the scene again; check that what is new or was moved holds where it is."""
-    done = reassemble(wanted, arranged, fresh, config.assembly)
+    """Settle and judge the scene again; check that what is new or was moved holds where it is.
+
+    ``before`` is the scene that is edited, at rest; ``wanted`` has everything where it was asked to
+    be, ``arranged`` everything on or just above what it stands on, free of overlaps. Objects that
+    the edit does not disturb keep their poses to the bit.
+    """
+    done = _settle(before, wanted, arranged, fresh, config.assembly)
     touched = [*fresh, *loose]
     check_held(done, [*touched, *(n for name in touched for n in loads(done, name))])
     return done
 
 
+def _settle(
+    before: Scene, wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig
+) -> Scene:
+    """Settle what is new or elsewhere and what touches it, in turn what touches what that moved.
+
+    All other objects are fixed meanwhile. The gate then judges the scene with everything free; if
+    it fails, what is connected with the edit by touching may be settled further.
+    """
+    gap = config.limits.gap
+    loose = disturbed(before, arranged, gap)
+    while True:
+        rested, unstable = rest(arranged, config, fresh, loose)
+        rested = keep_unmoved(arranged, rested, fresh)
+        more = loose | disturbed(before, rested, gap)
+        if more == loose:
+            break
+        loose = more
+    loose = connected(before, rested, loose, gap)
+    settled = Rested(wanted, arranged, rested, unstable=unstable, loose=loose)
+    done = finish(settled, config, fresh)
+    if done.report is None or before.report is None:
+        return done
+    return done.replace(report=replace(done.report, dropped=before.report.dropped))
+
+
 def try_places(
+    before: Scene,
     placed: Callable[[int], Scene],
     name: str,
     fresh: Sequence[str],
@@ -36,8 +70,9 @@ def try_places(
 ) -> Scene:
     """Return the first scene to pass its gate of those with ``name`` placed so or so.
 
-    ``placed`` gives the scene with the thing at its place, by the number of the attempt. ``fresh``
-    is what is new, ``loose`` what is not new, but elsewhere.
+    ``before`` is the scene that is edited. ``placed`` gives the scene with the thing at its place,
+    by the number of the attempt. ``fresh`` is what is new, ``loose`` what is not new, but
+    elsewhere.
 
     Raises:
         SceneError: none of the places is free, or holds the thing. Where they do, but no scene
@@ -51,7 +86,7 @@ def try_places(
             stacked = [n for n in (name,) if wanted.object(n).placement.on != TABLE]
             arranged = set_down(wanted, stacked)
             _check_free(arranged, (name, *loose))
-            done = settle_again(wanted, arranged, fresh, config, loose)
+            done = settle_again(before, wanted, arranged, fresh, config, loose)
         except SceneError as failed:
             error = failed
             continue

@@ -33,12 +33,19 @@ class Layout:
     strain: float = 0.0
 
 
-def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: int) -> Layout:
+def arrange(
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    table: Model,
+    seed: int,
+    yaws: Mapping[str, float] = MappingProxyType({}),
+) -> Layout:
     """Place every planned object on (or on something on) the table, in the world frame.
 
     Footprints keep ``GAP`` between them and ``MARGIN`` to the table's edge. Several orders are
     tried; the arrangement that honours relations best, hides least and looks least crowded wins.
-    The same input and seed give the same layout.
+    ``yaws`` says which way some things face (radians), where that is not left open. The same input
+    and seed give the same layout.
 
     Raises:
         SceneError: some object finds no free place; the message names it.
@@ -49,7 +56,7 @@ def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: in
     for attempt in range(_TRIES):
         rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, attempt, 3])
         state = State(density=plan.density)
-        stuck = _place_all(plan, models, table, outline, rng, state)
+        stuck = _place_all(plan, models, table, outline, rng, state, yaws)
         if stuck is not None:
             failed = stuck
         elif best is None or state.cost < best.cost:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 
 from ..errors import SceneError
 from ..scene import Model, ScenePlan
@@ -16,8 +17,15 @@ _STRAINED = 1.0
 """From this strain on a larger table is tried: what is in front of a thing is aside of it."""
 
 
-def lay_out(plan: ScenePlan, models: Mapping[str, Model], seed: int) -> tuple[Layout, Model]:
+def lay_out(
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    seed: int,
+    yaws: Mapping[str, float] = MappingProxyType({}),
+) -> tuple[Layout, Model]:
     """Arrange the models on the plan's table, on a larger one if they do not fit as asked.
+
+    ``yaws`` says which way some things face (radians), where that is not left open.
 
     Raises:
         SceneError: they fit on no plausible table.
@@ -27,7 +35,7 @@ def lay_out(plan: ScenePlan, models: Mapping[str, Model], seed: int) -> tuple[La
     for growth in GROWTH:
         try:
             table = build_top(plan, models, seed, growth)
-            layout = arrange(plan, models, table, seed)
+            layout = arrange(plan, models, table, seed, yaws)
         except SceneError as failed:
             error = failed
             continue

@@ -76,6 +76,7 @@ class Rested:
 
     wanted: everything where it was asked to be; arranged: free of overlaps; scene: at rest.
     stuck, unstable, dropped: names of what has no free place, would not stand, was left out.
+    loose: names of what may be moved to pass the gate; None is everything.
     """
 
     wanted: Scene
@@ -84,6 +85,7 @@ class Rested:
     stuck: tuple[str, ...] = ()
     unstable: tuple[str, ...] = ()
     dropped: frozenset[str] = frozenset()
+    loose: frozenset[str] | None = None
 
 
 def assemble(
@@ -169,7 +171,7 @@ def bring_to_rest(
 def reassemble(
     wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig | None = None
 ) -> Scene:
-    """Settle and judge a scene again after things were added or moved.
+    """Settle and judge a scene whose objects stand where they are to be.
 
     ``wanted`` has everything where it was asked to be; ``arranged`` is free of overlaps, everything
     on or just above what it stands on. ``fresh`` names what is new: other things get no foot, and
@@ -177,11 +179,8 @@ def reassemble(
     """
     config = config or AssemblyConfig()
     rested, unstable = rest(arranged, config, fresh)
-    rested = _keep_unmoved(arranged, rested, fresh)
-    scene = finish(Rested(wanted, arranged, rested, unstable=unstable), config, fresh)
-    if scene.report is None or arranged.report is None:
-        return scene
-    return scene.replace(report=replace(scene.report, dropped=arranged.report.dropped))
+    rested = keep_unmoved(arranged, rested, fresh)
+    return finish(Rested(wanted, arranged, rested, unstable=unstable), config, fresh)
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
@@ -200,24 +199,30 @@ def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...
 
 
 def rest(
-    scene: Scene, config: AssemblyConfig, may: Collection[str] | None = None
+    scene: Scene,
+    config: AssemblyConfig,
+    may: Collection[str] | None = None,
+    loose: Collection[str] | None = None,
 ) -> tuple[Scene, tuple[str, ...]]:
     """Settle a scene; what topples is stood up again on a weighted foot and settled once more.
 
-    ``may`` names what may get a foot; None is everything. Returns the scene at rest and the names
-    of objects that would not stand.
+    ``may`` names what may get a foot, ``loose`` what may move; None is everything. What may not
+    move keeps its pose and carries what is loose. Returns the scene at rest and the names of
+    objects that would not stand.
     """
+    moving, fixed = _split(scene, loose)
     footed: set[str] = set()
-    while True:
-        simulation = Simulation(scene)
-        poses = settle(scene, config.settle_seconds, simulation=simulation)
+    while moving.objects:
+        simulation = Simulation(moving, fixed)
+        poses = settle(moving, config.settle_seconds, simulation=simulation)
         down = _find_toppled(simulation, poses, config.topple)
         able = _only(down, may)
-        if able <= footed or len(footed) >= len(scene.objects):
-            return scene.replace(objects=with_poses(scene.objects, poses)), tuple(sorted(down))
+        if able <= footed or len(footed) >= len(moving.objects):
+            return _merge(scene, with_poses(moving.objects, poses)), tuple(sorted(down))
         footed |= able
-        objects = tuple(on_foot(o) if o.name in able else o for o in scene.objects)
-        scene = scene.replace(objects=objects)
+        objects = tuple(on_foot(o) if o.name in able else o for o in moving.objects)
+        moving = moving.replace(objects=objects)
+    return scene, ()
 
 
 # ------------------------------------------------------------------------------------------ bodies
@@ -274,21 +279,38 @@ def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -
     }
 
 
-def _again(scene: Scene, config: AssemblyConfig) -> Scene:
-    """Settle a scene further, shaken by more than the gate's lean unless that topples a thing."""
-    simulation, start = Simulation(scene), [o.pose for o in scene.objects]
+def _again(scene: Scene, config: AssemblyConfig, loose: Collection[str] | None) -> Scene:
+    """Settle what is loose further, shaken by more than the gate's lean unless that topples it."""
+    moving, fixed = _split(scene, loose)
+    if not moving.objects:
+        return scene
+    simulation, start = Simulation(moving, fixed), [o.pose for o in moving.objects]
     down, poses = _find_toppled(simulation, start, config.topple), start
     for shake in (_SHAKE * config.limits.lean, 0.0):
         simulation.place(start)
         poses = settle(
-            scene, config.settle_seconds, config.settle_seconds / 4, shake, simulation=simulation
+            moving, config.settle_seconds, config.settle_seconds / 4, shake, simulation=simulation
         )
         if _find_toppled(simulation, poses, config.topple) <= down:
             break
-    return scene.replace(objects=with_poses(scene.objects, poses))
+    return _merge(scene, with_poses(moving.objects, poses))
 
 
-def _keep_unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
+def _split(scene: Scene, loose: Collection[str] | None) -> tuple[Scene, tuple[Object, ...]]:
+    """Return the scene with only what is loose (None: everything), and the other objects."""
+    if loose is None:
+        return scene, ()
+    moving = tuple(o for o in scene.objects if o.name in loose)
+    return scene.replace(objects=moving), tuple(o for o in scene.objects if o.name not in loose)
+
+
+def _merge(scene: Scene, objects: Sequence[Object]) -> Scene:
+    """Return the scene with these in place of its objects of the same names."""
+    known = {o.name: o for o in objects}
+    return scene.replace(objects=tuple(known.get(o.name, o) for o in scene.objects))
+
+
+def keep_unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
     """Return the scene at rest; things that are neither new nor moved keep their exact pose."""
     poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
     moved = (shift_distances(*poses) > _STAYS[0]) | (turn_angles(*poses) > _STAYS[1])
@@ -338,15 +360,15 @@ def finish(
     report = Report(
         0.0, 0.0, 0.0, moved=float(max(moved, default=0.0)), dropped=tuple(sorted(rested.dropped))
     )
-    for _ in range(config.attempts):
+    for _ in range(config.attempts if rested.loose is None or rested.loose else 0):
         settling = shift_distances(poses[1], [o.pose for o in scene.objects])
         report = replace(report, settling=float(settling.max(initial=0.0)))
         report = judge(scene.replace(report=report), config.limits)
         if report.passed:
             break
-        scene = _again(_steady(arranged, scene, config, may), config)
+        scene = _again(_steady(arranged, scene, config, may), config, rested.loose)
         if may is not None:
-            scene = _keep_unmoved(arranged, scene, may)
+            scene = keep_unmoved(arranged, scene, may)
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (

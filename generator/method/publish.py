@@ -29,13 +29,14 @@ from ..scene import (
     Placement,
     Provenance,
     Reference,
+    Rotation,
     Scene,
     SizePrior,
     View,
     names_in,
 )
 from .assembly import AssemblyConfig, assemble
-from .planned import ALIKE, REAL, Laid, SceneDraft, draft_scene, lay_out_draft
+from .planned import ALIKE, REAL, Laid, SceneDraft, Turn, draft_scene, lay_out_draft
 from .refinement import Refinement, RefinementConfig, outline_misfit
 
 WORSE = 0.005
@@ -62,7 +63,8 @@ class Reconstruction:
     is the plan's; ``supplements`` tells whether a text's plan puts things right, and
     ``of_catalogue`` whether its drawing shows the catalogue's own things.
     ``refinement`` sets the measure of outlines; ``leave_out`` is the share of what was found that
-    may be left out, in [0, 1].
+    may be left out, in [0, 1]. ``rotations`` are those of the instances' models, and ``turn`` finds
+    that of another model in the picture; with None all models of a thing share its front.
     """
 
     reference: Reference
@@ -79,6 +81,8 @@ class Reconstruction:
     supplements: bool = True
     of_catalogue: bool = False
     leave_out: float = 0.2
+    rotations: Mapping[str, Rotation] = field(default_factory=dict[str, Rotation])
+    turn: Turn | None = None
 
     def assemble(self, attempt: Attempt) -> Scene:
         """Return the settled and judged scene of an attempt (Sec. 3.4)."""
@@ -97,7 +101,7 @@ class Reconstruction:
             return None
         return draft_scene(
             plan, self.instances, self.models, placements, self.table_scale, self.seed,
-            ALIKE if self.of_catalogue else REAL,
+            ALIKE if self.of_catalogue else REAL, self.rotations, self.turn,
         )  # fmt: skip
 
     def assemble_laid(self, laid: Laid) -> Scene:

@@ -70,10 +70,12 @@ def document(
     *,
     visuals: bool = True,
     paths: Mapping[Mesh, tuple[str, str]] = MappingProxyType({}),
+    fixed: Sequence[Object] = (),
 ) -> Document:
     """Return the MJCF of a scene; without ``visuals`` only what the physics needs.
 
     ``paths`` are those of meshes and textures that are there already: they are named, not written.
+    ``fixed`` objects are added before the scene's own, without a joint.
     """
     root = ET.Element("mujoco", model=scene.name)
     _settings(root)
@@ -89,6 +91,8 @@ def document(
     assets.draw(table, scene.table.model.mesh, scene.table.scale)
     for part in scene.table.parts:
         assets.collide(table, part, scene.table.friction)
+    for thing in fixed:
+        _body(world, thing, assets, free=False)
     for thing in scene.objects:
         _body(world, thing, assets)
     if scene.objects:
@@ -191,12 +195,13 @@ def _light_and_cameras(world: ET.Element, scene: Scene) -> None:
         )  # fmt: skip
 
 
-def _body(world: ET.Element, thing: Object, assets: _Assets) -> None:
+def _body(world: ET.Element, thing: Object, assets: _Assets, *, free: bool = True) -> None:
     body = ET.SubElement(
         world, "body", name=thing.name, pos=_text(thing.pose.position),
         quat=_text(thing.pose.quaternion),
     )  # fmt: skip
-    ET.SubElement(body, "freejoint", name=thing.name)
+    if free:
+        ET.SubElement(body, "freejoint", name=thing.name)
     i = thing.inertia
     ET.SubElement(
         body, "inertial", pos=_text(thing.com), mass=_text([thing.mass]),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from ..scene import Pose, Scene
+from ..scene import Object, Pose, Scene
 from .mjcf import FLOOR, written_poses
 from .spec import compile_spec, scene_spec
 
@@ -54,14 +54,16 @@ class Contacts:
 class Simulation:
     """One compiled scene and its state, its objects first at their own poses.
 
-    There is no sleeping: nothing is at rest by decree.
+    There is no sleeping: nothing is at rest by decree. ``fixed`` objects, which are not among the
+    scene's, stay at their poses and carry others as the table does; in contacts they are
+    ``ON_TABLE``.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, fixed: Sequence[Object] = ()) -> None:
         import mujoco
 
         self.scene = scene
-        self.model = _compile_at(scene)
+        self.model = _compile_at(scene, fixed)
         self.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.data = mujoco.MjData(self.model)
         mujoco.mj_setConst(self.model, self.data)
@@ -171,7 +173,7 @@ class Simulation:
         return np.linalg.norm(self.data.qvel.reshape(-1, 2, 3), axis=2)
 
 
-def _compile_at(scene: Scene) -> mujoco.MjModel:
+def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
     """Return the compiled physics of a scene, the caller's own, for ``mj_setConst`` to complete.
 
     A scene is simulated several times on its way to rest, at other poses each time. Shapes and
@@ -182,7 +184,7 @@ def _compile_at(scene: Scene) -> mujoco.MjModel:
     Raises:
         SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
     """
-    model = copy.copy(_compile(_Bodies.of(scene)))
+    model = copy.copy(_compile(_Bodies.of(scene, fixed)))
     if scene.objects:
         poses = written_poses(scene.objects)
         moving = slice(model.nbody - len(poses), model.nbody)
@@ -194,25 +196,29 @@ def _compile_at(scene: Scene) -> mujoco.MjModel:
 
 @dataclass(frozen=True)
 class _Bodies:
-    """What of a scene is compiled, wherever its objects are."""
+    """What of a scene is compiled, wherever its objects are; fixed objects are where they are."""
 
     identity: Hashable
     scene: Scene = field(compare=False)
+    fixed: Sequence[Object] = field(compare=False)
 
     @classmethod
-    def of(cls, scene: Scene) -> _Bodies:
+    def of(cls, scene: Scene, fixed: Sequence[Object]) -> _Bodies:
         table = scene.table
         shapes = tuple(
             (o.name, o.parts, o.mass, o.friction,
              *(numbers.tobytes() for numbers in (o.scale, o.com, o.inertia)))
-            for o in scene.objects
+            for o in (*fixed, *scene.objects)
         )  # fmt: skip
-        return cls((scene.name, table.parts, table.height, table.friction, shapes), scene)
+        places = written_poses(fixed).tobytes()
+        identity = scene.name, table.parts, table.height, table.friction, shapes, places
+        return cls(identity, scene, fixed)
 
 
 @lru_cache(maxsize=8)
 def _compile(bodies: _Bodies) -> mujoco.MjModel:
-    return compile_spec(scene_spec(bodies.scene, visuals=False), bodies.scene.name)
+    spec = scene_spec(bodies.scene, visuals=False, fixed=bodies.fixed)
+    return compile_spec(spec, bodies.scene.name)
 
 
 def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:

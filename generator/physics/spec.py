@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,26 +11,30 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import SceneError
-from ..scene import Mesh, Scene
+from ..scene import Mesh, Object, Scene
 from .mjcf import UV_DIGITS, VERTEX_DIGITS, Document, document
 
 if TYPE_CHECKING:
     import mujoco
 
 
-def scene_spec(scene: Scene, *, visuals: bool = True) -> mujoco.MjSpec:
+def scene_spec(
+    scene: Scene, *, visuals: bool = True, fixed: Sequence[Object] = ()
+) -> mujoco.MjSpec:
     """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to.
 
     It compiles to what the document with its files does, but for the names of meshes and textures:
     these are handed over as they are, for to encode and decode them takes most of the time.
+    ``fixed`` objects are added before the scene's own, without a joint.
 
     Raises:
         SceneError: MuJoCo cannot read it.
     """
-    meshes = [scene.table.model.mesh, *(o.model.mesh for o in scene.objects)] if visuals else []
+    things = (*fixed, *scene.objects)
+    meshes = [scene.table.model.mesh, *(o.model.mesh for o in things)] if visuals else []
     drawn = {mesh: _Drawn.of(mesh) for mesh in dict.fromkeys(meshes)}
     paths = {mesh: (held.shape, held.picture) for mesh, held in drawn.items()}
-    spec = spec_of(document(scene, visuals=visuals, paths=paths), scene.name)
+    spec = spec_of(document(scene, visuals=visuals, paths=paths, fixed=fixed), scene.name)
     _hand_over(spec, drawn.values())
     return spec
 

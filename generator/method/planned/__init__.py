@@ -14,3 +14,5 @@ from .laying import Laid as Laid
 from .laying import lay_out_draft as lay_out_draft
 from .matching import fresh_names as fresh_names
 from .matching import retarget as retarget
+from .turning import FoundYaws as FoundYaws
+from .turning import Turn as Turn

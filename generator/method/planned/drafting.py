@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
 import numpy as np
 from jaxtyping import Float
@@ -12,8 +13,9 @@ from ...errors import SceneError
 from ...layout import build_models, natural_yaw, table_size
 from ...layout.furnishing import find_fitted
 from ...layout.resting import support_of
-from ...scene import TABLE, Instance, Model, Placement, ScenePlan
+from ...scene import TABLE, Instance, Model, Placement, Rotation, ScenePlan
 from .matching import fresh_names, match_planned, rename_plan
+from .turning import FoundYaws, Turn
 
 ALIKE = 1.35, 1.2
 """A side that is longer or shorter by this factor than the plan's model, and than other variants of
@@ -33,6 +35,13 @@ _VARIANTS = 4  # of a thing of the catalogue, whose shapes a found one may have
 _APART = 104_729  # between the seeds of two
 _SLACK = 0.008, 0.1  # metres, and share of the longest side, that sides may differ anyway
 
+LOOSE = ("group", "heap")
+"""Kinds of groups that have no form to keep."""
+
+_SHAPE = "its outline in the drawing has other proportions"
+_FITTED = "it has to fit another object"
+_ALIKE = "it has to look like the others that are laid"
+
 
 @dataclass(frozen=True, eq=False)
 class SceneDraft:
@@ -45,6 +54,9 @@ class SceneDraft:
         shown: where it has them, if on what the plan has them on.
         table: its model, of its size in metres.
         warnings: what was put right.
+        found: yaws of those that the reconstruction has.
+        yaws: which way things face in the drawing, radians, where it tells; without members of
+            groups, which are arranged as a whole.
     """
 
     plan: ScenePlan
@@ -54,15 +66,24 @@ class SceneDraft:
     shown: Mapping[str, Placement]
     table: Model
     warnings: tuple[str, ...] = ()
+    found: FoundYaws = field(default_factory=lambda: FoundYaws({}))
+    yaws: Mapping[str, float] = field(default_factory=dict[str, float])
 
     def doubt(self, names: Collection[str], reason: str) -> SceneDraft:
         """Return the draft with the plan's models and no known places of these things."""
         mine = [n for n in self.models if n in names and self.models[n] is not self.planned[n]]
-        warnings = tuple(f"{name} is built from the plan: {reason}." for name in mine)
+        yaws, warnings = dict(self.yaws), list(self.warnings)
+        for name in mine:
+            yaw = self.found.of(name, self.planned[name]) if name in yaws else None
+            told = name not in yaws or yaw is not None
+            yaws.pop(name, None)
+            if yaw is not None:
+                yaws[name] = yaw
+            warnings.append(_built(name, reason, told))
         return replace(
             self, models={**self.models, **{n: self.planned[n] for n in mine}},
             shown={n: p for n, p in self.shown.items() if n not in names},
-            warnings=(*self.warnings, *warnings),
+            warnings=tuple(warnings), yaws=yaws,
         )  # fmt: skip
 
 
@@ -74,12 +95,15 @@ def draft_scene(
     table_scale: Float[np.ndarray, "3"],
     seed: int,
     alike: tuple[float, float] = REAL,
+    rotations: Mapping[str, Rotation] = MappingProxyType({}),
+    turn: Turn | None = None,
 ) -> SceneDraft:
     """Match what was reconstructed to the plan; put right what has another size or shape.
 
     ``models`` are the instances' and the table's, ``placements`` where they stand, world frame;
     ``table_scale`` is the table's extent, metres; ``seed`` of the looks of what the plan adds.
-    ``alike`` says how much sizes may differ (``ALIKE``, ``REAL``).
+    ``alike`` says how much sizes may differ (``ALIKE``, ``REAL``). ``rotations`` are those of the
+    instances' models, and ``turn`` finds that of another model (``turning``).
     A thing whose sides all differ by about one factor is scaled; one with other proportions is the
     plan's. What shows no planned thing is left out.
     """
@@ -89,41 +113,57 @@ def draft_scene(
     names = pairs | fresh_names(missing, {TABLE, *(i.name for i in instances)})
     renamed = rename_plan(plan, names)
     warnings = [
-        f"{i.name} is left out: the text asks for no other {i.label}."
-        for i in instances
-        if i.name in placed and i.name not in pairs.values()
-    ]
-    warnings += [
-        f"{names[planned.name]} is not to be seen in the drawing; it stands where the plan has it."
-        for planned in missing
-    ]
+        *(f"{i.name} is left out: the text asks for no other {i.label}." for i in instances
+          if i.name in placed and i.name not in pairs.values()),
+        *(f"{names[o.name]} is not to be seen in the drawing; it stands where the plan has it."
+          for o in missing),
+    ]  # fmt: skip
+    if not np.allclose(table.size, table_scale):
+        warnings.append("The table has the plan's size, not that in the drawing.")
     scales = {name: placed[name].scale for name in pairs.values()}
     factors = _size_factors(renamed, scales, seed, alike)
     own = build_models(renamed, seed)
-    chosen, shown = dict(own), dict[str, Placement]()
+    found = FoundYaws({n: placed[n].yaw for n in pairs.values()}, rotations, turn)
+    chosen, shown, yaws = dict(own), dict[str, Placement](), dict[str, float]()
+    grouped, formed = _list_grouped(renamed), _list_grouped(renamed, besides=LOOSE)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
     for planned in renamed.objects:
         name, yaw = planned.name, natural_yaw(planned, own[planned.name], renamed, rng)
         if name not in placed:
             continue
-        factor = factors[name]
-        if factor is None:
-            warnings.append(
-                f"{name} is built from the plan: its outline in the drawing has other proportions."
-            )
+        factor, below = factors[name], support_of(planned) or TABLE
+        there = below in (TABLE, placed[name].on)
+        if isinstance(factor, str):
+            turned = None if name in formed else found.of(name, own[name])
+            warnings.append(_built(name, factor, turned is not None or name in formed))
         else:
-            yaw = placed[name].yaw
-            size = scales[name] * factor
-            chosen[name] = replace(models[name], size=size, slots=own[name].slots)
-        if factor is not None and abs(np.log(factor)) > _HARDLY:
-            warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
-        below = support_of(planned) or TABLE
+            turned = placed[name].yaw
+            chosen[name] = replace(models[name], size=scales[name] * factor, slots=own[name].slots)
+            if abs(np.log(factor)) > _HARDLY:
+                warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
+        if turned is not None and name not in grouped:
+            yaws[name] = turned
         inside = any(r.kind == "in" and r.target == below for r in planned.relations)
-        if below in (TABLE, placed[name].on):
+        if there:
             shown[name] = replace(
-                placed[name], yaw=yaw, scale=chosen[name].size, on=below, inside=inside
-            )
-    return SceneDraft(renamed, chosen, own, tuple(pairs.values()), shown, table, tuple(warnings))
+                placed[name], yaw=yaw if turned is None else turned, scale=chosen[name].size,
+                on=below, inside=inside,
+            )  # fmt: skip
+    return SceneDraft(
+        renamed, chosen, own, tuple(pairs.values()), shown, table, tuple(warnings), found, yaws
+    )
+
+
+def _built(name: str, reason: str, told: bool) -> str:
+    """Return the warning that a thing has the plan's shape, and its yaw if none is ``told``."""
+    tail = "" if told else " The drawing does not tell its yaw, which is the plan's too."
+    return f"{name} is built from the plan: {reason}.{tail}"
+
+
+def _list_grouped(plan: ScenePlan, besides: Collection[str] = ()) -> set[str]:
+    """Return the names of what is arranged in groups, ``besides`` those of these kinds."""
+    groups = [g for g in plan.groups if g.kind not in besides]
+    return {n for g in groups for n in (*g.members, *([g.around] if g.around else []))}
 
 
 def _size_factors(
@@ -131,8 +171,8 @@ def _size_factors(
     scales: Mapping[str, Float[np.ndarray, "3"]],
     seed: int,
     alike: tuple[float, float],
-) -> dict[str, float | None]:
-    """Return by what factor each thing found must grow; None where the plan's has its place.
+) -> dict[str, float | str]:
+    """Return by what factor each thing found must grow, or why the plan's takes its place.
 
     A size that the text tells ("small") is kept exactly, one that the thing's kind usually has, in
     any of its variants, about. What is made for each other is the plan's; so is what is laid alike
@@ -140,7 +180,7 @@ def _size_factors(
     """
     variants = [build_models(plan, seed)]
     fitted = find_fitted(plan)
-    factors: dict[str, float | None] = {}
+    factors: dict[str, float | str] = {}
     for planned in plan.objects:
         name = planned.name
         if name not in scales:
@@ -157,10 +197,11 @@ def _size_factors(
                 break
         if (stand_in and factor is None) or (told and factor == 1):
             factor = _mean_factor(scales[name], variants[0][name].size)
-        factors[name] = None if name in fitted else factor
+        factors[name] = _FITTED if name in fitted else _SHAPE if factor is None else factor
     for names in _list_laid_alike(plan):
-        if any(factors.get(name) is None for name in names):
-            factors |= {name: None for name in names if name in factors}
+        if not all(isinstance(factors.get(name), float) for name in names):
+            known = {n: factors[n] for n in names if n in factors}
+            factors |= {n: _ALIKE for n, f in known.items() if isinstance(f, float)}
     return factors
 
 

@@ -12,13 +12,12 @@ from ...layout.footprint import Footprint, footprint, gaps, margins
 from ...layout.furnishing import outline_of
 from ...layout.resting import support_of
 from ...scene import TABLE, Model, Placement, RelationOutcome
-from .drafting import SceneDraft
+from .drafting import LOOSE, SceneDraft
 
 _ROUNDS = 3  # in which more and more of what is shown gives way to relations that do not hold
 _OVERLAP = 0.015  # metres by which footprints of things that stay may overlap: seats are guesses
 _BEYOND = 0.01  # metres by which they may stick out over the table's edge
 _LOST = 3  # relations that a thing without a place counts as
-_LOOSE = ("group", "heap")  # kinds of groups that have no form to keep
 
 Places = Mapping[str, Placement]
 
@@ -69,12 +68,13 @@ def _lay_out(draft: SceneDraft, seed: int) -> Laid:
         kept = _without(draft, kept, culprits)
     if best is None or best.faults:
         try:
-            layout, table = lay_out(draft.plan, draft.models, seed)
+            layout, table = lay_out(draft.plan, draft.models, seed, draft.yaws)
         except SceneError:
             if best is None:
                 raise
             return best
-        laid, _ = _judge(draft, layout.placements, table, layout.warnings, ())
+        warnings = (*layout.warnings, "The table is built from the plan, as all has to fit on it.")
+        laid, _ = _judge(draft, layout.placements, table, warnings, ())
         if best is None or laid.faults < best.faults:
             best = laid
     return best
@@ -82,7 +82,7 @@ def _lay_out(draft: SceneDraft, seed: int) -> Laid:
 
 def _complete(draft: SceneDraft, kept: Places, seed: int) -> tuple[Laid, set[str]]:
     """Return a layout around what is kept, and what spoils relations in it."""
-    layout = arrange_more(draft.plan, kept, draft.models, draft.table, seed)
+    layout = arrange_more(draft.plan, kept, draft.models, draft.table, seed, draft.yaws)
     placements = (*kept.values(), *layout.placements)
     return _judge(draft, placements, draft.table, layout.warnings, kept)
 
@@ -123,7 +123,7 @@ def _list_kept(draft: SceneDraft) -> dict[str, Placement]:
     kept = _without(draft, kept, _find_crowding(draft))
     for group in draft.plan.groups:
         members = {stand(n) for n in (*group.members, *([group.around] if group.around else []))}
-        if group.kind not in _LOOSE or not members <= {*kept}:
+        if group.kind not in LOOSE or not members <= {*kept}:
             kept = _without(draft, kept, members)
     return _without(draft, kept, ())
 

@@ -13,6 +13,7 @@ from .equations import contour_distance as contour_distance
 from .equations import edge_loss as edge_loss
 from .equations import rotation_loss as rotation_loss
 from .equations import silhouette_loss as silhouette_loss
+from .estimate import estimate_rotation as estimate_rotation
 from .estimate import estimate_rotations as estimate_rotations
 from .estimate import optimise_rotation as optimise_rotation
 from .found import RotationAnswer as RotationAnswer

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Bool
 
 from ...backends.protocols import Encoder
-from ...errors import InputError
+from ...errors import InputError, choices
 from ...render.crop import hiders
 from ...scene import TABLE, Instance, Model, Reference, Rotation, View
 from ...threads import single_thread, threads
@@ -63,6 +63,33 @@ def estimate_rotations(
         else:
             found = search_group(range(len(things))) if things else []
     return {t.name: _rotation(t.name, rows) for t, rows in zip(things, found, strict=True)}
+
+
+def estimate_rotation(
+    reference: Reference,
+    instances: tuple[Instance, ...],
+    name: str,
+    model: Model,
+    view: View,
+    encoder: Encoder,
+    config: RotationConfig,
+    seed: int = 0,
+) -> Rotation:
+    """Estimate r_i of one instance by a model; see ``estimate_rotations``.
+
+    Raises:
+        InputError: there is no such instance, or it shows nothing.
+    """
+    height, width = reference.image.shape[:2]
+    things = [i for i in instances if i.name != TABLE]
+    instance = next((i for i in things if i.name == name), None)
+    if instance is None:
+        raise InputError(
+            f"No instance is called {name!r}." + choices(name, (i.name for i in things))
+        )
+    return optimise_rotation(
+        model, instance, view, encoder, config, (width, height), seed, hiders(instance, things)
+    )
 
 
 def optimise_rotation(
