@@ -18,7 +18,7 @@ from pydrake.systems.framework import DiagramBuilder
 CONFIG = MultibodyPlantConfig(
     time_step=0.002,
     contact_model="hydroelastic_with_fallback",
-    discrete_contact_approximation="sap",
+    discrete_contact_approximation="lagged",
 )
 """Settings of the plant; with point contact flat bodies rest on one point, and tilt."""
 
@@ -27,10 +27,10 @@ def load(plant: MultibodyPlant) -> None:
     """Add the scene to a plant that is part of a scene graph and not finalized yet."""
     folder, parser = Path(__file__).parent, Parser(plant)
     if (folder / "scene.sdf").is_file():
-        parser.AddModels(str(folder / "scene.sdf"))
+        parser.AddModels(folder / "scene.sdf")
         return
     for name, pose in json.loads((folder / "poses.json").read_text()).items():
-        (model,) = parser.AddModels(str(folder / "objects" / f"{name}.urdf"))
+        (model,) = parser.AddModels(folder / "objects" / f"{name}.urdf")
         body = plant.GetBodyByName(name, model)
         place = RigidTransform(Quaternion(pose["quaternion_wxyz"]), pose["position"])
         if pose["fixed"]:
