@@ -14,9 +14,9 @@ import parity
 import pytest
 from engines.simulations import ENGINES
 from engines.trials import rest_drift
+from shipped import BUNDLES
 from toy import toy_object, toy_scene
 
-import assets_cache
 from generator.bundle import load
 from generator.exports import export
 from generator.exports.bodies import bodies_of
@@ -24,11 +24,6 @@ from generator.exports.engines import engine_friction
 from generator.geometry import quaternion_matrix
 from generator.scene import TABLE, Scene
 
-BUNDLES = {
-    path.name.rpartition("-")[0]: path
-    for store in parity.SHIPPED
-    for path in assets_cache.find(store)
-}
 RULES = {
     "pybullet": lambda a, b: a * b,
     "drake": lambda a, b: 2 * a * b / (a + b),
