@@ -13,7 +13,7 @@ import numpy as np
 import parity
 import pytest
 from engines.simulations import ENGINES
-from engines.trials import rest_drift
+from engines.trials import expected_friction, rest_drift, slide_angle
 from shipped import BUNDLES
 from toy import toy_object, toy_scene
 
@@ -240,6 +240,27 @@ def test_bundles_stay_and_slide_in_drake_as_sdf(name: str) -> None:
     need("Drake (SDF)")
     rows = [row for e in ("MuJoCo", "Drake (SDF)") for row in parity.work((BUNDLES[name], e))]
     assert parity.faults(rows) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("friction", [0.2, 0.8])
+@pytest.mark.parametrize("engine", [name for name in ENGINES if name != "MuJoCo"])
+def test_smooth_and_rough_things_slide_where_they_do_in_mujoco(
+    engine: str, friction: float, tmp_path: Path
+) -> None:
+    need(engine)
+    tile = replace(toy_object("tile", (0.1, 0.1, 0.02), (0.0, 0.0)), friction=friction)
+    scene = toy_scene((tile,))
+    expected = expected_friction(scene, tile)
+    angles = []
+    for name in ("MuJoCo", engine):
+        simulation = ENGINES[name].open(export(scene, ENGINES[name].to, tmp_path, name))
+        try:
+            angles.append(slide_angle(simulation, "tile", expected))
+        finally:
+            simulation.close()
+    assert angles[0] == pytest.approx(np.rad2deg(np.arctan(expected)), abs=1.5)
+    assert angles[1] == pytest.approx(angles[0], abs=2.0)
 
 
 def test_the_trials_see_what_falls_and_what_slides_early() -> None:
