@@ -18,7 +18,7 @@ from jaxtyping import Float
 GRAVITY = 9.81  # m/s²
 
 
-class Simulation(Protocol):
+class EngineScene(Protocol):
     """A scene in an engine; objects have the names of the export."""
 
     def positions(self) -> Mapping[str, Float[np.ndarray, "3"]]:
@@ -181,12 +181,12 @@ class DrakeSimulation:
 
 
 @dataclass(frozen=True)
-class Engine:
+class ComparedEngine:
     """An engine: the package it needs, the format that it reads, and how it runs that."""
 
     package: str
     to: str
-    open: Callable[[Path], Simulation]
+    open: Callable[[Path], EngineScene]
 
     @property
     def installed(self) -> bool:
@@ -194,12 +194,12 @@ class Engine:
         return importlib.util.find_spec(self.package) is not None
 
 
-ENGINES: Mapping[str, Engine] = MappingProxyType(
+ENGINES: Mapping[str, ComparedEngine] = MappingProxyType(
     {
-        "MuJoCo": Engine("mujoco", "mjcf", MujocoSimulation),
-        "PyBullet": Engine("pybullet", "urdf", PybulletSimulation),
-        "Drake (URDF)": Engine("pydrake", "urdf", DrakeSimulation),
-        "Drake (SDF)": Engine("pydrake", "sdf", DrakeSimulation),
+        "MuJoCo": ComparedEngine("mujoco", "mjcf", MujocoSimulation),
+        "PyBullet": ComparedEngine("pybullet", "urdf", PybulletSimulation),
+        "Drake (URDF)": ComparedEngine("pydrake", "urdf", DrakeSimulation),
+        "Drake (SDF)": ComparedEngine("pydrake", "sdf", DrakeSimulation),
     }
 )
 """What is compared; MuJoCo first, which the others are held against."""

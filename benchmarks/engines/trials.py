@@ -6,7 +6,7 @@ import numpy as np
 
 from generator.scene import TABLE, Object, Scene
 
-from .simulations import Simulation
+from .simulations import EngineScene
 
 SECONDS = 2.0
 """How long a scene is watched at rest."""
@@ -22,7 +22,7 @@ MOVED = 2e-3
 _EVERY = 0.05  # seconds between two looks
 
 
-def rest_drift(simulation: Simulation) -> tuple[float, str]:
+def rest_drift(simulation: EngineScene) -> tuple[float, str]:
     """Return how far a thing is at most from where it began in ``SECONDS``, metres; and which."""
     first = simulation.positions()
     worst, whose = 0.0, ""
@@ -46,7 +46,7 @@ def expected_friction(scene: Scene, thing: Object) -> float:
     return max(scene.table.friction, thing.friction)
 
 
-def slide_angle(simulation: Simulation, name: str, friction: float) -> float:
+def slide_angle(simulation: EngineScene, name: str, friction: float) -> float:
     """Return the lean in degrees at which a thing alone on the table has moved by ``MOVED``.
 
     The things beside it are taken away. ``STEEPEST`` if it stays. ``friction`` is the coefficient
