@@ -104,27 +104,32 @@ class PybulletSimulation:
 
         self._bullet: Any = pybullet
         self._client = pybullet.connect(pybullet.DIRECT)
-        self._bodies: dict[str, int] = load_script(folder, "pybullet").load()
-        self._free = {n: b for n, b in self._bodies.items() if pybullet.getDynamicsInfo(b, -1)[0]}
-        self._seconds = float(pybullet.getPhysicsEngineParameters()["fixedTimeStep"])
+        bodies: dict[str, int] = load_script(folder, "pybullet").load(self._client)
+        self._free = {
+            name: body
+            for name, body in bodies.items()
+            if pybullet.getDynamicsInfo(body, -1, physicsClientId=self._client)[0]
+        }
+        settings = pybullet.getPhysicsEngineParameters(physicsClientId=self._client)
+        self._seconds = float(settings["fixedTimeStep"])
 
     def positions(self) -> Mapping[str, Float[np.ndarray, "3"]]:
         """Return where the centre of mass of each object is, metres."""
         pose = self._bullet.getBasePositionAndOrientation
-        return {name: np.array(pose(body)[0]) for name, body in self._free.items()}
+        return {name: np.array(pose(b, self._client)[0]) for name, b in self._free.items()}
 
     def remove(self, name: str) -> None:
         """Move an object far away, where it touches nothing."""
-        self._bullet.removeBody(self._free.pop(name))
+        self._bullet.removeBody(self._free.pop(name), self._client)
 
     def tilt(self, angle: float) -> None:
         """Turn gravity towards +x by an angle, radians."""
-        self._bullet.setGravity(*lean(angle))
+        self._bullet.setGravity(*lean(angle), self._client)
 
     def step(self, seconds: float) -> None:
         """Simulate at least so many seconds."""
         for _ in range(int(np.ceil(seconds / self._seconds - 1e-9))):
-            self._bullet.stepSimulation()
+            self._bullet.stepSimulation(self._client)
 
     def close(self) -> None:
         """Release the client."""

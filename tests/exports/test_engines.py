@@ -168,6 +168,18 @@ def test_pybullet_has_every_object_free_at_its_pose(scene: Scene, tmp_path: Path
     assert drift < 2e-3, whose
 
 
+def test_pybullet_loads_into_the_client_that_is_named(scene: Scene, tmp_path: Path) -> None:
+    need("PyBullet")
+    folder = export(scene, "urdf", tmp_path)
+    first, second = (ENGINES["PyBullet"].open(folder) for _ in range(2))
+    try:
+        check_places(first.positions(), scene)
+        check_places(second.positions(), scene)
+    finally:
+        second.close()
+        first.close()
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["Drake (URDF)", "Drake (SDF)"])
 def test_drake_has_every_object_free_at_its_pose(name: str, scene: Scene, tmp_path: Path) -> None:
@@ -225,6 +237,7 @@ def test_mjcf_opens_in_drake(scene: Scene, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)  # eleven things in Drake take half a minute of an idle machine
 @pytest.mark.parametrize("name", BUNDLES)
 @pytest.mark.parametrize("engine", ["PyBullet", "Drake (URDF)"])
 def test_every_shipped_bundle_stays_and_slides_as_in_mujoco(engine: str, name: str) -> None:

@@ -12,20 +12,20 @@ from pathlib import Path
 import pybullet
 
 
-def load() -> dict[str, int]:
-    """Load every body into the connected client; return their ids by name."""
+def load(client: int = 0) -> dict[str, int]:
+    """Load every body into a connected client; return their ids by name."""
     folder = Path(__file__).parent
     # Contacts between faces as they are; otherwise hulls keep a margin of 1 mm.
-    pybullet.setPhysicsEngineParameter(enableSAT=1)
+    pybullet.setPhysicsEngineParameter(enableSAT=1, physicsClientId=client)
     flags = pybullet.URDF_USE_INERTIA_FROM_FILE | pybullet.URDF_INITIALIZE_SAT_FEATURES
     bodies = {}
     for name, pose in json.loads((folder / "poses.json").read_text()).items():
         w, *xyz = pose["quaternion_wxyz"]
         bodies[name] = pybullet.loadURDF(
             str(folder / "objects" / f"{name}.urdf"), pose["position"], [*xyz, w],
-            useFixedBase=pose["fixed"], flags=flags,
+            useFixedBase=pose["fixed"], flags=flags, physicsClientId=client,
         )  # fmt: skip
-    pybullet.setGravity(0, 0, -9.81)
+    pybullet.setGravity(0, 0, -9.81, physicsClientId=client)
     return bodies
 
 
