@@ -144,6 +144,8 @@ def export(
     """Write bundles in formats of other programs: glTF, MJCF, SDF, URDF, USD.
 
     glb and usdz are one file, the others a folder with the document and its meshes and textures.
+    Beside mjcf, urdf and sdf are scripts that load them: load_mujoco.py, load_pybullet.py and
+    load_drake.py.
 
     Args:
         bundles: Names, digests, globs or paths.

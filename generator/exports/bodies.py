@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float, Int
 
+from ..physics.inertia import body_mass
 from ..physics.mjcf import GeomKind, primitive_kind
 from ..scene import TABLE, ConvexPart, Mesh, Scene
 
@@ -62,7 +63,7 @@ class ExportBody:
     Attributes:
         name: an identifier, unique in the scene.
         label: the word for it.
-        fixed: it does not move; then ``mass`` is 0.
+        fixed: it does not move.
         position, quaternion: its pose in the world frame, metres and a unit wxyz.
         mass, com, inertia: kilograms, metres, and kg m² about ``com`` along the body's axes.
         friction: coefficient of sliding friction.
@@ -85,14 +86,19 @@ class ExportBody:
 
 
 def bodies_of(scene: Scene) -> tuple[ExportBody, ...]:
-    """Return the table, fixed, and the objects of a scene as they rest."""
+    """Return the table, fixed, and the objects of a scene as they rest.
+
+    Raises:
+        SceneError: the table's shape has no volume.
+    """
     table = scene.table
+    weight = body_mass(table.model.mesh, table.scale, table.model.physics, table.parts)
     names = legal_names([thing.name for thing in scene.objects])
     upright = np.array([1.0, 0.0, 0.0, 0.0])
     return (
         ExportBody(
             TABLE, table.model.label, True, np.array([0.0, 0.0, table.height / 2]), upright,
-            0.0, np.zeros(3), np.zeros((3, 3)), table.friction, table.model.mesh,
+            weight.mass, weight.com, weight.inertia, table.friction, table.model.mesh,
             table.model.mesh.vertices * table.scale, tuple(map(piece_of, table.parts)),
         ),
         *(

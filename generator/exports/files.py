@@ -1,11 +1,14 @@
 """The files that exports in XML refer to: meshes as Wavefront OBJ, in metres, and textures.
 
-A mesh is named by the digest of its content; no file is scaled where it is used.
+The mesh that draws a body has the body's name; other files are named by the digest of their
+content. All lie in one folder, since some readers take no file from outside an OBJ's own; no file
+is scaled where it is used.
 """
 
 from __future__ import annotations
 
 import hashlib
+from pathlib import PurePosixPath
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -13,6 +16,8 @@ from jaxtyping import Float, Int
 from ..io.png import encode_png
 from ..physics.mjcf import row_lines
 from .bodies import ExportBody, ExportPiece
+
+_FOLDER = "meshes"
 
 
 class ExportFiles:
@@ -26,27 +31,30 @@ class ExportFiles:
         mesh, picture = body.mesh, self.texture(body)
         alpha = f"d {mesh.opacity:.6g}\n"
         material = self._add(
-            "meshes", "mtl", f"newmtl surface\nKd 1 1 1\nKs 0.2 0.2 0.2\nNs 20\n{alpha}"
-            f"map_Kd ../{picture}\n".encode(),
+            "mtl", f"newmtl surface\nKd 1 1 1\nKs 0.2 0.2 0.2\nNs 20\n{alpha}"
+            f"map_Kd {PurePosixPath(picture).name}\n".encode(),
         )  # fmt: skip
-        head = f"mtllib {material.removeprefix('meshes/')}\nusemtl surface\n"
+        head = f"mtllib {PurePosixPath(material).name}\nusemtl surface\n"
         corners = np.repeat(mesh.faces + 1, 2, axis=1)
         rows = [
             row_lines("v %.7f %.7f %.7f\n", body.vertices), row_lines("vt %.5f %.5f\n", mesh.uv),
             row_lines("f %d/%d %d/%d %d/%d\n", corners),
         ]  # fmt: skip
-        return self._add("meshes", "obj", (head + "".join(rows)).encode())
+        return self._put(f"{body.name}.obj", (head + "".join(rows)).encode())
 
     def texture(self, body: ExportBody) -> str:
         """Add a body's texture; return its path."""
-        return self._add("textures", "png", encode_png(body.mesh.texture))
+        return self._add("png", encode_png(body.mesh.texture))
 
     def collision(self, piece: ExportPiece) -> str:
         """Add a piece's surface; return its path."""
-        return self._add("meshes", "obj", plain_obj(piece.vertices, piece.faces))
+        return self._add("obj", plain_obj(piece.vertices, piece.faces))
 
-    def _add(self, folder: str, suffix: str, content: bytes) -> str:
-        path = f"{folder}/{hashlib.sha256(content).hexdigest()[:16]}.{suffix}"
+    def _add(self, suffix: str, content: bytes) -> str:
+        return self._put(f"{hashlib.sha256(content).hexdigest()[:16]}.{suffix}", content)
+
+    def _put(self, name: str, content: bytes) -> str:
+        path = f"{_FOLDER}/{name}"
         self.content[path] = content
         return path
 

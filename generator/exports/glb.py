@@ -20,6 +20,8 @@ from ..geometry import quaternion_matrix
 from ..scene import Scene
 from .bodies import RESERVED, ExportBody, ExportPiece, bodies_of, free_name
 
+_VERTICES, _INDICES = 34962, 34963  # ARRAY_BUFFER and ELEMENT_ARRAY_BUFFER
+
 
 def glb_files(scene: Scene) -> Mapping[str, bytes]:
     """Return a scene as one GLB file."""
@@ -47,6 +49,7 @@ def glb_files(scene: Scene) -> Mapping[str, bytes]:
 
     def arrange(tree: dict[str, Any]) -> None:
         _arrange(tree, scene.name, details, roots)
+        _mark_buffers(tree)
 
     packed = whole.export(file_type="glb", tree_postprocessor=arrange, unitize_normals=True)
     assert isinstance(packed, bytes)
@@ -107,3 +110,13 @@ def _arrange(
         {"name": "collision", "nodes": [first + 1]},
     ]
     tree["scene"] = 0
+
+
+def _mark_buffers(tree: dict[str, Any]) -> None:
+    """Say which views of the buffer hold vertices, and which hold indices."""
+    views = [tree["bufferViews"][accessor["bufferView"]] for accessor in tree["accessors"]]
+    for mesh in tree["meshes"]:
+        for primitive in mesh["primitives"]:
+            views[primitive["indices"]]["target"] = _INDICES
+            for number in primitive["attributes"].values():
+                views[number]["target"] = _VERTICES

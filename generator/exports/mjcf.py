@@ -1,6 +1,8 @@
 """MJCF with every mesh in a file: ``scene.xml``, for importers that read no vertices in the XML.
 
-It is a bundle's ``scene.xml`` otherwise, cameras and the keyframe "settled" included.
+It is a bundle's ``scene.xml`` otherwise, cameras and the keyframe "settled" included, but the table
+has an inertia, too, and bodies that are added without one get theirs from their geoms.
+``load_mujoco.py`` loads it.
 """
 
 from __future__ import annotations
@@ -11,9 +13,11 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..physics.mjcf import document
-from ..scene import ConvexPart, Scene
-from .bodies import piece_of
+from ..scene import TABLE, ConvexPart, Scene
+from .bodies import ExportBody, bodies_of, piece_of
 from .files import plain_obj
+from .loaders import loader_scripts
+from .xml import INERTIA, number_text
 
 
 def mjcf_files(scene: Scene) -> Mapping[str, bytes]:
@@ -28,4 +32,17 @@ def mjcf_files(scene: Scene) -> Mapping[str, bytes]:
             path = f"meshes/{mesh.attrib['name']}.obj"
             files[path] = plain_obj(hull.vertices, hull.faces)
             mesh.set("file", path)
-    return {"scene.xml": ET.tostring(root) + b"\n", **files}
+    for compiler in root.iter("compiler"):
+        compiler.attrib.pop("inertiafromgeom")  # whose default takes geoms where nothing is said
+    table = next(body for body in root.iter("body") if body.attrib["name"] == TABLE)
+    table.insert(0, _inertial(bodies_of(scene)[0]))
+    ET.indent(root)
+    return {"scene.xml": ET.tostring(root) + b"\n", **files, **loader_scripts("mujoco")}
+
+
+def _inertial(body: ExportBody) -> ET.Element:
+    entries = (body.inertia[INERTIA[name]] for name in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
+    return ET.Element(
+        "inertial", pos=number_text(body.com), mass=number_text([body.mass]),
+        fullinertia=number_text(entries),
+    )  # fmt: skip

@@ -1,7 +1,8 @@
 """SDFormat 1.9: ``scene.sdf``, a world of models, as Gazebo loads it.
 
-The table is a static model. A convex piece is one collision: a primitive, or a mesh that is its
-hull. Friction is Coulomb's, of both directions.
+Table and floor are static models. A convex piece is one collision: a primitive, or a mesh that is
+its hull. Friction is Coulomb's, of both directions, for Gazebo and for Drake, see ``engines``.
+``load_drake.py`` loads the scene into Drake.
 """
 
 from __future__ import annotations
@@ -13,7 +14,10 @@ import numpy as np
 
 from ..scene import Scene
 from .bodies import ExportBody, ExportPiece, bodies_of
+from .engines import DRAKE, EngineFriction, drake_properties, engine_friction
 from .files import ExportFiles
+from .floor import floor_body
+from .loaders import loader_scripts
 from .xml import INERTIA, along, document_text, number_text, roll_pitch_yaw
 
 VERSION = "1.9"
@@ -23,17 +27,18 @@ VERSION = "1.9"
 def sdf_files(scene: Scene) -> Mapping[str, bytes]:
     """Return a scene's SDF and the files it refers to, by path."""
     files = ExportFiles()
-    root = ET.Element("sdf", version=VERSION)
+    root = ET.Element("sdf", {"version": VERSION, **DRAKE})
     world = ET.SubElement(root, "world", name="scene")
     light = ET.SubElement(world, "light", name="sun", type="directional")
     _put(light, "pose", [0, 0, 10, 0, 0, 0])
     _put(light, "direction", [0.3, 0.4, -1])
     _put(light, "diffuse", [0.8, 0.8, 0.8, 1])
     _put(light, "specular", [0.1, 0.1, 0.1, 1])
-    _floor(world)
-    for body in bodies_of(scene):
-        _model(world, body, files)
-    return {"scene.sdf": document_text(root), **files.content}
+    bodies = bodies_of(scene)
+    rubbing = engine_friction(bodies)
+    for body in (floor_body(scene.table.friction), *bodies):
+        _model(world, body, rubbing[body.name], files)
+    return {"scene.sdf": document_text(root), **files.content, **loader_scripts("drake")}
 
 
 def _put(parent: ET.Element, name: str, values: Iterable[float]) -> ET.Element:
@@ -42,30 +47,20 @@ def _put(parent: ET.Element, name: str, values: Iterable[float]) -> ET.Element:
     return element
 
 
-def _floor(world: ET.Element) -> None:
-    model = ET.SubElement(world, "model", name="floor")
-    ET.SubElement(model, "static").text = "true"
-    link = ET.SubElement(model, "link", name="link")
-    for tag in ("collision", "visual"):
-        part = ET.SubElement(link, tag, name=tag)
-        plane = ET.SubElement(ET.SubElement(part, "geometry"), "plane")
-        _put(plane, "normal", [0, 0, 1])
-        _put(plane, "size", [8, 8])
-
-
-def _model(world: ET.Element, body: ExportBody, files: ExportFiles) -> None:
+def _model(
+    world: ET.Element, body: ExportBody, rubbing: EngineFriction, files: ExportFiles
+) -> None:
     model = ET.SubElement(world, "model", name=body.name)
     _put(model, "pose", [*body.position, *roll_pitch_yaw(body.quaternion)])
     if body.fixed:
         ET.SubElement(model, "static").text = "true"
     link = ET.SubElement(model, "link", name="link")
-    if not body.fixed:
-        inertial = ET.SubElement(link, "inertial")
-        _put(inertial, "pose", [*body.com, 0, 0, 0])
-        _put(inertial, "mass", [body.mass])
-        inertia = ET.SubElement(inertial, "inertia")
-        for name, at in INERTIA.items():
-            _put(inertia, name, [body.inertia[at]])
+    inertial = ET.SubElement(link, "inertial")
+    _put(inertial, "pose", [*body.com, 0, 0, 0])
+    _put(inertial, "mass", [body.mass])
+    inertia = ET.SubElement(inertial, "inertia")
+    for name, at in INERTIA.items():
+        _put(inertia, name, [body.inertia[at]])
     _draw(link, body, files)
     for k, piece in enumerate(body.pieces):
         collision = ET.SubElement(link, "collision", name=f"part_{k}")
@@ -73,7 +68,10 @@ def _model(world: ET.Element, body: ExportBody, files: ExportFiles) -> None:
         surface = ET.SubElement(ET.SubElement(collision, "surface"), "friction")
         ode = ET.SubElement(surface, "ode")
         for name in ("mu", "mu2"):
-            _put(ode, name, [body.friction])
+            _put(ode, name, [rubbing.gazebo])
+        properties = ET.SubElement(collision, "drake:proximity_properties")
+        for name, value in drake_properties(piece, rubbing.drake).items():
+            ET.SubElement(properties, name).text = value
 
 
 def _draw(link: ET.Element, body: ExportBody, files: ExportFiles) -> None:
@@ -97,7 +95,9 @@ def _collide(collision: ET.Element, piece: ExportPiece, files: ExportFiles) -> N
         _put(collision, "pose", [*piece.center, *turn])
     shape = ET.SubElement(collision, "geometry")
     if piece.kind == "mesh":
-        ET.SubElement(ET.SubElement(shape, "mesh"), "uri").text = files.collision(piece)
+        mesh = ET.SubElement(shape, "mesh")
+        ET.SubElement(mesh, "uri").text = files.collision(piece)
+        ET.SubElement(mesh, "drake:declare_convex")
         return
     form = ET.SubElement(shape, piece.kind)
     if piece.kind == "box":

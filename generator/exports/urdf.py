@@ -1,9 +1,10 @@
 """URDF: ``scene.urdf``, a tree of the world, the table and the objects, and a file each for them.
 
 In ``scene.urdf`` the table hangs on the link "world" by a fixed joint and each object by a floating
-one, at the pose where it rests. ``objects/NAME.urdf`` is one object by itself, for importers that
-load things one by one, and ``poses.json`` says where these go. URDF knows no friction: it is in the
-``contact`` element that PyBullet reads, and in Gazebo's extension. Ellipsoids are hulls.
+one, at the pose where it rests, for readers that know floating joints (MuJoCo). Others load
+``objects/NAME.urdf``, one body each, the table and the floor included, at the poses of
+``poses.json``, as ``load_pybullet.py`` and ``load_drake.py`` do. URDF has no friction: it is in
+elements of PyBullet, Drake and Gazebo, see ``engines``. Ellipsoids are hulls.
 
 Beside its texture a body has a colour. In ``scene.urdf`` it is the mean of the texture, for readers
 that draw no textures (MuJoCo), which would show white things; an object's own file has white, with
@@ -22,7 +23,10 @@ from ..render.shading import sample_texture
 from ..scene import Scene
 from ..scene.triangles import areas
 from .bodies import ExportBody, ExportPiece, bodies_of
+from .engines import DRAKE, EngineFriction, drake_properties, engine_friction
 from .files import ExportFiles
+from .floor import floor_body
+from .loaders import loader_scripts
 from .xml import INERTIA, along, document_text, number_text, roll_pitch_yaw
 
 _COMPILER = {"strippath": "false", "fusestatic": "false", "discardvisual": "false"}
@@ -31,12 +35,11 @@ _COMPILER = {"strippath": "false", "fusestatic": "false", "discardvisual": "fals
 def urdf_files(scene: Scene) -> Mapping[str, bytes]:
     """Return a scene's URDF and the files it refers to, by path."""
     files, bodies = ExportFiles(), bodies_of(scene)
+    rubbing = engine_friction(bodies)
     root = _robot(scene.name)
     ET.SubElement(root, "link", name="world")
-    written: dict[str, bytes] = {}
-    poses = {}
     for body in bodies:
-        _link(root, body, files, "")
+        _link(root, body, rubbing[body.name], files, "")
         joint = ET.SubElement(
             root, "joint", name=f"{body.name}_joint", type="fixed" if body.fixed else "floating"
         )
@@ -44,34 +47,37 @@ def urdf_files(scene: Scene) -> Mapping[str, bytes]:
         ET.SubElement(joint, "origin", xyz=number_text(body.position), rpy=number_text(turn))
         ET.SubElement(joint, "parent", link="world")
         ET.SubElement(joint, "child", link=body.name)
+    written = {"scene.urdf": document_text(root)}
+    poses = {}
+    for body in (floor_body(scene.table.friction), *bodies):
         alone = _robot(body.name)
-        _link(alone, body, files, "../")
+        _link(alone, body, rubbing[body.name], files, "../")
         written[f"objects/{body.name}.urdf"] = document_text(alone)
         poses[body.name] = {
             "fixed": body.fixed,
             "position": body.position.tolist(),
             "quaternion_wxyz": body.quaternion.tolist(),
         }
-    written["scene.urdf"] = document_text(root)
     written["poses.json"] = json.dumps(poses, indent=1).encode() + b"\n"
-    return written | files.content
+    return written | files.content | loader_scripts("pybullet", "drake")
 
 
 def _robot(name: str) -> ET.Element:
-    root = ET.Element("robot", name=name)
+    root = ET.Element("robot", {"name": name, **DRAKE})
     ET.SubElement(ET.SubElement(root, "mujoco"), "compiler", _COMPILER)
     return root
 
 
-def _link(root: ET.Element, body: ExportBody, files: ExportFiles, above: str) -> None:
+def _link(
+    root: ET.Element, body: ExportBody, rubbing: EngineFriction, files: ExportFiles, above: str
+) -> None:
     """Add a body; ``above`` leads from the document to the export's folder."""
     link = ET.SubElement(root, "link", name=body.name)
-    if not body.fixed:
-        inertial = ET.SubElement(link, "inertial")
-        ET.SubElement(inertial, "origin", xyz=number_text(body.com), rpy="0 0 0")
-        ET.SubElement(inertial, "mass", value=number_text([body.mass]))
-        entries = {name: number_text([body.inertia[at]]) for name, at in INERTIA.items()}
-        ET.SubElement(inertial, "inertia", entries)
+    inertial = ET.SubElement(link, "inertial")
+    ET.SubElement(inertial, "origin", xyz=number_text(body.com), rpy="0 0 0")
+    ET.SubElement(inertial, "mass", value=number_text([body.mass]))
+    entries = {name: number_text([body.inertia[at]]) for name, at in INERTIA.items()}
+    ET.SubElement(inertial, "inertia", entries)
     visual = ET.SubElement(link, "visual")
     shape = ET.SubElement(visual, "geometry")
     ET.SubElement(shape, "mesh", filename=above + files.visual(body))
@@ -80,12 +86,16 @@ def _link(root: ET.Element, body: ExportBody, files: ExportFiles, above: str) ->
     ET.SubElement(material, "color", rgba=number_text([*color, body.mesh.opacity]))
     ET.SubElement(material, "texture", filename=above + files.texture(body))
     for piece in body.pieces:
-        _collide(ET.SubElement(link, "collision"), piece, files, above)
+        collision = ET.SubElement(link, "collision")
+        _collide(collision, piece, files, above)
+        properties = ET.SubElement(collision, "drake:proximity_properties")
+        for name, value in drake_properties(piece, rubbing.drake).items():
+            ET.SubElement(properties, name, {} if value is None else {"value": value})
     contact = ET.SubElement(link, "contact")
-    ET.SubElement(contact, "lateral_friction", value=number_text([body.friction]))
+    ET.SubElement(contact, "lateral_friction", value=number_text([rubbing.pybullet]))
     gazebo = ET.SubElement(root, "gazebo", reference=body.name)
     for name in ("mu1", "mu2"):
-        ET.SubElement(gazebo, name).text = number_text([body.friction])
+        ET.SubElement(gazebo, name).text = number_text([rubbing.gazebo])
 
 
 def mean_color(body: ExportBody) -> list[float]:
@@ -109,4 +119,5 @@ def _collide(collision: ET.Element, piece: ExportPiece, files: ExportFiles, abov
     elif piece.kind == "sphere":
         ET.SubElement(shape, "sphere", radius=number_text([piece.half.mean()]))
     else:
-        ET.SubElement(shape, "mesh", filename=above + files.collision(piece))
+        mesh = ET.SubElement(shape, "mesh", filename=above + files.collision(piece))
+        ET.SubElement(mesh, "drake:declare_convex")

@@ -206,14 +206,18 @@ def _paint(stage: Any, path: str, body: ExportBody, visual: Any, folder: Path) -
 
 
 def _friction(stage: Any, path: str, body: ExportBody) -> Any:
-    """Write a body's physics material."""
-    from pxr import UsdPhysics, UsdShade
+    """Write a body's physics material; PhysX takes the larger of two coefficients, as MuJoCo."""
+    from pxr import Sdf, UsdPhysics, UsdShade
 
     material = UsdShade.Material.Define(stage, path)
     api = UsdPhysics.MaterialAPI.Apply(material.GetPrim())
     api.CreateStaticFrictionAttr(float(body.friction))
     api.CreateDynamicFrictionAttr(float(body.friction))
     api.CreateRestitutionAttr(0.0)
+    prim = material.GetPrim()
+    prim.AddAppliedSchema("PhysxMaterialAPI")
+    kind = Sdf.ValueTypeNames.Token
+    prim.CreateAttribute("physxMaterial:frictionCombineMode", kind, custom=False).Set("max")
     return material
 
 

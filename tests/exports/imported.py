@@ -108,8 +108,6 @@ def from_sdf(path: Path) -> dict[str, Found]:
         for part in link.iterfind("collision"):
             shape = part.find("geometry")
             assert shape is not None
-            if shape.find("plane") is not None:
-                continue
             at = numbers(part.find("pose"), 6)
             frame = Rotation.from_euler("xyz", at[3:])
             body.parts.append(frame.apply(sdf_points(shape, path.parent)) + at[:3])

@@ -123,6 +123,9 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "| coffee-oval | 4 |",
         program="chromium",
     ),
+    "benchmarks/parity.py": Smoke(
+        "--bundles vanity --engines MuJoCo --out {out}", _table("parity"), "| vanity | 4 |"
+    ),
     "benchmarks/concurrency.py": Smoke("--seconds 2 --out {out}", ("concurrency.md",)),
     "benchmarks/curriculum.py": Smoke(
         "--recipe reach-clone --set cloning.rounds=1 cloning.episodes=1 cloning.last_steps=5 "

@@ -184,7 +184,7 @@ def _piece(
     given = getattr(visual, "uv", None)
     if given is not None and len(given) == count and given.ndim == 2 and given.shape[1] >= 2:
         uv = np.nan_to_num(given)[:, :2]
-    factor, alpha = _factor(material), 1.0
+    factor, alpha = _factor(material), _dissolve(material)
     if str(getattr(material, "alphaMode", "")) == "BLEND":
         alpha = float(factor[3]) / 255
     image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
@@ -213,6 +213,16 @@ def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
         channels = _bytes(np.asarray(plain))[:4]
         found[: len(channels)] = channels
     return found
+
+
+def _dissolve(material: Any) -> float:
+    """Return the opacity of an OBJ's material, its ``d``; 1 for others, and where it says 0."""
+    words = getattr(material, "kwargs", {}).get("d", ())
+    try:
+        value = float(words[0])
+    except (IndexError, ValueError):
+        return 1.0
+    return value if 0 < value < 1 else 1.0  # NaN is neither
 
 
 def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:

@@ -48,6 +48,19 @@ def test_texture_and_proportions_are_its_own_and_the_size_is_the_prior_s(tmp_pat
     np.testing.assert_allclose(np.prod(np.sort(made.size)[1:]), np.prod(want), rtol=1e-5)
 
 
+@pytest.mark.parametrize(
+    ("line", "opacity"),
+    [("d 0.5", 0.5), ("d 1", 1), ("d 0", 1), ("d nan", 1), ("d -halo 0.5", 1), ("d", 1), ("", 1)],
+)
+def test_the_opacity_of_an_obj_is_its_material_s(line: str, opacity: float, tmp_path):
+    (tmp_path / "mug.mtl").write_text(f"newmtl glass\nKd 0.5 0.5 0.5\n{line}\n")
+    plain_box = trimesh.creation.box(extents=(1, 2, 3)).export(file_type="obj")
+    assert isinstance(plain_box, str)
+    body = "\n".join(row for row in plain_box.splitlines() if row[:2] in ("v ", "f "))
+    (tmp_path / "mug.obj").write_text(f"mtllib mug.mtl\nusemtl glass\n{body}\n")
+    assert ask(tmp_path).mesh.opacity == opacity
+
+
 def test_an_obj_comes_with_its_material_and_picture(tmp_path):
     picture = io.BytesIO()
     Image.fromarray(np.full((8, 8, 3), (10, 20, 200), np.uint8)).save(picture, "PNG")

@@ -1,0 +1,1 @@
+"""Exports at work in the physics engines that they are for."""

@@ -1,0 +1,81 @@
+"""What physics engines need beside shapes and masses to behave as MuJoCo does.
+
+Where two bodies touch, MuJoCo takes the larger of their coefficients of friction. Others combine
+them by rules of their own, so that each engine gets coefficients of its own, in the element that
+only it reads:
+
+| engine | two coefficients a, b become | element |
+|---|---|---|
+| PyBullet | a b | ``contact/lateral_friction`` (URDF) |
+| Drake | 2 a b / (a + b) | ``drake:mu_static``, ``drake:mu_dynamic`` (URDF, SDF) |
+| Gazebo | min(a, b) | ``mu1``, ``mu2`` (URDF), ``ode/mu`` (SDF) |
+| Isaac Sim | max(a, b), set by ``physxMaterial:frictionCombineMode`` | ``UsdPhysicsMaterialAPI`` |
+
+Between an object and the table the result is MuJoCo's. Between two objects PyBullet's and Drake's
+is MuJoCo's where at most one of them is rougher than the table, and none is smoother.
+
+Drake also gets compliant hydroelastic contact: with point contact a flat body rests on one point.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from ..physics.mjcf import FLOOR
+from ..scene import TABLE
+from .bodies import ExportBody, ExportPiece
+from .xml import number_text
+
+DRAKE: Mapping[str, str] = MappingProxyType({"xmlns:drake": "http://drake.mit.edu"})
+"""Attribute of a document that has tags of Drake."""
+
+HYDROELASTIC_MODULUS = 1e7
+"""Pressure at the middle of a body in Drake, Pa: a plate of 0.5 kg sinks in by a micrometre."""
+
+_SHARE = 0.25  # of a round piece's radius: edges of its hydroelastic mesh
+_REACH = 0.55  # of the largest coefficient: least one of the table in Drake, see ``_harmonic``
+
+
+@dataclass(frozen=True)
+class EngineFriction:
+    """Coefficient of friction of one body in each engine."""
+
+    pybullet: float
+    drake: float
+    gazebo: float
+
+
+def engine_friction(bodies: Sequence[ExportBody]) -> Mapping[str, EngineFriction]:
+    """Return the coefficients of each body by its name; the floor is as rough as the table."""
+    table = next(body.friction for body in bodies if body.name == TABLE)
+    wanted = {body.name: max(body.friction, table) for body in bodies}  # on the table, in MuJoCo
+    most = max(wanted.values())
+    middle = max(table, _REACH * most)
+    found = {
+        name: EngineFriction(larger / math.sqrt(table), _harmonic(larger, middle), larger)
+        for name, larger in wanted.items()
+    }
+    found[TABLE] = found[FLOOR] = EngineFriction(math.sqrt(table), middle, most)
+    return found
+
+
+def _harmonic(wanted: float, other: float) -> float:
+    """Return the x for which 2 x other / (x + other) is ``wanted``, less than 2 ``other``."""
+    return wanted * other / (2 * other - wanted)
+
+
+def drake_properties(piece: ExportPiece, friction: float) -> Mapping[str, str | None]:
+    """Return the tags of a collision element that Drake reads, with the value of each, if any."""
+    tags: dict[str, str | None] = {
+        "drake:compliant_hydroelastic": None,
+        "drake:hydroelastic_modulus": number_text([HYDROELASTIC_MODULUS]),
+        "drake:mu_static": number_text([friction]),
+        "drake:mu_dynamic": number_text([friction]),
+    }
+    if piece.kind not in ("box", "mesh"):
+        radius = piece.radius if piece.kind == "cylinder" else float(piece.half.max())
+        tags["drake:mesh_resolution_hint"] = number_text([_SHARE * radius])
+    return tags

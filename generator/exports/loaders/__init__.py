@@ -1,0 +1,14 @@
+"""Scripts that load an export into a physics engine, written beside it.
+
+Each is copied as it is and needs the engine alone, nothing of this package.
+"""
+
+from __future__ import annotations
+
+from importlib import resources
+
+
+def loader_scripts(*engines: str) -> dict[str, bytes]:
+    """Return the scripts of some engines, by file name."""
+    names = [f"load_{engine}.py" for engine in engines]
+    return {name: resources.files(__name__).joinpath(name).read_bytes() for name in names}
