@@ -7,6 +7,7 @@ from jaxtyping import Float
 
 from generator.geometry import inside_margin
 
+from ..robot.mount import unobstructed
 from .world import World
 
 FREE_MARGIN = 0.015
@@ -21,7 +22,8 @@ _TRIES = 400
 def free_spot(world: World, name: str, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
     """Draw a point (x, y) of the table where an object can stand clear of everything, in reach.
 
-    The point keeps ``LEAST_WAY`` from where the object stands. None if 400 draws found none.
+    The point keeps ``LEAST_WAY`` from where the object stands, and no tall thing stands between it
+    and the base, in the forearm's way. None if 400 draws found none.
     """
     table, position = world.scene.table, world.scene.object(name).pose.position
     radius = float(np.linalg.norm(world.footprints[name] - position[:2], axis=1).max())
@@ -32,5 +34,6 @@ def free_spot(world: World, name: str, rng: np.random.Generator) -> Float[np.nda
     for other, outline in world.footprints.items():
         if other != name:
             free &= inside_margin(points, outline) <= -(radius + FREE_MARGIN)
-    found = np.flatnonzero(free)
-    return points[found[0]] if len(found) else None
+    found = points[free]
+    found = found[unobstructed(world.scene, world.mount, name, found)]
+    return found[0] if len(found) else None
