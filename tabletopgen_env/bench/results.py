@@ -209,7 +209,9 @@ def _result(payload: dict[str, Any]) -> BenchResult:
         for k, v in check_type(payload["versions"], dict).items()
     }
     player = _player(check_type(payload["player"], dict))
-    return BenchResult(**told, player=player, versions=versions, episodes=rows)
+    return BenchResult(
+        told["suite"], told["version"], told["suites"], told["task"], player, versions, rows
+    )
 
 
 def _player(entry: dict[str, Any]) -> PlayerFacts:

@@ -98,8 +98,8 @@ def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[
 def doubts(certificate: Certificate) -> tuple[CertificateDoubt, ...]:
     """Return the figures that no certification gives; see ``certify``."""
     limit = certificate.terms.episodes
-    found = ((_doubt(seen, limit), seen) for seen in certificate.instances)
-    return tuple(CertificateDoubt(kind, seen, limit) for kind, seen in found if kind)
+    found = (_doubt(seen, limit) for seen in certificate.instances)
+    return tuple(doubt for doubt in found if doubt is not None)
 
 
 def replay(path: Path, certificate: Certificate, count: int, seed: int) -> Iterator[StartReplay]:
@@ -143,12 +143,14 @@ def _places(listed: Sequence[TaskInstance]) -> list[tuple[int, int]]:
     return places
 
 
-def _doubt(seen: TaskInstance, limit: int) -> FigureKind | None:
+def _doubt(seen: TaskInstance, limit: int) -> CertificateDoubt | None:
     if seen.episodes > limit:
-        return "too many"
+        return CertificateDoubt("too many", seen, limit)
     if seen.successes < seen.episodes - 1:
-        return "played after a failure"
-    return "given up early" if seen.successes == seen.episodes < limit else None
+        return CertificateDoubt("played after a failure", seen, limit)
+    if seen.successes == seen.episodes < limit:
+        return CertificateDoubt("given up early", seen, limit)
+    return None
 
 
 def _named(instance: TaskInstance) -> str:

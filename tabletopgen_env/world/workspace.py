@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from jaxtyping import Float
 
@@ -16,14 +18,20 @@ FREE_MARGIN = 0.015
 LEAST_WAY = 0.12
 """Least distance from where a thing stands to a free spot drawn for it, metres."""
 
-_TRIES = 400
+Fits = Callable[[Float[np.ndarray, "2"]], bool]
+"""Tells whether a point (x, y) of the table will do."""
+
+_TRIES, _ASKED = 400, 40
 
 
-def free_spot(world: World, name: str, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
+def free_spot(
+    world: World, name: str, rng: np.random.Generator, fits: Fits | None = None
+) -> Float[np.ndarray, "2"] | None:
     """Draw a point (x, y) of the table where an object can stand clear of everything, in reach.
 
     The point keeps ``LEAST_WAY`` from where the object stands, and no tall thing stands between it
-    and the base, in the forearm's way. None if 400 draws found none.
+    and the base, in the forearm's way. ``fits`` may refuse some. None if 400 draws found none, or
+    ``fits`` refuses the first 40 found.
     """
     table, position = world.scene.table, world.scene.object(name).pose.position
     radius = float(np.linalg.norm(world.footprints[name] - position[:2], axis=1).max())
@@ -36,4 +44,4 @@ def free_spot(world: World, name: str, rng: np.random.Generator) -> Float[np.nda
             free &= inside_margin(points, outline) <= -(radius + FREE_MARGIN)
     found = points[free]
     found = found[unobstructed(world.scene, world.mount, name, found)]
-    return found[0] if len(found) else None
+    return next((point for point in found[:_ASKED] if fits is None or fits(point)), None)
