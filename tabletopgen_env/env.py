@@ -72,7 +72,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             - ``render`` (a ``RenderConfig``): ``render_mode``, ``render_size``, ``renderer``;
             - ``worlds`` (a ``WorldConfig``): ``robot``, ``cache``, ``masters``.
 
-            ``reward`` is "dense" or "sparse".
+            ``reward`` is "dense" or "sparse", ``infos`` "all" or "numbers".
 
     Raises:
         InputError: a setting that there is not, or a wrong one; a group and its field together.
@@ -91,6 +91,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     certified instances), "off_table" (the objects that fell off the table) and, where observations
     have pictures or points, "cameras" (of each its "intrinsics" and "extrinsics", see
     ``rendering.views.camera_calibration``); that of ``reset`` also "randomization", what was drawn.
+    With ``infos="numbers"`` it holds numbers alone: the reward's terms as "reward_<name>",
+    "success", "is_success" and "certified".
     An episode never terminates by itself, since the dense reward stays highest where the task stays
     done; the time limit truncates it.
 
@@ -300,7 +302,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         achieved, desired, terms = self._look()
         if self.render_mode == "human":
             self.render()
-        info = {**self._info(terms), "randomization": self._randomizer.drawn}
+        info = self._info(terms)
+        if self._config.infos == "all":
+            info["randomization"] = self._randomizer.drawn
         return self._observe(achieved, desired), info
 
     def _look(self) -> tuple[np.ndarray, np.ndarray, dict[str, float]]:
@@ -402,14 +406,17 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     def _info(self, terms: Mapping[str, float]) -> dict[str, Any]:
         goal, success = self.goal, bool(terms["success"])
+        judged = {"success": success, "is_success": success}
+        if self._config.infos == "numbers":
+            parts = {f"reward_{name}": value for name, value in terms.items()}
+            return {**parts, **judged, "certified": self._certified}
         marked = goal.spot is not None and goal.target is not None
         views = self._views
         cameras = {} if views.is_flat else {"cameras": camera_calibration(views, self.world)}
         return {
             **cameras,
             "reward_terms": terms,
-            "success": success,
-            "is_success": success,
+            **judged,
             "instruction": self._instruction,
             "scene": self.world.scene.name,
             "target": goal.target,

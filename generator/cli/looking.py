@@ -4,16 +4,27 @@ from __future__ import annotations
 
 import dataclasses
 import os
+import secrets
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import InputError, MissingError, TabletopError, escape
+from ..errors import (
+    InputError,
+    MissingError,
+    TabletopError,
+    escape,
+    require_number,
+    require_seed,
+)
 from ..io.files import check_folder, check_target
+from .plugins import VERIFIERS, find_commands
+from .plugins import load as load_plugin
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -66,34 +77,80 @@ def verify(
     /,
     *,
     json: bool = False,
+    replay: int = 0,
+    seed: int | None = None,
 ) -> int:
     """Check bundles: hashes, paths, numbers, and whether they still simulate soundly.
 
-    Certificates are not checked here; environments check those they read.
+    Certificates are checked with --replay alone; environments check those they read for damage.
 
     Args:
         bundles: Names, digests, globs or paths.
         json: Print one JSON object instead of lines.
+        replay: Play so many episodes of each certificate again, drawn at random: what the expert
+            is said to have solved, it has to solve. Other versions of packages, and other kinds of
+            processors, may play an episode otherwise.
+        seed: What draws the episodes; another one each time if left out.
     """
-    return verify_all([p for wanted in some(bundles) for p in find(wanted)], json)
+    require_number("verify needs --replay", replay, minimum=0, maximum=10_000, integer=True)
+    if seed is not None:
+        require_seed(seed)
+    paths = [p for wanted in some(bundles) for p in find(wanted)]
+    if not replay:
+        return verify_all(paths, json)
+    drawn = secrets.randbelow(2**31) if seed is None else seed
+    print(f"replaying with --seed {drawn}", file=sys.stderr)
+    return verify_all(paths, json, verifiers=tuple(_verifiers(replay, drawn)))
 
 
-def verify_all(paths: Iterable[Path], json: bool, *, may_vanish: bool = False) -> int:
+def _verifiers(count: int, seed: int) -> Iterator[Verifier]:
+    """Yield what checks bundles by playing.
+
+    Raises:
+        InputError: a check cannot be loaded, or there is none.
+    """
+    found = find_commands(VERIFIERS).values()
+    if not found:
+        raise InputError("Nothing here plays certificates again. Install tabletopgen anew.")
+    for entry in found:
+        yield partial(load_plugin(entry), count=count, seed=seed)
+
+
+Verifier = Callable[[Path], tuple[int, Sequence[object]]]
+"""Plays a bundle's episodes; returns how many, and what is wrong."""
+
+
+def verify_all(
+    paths: Iterable[Path],
+    json: bool,
+    *,
+    may_vanish: bool = False,
+    verifiers: Sequence[Verifier] = (),
+) -> int:
     """Verify bundles; return the exit code.
 
     ``may_vanish``: one that another process removes meanwhile is left out, not unsound.
+    ``verifiers``: further checks of sound bundles.
     """
     from ..bundle import load_verified
     from ..physics.gate import judge
 
-    results = {}
+    results: dict[str, list[str]] = {}
+    played = dict[str, int]()
     for path in paths:
         try:
             results[path.name] = list(judge(load_verified(path)).failures)
+            for verifier in () if results[path.name] else verifiers:
+                played[path.name], wrong = verifier(path)
+                results[path.name] += map(str, wrong)
         except TabletopError as error:
             if not (may_vanish and isinstance(error, MissingError)):
                 results[path.name] = [str(error)]
-    emit(results, json, lambda: [f"{n}: {'; '.join(f) or 'sound'}" for n, f in results.items()])
+    told = {name: f", {count} episodes replayed" for name, count in played.items()}
+    emit(
+        results, json,
+        lambda: [f"{n}: {'; '.join(f) or 'sound'}{told.get(n, '')}" for n, f in results.items()],
+    )  # fmt: skip
     return 1 if any(results.values()) else 0
 
 

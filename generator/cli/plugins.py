@@ -4,6 +4,10 @@ A command is imported when it is run, not when it is listed: its one-line summar
 source of its module. This package imports no other package's command; ``tabletopgen_env`` declares
 its own in ``pyproject.toml``. A source checkout is asked first, for what is installed of it may be
 older, or nothing at all.
+
+Entry points of the group ``tabletopgen.verifiers`` check a part of a bundle that this package does
+not know of, by playing it again: functions of the bundle's path, the number of episodes to play,
+and a seed, that return how many were played and a list of what is wrong.
 """
 
 from __future__ import annotations
@@ -22,7 +26,7 @@ from typing import Any
 
 from ..errors import InputError, escape
 
-GROUP = "tabletopgen.commands"
+GROUP, VERIFIERS = "tabletopgen.commands", "tabletopgen.verifiers"
 
 CHECKOUT = Path(__file__).parents[2]
 """The folder that holds this package: of a source checkout, with a ``pyproject.toml``."""
@@ -50,11 +54,11 @@ OWN: Mapping[str, EntryPoint] = MappingProxyType({
 """The commands of this package, in the order that ``--help`` lists them."""
 
 
-def find_commands() -> Mapping[str, EntryPoint]:
-    """Return the commands of other packages by name; none of them is imported."""
-    installed = {entry.name: entry for entry in entry_points(group=GROUP)}
-    declared = project().get("entry-points", {}).get(GROUP, {})
-    own = {name: EntryPoint(name, value, GROUP) for name, value in declared.items()}
+def find_commands(group: str = GROUP) -> Mapping[str, EntryPoint]:
+    """Return the commands of other packages by name, or another group's; none is imported."""
+    installed = {entry.name: entry for entry in entry_points(group=group)}
+    declared = project().get("entry-points", {}).get(group, {})
+    own = {name: EntryPoint(name, value, group) for name, value in declared.items()}
     return dict(sorted((installed | own).items()))
 
 

@@ -119,6 +119,44 @@ def run_policy(
     return 0
 
 
+@app.command(name="check")
+def check_results(
+    results: Annotated[Positional[tuple[Path, ...]], arg(metavar="RESULT [RESULT ...]")],
+    /,
+    *,
+    episodes: int = 5,
+    seed: int | None = None,
+    policy: str | None = None,
+    suite: str | None = None,
+    tables: Path | None = None,
+    pool: OmitArgPrefixes[PoolOptions] = _POOL,
+) -> int:
+    """Check results: their figures, and some of their episodes, which are played again.
+
+    A result with figures that no run gives is not played. One whose episodes come out as it says,
+    to the step and the reward, gets a mark, RESULT.replayed beside it, which the leaderboard
+    shows; one that differs loses it. Other versions of packages, and other kinds of processors, may
+    play an episode otherwise. The exit code is 1 if a result fails.
+
+    Args:
+        results: Files that "run" wrote.
+        episodes: How many of each result's episodes are played, drawn at random.
+        seed: What draws them; another one each time if left out.
+        policy: Who plays, if the result's policy is a file or a function; see "run".
+        suite: The suite of results of a file of your own, FILE:test.
+        tables: Folder of the tables, made there if they are missing; if left out, bench in the user
+            cache.
+        pool: Who makes missing tables.
+    """
+    from .checking.command import Check, check_result
+
+    if not results:
+        raise InputError("Name at least one result to check.")
+    check = Check(episodes, seed, policy, suite, tables, pool)
+    passed = [check_result(path, check) for path in results]
+    return 0 if all(passed) else 1
+
+
 @app.command(name="compare")
 def compare_results(
     results: Annotated[Positional[tuple[Path, ...]], arg(metavar="RESULT [RESULT ...]")], /

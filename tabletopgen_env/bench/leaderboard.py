@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from generator.errors import InputError
 
+from .checking.figures import check_suite, doubts
+from .checking.marks import read_mark
 from .comparing import percent, span
 from .instances import RANDOM, Suite
 from .players import PlayerFacts
-from .playing import SuiteOutcome
-from .results import BenchResult, read_result, row_of
-from .suites import VERSION, digest_of, find_suite, shipped_suites, tasks
+from .results import BenchResult, read_result
+from .suites import VERSION, find_suite, shipped_suites, tasks
 
 HEAD = f"""\
 # TabletopBench {VERSION}
@@ -23,14 +25,14 @@ Share of the episodes of each test suite that were solved, in per cent, with Wil
 (as if episodes were independent), and how many they are. *Plain* episodes start as the table has
 its things, *random* ones are those of the suite with randomisation; *easy*, *medium* and *hard* are
 its tables by their difficulty. Sorted by random, then plain. The expert knows the whole world, and
-a table is in a suite because it solved something there from 30 starts."""
+a table is in a suite because it solved something there from 30 starts. *Replayed* is how many of
+the episodes `tabletopgen bench check` has played again, drawn at random, with the same outcome."""
 
-_NOTHING = SuiteOutcome(False, 0, 0.0)
 _MARKUP = {ord(letter): f"&#{ord(letter)};" for letter in "&<>|\\`*_~[]{}$"}
 
 
 def read_results(folder: Path) -> list[BenchResult]:
-    """Return the results in a folder, by the names of their files, each checked.
+    """Return the results in a folder, by the names of their files, each checked, with its mark.
 
     Raises:
         InputError: there is none, or one of them is not sound.
@@ -38,14 +40,22 @@ def read_results(folder: Path) -> list[BenchResult]:
     paths = sorted(folder.glob("*.json"))
     if not paths:
         raise InputError(f"{folder} holds no results. `tabletopgen bench run` writes them.")
-    return [read_result(path) for path in paths]
+    return [_marked(path) for path in paths]
+
+
+def _marked(path: Path) -> BenchResult:
+    """Return a result with how many of its episodes were played again."""
+    result = read_result(path)
+    mark = read_mark(path, result.digest)
+    return dataclasses.replace(result, replayed=len(mark.episodes) if mark else 0)
 
 
 def page(results: Iterable[BenchResult]) -> str:
     """Return the leaderboard of results as Markdown.
 
     Raises:
-        InputError: a result is not of a test suite of the package as it is, or one is there twice.
+        InputError: a result is not of a test suite of the package as it is, has figures that no run
+            gives, or is there twice.
     """
     found: dict[tuple[str, str], dict[str, BenchResult]] = defaultdict(dict)
     players: dict[str, PlayerFacts] = {}
@@ -75,12 +85,11 @@ def _suite(result: BenchResult) -> Suite:
             f"{result.suite!r}."
         )
     suite = find_suite(result.suite)
-    asked = [row_of(episode, _NOTHING) for episode in suite.episodes()]
-    same = [(*r.key, r.level) for r in asked] == [(*r.key, r.level) for r in result.episodes]
-    if (result.version, result.suites) != (VERSION, digest_of(suite.of)) or not same:
+    check_suite(result, suite)
+    if found := doubts(result, suite):
         raise InputError(
-            f"The result of {result.player.name} at {result.suite} is of other episodes than the "
-            f"package's suite {VERSION}. Run the suite again."
+            f"The result of {result.player.name} at {result.suite} has figures that no run gives: "
+            f"{'; '.join(map(str, found))}. Remove it; `tabletopgen bench check` says more."
         )
     return suite
 
@@ -96,7 +105,7 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
     """Return the section of a task."""
     suites = shipped_suites(task)
     levels = [level.name for level in suites.levels]
-    head = ["policy", "sees", "plain", "random", *levels, "steps"]
+    head = ["policy", "sees", "plain", "random", *levels, "steps", "replayed"]
     tables = sum(table.split == "test" for table in suites.tables)
     lines = [
         f"## {task}",
@@ -111,7 +120,7 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
         cells = [
             _plain(player.name), _plain(_sight(player)),
             *(_cell(results.get(c)) for c in ("plain", "random")),
-            *by_level, _steps(random or results["plain"]),
+            *by_level, _steps(random or results["plain"]), _replayed(results.values()),
         ]  # fmt: skip
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
@@ -138,6 +147,13 @@ def _steps(result: BenchResult) -> str:
     """Return the median number of steps of the episodes that were solved."""
     steps = sorted(row.steps for row in result.episodes if row.solved)
     return str(steps[len(steps) // 2]) if steps else "–"
+
+
+def _replayed(results: Iterable[BenchResult]) -> str:
+    """Return how many of the episodes were played again: "6 of 147"."""
+    own = list(results)
+    count = sum(result.replayed for result in own)
+    return f"{count} of {sum(len(result.episodes) for result in own)}" if count else "–"
 
 
 def _sight(player: PlayerFacts) -> str:

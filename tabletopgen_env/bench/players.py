@@ -28,7 +28,7 @@ SIMPLE = ("random", "zero", "expert")
 OWN = frozenset({*keywords_of("observation"), *keywords_of("action"), "renderer"})
 """Keywords of an environment that are a policy's: what it sees, and how it moves the robot."""
 
-OF_TRAINING = frozenset({"randomization", "reward", "certified", "cache", "masters"})
+OF_TRAINING = frozenset({"randomization", "reward", "certified", "cache", "masters", "infos"})
 """Keywords that a policy was trained with, in place of which a suite has its own."""
 
 Act = Callable[[Any], Any]

@@ -68,6 +68,8 @@ class BenchResult:
         player: who played.
         versions: of the packages that decide it.
         episodes: all of the suite's, in its order.
+        digest: of the file; empty if it was not read from one.
+        replayed: how many episodes were played again as its mark says, see ``checking.marks``.
     """
 
     suite: str
@@ -77,6 +79,8 @@ class BenchResult:
     player: PlayerFacts
     versions: Mapping[str, str]
     episodes: tuple[EpisodeRow, ...]
+    digest: str = ""
+    replayed: int = 0
 
     @property
     def solved(self) -> int:
@@ -160,7 +164,7 @@ def read_result(path: str | Path) -> BenchResult:
             "what it holds, so it was edited or cut off. Run the suite again."
         )
     try:
-        return _result(payload)
+        return dataclasses.replace(_result(payload), digest=digest)
     except (ValueError, TypeError, KeyError) as error:
         raise InputError(f"{path} is no sound result ({error!s:.300}).") from error
 
@@ -205,7 +209,9 @@ def _result(payload: dict[str, Any]) -> BenchResult:
         for k, v in check_type(payload["versions"], dict).items()
     }
     player = _player(check_type(payload["player"], dict))
-    return BenchResult(**told, player=player, versions=versions, episodes=rows)
+    return BenchResult(
+        told["suite"], told["version"], told["suites"], told["task"], player, versions, rows
+    )
 
 
 def _player(entry: dict[str, Any]) -> PlayerFacts:

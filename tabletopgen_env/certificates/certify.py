@@ -50,10 +50,14 @@ if TYPE_CHECKING:
 DEFAULT = Terms()
 """The terms of the certificates that are shipped."""
 
-_STARTS = "starts"
+STARTING = "starts"
+"""How starts are perturbed: see ``randomization``."""
+
+VERSIONS = ("tabletopgen", "mujoco", "numpy")
+"""The packages whose versions a certificate names."""
+
 _DRAWS = 40
 _FAILURES = 8  # draws in a row that find nothing, after which nothing is looked for
-_VERSIONS = ("tabletopgen", "mujoco", "numpy")
 
 
 def certify(
@@ -105,7 +109,7 @@ def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate |
             return found
         instances += found
     try:
-        made = Certificate(scene_digest(path), terms, versions(_VERSIONS), tuple(instances))
+        made = Certificate(scene_digest(path), terms, versions(VERSIONS), tuple(instances))
         write_certificate(path, made)
         return made
     except TabletopError as error:
@@ -204,8 +208,8 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[TaskInstance, ...
         if not instances:
             continue
         with (
-            closing(_env(folder, name, masters, None)) as own,
-            closing(_env(folder, name, masters, _STARTS)) as perturbed,
+            closing(environment_of(folder, name, masters, None)) as own,
+            closing(environment_of(folder, name, masters, STARTING)) as perturbed,
         ):
             for instance in instances:
                 rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
@@ -228,8 +232,8 @@ def played_again(
     masters = Masters(Panda(), 1)
     for number, instance in enumerate(instances):
         rng = np.random.default_rng((seed, len(NAMES), number))
-        with closing(_env(folder, instance.name, masters, _STARTS)) as env:
-            solved = sum(_solved(env, instance, rng) for _ in range(episodes))
+        with closing(environment_of(folder, instance.name, masters, STARTING)) as env:
+            solved = sum(has_solved(env, instance, rng) for _ in range(episodes))
         yield replace(instance, successes=solved, episodes=episodes)
 
 
@@ -240,13 +244,13 @@ def _try(
     solved = played = 0
     for env in starts:
         played += 1
-        if not _solved(env, instance, rng):
+        if not has_solved(env, instance, rng):
             break
         solved += 1
     return replace(instance, successes=solved, episodes=played)
 
 
-def _solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
+def has_solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
     """Play one episode; return whether it was a success."""
     import gymnasium
 
@@ -264,7 +268,10 @@ def _solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) 
     return any(held.after(env.step(expert.act())[4]) for _ in range(limit))
 
 
-def _env(folder: Path, name: TaskName, masters: Masters, randomization: str | None) -> TabletopEnv:
+def environment_of(
+    folder: Path, name: TaskName, masters: Masters, randomization: str | None
+) -> TabletopEnv:
+    """Return the environment of a task at a bundle's table, where any instance may be asked for."""
     from ..env import make_env
 
     task, preset = name

@@ -92,6 +92,23 @@ def least_turn(world: World, at: Float[np.ndarray, "3"]) -> float:
     return float(np.clip(asked, MIDDLE - ROLL_RANGE, MIDDLE + ROLL_RANGE)) - asked
 
 
+def elbow_swing(world: World) -> float:
+    """Return how far the first joint is turned from the bearing of the tool, radians, at least 0.
+
+    The hand's pose leaves the elbow free to swing about the line from shoulder to wrist, by up to
+    about a radian where nothing is at its limit. If the last joint reaches its limit, the elbow
+    makes up for it until the first is at its limit, too, and the arm is in a dead end: the hand
+    cannot move as asked, although another posture of the arm could.
+    """
+    bearing = _bearing(world, world.data.site_xpos[world.tcp])
+    return abs(wrap(float(world.data.qpos[world.arm_qpos[0]]) - bearing))
+
+
+def turn_to_middle(world: World) -> float:
+    """Return how far the hand has to turn for the last joint to be in its middle, radians."""
+    return MIDDLE - _roll(world)
+
+
 def _roll(world: World) -> float:
     """Return the hand's yaw relative to the bearing of the tool, in the last joint's range."""
     relative = rotation_yaw(world.hand) - _bearing(world, world.data.site_xpos[world.tcp])

@@ -11,6 +11,7 @@ carry      over what is in the way, to above the goal, and turned
 lower      until the object stands, or hangs as deep in the container as the fingers allow
 release    open
 retreat    straight up, then stay
+unwind     rise and turn the hand back until the elbow hangs free of a dead end, then try again
 stuck      stand still: no grasp can reach the object where it lies now
 =========  =====================================================================================
 """
@@ -27,7 +28,7 @@ from generator.errors import SceneError
 
 from ..goals.goal import Goal, Raised
 from ..robot import franka
-from .arm import turn_left, up
+from .arm import elbow_swing, turn_left, turn_to_middle, up
 from .driver import NEAR, Expert
 from .planning.choosing import HOVER, GraspPlan, choose
 from .planning.dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
@@ -35,7 +36,7 @@ from .planning.grasps import TIP, Grasp
 
 Phase = Literal[
     "wait", "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat",
-    "stuck",
+    "unwind", "stuck",
 ]  # fmt: skip
 
 _FINE, _TURNED = (0.0015, 0.005), 0.05
@@ -54,9 +55,12 @@ _NARROWER = 0.1  # of how broad the hand is taken for, where a way over things i
 _ON, _STALLED = 0.005, 8  # metres by which a hand that carries gets on, and steps without
 _FOLLOWED = 3  # times that a hinted grasp may fail until another is tried
 _RISE = 0.15  # metres by which the hand retreats
+_SWUNG, _UNWOUND = 1.3, 0.4  # radians of the elbow's swing that are a dead end, and that are good
+_MOVING_FREELY: tuple[Phase, ...] = ("approach", "descend", "carry")
+_UNWINDS = 2  # times that the arm unwinds for a goal
 _PATIENCE: dict[Phase, int] = {
     "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80,
-    "lower": 45, "release": 8, "retreat": 60, "stuck": 60,
+    "lower": 45, "release": 8, "retreat": 60, "unwind": 45, "stuck": 60,
 }  # fmt: skip
 
 
@@ -80,7 +84,7 @@ class Picker(Expert):
         Raises:
             SceneError: no grasp of the target can be reached.
         """
-        self.attempts = 0
+        self.attempts = self._unwinds = 0
         self._failed: tuple[Grasp, ...] = ()
         self._followed: GraspPlan | None = None
         if not self._begin():
@@ -105,8 +109,10 @@ class Picker(Expert):
             "wait": self._wait, "approach": self._approach, "descend": self._descend,
             "close": self._close, "lift": self._lift, "hold": self._hold, "carry": self._carry,
             "lower": self._lower, "release": self._release, "retreat": self._retreat,
-            "stuck": self._recover,
+            "unwind": self._unwind, "stuck": self._recover,
         }  # fmt: skip
+        if self._is_in_dead_end():
+            return self._enter("unwind")
         return phases[self.phase](late)
 
     def _wait(self, late: bool) -> Float[np.ndarray, "5"]:
@@ -181,11 +187,8 @@ class Picker(Expert):
             return self._enter("hold")
         hint = self._env.hint
         drop = None if hint is None else hint.drop
-        if drop is None and high and not raised and (hint is None or late):
-            drop = Drop(self._env.world, self._goal, self._yaw, let_go_at(self._plan.grasp))
-        if drop is not None:
-            self._drop, self._narrow = drop, 1.0
-            self._left, self._still = np.inf, 0
+        if drop is not None or (high and not raised and (hint is None or late)):
+            self._plan_drop(drop)
             waiting = self._enter("carry")
             return waiting if hint is None else self._carry(False)
         return self._go(target, 0.0, slow=0.7)
@@ -243,6 +246,20 @@ class Picker(Expert):
         rise = self._placed[2] + _RISE - self._tool[2]
         return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, let_go_at(self._plan.grasp))
 
+    def _unwind(self, late: bool) -> Float[np.ndarray, "5"]:
+        if self._carries and self._has_slipped():
+            return self._retry()
+        if late or elbow_swing(self._env.world) < _UNWOUND:
+            self._unwinds += 1
+            if not self._carries:
+                return self._retry()
+            self._plan_drop()
+            return self._enter("carry")
+        opening = 0.0 if self._carries else self._plan.grasp.opening
+        rise = self._placed + up(_RISE) - self._tool
+        turn = turn_to_middle(self._env.world)
+        return self._act(rise, turn, opening, _CARRY if self._carries else 1.0)
+
     def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
         if late:
             return self._retry(failed=False)
@@ -277,6 +294,12 @@ class Picker(Expert):
         self._begin(failed)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
+    def _plan_drop(self, drop: Drop | None = None) -> None:
+        """Carry to ``drop``, or to where it is best to let go as the hand is now."""
+        opening = let_go_at(self._plan.grasp)
+        self._drop = drop or Drop(self._env.world, self._goal, self._yaw, opening)
+        self._narrow, self._left, self._still = 1.0, np.inf, 0
+
     # ----------------------------------------------------------------------------------- sensing
 
     @property
@@ -308,6 +331,12 @@ class Picker(Expert):
             self._still += 1
         return self._still > _STALLED
 
+    def _is_in_dead_end(self) -> bool:
+        """Return whether the arm has to unwind; hints, which do not know of it, are followed."""
+        if self.phase not in _MOVING_FREELY or self._env.hint is not None:
+            return False
+        return self._unwinds < _UNWINDS and elbow_swing(self._env.world) > _SWUNG
+
     def _has_slipped(self) -> bool:
         """Return whether the fingers are elsewhere on the object than where they closed."""
         return bool(np.linalg.norm(self._in_object() - self._held) > _SLIP)
@@ -316,9 +345,10 @@ class Picker(Expert):
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
         """Change to ``phase`` and stand still for this step."""
+        self._carries = phase == "unwind" and self.phase == "carry"
         self.phase, self._steps = phase, 0
         self._last_gap, self._placed = self._gap, self._tool
-        closed = phase in ("close", "lift", "hold", "carry", "lower")
+        closed = self._carries or phase in ("close", "lift", "hold", "carry", "lower")
         return self._act(np.zeros(3), 0.0, 0.0 if closed else self._plan.grasp.opening)
 
     def _go(

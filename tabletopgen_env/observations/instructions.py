@@ -18,6 +18,8 @@ from __future__ import annotations
 import math
 import re
 import string
+import sys
+import warnings
 import zlib
 from typing import Any
 
@@ -35,11 +37,23 @@ CHARACTERS = string.ascii_letters + string.digits + string.punctuation + " "
 
 _WORDS = re.compile(r"[a-z0-9]+")
 _PART = 3  # letters
+_NUMBERS_ONLY = "stable_baselines3"
 
 
 def instruction_space(kind: InstructionKind) -> spaces.Space[Any]:
-    """Return the space of an instruction."""
+    """Return the space of an instruction.
+
+    A text warns in a process that has loaded Stable-Baselines3, which fails at ``spaces.Text`` with
+    a message that names neither.
+    """
     if kind == "text":
+        if _NUMBERS_ONLY in sys.modules:
+            warnings.warn(
+                "The observation has the instruction as text (spaces.Text), which "
+                "Stable-Baselines3 cannot read: for its algorithms, make the environment with "
+                "instruction='embedding', 'tokens' or 'none'; info['instruction'] has the text.",
+                stacklevel=2,
+            )
         return spaces.Text(MOST_CHARACTERS, min_length=0, charset=CHARACTERS)
     if kind == "tokens":
         return spaces.Box(0, VOCABULARY - 1, (MOST_TOKENS,), np.int32)

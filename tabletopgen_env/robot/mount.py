@@ -107,7 +107,20 @@ def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
 
     In the way is what rises above ``TALL`` within ``ARM_BREADTH``: the hand is below the forearm.
     """
-    return _obstacle(mount, scene.object(name), _rising(scene, _boxes(scene)))
+    thing = scene.object(name)
+    return _obstacle(mount, thing.pose.position, name, _rising(scene, _boxes(scene)))
+
+
+def unobstructed(
+    scene: Scene, mount: Mount, name: str, points: Float[np.ndarray, "n 2"]
+) -> Bool[np.ndarray, "n"]:
+    """Return which points (x, y, world) have no tall thing but ``name`` between them and the base.
+
+    Tall things, and those in the way, are as in ``obstacle``.
+    """
+    rising = _rising(scene, _boxes(scene))
+    ways = [_obstacle(mount, point, name, rising) is None for point in points]
+    return np.array(ways, bool)
 
 
 def add_pedestal(spec: mujoco.MjSpec, mount: Mount) -> None:
@@ -178,12 +191,14 @@ def _rising(scene: Scene, boxes: Sequence[_Box]) -> list[_Box]:
     return [box for box, top in zip(boxes, tops, strict=True) if top >= limit]
 
 
-def _obstacle(mount: Mount, thing: Object, rising: Sequence[_Box]) -> str | None:
-    """Return which of the tall boxes stands between the base and a thing, or None."""
+def _obstacle(
+    mount: Mount, point: Float[np.ndarray, "d"], but: str, rising: Sequence[_Box]
+) -> str | None:
+    """Return which of the tall boxes, ``but`` one, stands between the base and a point, or None."""
     start = mount.position[:2]
-    way = thing.pose.position[:2] - start
+    way = point[:2] - start
     for other in rising:
-        if other.thing.name == thing.name:
+        if other.thing.name == but:
             continue
         offset = other.middle[:2] - start
         along = float(np.clip(offset @ way / max(float(way @ way), 1e-9), 0.0, 1.0))
@@ -203,7 +218,9 @@ def _score(
     if boxes:
         near = mount.reaches(np.array([box.middle for box in boxes]))
         pairs = zip(boxes, near.tolist(), strict=True)
-        within = [ok and _obstacle(mount, box.thing, rising) is None for box, ok in pairs]
+        within = [
+            ok and _obstacle(mount, box.middle, box.thing.name, rising) is None for box, ok in pairs
+        ]
         reached = float(np.mean(within))
         crowded = sum(_gap(mount, box) < CLEARANCE for box in boxes)
     aside = abs(float(mount.position[0]))

@@ -16,6 +16,8 @@ from ..world.worlds import WorldConfig
 
 RewardMode = Literal["dense", "sparse"]
 
+InfoKind = Literal["all", "numbers"]
+
 
 @dataclass(frozen=True)
 class EnvConfig:
@@ -35,9 +37,11 @@ class EnvConfig:
         certified: at a bundle with a certificate (see ``certificates.certify``), draw targets and
             goals only among the instances of the task that the expert solved; False ignores
             certificates.
+        infos: what ``info`` holds: "all", or "numbers", which leaves only the entries that are
+            numbers, for libraries that read infos as arrays.
 
     Raises:
-        InputError: an unknown reward, or ``certified`` is no bool.
+        InputError: an unknown reward or kind of infos, or ``certified`` is no bool.
     """
 
     observation: ObservationConfig = field(default_factory=ObservationConfig)
@@ -47,8 +51,10 @@ class EnvConfig:
     reward: RewardMode = "dense"
     randomization: Randomization | str | None = None
     certified: bool = True
+    infos: InfoKind = "all"
 
     def __post_init__(self) -> None:
         require_known(self.reward, get_args(RewardMode), "Unknown reward")
+        require_known(self.infos, get_args(InfoKind), "Unknown infos")
         if not isinstance(self.certified, bool | np.bool_):
             raise InputError(f"certified must be True or False, got {self.certified!r}.")

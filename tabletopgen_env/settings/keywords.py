@@ -7,7 +7,7 @@ from dataclasses import fields
 from types import MappingProxyType
 from typing import Any, TypedDict
 
-from generator.errors import InputError, require_known
+from generator.errors import InputError, choices, require_known
 
 from ..actions import ActionConfig, ActionMode, GripperMode
 from ..randomization import Randomization
@@ -27,7 +27,7 @@ from ..rendering.config import (
 from ..rendering.kinds import Kind, RendererChoice
 from ..robot.panda import Panda
 from ..world.worlds import Masters, WorldConfig
-from .config import EnvConfig, RewardMode
+from .config import EnvConfig, InfoKind, RewardMode
 
 
 class Settings(TypedDict, total=False):
@@ -61,6 +61,7 @@ class Settings(TypedDict, total=False):
     reward: RewardMode
     randomization: Randomization | str | None
     certified: bool
+    infos: InfoKind
 
 
 KEYWORDS = frozenset(Settings.__annotations__)
@@ -85,6 +86,14 @@ _RENAMED: Mapping[tuple[str, str], str] = MappingProxyType(
 )
 
 
+class UnknownSettingError(InputError, TypeError):
+    """An environment has no such keyword.
+
+    A ``TypeError`` with Python's words, as any function raises: libraries that probe which keywords
+    an environment takes (TorchRL's ``GymEnv`` tries ``frameskip``) look for both.
+    """
+
+
 def keywords_of(group: str) -> dict[str, str]:
     """Return the field of a group that each keyword sets."""
     names = (field.name for field in fields(GROUPS[group]))
@@ -95,7 +104,8 @@ def read_settings(settings: Mapping[str, Any]) -> EnvConfig:
     """Return what keywords mean; see ``Settings``.
 
     Raises:
-        InputError: an unknown keyword, a wrong value, or a group and one of its fields together.
+        UnknownSettingError: an unknown keyword.
+        InputError: a wrong value, or a group and one of its fields together.
     """
     check_settings(settings)
     rest = dict(settings)
@@ -107,11 +117,15 @@ def check_settings(given: Iterable[str], *more: str) -> None:
     """Check that all names are keywords of an environment, or of ``more``.
 
     Raises:
-        InputError: one is not.
+        UnknownSettingError: one is not.
     """
     known = {*KEYWORDS, "scenes", "task", "preset", *more}
     for name in given:
-        require_known(name, known, "An environment has no setting")
+        if name not in known:
+            raise UnknownSettingError(
+                f"An environment has no setting {name!r}: unexpected keyword argument {name!r}."
+                + choices(name, known)
+            )
 
 
 def _read_group(group: str, rest: dict[str, Any]) -> Any:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 
 import numpy as np
 from jaxtyping import Float
 
 from generator.errors import InputError, SceneError, choices
-from generator.geometry import inside_margin
+from generator.geometry import inside_margin, rotation_z, wrap
 from generator.scene import TABLE, Object
 
 from ..affordance import is_upright, resting_height
-from ..expert.planning.plans import has_grasp
+from ..expert.arm import stretch, up
+from ..expert.planning.choosing import HOVER, GraspPlan
+from ..expert.planning.plans import first_plan, has_grasp
 from ..goals.goal import SPOT, Into, OnSpot
 from ..robot.mount import obstacle, reachable
 from ..world.workspace import free_spot
@@ -24,6 +28,8 @@ ROOM = 0.008
 
 NO_GRASP = "the arm reaches no grasp of it, or its neighbours leave no room for the hand"
 """Why what ``has_grasp`` denies cannot be moved."""
+
+_TURNS = tuple(k * math.pi / 6 for k in range(-6, 6))
 
 Reasons = dict[str, str | None]
 """Reasons why objects cannot be used; None for usable ones."""
@@ -116,12 +122,30 @@ def rest_height(world: World, name: str) -> float:
 def spot_of(
     world: World, obj: Object, goal: Choice, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"] | None:
-    """Return the spot on the table that ``goal`` gives, or a drawn free one, world frame."""
+    """Return the spot on the table that ``goal`` gives, or a drawn free one, world frame.
+
+    A drawn one is where the arm can put the object, held by its planned grasp.
+    """
     if goal is None or isinstance(goal, str):
-        xy = free_spot(world, obj.name, rng)
+        plan = first_plan(world, obj.name)
+        fits = None if plan is None else partial(_is_brought_to, world, obj, plan)
+        xy = free_spot(world, obj.name, rng, fits)
     else:
         xy = given_point(world, goal)
     return None if xy is None else np.array([*xy, world.scene.table.height])
+
+
+def _is_brought_to(
+    world: World, obj: Object, plan: GraspPlan, point: Float[np.ndarray, "2"]
+) -> bool:
+    """Return whether the arm can put ``obj``, held by ``plan``, on a point, turned in some way."""
+    center = np.array([*point, world.scene.table.height + rest_height(world, obj.name)])
+    held = plan.grasp.point - world.position(obj.name)
+    return any(
+        stretch(world, (tool, tool + up(HOVER)), wrap(plan.yaw + turn)) is not None
+        for turn in _TURNS
+        for tool in (center + rotation_z(turn) @ held,)
+    )
 
 
 def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import inside_margin
 
+from ..robot.mount import unobstructed
 from .world import World
 
 FREE_MARGIN = 0.015
@@ -15,13 +18,20 @@ FREE_MARGIN = 0.015
 LEAST_WAY = 0.12
 """Least distance from where a thing stands to a free spot drawn for it, metres."""
 
-_TRIES = 400
+Fits = Callable[[Float[np.ndarray, "2"]], bool]
+"""Tells whether a point (x, y) of the table will do."""
+
+_TRIES, _ASKED = 400, 40
 
 
-def free_spot(world: World, name: str, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
+def free_spot(
+    world: World, name: str, rng: np.random.Generator, fits: Fits | None = None
+) -> Float[np.ndarray, "2"] | None:
     """Draw a point (x, y) of the table where an object can stand clear of everything, in reach.
 
-    The point keeps ``LEAST_WAY`` from where the object stands. None if 400 draws found none.
+    The point keeps ``LEAST_WAY`` from where the object stands, and no tall thing stands between it
+    and the base, in the forearm's way. ``fits`` may refuse some. None if 400 draws found none, or
+    ``fits`` refuses the first 40 found.
     """
     table, position = world.scene.table, world.scene.object(name).pose.position
     radius = float(np.linalg.norm(world.footprints[name] - position[:2], axis=1).max())
@@ -32,5 +42,6 @@ def free_spot(world: World, name: str, rng: np.random.Generator) -> Float[np.nda
     for other, outline in world.footprints.items():
         if other != name:
             free &= inside_margin(points, outline) <= -(radius + FREE_MARGIN)
-    found = np.flatnonzero(free)
-    return points[found[0]] if len(found) else None
+    found = points[free]
+    found = found[unobstructed(world.scene, world.mount, name, found)]
+    return next((point for point in found[:_ASKED] if fits is None or fits(point)), None)

@@ -9,10 +9,12 @@ import pytest
 from command import Shell
 
 from generator.errors import InputError
+from generator.scene.provenance import versions
 from tabletopgen_env.bench import comparing, leaderboard, results
 from tabletopgen_env.bench.instances import Suite
 from tabletopgen_env.bench.players import PlayerFacts
 from tabletopgen_env.bench.playing import SuiteOutcome
+from tabletopgen_env.bench.running import PACKAGES
 from tabletopgen_env.bench.suites import canonical_digest, find_suite, tasks
 from tabletopgen_env.statistics import newcombe_paired
 
@@ -21,11 +23,13 @@ ROOT = Path(__file__).parents[2]
 
 def result_of(suite: Suite, path: Path, name: str, solved: set[int]) -> results.BenchResult:
     """Write and read the result of a player that solved the episodes of these numbers."""
+    done, failed = SuiteOutcome(True, 20, 0.6), SuiteOutcome(False, suite.of.time_limit, 0.25)
     rows = [
-        results.row_of(episode, SuiteOutcome(k in solved, 5, 0.25))
+        results.row_of(episode, done if k in solved else failed)
         for k, episode in enumerate(suite.episodes())
     ]
-    results.write_result(path, results.head_of(suite, PlayerFacts(name, name), {"a": "1"}), rows)
+    facts = PlayerFacts(name, name)
+    results.write_result(path, results.head_of(suite, facts, versions(PACKAGES)), rows)
     return results.read_result(path)
 
 
@@ -179,7 +183,7 @@ def test_text_of_a_result_stays_in_its_cell(lift: tuple[Suite, Suite], tmp_path:
     read = dataclasses.replace(result_of(lift[0], tmp_path / "a.json", "x", set()), player=facts)
     (row,) = (line for line in leaderboard.page([read]).splitlines() if line.startswith("| x"))
     cells = row.strip("| ").split(" | ")
-    assert len(cells) == 4 + len(find_suite(lift[0].name).of.levels) + 1
+    assert len(cells) == 4 + len(find_suite(lift[0].name).of.levels) + 2
     assert not set("<>`*[\\") & {*cells[0], *cells[1]}
     assert [html.unescape(cell) for cell in cells[:2]] == [name, sees["observation"]]
 

@@ -247,7 +247,7 @@ def test_certifying_sequence_tries_the_presets_that_fit(
         asked.append(env.task.instruction(*_begun(env)))
         return True
 
-    monkeypatch.setattr(certify_module, "_solved", solved)
+    monkeypatch.setattr(certify_module, "has_solved", solved)
     made = certify_module.certify(kitchen, Terms(("Sequence",), episodes=2))
     drawn = TaskInstance("Sequence", None, None, 2, 2)
     assert made.instances == (drawn, replace(drawn, preset="kitchen"))

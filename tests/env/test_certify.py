@@ -102,7 +102,7 @@ def test_the_first_start_is_the_scene_s_own_and_the_others_differ(
         starts.append(env.world.data.qpos.tobytes())
         return True
 
-    monkeypatch.setattr(certify_module, "_solved", solved)
+    monkeypatch.setattr(certify_module, "has_solved", solved)
     certify(bundle, Terms(("Lift",), episodes=4))
     env = make_env(bundle, task="Lift", certified=False)
     env.reset(seed=5, options={"target": "cube_1"})
@@ -119,7 +119,7 @@ def test_instances_are_played_again_from_starts_of_another_seed(
         starts.append(int(rng.integers(2**31)))
         return len(starts) != 3
 
-    monkeypatch.setattr(certify_module, "_solved", solved)
+    monkeypatch.setattr(certify_module, "has_solved", solved)
     certify(bundle, replace(TERMS, episodes=4))
     certified, played = set(starts), read_certificate(bundle)
     starts.clear()
@@ -297,7 +297,7 @@ def test_what_fails_is_given_up(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     played = itertools.count()
-    monkeypatch.setattr(certify_module, "_solved", lambda *_: next(played) not in failures)
+    monkeypatch.setattr(certify_module, "has_solved", lambda *_: next(played) not in failures)
     (seen,) = certify(bundle, Terms(("Lift",), episodes=20)).instances
     assert (seen.successes, seen.episodes) == (successes, episodes)
 

@@ -1,0 +1,158 @@
+"""Certificates checked: by their own figures, and by playing some of their episodes again.
+
+``tabletopgen verify --replay`` runs it by the entry point in ``tabletopgen.verifiers``.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from generator.errors import require_number
+from generator.scene.provenance import versions
+
+from ..robot.panda import Panda
+from ..tasks.names import NAMES
+from ..world.worlds import Masters
+from .certificate import Certificate, TaskInstance, read_certificate
+from .certify import STARTING, VERSIONS, environment_of, has_solved
+
+FigureKind = Literal["played after a failure", "given up early", "too many"]
+
+
+@dataclass(frozen=True)
+class CertificateDoubt:
+    """Figures of an instance that no certification gives; ``limit`` is the terms' episodes."""
+
+    kind: FigureKind
+    instance: TaskInstance
+    limit: int
+
+    def __str__(self) -> str:
+        """Return a sentence."""
+        seen = self.instance
+        return (
+            f"{_named(seen)}: {seen.successes} of {seen.episodes} episodes cannot be "
+            f"({self.kind}: one is played until it fails, at most {self.limit} times)"
+        )
+
+
+@dataclass(frozen=True)
+class StartReplay:
+    """An episode of an instance played again: the expert solved it, or not, and was said to have.
+
+    Attributes:
+        instance: what was done.
+        number: which of its episodes, from 0.
+        solved: whether the expert solved it now.
+        versions: of the packages that the certificate was made with and that are others here.
+    """
+
+    instance: TaskInstance
+    number: int
+    solved: bool
+    versions: tuple[str, ...] = ()
+
+    @property
+    def listed(self) -> bool:
+        """Whether the certificate says that it was solved."""
+        return self.number < self.instance.successes
+
+    def __str__(self) -> str:
+        """Return a sentence."""
+        said, now = (("" if solved else "not ") + "solved" for solved in (self.listed, self.solved))
+        other = f"; it was made with {', '.join(self.versions)}" if self.versions else ""
+        return f"{_named(self.instance)}: episode {self.number} is {now}, listed as {said}{other}"
+
+
+def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[object]]:
+    """Check a bundle's certificate; return how many episodes were played, and what is wrong.
+
+    Nothing is played of figures that no certification gives.
+
+    Args:
+        path: the bundle.
+        count: how many episodes are played again, drawn among all that the certificate counts.
+        seed: draws them.
+
+    Raises:
+        InputError: less than one episode.
+        BundleError: the bundle or its certificate is damaged.
+    """
+    require_number("verify needs --replay", count, minimum=1, integer=True)
+    certificate = read_certificate(path)
+    if certificate is None or not certificate.instances:
+        return 0, ()
+    if found := doubts(certificate):
+        return 0, found
+    played = list(replay(path, certificate, count, seed))
+    return len(played), [again for again in played if again.solved != again.listed]
+
+
+def doubts(certificate: Certificate) -> tuple[CertificateDoubt, ...]:
+    """Return the figures that no certification gives; see ``certify``."""
+    limit = certificate.terms.episodes
+    found = (_doubt(seen, limit) for seen in certificate.instances)
+    return tuple(doubt for doubt in found if doubt is not None)
+
+
+def replay(path: Path, certificate: Certificate, count: int, seed: int) -> Iterator[StartReplay]:
+    """Play episodes of a bundle's certificate again, drawn by a seed, and yield each."""
+    listed = certificate.instances
+    episodes = [(k, number) for k, seen in enumerate(listed) for number in range(seen.episodes)]
+    drawn = np.random.default_rng(seed).choice(
+        len(episodes), min(count, len(episodes)), replace=False
+    )
+    here = versions(VERSIONS)
+    other = tuple(
+        f"{name} {version}, here {here[name]}"
+        for name, version in certificate.versions.items()
+        if here.get(name, version) != version
+    )
+    masters, places = Masters(Panda(), 1), _places(listed)
+    for at in sorted(map(int, drawn)):
+        k, number = episodes[at]
+        solved = _play(path, listed[k], number, (certificate.terms.seed, *places[k]), masters)
+        yield StartReplay(listed[k], number, solved, other)
+
+
+def _play(
+    path: Path, instance: TaskInstance, number: int, key: tuple[int, ...], masters: Masters
+) -> bool:
+    """Return whether the expert solves an instance's episode, with the seed that it had."""
+    rng = np.random.default_rng(key)
+    for _ in range(number):  # one by one, as they were drawn
+        rng.integers(2**31)
+    with closing(environment_of(path, instance.name, masters, STARTING if number else None)) as env:
+        return has_solved(env, instance, rng)
+
+
+def _places(listed: Sequence[TaskInstance]) -> list[tuple[int, int]]:
+    """Return what seeds each instance besides its terms: its task, and its place among that's."""
+    seen: Counter[str] = Counter()
+    places = []
+    for instance in listed:
+        places.append((NAMES.index(instance.task), seen[instance.task]))
+        seen[instance.task] += 1
+    return places
+
+
+def _doubt(seen: TaskInstance, limit: int) -> CertificateDoubt | None:
+    if seen.episodes > limit:
+        return CertificateDoubt("too many", seen, limit)
+    if seen.successes < seen.episodes - 1:
+        return CertificateDoubt("played after a failure", seen, limit)
+    if seen.successes == seen.episodes < limit:
+        return CertificateDoubt("given up early", seen, limit)
+    return None
+
+
+def _named(instance: TaskInstance) -> str:
+    asked = {"preset": instance.preset} if instance.preset else instance.options
+    return f"{instance.task} ({', '.join(f'{k} {v}' for k, v in asked.items()) or 'as drawn'})"
