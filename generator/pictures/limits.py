@@ -63,8 +63,8 @@ class PictureLimits:
         ):  # fmt: skip
             if count > limit:
                 raise error(
-                    f"{what} has more than the {limit} {name} that are read. Save it again as a plain "
-                    "PNG or JPEG."
+                    f"{what} has more than the {limit} {name} that are read. Save it again as a "
+                    "plain PNG or JPEG."
                 )
 
     def check_size(self, width: int, height: int, what: str, error: type[TabletopError]) -> None:

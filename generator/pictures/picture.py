@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from jaxtyping import Shaped
+
+if TYPE_CHECKING:
+    from jaxtyping import Shaped  # which a child takes as long to import as NumPy
 
 Form = Literal["upright", "rgb", "rgba", "stored"]
 """How pixels are returned: "upright" is sRGB on white, turned by the EXIF orientation; "rgb" and

@@ -6,9 +6,9 @@ import io
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import UInt8
 from PIL import (
     BmpImagePlugin,
     GifImagePlugin,
@@ -18,12 +18,16 @@ from PIL import (
     PngImagePlugin,
     TgaImagePlugin,
     TiffImagePlugin,
+    UnidentifiedImageError,
     WebPImagePlugin,
 )
 
 from ..errors import InputError, TabletopError
 from .limits import PictureLimits, damage, read_header
 from .picture import DecodedPicture, Form
+
+if TYPE_CHECKING:
+    from jaxtyping import UInt8
 
 PLUGINS = (
     BmpImagePlugin, GifImagePlugin, JpegImagePlugin, PngImagePlugin, TgaImagePlugin,
@@ -74,6 +78,8 @@ def opened(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image.Image
                 yield picture
     except (TabletopError, MemoryError):
         raise
+    except UnidentifiedImageError as error:
+        raise InputError(damage(what, "its header is not valid")) from error
     except Exception as error:  # whatever a decoder stumbles over in a foreign file
         raise InputError(damage(what, error)) from error
 
