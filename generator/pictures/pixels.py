@@ -79,7 +79,7 @@ def opened(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image.Image
     except (TabletopError, MemoryError):
         raise
     except UnidentifiedImageError as error:
-        raise InputError(damage(what, "its header is not valid")) from error
+        raise InputError(damage(what, f"its {header.format} header is not valid")) from error
     except Exception as error:  # whatever a decoder stumbles over in a foreign file
         raise InputError(damage(what, error)) from error
 

@@ -100,6 +100,7 @@ def test_headers_that_are_cut_off_are_refused_or_read(kind: Format) -> None:
         assert (found.width, found.height) == (130, 70)
 
 
+@pytest.mark.slow
 def test_mutated_headers_end_in_one_error() -> None:
     rng = random.Random(3)
     sound = {kind: encoded(noise(64, 64), kind) for kind in ("TIFF", "JPEG", "PNG")}

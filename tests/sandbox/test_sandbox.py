@@ -156,6 +156,7 @@ def test_a_child_that_goes_wrong_is_one_error(function: Any, limits: Limits, bre
     assert caught.value.breach == breach
 
 
+@pytest.mark.slow
 def test_a_limit_of_memory_is_not_called_inherited() -> None:
     with pytest.raises(SandboxError) as caught:
         call(grow, limits=Limits(memory=2**28))
