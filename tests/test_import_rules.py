@@ -17,6 +17,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("generator.errors", "generator.threads"),
     ("generator.io",),
     ("generator.sandbox",),
+    ("generator.pictures",),
     ("generator.scene", "generator.calls"),
     ("generator.geometry", "generator.backends.protocols", "generator.backends.installing"),
     ("generator.render", "generator.physics"),

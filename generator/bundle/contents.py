@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import io
 import re
 import struct
-import warnings
-from collections.abc import Generator
-from contextlib import contextmanager
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float, Int, UInt8
 
+from .. import pictures
 from ..errors import BundleError
+from ..pictures import DecodedPicture, Form, PictureLimits
 from ..scene.triangles import areas
 from .bounds import BOUNDS
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 _OBJ = re.compile(
     rb"(?:v(?: -?[0-9]\.[0-9]{6}){3}\n)++"
@@ -26,6 +20,9 @@ _OBJ = re.compile(
     rb"(?:f(?: ([0-9]{1,9})/\1){3}\n)++"
 )
 
+_LIMITS = PictureLimits(
+    formats=("PNG",), max_bytes=BOUNDS.file_bytes, max_pixels=BOUNDS.texels, max_frames=1
+)
 _LEAST_AREA = 1e-3  # of twice the surface of a mesh, whose box is the unit box
 
 
@@ -44,37 +41,35 @@ def picture_size(raw: bytes, name: str) -> tuple[int, int]:
     return width, height
 
 
-@contextmanager
-def opened_png(raw: bytes, name: str) -> Generator[Image, None, None]:
-    """Open a PNG called ``name`` whose size is within bounds.
-
-    Raises:
-        BundleError: it is not a PNG, cannot be decoded, or is out of bounds.
-    """
-    from PIL import Image
-
-    size = picture_size(raw, name)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            with Image.open(io.BytesIO(raw), formats=("PNG",)) as image:
-                if image.size != size:
-                    raise BundleError(f"{name} has two headers of different sizes.")
-                yield image
-    except (
-        OSError, SyntaxError, ValueError, EOFError, struct.error, Image.DecompressionBombError,
-    ) as error:  # fmt: skip
-        raise BundleError(f"{name} is not a PNG picture ({error!r}).") from error
-
-
 def decode_png(raw: bytes, name: str) -> UInt8[np.ndarray, "h w 3"]:
-    """Return the pixels of a PNG called ``name``.
+    """Return the colours of a PNG called ``name``.
+
+    It is decoded in this process: a bundle has many, whose cost the bounds limit.
 
     Raises:
         BundleError: it is not a PNG, or is out of bounds.
     """
-    with opened_png(raw, name) as image:
-        return np.asarray(image.convert("RGB"))
+    return _decode(raw, name, "rgb").pixels
+
+
+def decode_indices(raw: bytes, name: str) -> UInt8[np.ndarray, "h w"]:
+    """Return the palette indices of a PNG called ``name``, decoded as ``decode_png`` does.
+
+    Raises:
+        BundleError: it is not a PNG with a palette, or is out of bounds.
+    """
+    picture = _decode(raw, name, "stored")
+    if picture.mode != "P":
+        raise BundleError(f"{name} is not an indexed picture.")
+    return picture.pixels
+
+
+def _decode(raw: bytes, name: str, form: Form) -> DecodedPicture:
+    size = picture_size(raw, name)
+    picture = pictures.decode_png(raw, name, BundleError, _LIMITS, form)
+    if (picture.width, picture.height) != size:
+        raise BundleError(f"{name} has two headers of different sizes.")
+    return picture
 
 
 def mesh_counts(raw: bytes) -> tuple[int, int]:

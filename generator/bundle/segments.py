@@ -14,7 +14,7 @@ from ..errors import BundleError, InputError
 from ..io.reading import printable
 from ..scene import TABLE, Instance
 from ..scene.arrays import freeze
-from .contents import opened_png
+from .contents import decode_indices
 from .encoding import one_line
 
 PATH = "stages/instances.png"
@@ -85,10 +85,7 @@ def decode_segments(entries: Any, raw: bytes) -> Segments:
     Raises:
         BundleError: the picture or the names are not as written.
     """
-    with opened_png(raw, PATH) as picture:
-        if picture.mode != "P":
-            raise BundleError(f"{PATH} is no indexed picture.")
-        index = np.asarray(picture, np.uint8)
+    index = decode_indices(raw, PATH)
     try:
         names, labels = (
             tuple(printable(e[key], f"The {key} of an instance", BundleError) for e in entries)

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
-import io
 import os
-import struct
-import warnings
+import threading
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float, UInt8
@@ -18,10 +14,8 @@ from jaxtyping import Float, UInt8
 from ..backends.protocols import Imager, Reasoner
 from ..errors import InputError
 from ..io.reading import read_regular
+from ..pictures import DecodedPicture, PictureLimits, decode
 from ..scene import Intrinsics, Reference, ScenePlan
-
-if TYPE_CHECKING:
-    from PIL import Image
 
 Source = str | Path | bytes | ScenePlan | np.ndarray
 """A text, a plan, or a picture: a path, encoded bytes, or an array (h, w, 3 or 4) of uint8."""
@@ -29,9 +23,6 @@ Source = str | Path | bytes | ScenePlan | np.ndarray
 DepthSource = str | Path | bytes | np.ndarray
 """A depth map as large as its picture: an array of metres (float) or millimetres (uint16), or a
 16-bit PNG of millimetres (a path, or its bytes). 0, NaN and infinity mean unknown."""
-
-FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF")
-"""Accepted picture formats; none starts another program to be read."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +40,14 @@ class ReferenceConfig:
     work_side: int = 1280
     max_depth: float = 30.0
     min_known: float = 0.1
+
+    @property
+    def picture_limits(self) -> PictureLimits:
+        """The limits that a picture's header is checked against."""
+        return PictureLimits(
+            max_bytes=self.max_bytes, max_pixels=self.max_pixels, min_side=self.min_side,
+            max_ratio=self.max_ratio,
+        )  # fmt: skip
 
 
 def refer(
@@ -99,54 +98,38 @@ def is_picture_name(text: str) -> bool:
 
 
 def read_image(
-    source: str | Path | bytes | np.ndarray, config: ReferenceConfig | None = None
+    source: str | Path | bytes | np.ndarray,
+    config: ReferenceConfig | None = None,
+    cancelled: threading.Event | None = None,
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Decode a picture into sRGB on white, upright, at most ``config.work_side`` long."""
-    config = config or ReferenceConfig()
-    return _prepare(_decode(source, config), config)
+    """Decode a picture into sRGB on white, upright, at most ``config.work_side`` long.
+
+    A file is decoded in a child process (see ``generator.pictures``), which another thread kills by
+    setting ``cancelled``.
+
+    Raises:
+        InputError: a missing or broken picture, or one over a limit of ``config``.
+    """
+    return _decode(source, config or ReferenceConfig(), cancelled).pixels
 
 
-def _decode(source: str | Path | bytes | np.ndarray, config: ReferenceConfig) -> Image.Image:
-    """Return a loaded picture as it is stored, its size checked."""
-    from PIL import Image, UnidentifiedImageError
-
-    try:
-        if isinstance(source, np.ndarray):
-            picture = Image.fromarray(_as_uint8(source))
-        else:
-            with warnings.catch_warnings():  # our own limit on pixels comes next
-                warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-                data = io.BytesIO(_read_bytes(source, config))
-                picture = Image.open(data, formats=FORMATS)
-        _check_size(picture.width, picture.height, config)
-        picture.load()
-    except UnidentifiedImageError as error:
-        raise InputError("Not a picture in a known format. Use PNG, JPEG or WebP.") from error
-    except Image.DecompressionBombError as error:
-        raise InputError(f"The picture is too large: {error}") from error
-    except (OSError, SyntaxError, EOFError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"The picture is damaged or truncated ({error}).") from error
-    return picture
-
-
-def _prepare(picture: Image.Image, config: ReferenceConfig) -> UInt8[np.ndarray, "h w 3"]:
+def _decode(
+    source: str | Path | bytes | np.ndarray,
+    config: ReferenceConfig,
+    cancelled: threading.Event | None = None,
+) -> DecodedPicture:
     """Return a picture upright, in sRGB on white, at most ``config.work_side`` long."""
-    from PIL import Image, ImageOps
+    limits, what = config.picture_limits, "The picture"
+    if not isinstance(source, np.ndarray):
+        raw = _read_bytes(source, config)
+        return decode(raw, what, InputError, limits, "upright", config.work_side, cancelled)
+    from PIL import Image
 
-    damaged = SyntaxError, ValueError, OSError, EOFError, KeyError, TypeError, struct.error
-    with contextlib.suppress(*damaged):  # EXIF data that cannot be read turn nothing
-        picture = ImageOps.exif_transpose(picture)
-    if picture.mode.startswith("I;16"):  # Pillow would clip these to white; keep the upper byte
-        picture = Image.fromarray((np.asarray(picture) >> 8).astype(np.uint8))
-    if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
-        picture = picture.convert("RGBA")
-        white = Image.new("RGBA", picture.size, (255, 255, 255, 255))
-        picture = Image.alpha_composite(white, picture)
-    picture = picture.convert("RGB")
-    picture.thumbnail((config.work_side, config.work_side), Image.Resampling.LANCZOS)
-    return np.asarray(picture, np.uint8)
+    from ..pictures.pixels import upright
+
+    picture = Image.fromarray(_as_uint8(source))
+    limits.check_size(*picture.size, what, InputError)
+    return DecodedPicture(upright(picture, config.work_side), picture.mode, *picture.size)
 
 
 # ----------------------------------------------------------------------------------------- RGB-D
@@ -164,7 +147,7 @@ def _refer_depth(
         missing = "depth map" if depth is None else "intrinsics (fx, fy, cx, cy in pixels)"
         raise InputError(f"An RGB-D picture needs its {missing} too. Pass both, or neither.")
     picture = _decode(source, config)
-    if picture.getexif().get(_ORIENTATION, 1) != 1:
+    if picture.orientation != 1:
         raise InputError(
             "The picture is stored turned (EXIF orientation), so depth and intrinsics may not fit "
             "it. Save it upright first."
@@ -172,7 +155,7 @@ def _refer_depth(
     size = picture.width, picture.height
     _check_intrinsics(intrinsics, *size)
     metres = read_depth(depth, size, config)
-    image = _prepare(picture, config)
+    image = picture.pixels
     height, width = image.shape[:2]
     lines = (height, size[1]), (width, size[0])
     places: list[np.ndarray] = [(np.arange(new) + 0.5) * old / new for new, old in lines]
@@ -220,15 +203,13 @@ def read_depth(
 
 
 def _decode_depth(source: str | Path | bytes, config: ReferenceConfig) -> np.ndarray:
-    try:
-        picture = _decode(source, config)
-    except InputError as error:
-        raise InputError(f"The depth map cannot be used. {error}") from error
+    raw = _read_bytes(source, config, "depth map")
+    picture = decode(raw, "The depth map", InputError, config.picture_limits, "stored")
     if not picture.mode.startswith("I"):
         raise InputError(
             f"A depth file is a 16-bit grey PNG in millimetres; this picture is {picture.mode!r}."
         )
-    return np.asarray(picture).clip(0, 65535).astype(np.uint16)
+    return picture.pixels.clip(0, 65535).astype(np.uint16)
 
 
 def _check_intrinsics(intrinsics: Intrinsics, width: int, height: int) -> None:
@@ -249,7 +230,6 @@ def _check_intrinsics(intrinsics: Intrinsics, width: int, height: int) -> None:
         )
 
 
-_ORIENTATION = 0x0112  # the EXIF tag
 _SQUARE = 0.03  # how far fx and fy may be apart
 
 
@@ -315,20 +295,3 @@ def _as_uint8(image: np.ndarray) -> np.ndarray:
     if image.ndim == 3 and image.shape[2] not in (3, 4):
         raise InputError(f"An image array needs 3 or 4 channels, got {image.shape[2]}.")
     return np.ascontiguousarray(image)
-
-
-def _check_size(width: int, height: int, config: ReferenceConfig) -> None:
-    if width * height > config.max_pixels:
-        raise InputError(
-            f"The picture has {width * height / 1e6:.0f} megapixels; the limit is "
-            f"{config.max_pixels / 1e6:.0f}. Shrink it first."
-        )
-    if min(width, height) < config.min_side:
-        raise InputError(
-            f"The picture is {width}x{height}; it needs at least {config.min_side} pixels a side."
-        )
-    if max(width, height) > config.max_ratio * min(width, height):
-        raise InputError(
-            f"The picture is {width}x{height}; the longer side may be at most "
-            f"{config.max_ratio:g} times the shorter. Crop it to the table."
-        )

@@ -28,19 +28,25 @@ def main() -> None:
     with Path(os.devnull).open("rb") as nothing:
         os.dup2(nothing.fileno(), 0)
     os.dup2(2, 1)  # what libraries print is no part of the answer
+    from .running import memory_text
+
     request = unpack(given.read(), _find)
     _leave_with(int(request["parent"]))
     function = _find(f"{request['module']}:{request['name']}")
     _work_nowhere()
+    too_large = memory_text(int(request["memory"]))  # names the inherited limit, so before ours
     _limit(float(request["cpu_seconds"]), int(request["memory"]))
-    answers.write(_answer(function, request["args"], int(request["memory"])))
+    answers.write(_answer(function, request["args"], too_large))
     answers.flush()
     os._exit(0)  # leaves nothing to the exit handlers of libraries that have parsed foreign data
 
 
-def _answer(function: Any, args: tuple[Any, ...], memory: int) -> bytes:
-    """Return, packed, the function's result, or the error that it raises."""
-    from .running import lacks_memory, memory_text
+def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> bytes:
+    """Return, packed, the function's result, or the error that it raises.
+
+    ``too_large`` is the message where the memory does not suffice.
+    """
+    from .running import lacks_memory
 
     try:
         return pack({"result": function(*args)})
@@ -50,7 +56,7 @@ def _answer(function: Any, args: tuple[Any, ...], memory: int) -> bytes:
     except Exception as error:  # whatever a parser stumbles over in a foreign file
         name, words = type(error).__name__, " ".join(str(error).split())[:300]
         if lacks_memory(f"{name}: {words}"):
-            message, breach = memory_text(memory), "memory"
+            message, breach = too_large, "memory"
         else:
             message, breach = f"is damaged ({name}: {words})", "parser"
     return pack({"error": name, "message": message, "breach": breach})

@@ -131,12 +131,16 @@ def _child(limits: Limits) -> Any:
     """Start a child with this process's modules; kill it in the end, whatever happens."""
     path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
     alone = dict.fromkeys(_THREADS, str(limits.threads)) if limits.threads else {}
-    process = subprocess.Popen(
-        [sys.executable, "-P", "-m", f"{__package__}.child"],
-        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0,
-        env={**os.environ, **alone, "PYTHONPATH": path, INSIDE: "1"},
-        start_new_session=True,  # an interrupt ends the parent, which ends the child
-    )  # fmt: skip
+    try:
+        process = subprocess.Popen(
+            [sys.executable, "-P", "-m", f"{__package__}.child"],
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0,
+            env={**os.environ, **alone, "PYTHONPATH": path, INSIDE: "1"},
+            start_new_session=True,  # an interrupt ends the parent, which ends the child
+        )  # fmt: skip
+    except OSError as error:
+        reason = error.strerror or error
+        raise SandboxError("crash", f"has no process to be read by ({reason})") from error
     try:
         yield process
     finally:

@@ -44,6 +44,7 @@ _LABELS = {
 _DRAWN = ("meshes/", "textures/")
 _DATA = (".json", ".obj", ".png")  # what a browser runs nothing of
 _PICTURES = ("reference", "preview")  # the first that there is lies over the view
+_THUMBNAILS = ("preview", "reference")  # the first that there is becomes the thumbnail
 _THUMB = (480, 360)
 _QUALITY = 82
 _EPOCH = (1980, 1, 1, 0, 0, 0)  # of all files in an archive: the same scene gives the same bytes
@@ -191,11 +192,12 @@ def _thumbnail(held: Mapping[str, bytes], files: dict[str, bytes]) -> str | None
     """Add a small picture of the scene as it simulates; return its path, None without one."""
     from PIL import Image
 
-    raw = held.get("preview.png", held.get("reference.png"))
-    if raw is None:
+    from generator.bundle.contents import decode_png
+
+    name = next((f"{kind}.png" for kind in _THUMBNAILS if f"{kind}.png" in held), None)
+    if name is None:
         return None
-    with Image.open(io.BytesIO(raw), formats=["PNG"]) as picture:
-        small = picture.convert("RGB")
+    small = Image.fromarray(decode_png(held[name], name))
     small.thumbnail(_THUMB, Image.Resampling.LANCZOS)
     made = io.BytesIO()
     small.save(made, "JPEG", quality=_QUALITY, optimize=True)

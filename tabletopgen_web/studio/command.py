@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import secrets
 import sys
 from pathlib import Path
@@ -50,9 +51,9 @@ def studio(
     from .folder import StudioFolder
     from .queue.database import open_database
     from .server.application import make_application
+    from .server.changes import Changes
     from .server.guard import Access
     from .server.listening import bind, serve
-    from .server.services import Changes
 
     require_number("studio needs --port", port, minimum=0, maximum=65535, integer=True)
     require_number("studio needs --workers", workers, minimum=1, maximum=64, integer=True)
@@ -76,7 +77,11 @@ def studio(
         place.announce(access.address)
         changes = Changes()
         app = make_application(place, access, static, workers, changes, studies)
-        serve(app, listening, access, browser, changes.close)
+        busy = serve(app, listening, access, browser, changes.close)
+    if busy:  # a thread would keep the process; it puts files in place whole, or not at all
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
     return 0
 
 

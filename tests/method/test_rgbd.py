@@ -61,7 +61,7 @@ def test_depth_and_intrinsics_shrink_with_the_picture():
         ({"depth": 1000 * DEPTH}, "metres"),
         ({"depth": np.ones((90, 120), np.int64)}, "int64"),
         ({"depth": encode_png(PICTURE)}, "16-bit grey PNG"),
-        ({"depth": b"nonsense"}, "The depth map cannot be used"),
+        ({"depth": b"nonsense"}, "The depth map cannot be read"),
         ({"depth": "missing.png"}, "missing.png"),
         ({"intrinsics": Intrinsics(120, 240, 60, 45)}, "square"),
         ({"intrinsics": Intrinsics(120, 120, 400, 45)}, "outside"),

@@ -16,6 +16,7 @@ import pytest
 from generator.errors import InputError
 from generator.sandbox import Limits, SandboxError, call
 from generator.sandbox.packing import class_name, pack, unpack
+from generator.sandbox.running import memory_text
 
 
 @dataclass(frozen=True)
@@ -153,6 +154,19 @@ def test_a_child_that_goes_wrong_is_one_error(function: Any, limits: Limits, bre
     with pytest.raises(SandboxError) as caught:
         call(function, limits=limits)
     assert caught.value.breach == breach
+
+
+@pytest.mark.slow
+def test_a_limit_of_memory_is_not_called_inherited() -> None:
+    with pytest.raises(SandboxError) as caught:
+        call(grow, limits=Limits(memory=2**28))
+    assert str(caught.value) == memory_text(2**28)
+
+
+def test_no_process_to_start_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "/nowhere/python")
+    with pytest.raises(SandboxError, match="no process"):
+        call(chatter)
 
 
 def test_errors_of_the_project_are_raised_as_they_are() -> None:

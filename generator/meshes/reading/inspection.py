@@ -5,16 +5,14 @@ from __future__ import annotations
 import base64
 import binascii
 import hashlib
-import io
 import re
 import struct
 from collections import Counter
 from collections.abc import Iterable
 
-from PIL import Image
-
-from ...errors import BackendError
+from ...errors import BackendError, InputError
 from ...io.reading import parse_object
+from ...pictures.pixels import opened
 from . import bounds
 from .flattening import (
     FAN,
@@ -27,11 +25,10 @@ from .flattening import (
     mesh_places,
     picture_of,
 )
+from .textures import TEXTURE_LIMITS
 
-_FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TGA")  # of a texture; others' readers are many
 _LONG_LINE = re.compile(rb"^[^\n]{%d}" % (bounds.MOST_LINE + 1), re.MULTILINE)
 _FACE = re.compile(rb"\nf[^\n]*+")
-_SCANS = 100  # of a JPEG; each goes over all of the picture, and takes next to no bytes
 _MOST = {
     "nodes": bounds.MOST_NODES, "meshes": bounds.MOST_MESHES,
     **dict.fromkeys(("materials", "textures", "images", "scenes"), bounds.MOST_MATERIALS),
@@ -135,18 +132,10 @@ def check_pictures(
     sizes: dict[bytes, int] = {}
     for raw in pictures:
         try:
-            with Image.open(io.BytesIO(raw), formats=_FORMATS) as picture:
+            with opened(raw, "has a texture that", TEXTURE_LIMITS) as picture:
                 width, height = picture.size
-                scans = raw.count(b"\xff\xda") if picture.format == "JPEG" else 0
-        except (Image.DecompressionBombError, Image.DecompressionBombWarning):
-            return "has a texture that unpacks to more pixels than any needs. Make it smaller."
-        except Exception as error:  # whatever a decoder may stumble over in a foreign file
-            return f"has a texture that cannot be read ({error}). Use PNG or JPEG."
-        if scans > _SCANS:
-            return f"has a JPEG texture of {scans} scans; at most {_SCANS} are read."
-        if width * height > bounds.MOST_TEXELS:
-            most = bounds.MOST_TEXELS
-            return f"has a texture of {width} x {height} pixels; at most {most} are read."
+        except InputError as error:
+            return str(error)
         sizes[hashlib.sha256(raw).digest()] = width * height
         if sum(sizes.values()) > maximum:
             return (

@@ -11,10 +11,17 @@ from jaxtyping import Float, UInt8
 from PIL import Image
 
 from ...errors import BackendError
-from .bounds import MOST_TEXELS_TOGETHER
+from ...pictures import PictureLimits, decode
+from .bounds import MOST_BYTES, MOST_TEXELS, MOST_TEXELS_TOGETHER
 
 MOST_TEXTURE = 2048
 """Longest side of a texture kept, texels."""
+
+TEXTURE_LIMITS = PictureLimits(
+    formats=("PNG", "JPEG", "WEBP", "BMP", "TGA"), max_bytes=MOST_BYTES, max_pixels=MOST_TEXELS,
+    cpu_seconds=20.0,
+)  # fmt: skip
+"""Limits on one texture."""
 
 Texels = UInt8[np.ndarray, "_ _ 3"]
 
@@ -41,16 +48,14 @@ class Pictures:
         """Return where in ``kept`` a picture is, its light multiplied by ``tint``.
 
         Raises:
-            BackendError: too much is kept.
+            BackendError: the picture cannot be read, or too much is kept.
         """
         file = _file(image)
         key = self._key(image if file is None else file)
         at = (key, tint.tobytes())
         if at not in self._places:
             if key not in self._plain:
-                self._plain[key] = _small(
-                    image.copy() if file is None else Image.open(io.BytesIO(file))
-                )
+                self._plain[key] = _small(image) if file is None else self._decode(file)
             plain = self._plain[key]
             self._room -= plain.shape[0] * plain.shape[1]
             if self._room < 0:
@@ -61,6 +66,10 @@ class Pictures:
             self.kept.append(plain if (tint == 1).all() else _tint(plain, tint))
             self.kept[-1].setflags(write=False)
         return self._places[at]
+
+    def _decode(self, file: bytes) -> Texels:
+        what = f"{self._what} has a texture that"
+        return decode(file, what, BackendError, TEXTURE_LIMITS, "rgb", MOST_TEXTURE).pixels
 
     def _key(self, source: Image.Image | bytes) -> Hashable:
         """Return the same for equal files, and for the same picture without one."""
@@ -89,11 +98,10 @@ def _file(image: Image.Image) -> bytes | None:
 
 
 def _small(image: Image.Image) -> Texels:
-    """Return a texture's colours, its longest side at most ``MOST_TEXTURE``; ends the image."""
-    with image:
-        plain = image if image.mode == "RGB" else image.convert("RGB")
-        plain.thumbnail((MOST_TEXTURE, MOST_TEXTURE), Image.Resampling.LANCZOS)
-        return np.array(plain, np.uint8)
+    """Return the colours of a picture in memory, its longest side at most ``MOST_TEXTURE``."""
+    from ...pictures.pixels import shrunk
+
+    return shrunk(image.copy(), MOST_TEXTURE)
 
 
 def _tint(picture: Texels, tint: Float[np.ndarray, "3"]) -> Texels:

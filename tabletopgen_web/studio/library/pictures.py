@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import re
+import threading
 import time
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -14,17 +14,15 @@ from generator.errors import InputError, StorageError
 from generator.io.files import remove_file, write_whole
 from generator.io.png import encode_png
 from generator.io.reading import read_regular
+from generator.pictures import format_of
 
 from ..contracts import PictureRow
 from ..refusals import RefusedError
 from ..specs import PICTURE_ID
 
-MOST_BYTES = 20 * 2**20
+MAX_BYTES = 20 * 2**20
 """Of an uploaded picture."""
 
-_SIGNATURE = re.compile(
-    rb"\x89PNG\r\n\x1a\n|\xff\xd8\xff|RIFF....WEBP|BM|II\*\0|MM\0\*|GIF8[79]a", re.DOTALL
-)
 _KEPT_SECONDS = 24 * 3600.0  # somebody may still be about to ask for a table of it
 _ADVICE = "Free space there."
 
@@ -35,21 +33,24 @@ class PictureShelf:
 
     folder: Path
 
-    def add(self, data: bytes) -> PictureRow:
+    def add(self, data: bytes, cancelled: threading.Event | None = None) -> PictureRow:
         """Keep a picture; the same one again is kept once.
+
+        It is decoded in a child process; setting ``cancelled`` from another thread kills that.
 
         Raises:
             RefusedError: it is no picture by its content.
-            InputError: it is damaged, too small, or has too many pixels.
+            InputError: it is damaged, over a limit, or ``cancelled`` is set.
             StorageError: the disk refuses.
         """
         from generator.method.reference import ReferenceConfig, read_image
 
-        if not _SIGNATURE.match(data):
+        limits = ReferenceConfig(max_bytes=MAX_BYTES)
+        if format_of(data, limits.picture_limits.formats) is None:
             raise RefusedError(
                 415, "This is no PNG, JPEG, WebP, BMP, TIFF or GIF picture, whatever it is called."
             )
-        image = read_image(data, ReferenceConfig(max_bytes=MOST_BYTES))
+        image = read_image(data, limits, cancelled)
         name = hashlib.sha256(data).hexdigest()[:32]
         write_whole(self.folder / f"{name}.png", encode_png(image), "The picture", _ADVICE)
         write_whole(self.folder / name, data, "The picture", _ADVICE)
@@ -82,4 +83,4 @@ class PictureShelf:
             RefusedError: there is none of that id.
         """
         shown = self.path(name).with_suffix(".png")
-        return read_regular(shown, "The picture", InputError, max_bytes=4 * MOST_BYTES)
+        return read_regular(shown, "The picture", InputError, max_bytes=4 * MAX_BYTES)

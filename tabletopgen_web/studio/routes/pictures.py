@@ -8,8 +8,9 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from ..library.pictures import MOST_BYTES
+from ..library.pictures import MAX_BYTES
 from ..server.bodies import read_body
+from ..server.cancelling import run_while_wanted
 from ..server.services import services_of
 from .answering import answer, answer_picture
 
@@ -18,8 +19,11 @@ async def add_picture(request: Request) -> Response:
     """Keep the picture that is the body."""
     services = services_of(request)
     async with services.uploads:
-        data = await read_body(request, MOST_BYTES)
-        return answer(await asyncio.to_thread(services.pictures.add, data), 201)
+        data = await read_body(request, MAX_BYTES)
+        row = await run_while_wanted(
+            request, services.changes, lambda cancelled: services.pictures.add(data, cancelled)
+        )
+        return answer(row, 201)
 
 
 async def get_picture(request: Request) -> Response:

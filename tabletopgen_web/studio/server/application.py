@@ -23,8 +23,10 @@ from ..queue.jobs import JobStore
 from ..refusals import status_of
 from ..routes import asking, events, jobs, pages, pictures, scenes, studies
 from ..routes.answering import answer
+from .cancelling import EndingRequests
+from .changes import Changes
 from .guard import Access, StudioGuard
-from .services import Changes, StudioServices
+from .services import StudioServices
 
 _LOG = logging.getLogger(__name__)
 
@@ -53,16 +55,14 @@ def make_application(
         changes: what is closed when the studio ends, so that pages no longer wait for events.
         studies: pages for raters, by study; ``access`` has their tokens.
     """
-    files = pages.list_files(static)
+    files, changes = pages.list_files(static), changes or Changes()
 
     @contextlib.asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
         folder.make()
         store = JobStore(folder.database)
         with contextlib.closing(store):
-            services = StudioServices(
-                folder, workers, files, store, changes or Changes(), studies or {}
-            )
+            services = StudioServices(folder, workers, files, store, changes, studies or {})
             app.state.services = services
             store.recover()
             services.sweep()
@@ -84,7 +84,7 @@ def make_application(
     )  # fmt: skip
     app.router.redirect_slashes = False
     app.router.default = pages.show
-    return StudioGuard(app, access)
+    return StudioGuard(EndingRequests(app, changes), access)
 
 
 async def _refuse(request: Request, error: Exception) -> Response:

@@ -18,9 +18,11 @@ from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
 
 from generator.errors import BackendError
 
+from .cancelling import StudioThreads
 from .guard import Access
 
 _GRACE = 2  # seconds that answers under way have at the end
+_IDLE = 0.5  # seconds that threads of requests have after that
 _HEAD = 15.0  # seconds in which the head of a request is to come
 
 
@@ -89,8 +91,10 @@ class _Server(uvicorn.Server):
 
 def serve(
     app: ASGIApp, listening: socket.socket, access: Access, browse: bool, stop: Callable[[], None]
-) -> None:
+) -> bool:
     """Answer requests until the process is interrupted; then call ``stop`` and end.
+
+    Return whether a thread of a request is still busy, which keeps the process from ending.
 
     Raises:
         BackendError: the application cannot begin.
@@ -108,8 +112,14 @@ def serve(
     if browse:
         opened = (access.ticket_link,)
         threading.Thread(target=webbrowser.open, args=opened, daemon=True).start()
-    server = _Server(config, stop)
+    server, threads = _Server(config, stop), StudioThreads()
+
+    async def answer_all() -> None:
+        asyncio.get_running_loop().set_default_executor(threads)
+        await server.serve(sockets=[listening])
+
     with contextlib.suppress(KeyboardInterrupt):
-        asyncio.run(server.serve(sockets=[listening]))
+        asyncio.run(answer_all())
     if not server.started:
         raise BackendError("The studio could not begin; what is above says why.")
+    return not threads.wait_idle(_IDLE)

@@ -25,35 +25,10 @@ from ..queue.process import JobProcess
 from ..queue.runner import Runner
 from ..specs import GenerateSpec, JobSpec, read_spec, scene_of
 from ..work.order import JobOrder
+from .changes import Changes
 
 _MOST_ESTIMATE = 180.0  # seconds
 _MOST_CLIENTS = 64  # that listen to events at once
-
-
-class Changes:
-    """Lets many wait for the next change, in one event loop, until the studio ends.
-
-    Attributes:
-        closed: whether it ends; who waits then stops.
-    """
-
-    def __init__(self) -> None:
-        self.closed = False
-        self._next = asyncio.Event()
-
-    def close(self) -> None:
-        """Say that the studio ends."""
-        self.closed = True
-        self.notify()
-
-    def notify(self) -> None:
-        """Say that something changed."""
-        self._next.set()
-        self._next = asyncio.Event()
-
-    def next(self) -> asyncio.Event:
-        """Return what is set by the next change."""
-        return self._next
 
 
 @dataclass(eq=False)

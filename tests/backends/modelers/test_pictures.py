@@ -36,10 +36,14 @@ def row(count: int, shared: bool) -> list[trimesh.Trimesh]:
 @pytest.fixture
 def decoded(monkeypatch: pytest.MonkeyPatch) -> list[tuple[int, int]]:
     sizes = []
-    small = pictures._small
-    monkeypatch.setattr(
-        pictures, "_small", lambda image: (sizes.append(image.size), small(image))[1]
-    )
+    decode = pictures.decode
+
+    def note(*args):
+        found = decode(*args)
+        sizes.append((found.width, found.height))
+        return found
+
+    monkeypatch.setattr(pictures, "decode", note)
     return sizes
 
 

@@ -28,7 +28,7 @@ from ....io.png import encode_png
 from ..server import configuration
 from ..server.calling import Rejected, Server
 from ..server.typed_question import data_uri
-from .pictures import RGBA, NotAPicture, decode
+from .pictures import RGBA, decode_answer
 
 Form = Literal["openai", "seedream"]
 
@@ -200,12 +200,12 @@ class Painter:
             whole = base64.b64decode(coded, validate=True) if coded else None
         except (binascii.Error, TypeError, ValueError):
             raise _Unusable("the picture is no base64.") from None
+        if whole is None:
+            whole = self._fetch(question, str(address), used, memo)
         try:
-            if whole is None:
-                whole = self._fetch(question, str(address), used, memo)
-            return decode(whole)
-        except NotAPicture as error:
-            raise _Unusable(f"{error}.") from None
+            return decode_answer(whole)
+        except UnusableError as error:
+            raise _Unusable(str(error)) from None
 
     def _fetch(self, question: str, address: str, used: Used, memo: str) -> bytes:
         """Return what is at the address of a picture; the key is not sent there.

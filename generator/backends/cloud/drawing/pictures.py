@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import io
-import warnings
-
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 from numpy.typing import ArrayLike
 
+from ....errors import UnusableError
 from ....geometry import main_parts
+from ....pictures import PictureLimits, decode
 from ..server.reading import Wrong
 
-MOST_PIXELS = 40_000_000
-"""Larger pictures are not decoded: no model draws them, and a small file can hold one."""
-
-LEAST_SIDE = 64
-
-_SCANS = 100  # of a JPEG; each goes over all of the picture, and takes next to no bytes
+LIMITS = PictureLimits(
+    formats=("PNG", "JPEG", "WEBP"), max_bytes=128 * 2**20, max_pixels=40_000_000, min_side=64
+)
+"""Limits on the picture of an answer."""
 
 _NEAR = 30  # grey levels by which a flat background may differ
 _FLAT = 0.7  # share of the picture's border that a flat background fills
@@ -27,39 +24,15 @@ _LEAST, _MOST = 0.004, 0.97  # share of the picture that a thing drawn alone may
 RGBA = UInt8[np.ndarray, "_ _ 4"]
 
 
-class NotAPicture(ValueError):
-    """Bytes that cannot be used as a picture; the message says why."""
+def decode_answer(data: bytes) -> RGBA:
+    """Decode the picture of an answer in a child process.
 
-
-def decode(data: bytes) -> RGBA:
-    """Return a PNG, JPEG or WebP as RGBA (NotAPicture: none, damaged, or too large or small)."""
-    from PIL import Image, UnidentifiedImageError
-
-    try:
-        with warnings.catch_warnings():  # our own limit on pixels comes next
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            picture = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "WEBP"))
-        width, height = picture.size
-        if width * height > MOST_PIXELS:
-            raise NotAPicture(
-                f"the picture claims {width}x{height} pixels; at most {MOST_PIXELS:,} are decoded"
-            )
-        if min(width, height) < LEAST_SIDE:
-            raise NotAPicture(
-                f"the picture is {width}x{height} pixels; a side has at least {LEAST_SIDE}"
-            )
-        if data.count(b"\xff\xda") > _SCANS and picture.format == "JPEG":
-            raise NotAPicture(f"the picture is a JPEG of more than {_SCANS} scans")
-        return np.asarray(picture.convert("RGBA"), np.uint8)
-    except NotAPicture:
-        raise
-    except UnidentifiedImageError:
-        kind = "HTML" if data.lstrip()[:1] == b"<" else "no PNG, JPEG or WebP"
-        raise NotAPicture(f"the picture is {kind} ({len(data)} bytes)") from None
-    except Image.DecompressionBombError:
-        raise NotAPicture(f"the picture has more than {MOST_PIXELS:,} pixels") from None
-    except Exception as error:  # whatever a decoder may stumble over in a foreign file
-        raise NotAPicture(f"the picture is damaged ({error})") from None
+    Raises:
+        UnusableError: it is not a PNG, JPEG or WebP, is damaged, or is over a limit.
+    """
+    if data.lstrip()[:1] == b"<":
+        raise UnusableError(f"the picture is HTML ({len(data)} bytes).")
+    return decode(data, "the picture", UnusableError, LIMITS, "rgba").pixels
 
 
 def on_white(picture: RGBA) -> UInt8[np.ndarray, "h w 3"]:

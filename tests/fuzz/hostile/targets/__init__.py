@@ -24,6 +24,7 @@ KINDS: Mapping[str, str] = MappingProxyType(
         "obj": "meshes:obj",
         "external": "meshes:external",
         "picture": "pictures:pictures",
+        "picture-structure": "structures:structures",
         "depth": "pictures:depths",
         "http": "network:http",
         "chat-answer": "network:chat",

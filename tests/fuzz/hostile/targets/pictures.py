@@ -1,20 +1,25 @@
 """Pictures and depth maps of users, and the numbers of their cameras."""
 
+import contextlib
 import functools
 import io
+import os
 import random
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from PIL import Image
 
-from generator.backends.cloud.drawing.pictures import NotAPicture, decode
+from generator.backends.cloud.drawing.pictures import decode_answer
 from generator.bundle.contents import decode_png
 from generator.bundle.segments import decode_segments
 from generator.errors import InputError
 from generator.meshes.reading.inspection import check_pictures
+from generator.meshes.reading.textures import Pictures
 from generator.method.reference import read_image, refer
+from generator.sandbox.running import INSIDE
 from generator.scene import Intrinsics
 
 from ..judging import accepts, accepts_any, command
@@ -22,6 +27,7 @@ from ..streams import hostile_png, spoiled
 from ..values import number, text, value
 from . import Run
 
+_APART = 0.1  # of the cases are decoded in children
 _FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF", "PPM", "ICO", "TGA")
 
 
@@ -46,24 +52,40 @@ def pictures(rng: random.Random, folder: Path) -> Run:
     path = folder / rng.choice(("x.png", "x.jpg", "x.gif", "x.tiff"))
     _put(path, raw, rng)
     names = [{"name": "table", "label": "table"}, {"name": "mug_1", "label": value(rng)}]
-
-    def of_cloud() -> None:
-        try:
-            decode(raw)
-        except NotAPicture as error:  # which the imager turns into an error of ours
-            raise InputError("no picture") from error
-
+    apart = rng.random() < _APART
     return lambda: accepts_any(
-        lambda: read_image(path), lambda: read_image(raw), lambda: decode_png(raw, "x.png"),
-        of_cloud, lambda: _inspected(raw), lambda: decode_segments(names, raw),
-        lambda: read_image(str(path)),
-    )  # fmt: skip
+        *readers(raw, apart), lambda: read_image(path), lambda: decode_segments(names, raw)
+    )
 
 
-def _inspected(raw: bytes) -> None:
-    reason = check_pictures([raw])
-    if reason:
+def readers(raw: bytes, apart: bool) -> tuple[Callable[[], Any], ...]:
+    """Return what reads a picture: photos, servers' answers, bundles, textures of meshes.
+
+    ``apart`` decodes in a child for each, as users do; else in this process, as within the child
+    in which a mesh is read.
+    """
+    return tuple(
+        functools.partial(_reading, read, raw, apart)
+        for read in (read_image, decode_answer, _bundled, _textured)
+    )
+
+
+def _reading(read: Callable[[bytes], Any], raw: bytes, apart: bool) -> None:
+    with contextlib.ExitStack() as stack:
+        if not apart:
+            os.environ[INSIDE] = "1"
+            stack.callback(os.environ.pop, INSIDE)
+        read(raw)
+
+
+def _bundled(raw: bytes) -> None:
+    decode_png(raw, "x.png")
+
+
+def _textured(raw: bytes) -> None:
+    if reason := check_pictures([raw]):
         raise InputError(reason)
+    Pictures("the mesh").place(Image.open(io.BytesIO(raw)), np.ones(3))
 
 
 def depths(rng: random.Random, folder: Path) -> Run:
@@ -129,8 +151,6 @@ def _odd(rng: random.Random) -> bytes:
 
 
 def _put(path: Path, raw: bytes, rng: random.Random) -> None:
-    import os
-
     kind = rng.random()
     if kind < 0.02:
         path.symlink_to("/dev/zero")

@@ -1,0 +1,232 @@
+"""Headers of picture files: format, size, frames and scans, from the bytes alone.
+
+Nothing is decompressed, and no loop is longer than a sound file of the same size needs. A header
+says what a decoder is about to do; the decoder's own view is checked against the limits again.
+"""
+
+from __future__ import annotations
+
+import re
+import struct
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal
+
+Format = Literal["PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF", "TGA"]
+
+_PNG = b"\x89PNG\r\n\x1a\n"
+_SIGNATURES: tuple[tuple[Format, re.Pattern[bytes]], ...] = (
+    ("PNG", re.compile(re.escape(_PNG))),
+    ("JPEG", re.compile(rb"\xff\xd8\xff")),
+    ("WEBP", re.compile(rb"RIFF....WEBP", re.DOTALL)),
+    ("GIF", re.compile(rb"GIF8[79]a")),
+    ("TIFF", re.compile(rb"II[*+]\0|MM\0[*+]")),
+    ("BMP", re.compile(rb"BM")),
+    # Colour map, kind of pixels, any eleven bytes, and bits a pixel: all that a TGA has.
+    ("TGA", re.compile(rb".[\0\1][\1\2\3\t\n\x0b].{13}[\1\x08\x10\x18\x20]", re.DOTALL)),
+)
+
+_SEGMENTS = 20_000  # of a JPEG; sound ones have hundreds
+_CHUNKS = 1000, 256  # a file has so many chunks, and one more for so many bytes
+_IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # what ends the data of a scan
+_MARKER = re.compile(rb"\xff+([^\x00\xff])")
+_SOS, _EOI = 0xDA, 0xD9
+_SIZED = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}  # markers that begin a frame
+_BARE = frozenset((0x01, 0xD8, *range(0xD0, 0xD8)))  # markers without a length
+
+_TIFF_TYPES = MappingProxyType({3: "H", 4: "I", 16: "Q"})  # of numbers that may be a size
+_WIDTH, _HEIGHT = 256, 257
+_IFDS = 100_000  # that are followed
+
+
+class DamagedHeader(ValueError):
+    """A header that cannot be read; the message says why."""
+
+
+@dataclass(frozen=True)
+class PictureHeader:
+    """What a header claims: the first frame's size in pixels, how many frames, and JPEG scans."""
+
+    format: Format
+    width: int
+    height: int
+    frames: int = 1
+    scans: int = 1
+
+
+def format_of(raw: bytes, formats: Iterable[Format]) -> Format | None:
+    """Return the one of ``formats`` that the first bytes of a file are of, None if none."""
+    for name, signature in _SIGNATURES:
+        if signature.match(raw):
+            return name if name in formats else None
+    return None
+
+
+def parse_header(raw: bytes, kind: Format) -> PictureHeader:
+    """Return the header of a file of a known format.
+
+    Raises:
+        DamagedHeader: it is cut off, or holds more segments than any sound file.
+    """
+    try:
+        return _READERS[kind](raw)
+    except (struct.error, IndexError) as error:
+        raise DamagedHeader("its header is cut off") from error
+
+
+def _png(raw: bytes) -> PictureHeader:
+    if raw[8:16] != b"\0\0\0\rIHDR":
+        raise DamagedHeader("it does not begin with a header")
+    width, height = struct.unpack_from(">II", raw, 16)
+    frames = 1
+    for name, at, size in _chunks(raw, 8, ">I4s", 4, 1):
+        if name == b"acTL" and size >= 4:
+            frames = max(1, struct.unpack_from(">I", raw, at)[0])
+        if name == b"IEND":
+            break
+    return PictureHeader("PNG", width, height, frames)
+
+
+def _webp(raw: bytes) -> PictureHeader:
+    size, frames = None, 0
+    for name, at, _ in _chunks(raw, 12, "<4sI", 0, 2):
+        frames += name == b"ANMF"
+        if size is None and name == b"VP8X":
+            packed = int.from_bytes(raw[at + 4 : at + 10], "little")
+            size = (packed & 0xFFFFFF) + 1, (packed >> 24) + 1
+        elif size is None and name == b"VP8L":
+            (packed,) = struct.unpack_from("<I", raw, at + 1)
+            size = (packed & 0x3FFF) + 1, (packed >> 14 & 0x3FFF) + 1
+        elif size is None and name == b"VP8 ":
+            width, height = struct.unpack_from("<HH", raw, at + 6)
+            size = width & 0x3FFF, height & 0x3FFF
+    if size is None:
+        raise DamagedHeader("it holds no picture")
+    return PictureHeader("WEBP", *size, max(1, frames))
+
+
+def _chunks(
+    raw: bytes, start: int, head: str, check: int, align: int
+) -> Iterator[tuple[bytes, int, int]]:
+    """Yield name, place and size of each chunk; ``head`` is how a name and a size are written."""
+    count, most = 0, _CHUNKS[0] + len(raw) // _CHUNKS[1]
+    while start + 8 <= len(raw):
+        first, second = struct.unpack_from(head, raw, start)
+        name, size = (second, first) if isinstance(first, int) else (first, second)
+        yield name, start + 8, size
+        start += 8 + -(-size // align) * align + check
+        count += 1
+        if count > most:
+            raise DamagedHeader(f"it holds more than {most} chunks")
+
+
+def _jpeg(raw: bytes) -> PictureHeader:
+    size, scans, at = None, 0, 2
+    for _ in range(_SEGMENTS):
+        found = _MARKER.search(raw, at)
+        if found is None or (kind := found[1][0]) == _EOI:
+            break
+        at = found.end()
+        if kind in _BARE:
+            continue
+        (length,) = struct.unpack_from(">H", raw, at)
+        if length < 2:
+            raise DamagedHeader("a segment has no length")
+        if size is None and kind in _SIZED:
+            height, width = struct.unpack_from(">HH", raw, at + 3)
+            size = width, height
+        at += length
+        if kind == _SOS:
+            scans += 1
+            ending = _IN_SCAN.search(raw, at)
+            at = ending.start() if ending else len(raw)
+    else:
+        if size is None or not scans:
+            raise DamagedHeader(f"it holds more than {_SEGMENTS} segments")
+    if size is None:
+        raise DamagedHeader("it says no size")
+    return PictureHeader("JPEG", *size, 1, max(1, scans))
+
+
+def _gif(raw: bytes) -> PictureHeader:
+    width, height, flags = struct.unpack_from("<HHB", raw, 6)
+    at, frames = 13 + _palette(flags), 0
+    most = left = _CHUNKS[0] + len(raw) // 64
+    while at < len(raw) and (kind := raw[at]) != 0x3B:
+        if kind == 0x2C:
+            x, y, w, h, flags = struct.unpack_from("<HHHHB", raw, at + 1)
+            if not frames:
+                width, height = max(width, x + w), max(height, y + h)
+            frames += 1
+            at += 11 + _palette(flags)
+        elif kind == 0x21:
+            at += 2
+        else:  # which decoders skip
+            at, left = at + 1, left - 1
+            continue
+        while at < len(raw) and left > 0 and (size := raw[at]):
+            at, left = at + size + 1, left - 1
+        at, left = at + 1, left - 1
+        if left <= 0:
+            raise DamagedHeader(f"it holds more than {most} blocks")
+    return PictureHeader("GIF", width, height, max(1, frames))
+
+
+def _palette(flags: int) -> int:
+    """Return the bytes of the palette that follows, if any."""
+    return 3 * 2 ** ((flags & 7) + 1) if flags & 0x80 else 0
+
+
+def _bmp(raw: bytes) -> PictureHeader:
+    (size,) = struct.unpack_from("<I", raw, 14)
+    width, height = struct.unpack_from("<HH" if size == 12 else "<ii", raw, 18)
+    return PictureHeader("BMP", abs(width), abs(height))
+
+
+def _tga(raw: bytes) -> PictureHeader:
+    return PictureHeader("TGA", *struct.unpack_from("<HH", raw, 12))
+
+
+def _tiff(raw: bytes) -> PictureHeader:
+    order, big = ("<" if raw[:2] == b"II" else ">"), 0x2B in raw[2:4]
+    at = struct.unpack_from(order + ("Q" if big else "I"), raw, 8 if big else 4)[0]
+    size = _first_size(raw, at, order, big)
+    seen: set[int] = set()
+    head, entry, link = ("Q", 20, "Q") if big else ("H", 12, "I")
+    while at and at not in seen and len(seen) < _IFDS:
+        seen.add(at)
+        try:
+            (count,) = struct.unpack_from(order + head, raw, at)
+            (at,) = struct.unpack_from(
+                order + link, raw, at + struct.calcsize(order + head) + count * entry
+            )
+        except (struct.error, OverflowError):  # of the first frame only the list itself is needed
+            break
+    return PictureHeader("TIFF", *size, max(1, len(seen)))
+
+
+def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
+    """Return width and height of the first frame, whose list of tags lies at ``at``."""
+    if at >= len(raw):
+        raise DamagedHeader("its tags lie outside it")
+    head, entry, value = (order + "Q", 20, 12) if big else (order + "H", 12, 8)
+    (count,) = struct.unpack_from(head, raw, at)
+    first = at + struct.calcsize(head)
+    found: dict[int, int] = {}
+    for k in range(min(count, 65536, (len(raw) - first) // entry)):
+        place = first + k * entry
+        tag, kind = struct.unpack_from(order + "HH", raw, place)
+        if tag in (_WIDTH, _HEIGHT) and kind in _TIFF_TYPES:
+            (found[tag],) = struct.unpack_from(order + _TIFF_TYPES[kind], raw, place + value)
+    if len(found) < 2:
+        raise DamagedHeader("it says no size")
+    return found[_WIDTH], found[_HEIGHT]
+
+
+_READERS: Mapping[Format, Callable[[bytes], PictureHeader]] = MappingProxyType(
+    {
+        "PNG": _png, "JPEG": _jpeg, "WEBP": _webp, "BMP": _bmp, "TIFF": _tiff, "GIF": _gif,
+        "TGA": _tga,
+    }
+)  # fmt: skip

@@ -1,0 +1,108 @@
+"""Work that ends when nobody waits for its result any more: a client left, or the studio ends."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import TypeVar
+
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import JSONResponse
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from .changes import Changes
+
+_T = TypeVar("_T")
+
+_GRACE = 0.5  # seconds that requests have when the studio ends
+
+
+async def run_while_wanted(
+    request: Request, changes: Changes, work: Callable[[threading.Event], _T]
+) -> _T:
+    """Return ``work(cancelled)``, run in a thread after the request's body has been read.
+
+    The event is set when the client disconnects, the studio ends, or this task is cancelled; the
+    work has to end soon after. This returns, or raises, no earlier than the work ends, unless the
+    task is cancelled.
+
+    Raises:
+        ClientDisconnect: the work was cancelled.
+    """
+    cancelled = threading.Event()
+    working = asyncio.ensure_future(asyncio.to_thread(work, cancelled))
+    watching = [
+        asyncio.create_task(_disconnect(request)),
+        asyncio.create_task(changes.wait_closed()),
+    ]
+    try:
+        await asyncio.wait([working, *watching], return_when=asyncio.FIRST_COMPLETED)
+        if working.done():
+            return working.result()
+        cancelled.set()
+        with contextlib.suppress(Exception):  # of work that was cancelled in its middle
+            await working
+        raise ClientDisconnect
+    finally:
+        cancelled.set()
+        for task in watching:
+            task.cancel()
+
+
+async def _disconnect(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
+
+
+class EndingRequests:
+    """Wraps the application; requests that outlast the studio are cancelled, and answered so."""
+
+    def __init__(self, app: ASGIApp, changes: Changes) -> None:
+        self._app, self._changes = app, changes
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer a request."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        started = False
+
+        async def send_noted(message: Message) -> None:
+            nonlocal started
+            started = True
+            await send(message)
+
+        working = asyncio.ensure_future(self._app(scope, receive, send_noted))
+        closing = asyncio.create_task(self._changes.wait_closed())
+        try:
+            await asyncio.wait([working, closing], return_when=asyncio.FIRST_COMPLETED)
+            await asyncio.wait([working], timeout=None if working.done() else _GRACE)
+            working.cancel()
+            await working
+        except asyncio.CancelledError:
+            if not self._changes.closed:
+                raise
+            if not started:
+                await JSONResponse({"error": "The studio ends."}, 503)(scope, receive, send)
+        finally:
+            closing.cancel()
+            working.cancel()
+
+
+class StudioThreads(ThreadPoolExecutor):
+    """The threads of requests. Those that still run when the studio ends are not waited for."""
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """Start nothing more."""
+        super().shutdown(wait=False, cancel_futures=True)
+
+    def wait_idle(self, seconds: float) -> bool:
+        """Return whether all threads end within so many seconds of a shutdown."""
+        end = time.monotonic() + seconds
+        for thread in tuple(self._threads):
+            thread.join(max(0.0, end - time.monotonic()))
+        return not any(thread.is_alive() for thread in self._threads)
