@@ -31,8 +31,7 @@ from ..meshes.reading.bounds import MOST_BYTES
 from ..meshes.reading.companions import companions
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
 from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
-from .files import read_source
-from .foreign import ForeignBody, ForeignScene, check_count
+from .foreign import ForeignBody, ForeignScene, check_count, read_source
 
 POSES = "poses.json"
 """Name of the file that says what is where."""

@@ -19,9 +19,8 @@ from ..errors import InputError, choices
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties, join_bodies
 from ..scene import ConvexPart
-from .compiling import compile_foreign
 from .foreign import ForeignBody, ForeignScene, check_count
-from .mjcf_files import gather
+from .mjcf_files import GatheredModel, gather
 from .mjcf_looks import GeomLooks
 from .shapes import Solid, hull_corners, solid_part, solid_surface
 
@@ -57,6 +56,21 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
     return ForeignScene(
         stem or path.stem, reader.fixed_body(name, fixed), objects, tuple(reader.list_left(fixed))
     )
+
+
+def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
+    """Return the compiled model; ``what`` names it in messages.
+
+    Raises:
+        InputError: MuJoCo refuses it.
+    """
+    import mujoco
+
+    try:
+        return mujoco.MjModel.from_xml_string(gathered.xml, gathered.files)
+    except ValueError as error:
+        said = " ".join(str(error).split())[:500]
+        raise InputError(f"MuJoCo refuses {what}: {said!r}. Correct it there.") from error
 
 
 class _ModelReader:
