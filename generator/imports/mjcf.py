@@ -88,6 +88,7 @@ class _ModelReader:
                      model.jnt_type[j] == free]  # fmt: skip
         self.solid: Bool[np.ndarray, "g"] = (model.geom_contype | model.geom_conaffinity) != 0
         self.looks = GeomLooks(model)
+        self._meshes: dict[int, tuple[Any, Any, Any]] = {}  # by number; geoms may share them
         colors = [self.looks.color(g)[3] > _SEEN for g in range(model.ngeom)]
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
 
@@ -300,17 +301,26 @@ class _ModelReader:
         self, geom: int
     ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
         """Return a mesh in its geom's frame, and its texture coordinates, v upwards."""
-        model, mesh = self.model, int(self.model.geom_dataid[geom])
+        mesh = int(self.model.geom_dataid[geom])
+        if mesh not in self._meshes:
+            self._meshes[mesh] = self._read_mesh(mesh)
+        vertices, faces, uv = self._meshes[mesh]
+        return vertices, faces, None if uv is None else uv * self.looks.repeat(geom)
+
+    def _read_mesh(
+        self, mesh: int
+    ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
+        model = self.model
         at, count = model.mesh_faceadr[mesh], model.mesh_facenum[mesh]
         faces = model.mesh_face[at : at + count].astype(np.int64)
         first, number = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
         vertices = model.mesh_vert[first : first + number].astype(np.float64)
         if model.mesh_texcoordadr[mesh] < 0:
             return vertices, faces, None
+        texcoords = int(model.mesh_texcoordnum[mesh])
         which = model.mesh_facetexcoord[at : at + count].astype(np.int64)
-        pairs, index = np.unique(
-            np.column_stack([faces.ravel(), which.ravel()]), axis=0, return_inverse=True
-        )
-        uv = model.mesh_texcoord[model.mesh_texcoordadr[mesh] + pairs[:, 1]].astype(np.float64)
-        uv = np.column_stack([uv[:, 0], 1 - uv[:, 1]]) * self.looks.repeat(geom)
-        return vertices[pairs[:, 0]], index.reshape(-1, 3), uv
+        pairs, index = np.unique((faces * texcoords + which).ravel(), return_inverse=True)
+        corner, which = np.divmod(pairs, texcoords)
+        uv = model.mesh_texcoord[model.mesh_texcoordadr[mesh] + which].astype(np.float64)
+        uv = np.column_stack([uv[:, 0], 1 - uv[:, 1]])
+        return vertices[corner], index.reshape(-1, 3), uv

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import TabletopError
-from .packing import pack, unpack
+from .packing import packed_parts, unpack
 
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 
@@ -33,26 +33,27 @@ def main() -> None:
     function = _find(f"{request['module']}:{request['name']}")
     _work_nowhere()
     _limit(float(request["cpu_seconds"]), int(request["memory"]))
-    answers.write(_answer(function, request["args"], int(request["memory"])))
+    for part in _answer(function, request["args"], int(request["memory"])):
+        answers.write(part)
     answers.flush()
     os._exit(0)  # leaves nothing to the exit handlers of libraries that have parsed foreign data
 
 
-def _answer(function: Any, args: tuple[Any, ...], memory: int) -> bytes:
-    """Return, packed, the function's result, or the error that it raises."""
+def _answer(function: Any, args: tuple[Any, ...], memory: int) -> list[bytes | memoryview]:
+    """Return, packed in pieces, the function's result, or the error that it raises."""
     from .running import memory_text
 
     try:
-        return pack({"result": function(*args)})
+        return packed_parts({"result": function(*args)})
     except TabletopError as error:
         message = str(error.args[0]) if error.args else ""
-        return pack({"error": type(error).__name__, "message": message, "breach": ""})
+        return packed_parts({"error": type(error).__name__, "message": message, "breach": ""})
     except MemoryError:
         name, message, breach = "MemoryError", memory_text(memory), "memory"
     except Exception as error:  # whatever a parser stumbles over in a foreign file
         name, breach = type(error).__name__, "parser"
         message = f"is damaged ({name}: {' '.join(str(error).split())[:300]})"
-    return pack({"error": name, "message": message, "breach": breach})
+    return packed_parts({"error": name, "message": message, "breach": breach})
 
 
 def _find(name: str) -> Any:

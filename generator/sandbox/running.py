@@ -101,7 +101,7 @@ def call(
     return _result(raw, returns)
 
 
-def _result(raw: bytes, returns: Iterable[type]) -> Any:
+def _result(raw: bytes | memoryview, returns: Iterable[type]) -> Any:
     expected = {class_name(kind): kind for kind in returns}
 
     def find_class(name: str) -> type:
@@ -160,7 +160,7 @@ def _exchange(
     request: bytes,
     limits: Limits,
     cancelled: threading.Event | None,
-) -> tuple[bytes, bytes, Breach | None]:
+) -> tuple[bytes | memoryview, bytes, Breach | None]:
     """Send the request; return the answer, the end of standard error, and what was breached."""
     assert process.stdin and process.stdout and process.stderr
     end = time.monotonic() + _HUNG[0] + _HUNG[1] * limits.cpu_seconds
@@ -193,7 +193,7 @@ def _exchange(
                     answer += chunk
                     if len(answer) > limits.output:
                         return b"", words, "output"
-    return bytes(answer), words, None
+    return memoryview(answer).toreadonly(), words, None
 
 
 def _write(process: subprocess.Popen[bytes], left: memoryview) -> memoryview:
