@@ -16,6 +16,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 
 from ..errors import InputError, choices
+from ..meshes.reading.bounds import MOST_FACES
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties, join_bodies
 from ..scene import ConvexPart
@@ -47,6 +48,7 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
             no free body, or no table.
     """
     model = compile_foreign(gather(path, folder), f"the model {path.name!r}")
+    _check_meshes(model)
     reader = _ModelReader(model)
     reader.check_joints()
     check_count(len(reader.free))
@@ -73,6 +75,20 @@ def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
         raise InputError(f"MuJoCo refuses {what}: {said!r}. Correct it there.") from error
 
 
+def _check_meshes(model: mujoco.MjModel) -> None:
+    """Refuse meshes with too many triangles, counted once for each geom that shows one."""
+    shown = model.geom_dataid[model.geom_type == _MESH]
+    _check_faces(int(model.mesh_facenum[shown].sum(dtype=np.int64)))
+
+
+def _check_faces(count: int) -> None:
+    if count > MOST_FACES:
+        raise InputError(
+            f"The model shows {count} triangles or more, repeated ones counted each time; at most "
+            f"{MOST_FACES} are read. Use meshes with fewer, or take things out."
+        )
+
+
 class _ModelReader:
     """Reads bodies from a compiled model at its initial state."""
 
@@ -88,6 +104,7 @@ class _ModelReader:
                      model.jnt_type[j] == free]  # fmt: skip
         self.solid: Bool[np.ndarray, "g"] = (model.geom_contype | model.geom_conaffinity) != 0
         self.looks = GeomLooks(model)
+        self._drawn = 0  # triangles
         self._meshes: dict[int, tuple[Any, Any, Any]] = {}  # by number; geoms may share them
         colors = [self.looks.color(g)[3] > _SEEN for g in range(model.ngeom)]
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
@@ -284,6 +301,8 @@ class _ModelReader:
                 index = known.setdefault(id(picture), len(pictures))
                 if index == len(pictures):
                     pictures.append(picture)
+            self._drawn += len(faces)
+            _check_faces(self._drawn)
             flat = np.round(255 * color[:3].clip(0, 1)).astype(np.uint8)
             rows.append((
                 vertices @ turn.T + center, faces + count,
