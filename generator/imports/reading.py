@@ -10,21 +10,15 @@ from pathlib import Path
 from typing import Literal
 
 from ..errors import InputError
+from ..meshes.reading.bounds import LIMITS
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
-from ..sandbox import Limits, SandboxError, call
+from ..sandbox import SandboxError, call
 from ..scene import ConvexPart
 from .foreign import ForeignBody, ForeignScene
 
 SourceKind = Literal["mjcf", "glb", "folder"]
 """What a foreign scene is: a MJCF file, a GLB file, or a folder of files with ``poses.json``."""
-
-LIMITS = Limits(cpu_seconds=16.0)
-"""Limits of reading one scene with all its files.
-
-A mesh of a million triangles takes 2 s and 0.5 GB as GLB, 6 s and 1 GB as OBJ, and 6 s and 1.3 GB
-in a MJCF. With the start of both processes a hostile file costs less than 20 s and 2 GB.
-"""
 
 _VALUES = (ForeignScene, ForeignBody, ColoredSurface, ConvexPart, MassProperties)
 
