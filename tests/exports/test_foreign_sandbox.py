@@ -1,5 +1,6 @@
 """Foreign scenes are read in a child process with limits; this process parses nothing."""
 
+import json
 import os
 import subprocess
 import sys
@@ -100,3 +101,77 @@ def test_a_killed_import_leaves_nothing_behind(tmp_path: Path) -> None:
     process.kill()
     process.communicate(timeout=60)
     assert [*(tmp_path / "out").iterdir()] == []
+
+
+_COST = """
+import json, resource, sys
+from pathlib import Path
+from generator.errors import TabletopError
+from generator.imports.importing import find_source
+from generator.imports.reading import read_scene
+
+def used():
+    both = [resource.getrusage(kind) for kind in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(r.ru_utime + r.ru_stime for r in both), sum(r.ru_maxrss for r in both) / 1024
+
+for path in sys.argv[1:]:
+    before = used()[0]
+    try:
+        read_scene(*find_source(Path(path)))
+        end = "accepted"
+    except TabletopError as error:
+        end = type(error).__name__
+    print(json.dumps([path, end, used()[0] - before, used()[1]]), flush=True)
+"""
+
+
+def hostile_scenes(folder: Path) -> list[Path]:
+    """Foreign scenes of few bytes that ask for much work or memory."""
+    ball = trimesh.creation.icosphere(6, 0.03)  # 81,920 triangles
+    flat = '<texture name="t" type="2d" builtin="flat" width="26000" height="26000"/>'
+    heads = {
+        "sizes": '<size nuser_body="200000000" nuserdata="290000000"/>',
+        "sensor": '<sensor><user name="u" dim="500000000"/></sensor>',
+        "builtin": f"<asset>{flat}</asset>",
+        "states": '<actuator><general body="cube" dyntype="user" actdim="2000000000"/></actuator>',
+        "lengths": '<compiler><lengthrange mode="all" timestep="1e-9"/></compiler>'
+        '<actuator><general body="cube"/></actuator>',
+    }  # fmt: skip
+    sphere = '<geom type="ellipsoid" size=".001 .002 .003"/>'
+    copies = '<replicate count="200" offset="0 0 .001">'
+    bodies = {
+        "copies": TABLE + CUBE + copies * 3 + sphere + "</replicate>" * 3,
+        "fewer": TABLE + CUBE + copies + '<replicate count="45">' + sphere + "</replicate>" * 2,
+        "nan": TABLE + NAN,
+    }
+    paths = [write(folder / name, head=head) for name, head in heads.items()]
+    paths += [write(folder / name, body) for name, body in bodies.items()]
+    thing = '<body pos="1 2 .8"><freejoint/><geom type="mesh" mesh="m"/></body>'
+    (folder / "many").mkdir()
+    ball.export(folder / "many" / "ball.obj")
+    head = '<asset><mesh name="m" file="ball.obj"/></asset>'
+    paths.append(write(folder / "many", TABLE + 100 * thing, head))
+    scene = trimesh.Scene()
+    scene.add_geometry(ball, node_name="table", geom_name="ball")
+    for k in range(99):
+        scene.add_geometry(ball, node_name=f"n{k}", geom_name="ball")
+    (folder / "many.glb").write_bytes(scene.export(file_type="glb"))
+    return [*paths, folder / "many.glb"]
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(900)
+def test_hostile_scenes_take_little(tmp_path: Path) -> None:
+    paths = hostile_scenes(tmp_path)
+    done = subprocess.run(
+        [sys.executable, "-c", _COST, *map(str, paths)], capture_output=True, text=True,
+        timeout=800, check=False, cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(rows) == len(paths)
+    for path, end, seconds, mib in rows:
+        assert end in ("accepted", "InputError", "BackendError"), path
+        assert seconds < 20 and mib < 2048, (path, end, seconds, mib)
+    assert not (tmp_path / "MUJOCO_LOG.TXT").exists()
