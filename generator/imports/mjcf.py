@@ -219,6 +219,8 @@ class _ModelReader:
         mass: MassProperties | None,
     ) -> ForeignBody:
         geoms = geoms[self.model.geom_type[geoms] != _PLANE]
+        if not np.isfinite(self.data.geom_xpos[geoms]).all():
+            raise InputError(f"The body {name!r} has a position that is not finite.")
         solid = geoms[self.solid[geoms]]
         drawn = geoms[~self.solid[geoms] & self.seen[geoms]]
         if not len(drawn):

@@ -216,12 +216,22 @@ def _explain(breach: Breach | None, code: int, words: bytes, limits: Limits) -> 
     if breach == "cancelled":
         return SandboxError("cancelled", "was cancelled")
     if code in (-signal.SIGXCPU, -signal.SIGKILL):  # the hard limit kills
-        return SandboxError("time", f"takes more than {seconds}")
+        return SandboxError("time", _time_text(seconds))
     said = words.decode(errors="replace").strip().splitlines()[-1:]
     text = said[0][:300] if said else _name_of(code)
     if any(sign in text for sign in ("MemoryError", "bad_alloc", "llocat", "failed to map")):
         return SandboxError("memory", memory_text(limits.memory))
     return SandboxError("crash", f"breaks its reader ({text})")
+
+
+def _time_text(seconds: str) -> str:
+    import resource
+
+    inherited = resource.getrlimit(resource.RLIMIT_CPU)[0]
+    text = f"takes more than {seconds}"
+    if inherited != resource.RLIM_INFINITY:
+        text += f", or than the {inherited} s that 'ulimit -t' allows"
+    return text
 
 
 def memory_text(memory: int) -> str:

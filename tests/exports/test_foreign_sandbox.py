@@ -88,7 +88,7 @@ def test_a_sound_scene_is_read_under_a_smaller_inherited_limit(tmp_path: Path) -
 def test_a_scene_that_is_refused_leaves_nothing_behind(tmp_path: Path) -> None:
     process = started(write(tmp_path / "in", TABLE + NAN), tmp_path / "out")
     _, err = process.communicate(timeout=240)
-    assert "InputError" in err
+    assert "InputError: The body 'cube' has a position that is not finite" in err
     assert [*(tmp_path / "out").iterdir()] == []
 
 
