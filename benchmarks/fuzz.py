@@ -85,9 +85,10 @@ def page(rows: Sequence[Row], machine: str, command: str) -> str:
         f"`{command}`, {machine}, {date.today().isoformat()}.",
         "",
         "A case is one hostile input, read by the package's own entry points in a watched process. "
-        f"It ends well within {SECONDS:g} s and {MOST_MIB:g} MiB in a result or in an error of the "
-        "package, and changes nothing outside its folder. A foreign exception is any other, or a "
-        "crash. `python benchmarks/fuzz.py --kind KIND --case N --seed SEED` runs one case again.",
+        f"It ends well within {SECONDS:g} s of processor time and {MOST_MIB:g} MiB, its child "
+        "processes counted, in a result or in an error of the package, and changes nothing outside "
+        "its folder. A foreign exception is any other, or a crash. "
+        "`python benchmarks/fuzz.py --kind KIND --case N --seed SEED` runs one case again.",
         "",
         "| " + " | ".join(HEADS) + " |",
         "|" + "---|" * len(HEADS),

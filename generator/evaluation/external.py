@@ -87,33 +87,43 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     entries = payload.get("objects")
     if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
         raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
-    mesh, shift = _table_mesh(place, payload.get("table"), _Z_UP[up])
+    meshes = _Meshes(place, _Z_UP[up])
+    mesh, shift = _table_mesh(place, payload.get("table"), meshes)
     table = _table(mesh, f"{place}: the table")
-    bodies = [_object(place, entry, _Z_UP[up], shift, decompose) for entry in entries]
+    bodies = [_object(place, entry, meshes, shift, decompose) for entry in entries]
     _check_supports(bodies)
     warnings = () if decompose else ("collision parts are convex hulls: not fit for simulation",)
     provenance = Provenance("manual", 0, prompt=f"method: {method}", warnings=warnings)
     return Scene(name, table, tuple(bodies), provenance)
 
 
-def _read(place: Path, name: Any) -> bytes:
-    if not isinstance(name, str):
-        raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
+def _read(place: Path, name: str) -> bytes:
     try:
         return read_inside(place, name, BOUNDS.file_bytes)
     except BundleError as error:
         raise InputError(str(error)) from error
 
 
-def _mesh(place: Path, entry: Mapping[str, Any], turn: Float[np.ndarray, "3 3"]) -> Mesh:
-    name = entry.get("glb")
-    mesh = read_glb(_read(place, name), f"{place}: {name}")
-    return Mesh(mesh.vertices @ turn.T, mesh.faces, mesh.uv, mesh.texture)
+class _Meshes:
+    """The meshes of a result's folder, z up, each file read once."""
+
+    def __init__(self, place: Path, turn: Float[np.ndarray, "3 3"]) -> None:
+        self._place, self._turn = place, turn
+        self._known: dict[str, Mesh] = {}
+
+    def of(self, entry: Mapping[str, Any]) -> Mesh:
+        """Return the mesh of the file that an entry names."""
+        place, name = self._place, entry.get("glb")
+        if not isinstance(name, str):
+            raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
+        if name not in self._known:
+            mesh = read_glb(_read(place, name), f"{place}: {name}")
+            upright = mesh.vertices @ self._turn.T
+            self._known[name] = Mesh(upright, mesh.faces, mesh.uv, mesh.texture)
+        return self._known[name]
 
 
-def _table_mesh(
-    place: Path, entry: Any, turn: Float[np.ndarray, "3 3"]
-) -> tuple[Mesh, Float[np.ndarray, "3"]]:
+def _table_mesh(place: Path, entry: Any, meshes: _Meshes) -> tuple[Mesh, Float[np.ndarray, "3"]]:
     """Return the table in metres, and the shift that puts it on the floor under the origin."""
     if not isinstance(entry, dict):
         raise InputError(
@@ -126,7 +136,7 @@ def _table_mesh(
             raise InputError(f"{place}: the table's size must be positive metres, got {size}.")
         top = _numbers(entry.get("top", [0, 0, size[2]]), (3,), f"{place}: the table's top")
         return _block(size), np.array([0.0, 0.0, size[2]]) - top
-    mesh = _mesh(place, entry, turn)
+    mesh = meshes.of(entry)
     scale, rotation, shift = _pose(entry, f"{place}: the table")
     vertices = (mesh.vertices * scale) @ rotation.T + shift
     low, high = vertices.min(0), vertices.max(0)
@@ -168,14 +178,13 @@ def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
 
 
 def _object(
-    place: Path, entry: Any, turn: Float[np.ndarray, "3 3"], shift: Float[np.ndarray, "3"],
-    decompose: bool,
-) -> Object:  # fmt: skip
+    place: Path, entry: Any, meshes: _Meshes, shift: Float[np.ndarray, "3"], decompose: bool
+) -> Object:
     if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
         raise InputError(f"{place}: each object needs a 'name', a 'glb' and a 'matrix'.")
     name = printable(entry["name"], f"{place}: the name of an object", InputError)
     scale, rotation, translation = _pose(entry, f"{place}: {name}")
-    unit, center, extent = to_unit_box(_mesh(place, entry, turn))
+    unit, center, extent = to_unit_box(meshes.of(entry))
     extent = extent * scale
     if not 1e-4 <= extent.max() <= _FARTHEST:
         raise InputError(f"{place}: {name} is {extent.max():.3g} m long; lengths are in metres.")

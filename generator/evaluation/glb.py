@@ -6,7 +6,8 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import BackendError, InputError
-from ..meshes.reading.surface import ColoredSurface, read_surface
+from ..meshes.reading.loading import load_surface
+from ..meshes.reading.surface import ColoredSurface
 from ..scene import Mesh
 
 MOST_FACES = 400_000
@@ -25,7 +26,7 @@ def read_glb(raw: bytes, what: str) -> Mesh:
     if raw[:4] != b"glTF":
         raise InputError(f"{what} is not a GLB file. Save each object as binary glTF.")
     try:
-        surface = read_surface(raw, what, "glb", most_faces=MOST_FACES)
+        surface = load_surface(raw, what, "glb", most_faces=MOST_FACES)
     except BackendError as error:
         raise InputError(str(error)) from error
     if len(surface.pictures) != 1 or (surface.picture != 0).any():

@@ -27,12 +27,11 @@ from ..catalogue import build_table
 from ..errors import InputError
 from ..geometry import quaternion_matrix
 from ..io.reading import is_number, parse_object, printable
-from ..meshes.reading.bounds import MOST_BYTES
+from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
 from ..meshes.reading.companions import companions
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
 from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
-from .files import read_source
-from .foreign import ForeignBody, ForeignScene, check_count
+from .foreign import ForeignBody, ForeignScene, check_count, read_source
 
 POSES = "poses.json"
 """Name of the file that says what is where."""
@@ -77,6 +76,7 @@ class _FolderReader:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._surfaces: dict[tuple[str, Axis], ColoredSurface] = {}
+        self._faces = 0  # of all bodies
 
     def read(self, name: str, limit: int) -> bytes:
         """Return the content of a file inside of the folder."""
@@ -147,6 +147,12 @@ class _FolderReader:
             beside = companions(raw, what, place) if kind == "obj" else {}
             surface = read_surface(raw, f"{what}: {file}", kind, beside)
             self._surfaces[file, up] = surface.upright(up)
+        self._faces += len(self._surfaces[file, up].faces)
+        if self._faces > MOST_FACES:
+            raise InputError(
+                f"The files of {POSES} have more than {MOST_FACES} triangles together, those of a "
+                "file that is named again counted again. Reduce them."
+            )
         return self._surfaces[file, up]
 
 

@@ -1,14 +1,18 @@
-"""A foreign scene as it was read: bodies with a surface, shapes that collide, mass and pose."""
+"""A foreign scene as it was read: bodies with a surface, shapes that collide, mass and pose.
+
+Its files are plain ones inside of its folder, and no others (``read_source``).
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from jaxtyping import Float
 
-from ..bundle import BOUNDS
-from ..errors import InputError
+from ..bundle import BOUNDS, read_inside
+from ..errors import BundleError, InputError
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
 from ..scene import ConvexPart
@@ -74,3 +78,18 @@ def check_count(objects: int) -> None:
             f"The scene has {objects} objects; at most {BOUNDS.objects} are imported. Take some "
             "out of it."
         )
+
+
+def read_source(folder: Path, name: str, limit: int) -> bytes:
+    """Read a plain file inside of a folder: no way out of it, no links, no more than ``limit``.
+
+    Raises:
+        InputError: the file is missing, too large, or not inside of the folder.
+    """
+    try:
+        return read_inside(folder, name, limit)
+    except BundleError as error:
+        told = f"{error}".replace("leaves the bundle", "leaves the folder")
+        told = told.replace("a bundle has plain files only", "only plain files are read")
+        told = told.replace(" Make or copy the bundle again.", "")
+        raise InputError(f"The scene cannot be imported: {told}") from error

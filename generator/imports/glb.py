@@ -50,14 +50,15 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
     header = inspect_glb(raw, what)
     places = _places(header, 0, what)
     shells = _collision_of(raw, header, what)
-    owners = dict.fromkeys(place.owner for place in places)
+    owners: dict[int, list[int]] = {}
+    for k, place in enumerate(places):
+        owners.setdefault(place.owner, []).append(k)
     free = [k for k in owners if _extras(header["nodes"][k]).get("fixed") is not True]
     check_count(len(free) - 1)  # one may be the table
     bodies: list[ForeignBody] = []
     fixed: dict[str, ForeignBody] = {}
     meshes, pictures = _load(raw, header, places, what), Pictures(what)
-    for owner in owners:
-        mine = [k for k, place in enumerate(places) if place.owner == owner]
+    for owner, mine in owners.items():
         body, is_fixed = _read_body(header, owner, [places[k] for k in mine],
                                     [meshes[k] for k in mine], shells, what, pictures)  # fmt: skip
         if is_fixed or body.name == table:

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import hashlib
 from pathlib import Path
-from typing import Literal
 
 from ..errors import BackendError, InputError
 from ..method.assembly import AssemblyConfig
 from ..scene import Provenance, Scene
 from ..scene.provenance import scene_name, versions
 from .building import build_scene
-from .folder import POSES, read_folder
-from .foreign import ForeignScene
+from .folder import POSES
 from .options import ImportOptions
-
-SourceKind = Literal["mjcf", "glb", "folder"]
-"""What a foreign scene is: a MJCF file, a GLB file, or a folder of files with ``poses.json``."""
+from .reading import SourceKind, read_scene
 
 _SCENE = "scene.xml"
 _USUAL = ImportOptions()
@@ -38,7 +34,7 @@ def import_scene(
     """
     kind, path = find_source(Path(source))
     try:
-        foreign = _read(kind, path, options)
+        foreign = read_scene(kind, path, options.root, options.table)
         name = options.name or scene_name(foreign.name)
         settings = {"import": kind, "table": options.table, "drop_failing": options.drop_failing}
         provenance = Provenance(
@@ -69,18 +65,6 @@ def find_source(path: Path) -> tuple[SourceKind, Path]:
     if not path.is_file():
         raise InputError(f"There is no file {path}.")
     return ("glb" if suffix == ".glb" else "mjcf"), path
-
-
-def _read(kind: SourceKind, path: Path, options: ImportOptions) -> ForeignScene:
-    if kind == "folder":
-        return read_folder(path)
-    if kind == "glb":
-        from .glb import read_glb
-
-        return read_glb(path, options.table)
-    from .mjcf import read_mjcf
-
-    return read_mjcf(path, options.root, options.table)
 
 
 def _digest(path: Path) -> str:

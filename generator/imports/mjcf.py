@@ -16,12 +16,12 @@ import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 
 from ..errors import InputError, choices
+from ..meshes.reading.bounds import MOST_FACES
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties, join_bodies
 from ..scene import ConvexPart
-from .compiling import compile_foreign
 from .foreign import ForeignBody, ForeignScene, check_count
-from .mjcf_files import gather
+from .mjcf_files import GatheredModel, gather
 from .mjcf_looks import GeomLooks
 from .shapes import Solid, hull_corners, solid_part, solid_surface
 
@@ -48,6 +48,7 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
             no free body, or no table.
     """
     model = compile_foreign(gather(path, folder), f"the model {path.name!r}")
+    _check_meshes(model)
     reader = _ModelReader(model)
     reader.check_joints()
     check_count(len(reader.free))
@@ -57,6 +58,35 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
     return ForeignScene(
         stem or path.stem, reader.fixed_body(name, fixed), objects, tuple(reader.list_left(fixed))
     )
+
+
+def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
+    """Return the compiled model; ``what`` names it in messages.
+
+    Raises:
+        InputError: MuJoCo refuses it.
+    """
+    import mujoco
+
+    try:
+        return mujoco.MjModel.from_xml_string(gathered.xml, gathered.files)
+    except ValueError as error:
+        said = " ".join(str(error).split())[:500]
+        raise InputError(f"MuJoCo refuses {what}: {said!r}. Correct it there.") from error
+
+
+def _check_meshes(model: mujoco.MjModel) -> None:
+    """Refuse meshes with too many triangles, counted once for each geom that shows one."""
+    shown = model.geom_dataid[model.geom_type == _MESH]
+    _check_faces(int(model.mesh_facenum[shown].sum(dtype=np.int64)))
+
+
+def _check_faces(count: int) -> None:
+    if count > MOST_FACES:
+        raise InputError(
+            f"The model shows {count} triangles or more, repeated ones counted each time; at most "
+            f"{MOST_FACES} are read. Use meshes with fewer, or take things out."
+        )
 
 
 class _ModelReader:
@@ -74,6 +104,8 @@ class _ModelReader:
                      model.jnt_type[j] == free]  # fmt: skip
         self.solid: Bool[np.ndarray, "g"] = (model.geom_contype | model.geom_conaffinity) != 0
         self.looks = GeomLooks(model)
+        self._drawn = 0  # triangles
+        self._meshes: dict[int, tuple[Any, Any, Any]] = {}  # by number; geoms may share them
         colors = [self.looks.color(g)[3] > _SEEN for g in range(model.ngeom)]
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
 
@@ -187,6 +219,8 @@ class _ModelReader:
         mass: MassProperties | None,
     ) -> ForeignBody:
         geoms = geoms[self.model.geom_type[geoms] != _PLANE]
+        if not np.isfinite(self.data.geom_xpos[geoms]).all():
+            raise InputError(f"The body {name!r} has a position that is not finite.")
         solid = geoms[self.solid[geoms]]
         drawn = geoms[~self.solid[geoms] & self.seen[geoms]]
         if not len(drawn):
@@ -269,6 +303,8 @@ class _ModelReader:
                 index = known.setdefault(id(picture), len(pictures))
                 if index == len(pictures):
                     pictures.append(picture)
+            self._drawn += len(faces)
+            _check_faces(self._drawn)
             flat = np.round(255 * color[:3].clip(0, 1)).astype(np.uint8)
             rows.append((
                 vertices @ turn.T + center, faces + count,
@@ -286,17 +322,26 @@ class _ModelReader:
         self, geom: int
     ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
         """Return a mesh in its geom's frame, and its texture coordinates, v upwards."""
-        model, mesh = self.model, int(self.model.geom_dataid[geom])
+        mesh = int(self.model.geom_dataid[geom])
+        if mesh not in self._meshes:
+            self._meshes[mesh] = self._read_mesh(mesh)
+        vertices, faces, uv = self._meshes[mesh]
+        return vertices, faces, None if uv is None else uv * self.looks.repeat(geom)
+
+    def _read_mesh(
+        self, mesh: int
+    ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
+        model = self.model
         at, count = model.mesh_faceadr[mesh], model.mesh_facenum[mesh]
         faces = model.mesh_face[at : at + count].astype(np.int64)
         first, number = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
         vertices = model.mesh_vert[first : first + number].astype(np.float64)
         if model.mesh_texcoordadr[mesh] < 0:
             return vertices, faces, None
+        texcoords = int(model.mesh_texcoordnum[mesh])
         which = model.mesh_facetexcoord[at : at + count].astype(np.int64)
-        pairs, index = np.unique(
-            np.column_stack([faces.ravel(), which.ravel()]), axis=0, return_inverse=True
-        )
-        uv = model.mesh_texcoord[model.mesh_texcoordadr[mesh] + pairs[:, 1]].astype(np.float64)
-        uv = np.column_stack([uv[:, 0], 1 - uv[:, 1]]) * self.looks.repeat(geom)
-        return vertices[pairs[:, 0]], index.reshape(-1, 3), uv
+        pairs, index = np.unique((faces * texcoords + which).ravel(), return_inverse=True)
+        corner, which = np.divmod(pairs, texcoords)
+        uv = model.mesh_texcoord[model.mesh_texcoordadr[mesh] + which].astype(np.float64)
+        uv = np.column_stack([uv[:, 0], 1 - uv[:, 1]])
+        return vertices[corner], index.reshape(-1, 3), uv

@@ -13,13 +13,14 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from ..errors import InputError
-from .files import read_source
+from .foreign import read_source
+from .mjcf_budget import check_assets, check_copies, drop_unused
 
 MOST_XML, MOST_FILE, MOST_TOGETHER = 32 * 2**20, 128 * 2**20, 384 * 2**20
 """Bytes of an XML file, of a mesh or a picture, and of all together."""
 
-MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES, MOST_COPIES = 200_000, 100, 200, 200
-"""Elements of all files, how deep they nest, files, and copies that a replicate makes."""
+MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES = 200_000, 100, 200
+"""Elements of all files, how deep they nest, and files."""
 
 _REFUSED = {
     "extension": "plugins run code", "plugin": "plugins run code",
@@ -60,7 +61,10 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
     reader.include(root, inside.parent, 1)
     for element in root.iter():
         reader.check(element)
+    drop_unused(root)
+    check_copies(root, MOST_ELEMENTS)
     reader.hand_over(root)
+    check_assets(root, reader.files, _SIDES)
     return GatheredModel(ET.tostring(root, encoding="unicode"), reader.files)
 
 
@@ -107,8 +111,6 @@ class _Reader:
         tag = element.tag
         if tag in _REFUSED:
             raise InputError(f"The model has a <{tag}>, which is refused: {_REFUSED[tag]}.")
-        if tag == "replicate" and not _is_few(element.get("count", "1")):
-            raise InputError(f"The model replicates a body more than {MOST_COPIES} times.")
         named = element.get("file"), *(element.get(side) for side in _SIDES)
         if tag not in _FILES and any(named):
             raise InputError(f"The model names a file in <{tag[:40]}>; meshes and textures may.")
@@ -196,11 +198,6 @@ def _folders(root: ET.Element) -> tuple[dict[str, str], bool]:
             folders[tag] = compiler.get(name) or both or folders[tag]
         strip = compiler.get("strippath", "true" if strip else "false") == "true"
     return {tag: folder.replace("\\", "/") for tag, folder in folders.items()}, strip
-
-
-def _is_few(text: str) -> bool:
-    digits = text.strip()
-    return digits.isdecimal() and len(digits) < 10 and int(digits) <= MOST_COPIES
 
 
 def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import product
 from typing import Literal
 
@@ -25,7 +26,6 @@ def solid_surface(
 
     Cylinders and capsules run along z, half[2] being without a capsule's caps.
     """
-    import trimesh
     from trimesh import creation
 
     if kind == "box":
@@ -37,8 +37,16 @@ def solid_surface(
         low, high = made.bounds
         made.vertices = made.vertices - (low + high) / 2
     else:
-        made = creation.uv_sphere(1.0, count=(_SIDES, _SIDES))
-        made = trimesh.Trimesh(made.vertices * half, made.faces, process=False)
+        points, faces = _unit_ball()
+        return points * half, faces.copy()
+    return np.asarray(made.vertices, np.float64), np.asarray(made.faces, np.int64)
+
+
+@cache
+def _unit_ball() -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+    from trimesh import creation
+
+    made = creation.uv_sphere(1.0, count=(_SIDES, _SIDES))
     return np.asarray(made.vertices, np.float64), np.asarray(made.faces, np.int64)
 
 

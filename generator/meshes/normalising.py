@@ -17,7 +17,8 @@ from ..geometry import to_unit_box
 from ..language.naming import known_category
 from ..scene import Instance, Mesh, Model, Physics, SizePrior
 from .coloring import best_size, own_texture, painted_faces, painted_shape
-from .reading.surface import Axis, ColoredSurface, Kind, read_surface, surface_of
+from .reading.loading import load_surface
+from .reading.surface import Axis, ColoredSurface, Kind, surface_of
 from .reading.textures import MOST_TEXTURE
 from .reducing import reduce, volume
 from .repairing import check_surface, clean, fill_holes, inside_out, tidy, welded_shape
@@ -66,7 +67,7 @@ def normal_mesh(
     Raises:
         BackendError: it cannot be read (``inspection``), repaired (``repairing``) or reduced.
     """
-    return normal_surface(read_surface(raw, what, kind, beside), what, up=up, to=to)
+    return normal_surface(load_surface(raw, what, kind, beside), what, up=up, to=to)
 
 
 def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:

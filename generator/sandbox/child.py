@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import TabletopError
-from .packing import pack, unpack
+from .packing import packed_parts, unpack
 
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 
@@ -36,30 +36,31 @@ def main() -> None:
     _work_nowhere()
     too_large = memory_text(int(request["memory"]))  # names the inherited limit, so before ours
     _limit(float(request["cpu_seconds"]), int(request["memory"]))
-    answers.write(_answer(function, request["args"], too_large))
+    for part in _answer(function, request["args"], too_large):
+        answers.write(part)
     answers.flush()
     os._exit(0)  # leaves nothing to the exit handlers of libraries that have parsed foreign data
 
 
-def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> bytes:
-    """Return, packed, the function's result, or the error that it raises.
+def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes | memoryview]:
+    """Return, packed in pieces, the function's result, or the error that it raises.
 
     ``too_large`` is the message where the memory does not suffice.
     """
     from .running import lacks_memory
 
     try:
-        return pack({"result": function(*args)})
+        return packed_parts({"result": function(*args)})
     except TabletopError as error:
         message = str(error.args[0]) if error.args else ""
-        return pack({"error": type(error).__name__, "message": message, "breach": ""})
+        return packed_parts({"error": type(error).__name__, "message": message, "breach": ""})
     except Exception as error:  # whatever a parser stumbles over in a foreign file
         name, words = type(error).__name__, " ".join(str(error).split())[:300]
         if lacks_memory(f"{name}: {words}"):
             message, breach = too_large, "memory"
         else:
             message, breach = f"is damaged ({name}: {words})", "parser"
-    return pack({"error": name, "message": message, "breach": breach})
+    return packed_parts({"error": name, "message": message, "breach": breach})
 
 
 def _find(name: str) -> Any:

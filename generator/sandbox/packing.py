@@ -25,7 +25,12 @@ _ALIGN = 64  # bytes
 
 
 def pack(value: object) -> bytes:
-    """Return a value as bytes.
+    """Return a value as bytes; see ``packed_parts``."""
+    return b"".join(packed_parts(value))
+
+
+def packed_parts(value: object) -> list[bytes | memoryview]:
+    """Return a value as pieces of bytes, its arrays without a copy.
 
     Raises:
         TypeError: the value holds an object of another kind than the module's docstring lists.
@@ -34,13 +39,13 @@ def pack(value: object) -> bytes:
     tree = packer.tree(value)
     sizes = [len(buffer) for buffer in packer.buffers]
     head = json.dumps({"tree": tree, "sizes": sizes}).encode()
-    parts = [_HEAD.pack(_MAGIC, len(head)), head]
+    parts: list[bytes | memoryview] = [_HEAD.pack(_MAGIC, len(head)), head]
     for buffer in packer.buffers:
         parts += [buffer, bytes(-len(buffer) % _ALIGN)]
-    return b"".join(parts)
+    return parts
 
 
-def unpack(raw: bytes, find_class: Callable[[str], type]) -> Any:
+def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
     """Return the value that ``raw`` holds; its arrays are read-only views of ``raw``.
 
     ``find_class`` returns the class that a name such as "generator.scene.model:Mesh" stands for, or
@@ -53,7 +58,7 @@ def unpack(raw: bytes, find_class: Callable[[str], type]) -> Any:
         magic, length = _HEAD.unpack_from(raw)
         if magic != _MAGIC or length > len(raw) - _HEAD.size:
             raise ValueError("not a packed value")
-        document = json.loads(raw[_HEAD.size : _HEAD.size + length])
+        document = json.loads(bytes(raw[_HEAD.size : _HEAD.size + length]))
         start, buffers = _HEAD.size + length, []
         for size in document["sizes"]:
             if not 0 <= size <= len(raw) - start:

@@ -101,7 +101,7 @@ def call(
     return _result(raw, returns)
 
 
-def _result(raw: bytes, returns: Iterable[type]) -> Any:
+def _result(raw: bytes | memoryview, returns: Iterable[type]) -> Any:
     expected = {class_name(kind): kind for kind in returns}
 
     def find_class(name: str) -> type:
@@ -164,7 +164,7 @@ def _exchange(
     request: bytes,
     limits: Limits,
     cancelled: threading.Event | None,
-) -> tuple[bytes, bytes, Breach | None]:
+) -> tuple[bytes | memoryview, bytes, Breach | None]:
     """Send the request; return the answer, the end of standard error, and what was breached."""
     assert process.stdin and process.stdout and process.stderr
     end = time.monotonic() + _HUNG[0] + _HUNG[1] * limits.cpu_seconds
@@ -197,7 +197,7 @@ def _exchange(
                     answer += chunk
                     if len(answer) > limits.output:
                         return b"", words, "output"
-    return bytes(answer), words, None
+    return memoryview(answer).toreadonly(), words, None
 
 
 def _write(process: subprocess.Popen[bytes], left: memoryview) -> memoryview:
@@ -220,7 +220,7 @@ def _explain(breach: Breach | None, code: int, words: bytes, limits: Limits) -> 
     if breach == "cancelled":
         return SandboxError("cancelled", "was cancelled")
     if code in (-signal.SIGXCPU, -signal.SIGKILL):  # the hard limit kills
-        return SandboxError("time", f"takes more than {seconds}")
+        return SandboxError("time", _time_text(seconds))
     said = words.decode(errors="replace").strip().splitlines()[-1:]
     text = said[0][:300] if said else _name_of(code)
     if lacks_memory(text):
@@ -231,6 +231,16 @@ def _explain(breach: Breach | None, code: int, words: bytes, limits: Limits) -> 
 def lacks_memory(text: str) -> bool:
     """Return whether the last words of a program say that it could not allocate memory."""
     return any(sign in text for sign in ("MemoryError", "bad_alloc", "llocat", "failed to map"))
+
+
+def _time_text(seconds: str) -> str:
+    import resource
+
+    inherited = resource.getrlimit(resource.RLIMIT_CPU)[0]
+    text = f"takes more than {seconds}"
+    if inherited != resource.RLIM_INFINITY:
+        text += f", or than the {inherited} s that 'ulimit -t' allows"
+    return text
 
 
 def memory_text(memory: int) -> str:

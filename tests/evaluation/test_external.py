@@ -16,6 +16,8 @@ from generator.evaluation import collisions, load_external, soundness
 from generator.evaluation.external import TRANSFORMS
 from generator.scene import Scene
 
+pytestmark = pytest.mark.usefixtures("inline")
+
 Y_UP = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])  # z up to y up
 
 

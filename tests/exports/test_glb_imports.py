@@ -60,6 +60,7 @@ def test_a_mesh_of_several_primitives_keeps_the_colour_of_each(tmp_path: Path) -
     np.testing.assert_allclose(mug.position, [0, 0, 0.1], atol=1e-9)
 
 
+@pytest.mark.usefixtures("inline")
 def test_a_body_without_triangles_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="'mug' has no triangles"):
         import_scene(write_glb(tmp_path / "lines.glb", LINES))

@@ -2,6 +2,7 @@
 
 import os
 import random
+import sys
 import time
 from pathlib import Path
 
@@ -50,6 +51,22 @@ def gulps(rng: random.Random, folder: Path) -> Run:
         return len(b"x" * (600 * 2**20)) > 1
 
     return run
+
+
+def feeds(rng: random.Random, folder: Path) -> Run:
+    """Have a child process take more memory than may be."""
+    code = "import time; held = bytearray(600 * 2**20); held[::4096] = b'x' * len(held[::4096])"
+    return lambda: os.system(f'{sys.executable} -c "{code}; time.sleep(30)"') == 0
+
+
+def delegates(rng: random.Random, folder: Path) -> Run:
+    """Have a child process take more time than may be."""
+    return lambda: os.system(f"{sys.executable} -c 'while True: pass'") == 0
+
+
+def idles(rng: random.Random, folder: Path) -> Run:
+    """Wait, without need of the processor, for longer than a case may work."""
+    return lambda: time.sleep(3) is None
 
 
 def dies(rng: random.Random, folder: Path) -> Run:

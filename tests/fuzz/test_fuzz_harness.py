@@ -35,6 +35,8 @@ def test_what_ends_in_our_errors_is_well(worker: Worker) -> None:
         ("sleeps", "late", "planted.py"),
         ("eats", "heavy", ""),
         ("gulps", "heavy", ""),
+        ("feeds", "heavy", ""),
+        ("delegates", "late", ""),
         ("removes", "outside", "inside/beside.txt"),
         ("appends", "outside", "precious/file.txt"),
         ("escapes", "outside", "far.txt"),
@@ -47,6 +49,12 @@ def test_a_planted_fault_is_found(worker: Worker, fault: str, end: str, says: st
     assert says in outcome.detail
     assert "--kind planted:" + fault + " --case 5 --seed 3" in outcome.told()
     assert worker.run("planted:sound", 0, 0).good  # and the harness goes on
+
+
+@pytest.mark.slow
+def test_a_case_that_waits_takes_no_time(worker: Worker) -> None:
+    outcome = worker.run("planted:idles", 0, 0)
+    assert outcome.good and outcome.seconds < 1
 
 
 def test_a_broken_target_is_no_fault_of_the_product(worker: Worker) -> None:

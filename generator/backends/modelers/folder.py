@@ -20,7 +20,8 @@ from ...language.naming import known_category
 from ...meshes.normalising import Normal, foreign_model, normal_surface
 from ...meshes.reading.bounds import MOST_BYTES
 from ...meshes.reading.companions import companions
-from ...meshes.reading.surface import Axis, ColoredSurface, read_surface
+from ...meshes.reading.loading import load_surface
+from ...meshes.reading.surface import Axis, ColoredSurface
 from ...scene import Instance, Model, SizePrior, View
 from ..protocols import Modeler
 from .assets import find_assets, plain
@@ -100,7 +101,7 @@ class Folder:
         raw = read_regular(file, f"{what}:", BackendError, max_bytes=MOST_BYTES)
         kind = "obj" if file.suffix.lower() == ".obj" else "glb"
         beside = companions(raw, what, file.parent) if kind == "obj" else {}
-        surface = read_surface(raw, what, kind, beside)
+        surface = load_surface(raw, what, kind, beside)
         up = self._up(surface, kind, size, what)
         mesh = normal_surface(surface, what, up=up, to=Normal(self.faces, self.texture))
         model = foreign_model(mesh, instance, size)

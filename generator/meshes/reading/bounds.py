@@ -5,8 +5,17 @@ The largest file that passes is read within 20 seconds and 2 GB.
 
 from __future__ import annotations
 
+from ...sandbox import Limits
+
+LIMITS = Limits(cpu_seconds=16.0)
+"""Limits of the child process that reads a mesh, or a scene with all its files.
+
+A mesh of a million triangles takes 2 s and 0.5 GB as GLB, 6 s and 1 GB as OBJ, and 6 s and 1.3 GB
+in a MJCF. With the start of both processes a hostile file costs less than 20 s and 2 GB.
+"""
+
 MOST_BYTES = 256 * 2**20  # of a file
-MOST_FACES = 2_000_000  # triangles of a mesh, and a third of its vertices
+MOST_FACES = 2_000_000  # triangles in all scenes of a file, and a third of the vertices
 MOST_PARTS = 5_000  # pieces of a file, repeated ones counted each time
 MOST_TEXELS = 64 * 2**20  # pixels of a picture: a small file may unpack to any size
 MOST_TEXELS_TOGETHER = 128 * 2**20  # of a file's colour textures, equal ones counted once

@@ -79,8 +79,7 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
         return
     roots = scenes[header.get("scene", 0)].get("nodes", ()) if scenes else ()
     if not any(scene.get("nodes") for scene in scenes):
-        below = {child for node in nodes for child in node.get("children", ())}
-        roots = [k for k in range(len(nodes)) if k not in below]
+        roots = _topmost(nodes)
     waiting = [(root, np.eye(4)) for root in roots]
     seen: set[int] = set()
     while waiting:
@@ -93,6 +92,36 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
         if "mesh" in nodes[at]:
             yield int(nodes[at]["mesh"]), matrix
         waiting += [(child, matrix) for child in nodes[at].get("children", ())]
+
+
+def shown_nodes(header: Header) -> Iterator[Header]:
+    """Yield each node that a scene shows, once for each scene that shows it.
+
+    A file without nodes shows all its meshes, one without roots all its trees.
+
+    Raises:
+        Crooked: the nodes are no tree.
+    """
+    nodes, scenes = header.get("nodes", ()), header.get("scenes", ())
+    if not nodes:
+        yield from ({"mesh": mesh} for mesh in range(len(header.get("meshes", ()))))
+        return
+    roots = [scene["nodes"] for scene in scenes if scene.get("nodes")] or [_topmost(nodes)]
+    for named in roots:
+        waiting, seen = [*named], set()
+        while waiting:
+            at = waiting.pop()
+            if at in seen:
+                raise Crooked("a node has two parents")
+            seen.add(at)
+            yield nodes[at]
+            waiting += nodes[at].get("children", ())
+
+
+def _topmost(nodes: Sequence[Header]) -> Sequence[int]:
+    """Return the nodes that are no other's child."""
+    below = {child for node in nodes for child in node.get("children", ())}
+    return [k for k in range(len(nodes)) if k not in below]
 
 
 def base_color(material: Header) -> Header:

@@ -22,8 +22,8 @@ from .flattening import (
     Crooked,
     Header,
     base_color,
-    mesh_places,
     picture_of,
+    shown_nodes,
 )
 from .textures import TEXTURE_LIMITS
 
@@ -219,11 +219,16 @@ def _amounts(header: Header, size: int) -> str | None:
 
 
 def _faces(header: Header, maximum: int) -> str | None:
-    """Count triangles as they would be drawn: a mesh at two nodes is there twice."""
+    """Count triangles as all scenes would draw them: a mesh at two nodes is there twice."""
     per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
     if sum(parts for *_, parts in per_mesh) > bounds.MOST_MESHES:
         return f"has meshes of more than {bounds.MOST_MESHES} pieces. Join them."
-    drawn = Counter(mesh for mesh, _ in mesh_places(header))
+    drawn: Counter[int] = Counter()
+    for count, node in enumerate(shown_nodes(header), 1):
+        if count > bounds.MOST_NODES:
+            return f"has scenes of more than {bounds.MOST_NODES} nodes together. Join them."
+        if "mesh" in node:
+            drawn[int(node["mesh"])] += 1
     if drawn and not 0 <= min(drawn) <= max(drawn) < len(per_mesh):
         return "is damaged: a node names a mesh that is not there. Export it again."
     faces, vertices, parts = (

@@ -20,10 +20,13 @@ from typing import IO, Literal
 from .room import Room
 
 SECONDS = 20.0
-"""A case takes no longer."""
+"""Processor time that a case takes at most, its child processes counted."""
 
 MOST_MIB = 2048.0
-"""A case's memory grows by no more."""
+"""The memory of a case and its child processes together grows by no more."""
+
+HANGS = 6.0
+"""A case hangs after so many times ``SECONDS`` of waiting: others may have the processor."""
 
 WARM_SECONDS = 240.0
 """What is done once for a kind takes no longer."""
@@ -53,8 +56,8 @@ class Outcome:
             or a crash; "late", "heavy": over time or memory; "outside": it changed what is not its
             own, or left something unfinished behind.
         detail: the error, the traceback, what was changed.
-        seconds: how long it took.
-        mib: by how much its memory grew at most, MiB.
+        seconds: processor time, child processes counted.
+        mib: by how much the memory of it and its child processes grew at most, MiB.
     """
 
     kind: str
@@ -143,8 +146,9 @@ class Worker:
             self._warm_up(kind)
         asked = {"kind": kind, "seed": seed, "number": number}
         outcome = self._watched(asked, self._seconds)
-        if outcome.mib > self._most and outcome.end in GOOD:
-            outcome = Outcome(kind, seed, number, "heavy", "", outcome.seconds, outcome.mib)
+        if outcome.end in GOOD and (outcome.mib > self._most or outcome.seconds > self._seconds):
+            end: End = "heavy" if outcome.mib > self._most else "late"
+            outcome = Outcome(kind, seed, number, end, "", outcome.seconds, outcome.mib)
         changed = self._room.changes()
         if changed:
             detail = f"changed outside its folder: {', '.join(changed[:8])}\n{outcome.detail}"
@@ -187,7 +191,7 @@ class Worker:
         process = self._process
         assert process is not None and process.stdin is not None and process.stdout is not None
         kind, seed, number = str(asked["kind"]), int(str(asked["seed"])), int(str(asked["number"]))
-        began, base = time.monotonic(), _resident(process.pid)
+        began, base, used = time.monotonic(), _resident(process.pid), _used(process.pid)
         try:
             process.stdin.write(json.dumps(asked) + "\n")
             process.stdin.flush()
@@ -195,8 +199,8 @@ class Worker:
             return self._ended(kind, seed, number, "foreign", 0.0, 0.0)
         most = 0.0
         while not _readable(process.stdout):
-            spent, most = time.monotonic() - began, max(most, _resident(process.pid) - base)
-            if spent > seconds:
+            spent, most = _used(process.pid) - used, max(most, _resident(process.pid) - base)
+            if spent > seconds or time.monotonic() - began > HANGS * seconds:
                 return self._ended(kind, seed, number, "late", spent, most)
             if most > self._most and not asked.get("warm"):
                 return self._ended(kind, seed, number, "heavy", spent, most)
@@ -208,7 +212,7 @@ class Worker:
             raise BrokenTarget(f"{kind} case {number} of seed {seed}:\n{told['detail']}")
         return Outcome(
             kind, seed, number, told["end"], told.get("detail", ""), told.get("seconds", 0.0),
-            max(told.get("mib", 0.0), 0.0),
+            max(told.get("mib", 0.0), most),
         )  # fmt: skip
 
     def _ended(
@@ -285,12 +289,38 @@ def _readable(stream: IO[str]) -> bool:
 
 
 def _resident(pid: int) -> float:
-    """Return the memory a process has now, MiB; 0 where it is gone."""
-    try:
-        pages = int(Path(f"/proc/{pid}/statm").read_text().split()[1])
-    except (OSError, IndexError, ValueError):
-        return 0.0
+    """Return the memory that a process and those below it have now, MiB."""
+    pages = 0
+    for one in _family(pid):
+        try:
+            pages += int(Path(f"/proc/{one}/statm").read_text().split()[1])
+        except (OSError, IndexError, ValueError):
+            continue
     return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+def _used(pid: int) -> float:
+    """Return the processor time of a process, those below it and those that ended, seconds."""
+    ticks = 0
+    for one in _family(pid):
+        try:
+            fields = Path(f"/proc/{one}/stat").read_text().rpartition(")")[2].split()
+            ticks += sum(map(int, fields[11:15]))
+        except (OSError, IndexError, ValueError):
+            continue
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+def _family(pid: int) -> list[int]:
+    """Return a process and all below it that its first thread or others started."""
+    found, waiting = [], [pid]
+    while waiting:
+        one = waiting.pop()
+        found.append(one)
+        for listed in Path(f"/proc/{one}/task").glob("*/children"):
+            with contextlib.suppress(OSError, ValueError):
+                waiting += map(int, listed.read_text().split())
+    return found
 
 
 def _close(stream: IO[str] | None) -> None:

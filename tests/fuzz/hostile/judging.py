@@ -5,8 +5,9 @@ Used by the targets, inside a worker.
 
 import contextlib
 import io
+import os
 import unicodedata
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from generator.errors import TabletopError
@@ -39,6 +40,21 @@ def accepts_any(*calls: Callable[[], Any]) -> bool:
     """Make every call; return whether one was not refused; see ``accepts``."""
     taken = [accepts(call) for call in calls]
     return any(taken)
+
+
+@contextlib.contextmanager
+def reading(apart: bool) -> Iterator[None]:
+    """Read foreign files in child processes (``apart``), as users do, or in this process.
+
+    The same code runs in both; a child takes most of the time of a small case.
+    """
+    from generator.sandbox.running import INSIDE
+
+    with contextlib.ExitStack() as stack:
+        if not apart:
+            os.environ[INSIDE] = "1"
+            stack.callback(os.environ.pop, INSIDE, None)
+        yield
 
 
 def command(*arguments: str) -> bool:

@@ -21,13 +21,14 @@ from generator.io.png import encode_png
 from generator.meshes.normalising import normal_mesh
 from generator.scene import USUAL_VIEW
 
-from ..judging import accepts, accepts_any, command
+from ..judging import accepts, accepts_any, command, reading
 from ..streams import bomb, hostile_png, png, spoiled
 from ..values import mutate, number, text, written
 from . import Run
 
 Header = dict[str, Any]
 
+_APART = 0.1  # of the cases are read in children
 _PICTURE = encode_png(np.full((16, 16, 3), 120, np.uint8))
 
 
@@ -41,11 +42,17 @@ def glb(rng: random.Random, folder: Path) -> Run:
     """GLB files in a folder of assets, and as answers."""
     raw = hostile_glb(rng)
     (folder / "mug_1.glb").write_bytes(raw)
-    return lambda: accepts_any(
-        lambda: normal_mesh(raw, "the answer"),
-        lambda: read_glb(raw, "the file"),
-        lambda: Folder(str(folder)).model(instance("mug"), prior("mug"), USUAL_VIEW),
-    )
+    apart = rng.random() < _APART
+
+    def run() -> bool:
+        with reading(apart):
+            return accepts_any(
+                lambda: normal_mesh(raw, "the answer"),
+                lambda: read_glb(raw, "the file"),
+                lambda: Folder(str(folder)).model(instance("mug"), prior("mug"), USUAL_VIEW),
+            )
+
+    return run
 
 
 def obj(rng: random.Random, folder: Path) -> Run:
@@ -58,10 +65,16 @@ def obj(rng: random.Random, folder: Path) -> Run:
     if rng.random() < 0.05:
         (folder / "t.png").unlink()
         (folder / "t.png").symlink_to(rng.choice(("/dev/zero", "../../precious/file.txt", "t.png")))
-    return lambda: accepts(
-        lambda: Folder(str(folder)).model(instance("mug"), prior("mug"), USUAL_VIEW),
-        lambda: normal_mesh(raw, "the file", kind="obj"),
-    )
+    apart = rng.random() < _APART
+
+    def run() -> bool:
+        with reading(apart):
+            return accepts(
+                lambda: Folder(str(folder)).model(instance("mug"), prior("mug"), USUAL_VIEW),
+                lambda: normal_mesh(raw, "the file", kind="obj"),
+            )
+
+    return run
 
 
 def external(rng: random.Random, folder: Path) -> Run:
@@ -85,13 +98,14 @@ def external(rng: random.Random, folder: Path) -> Run:
     (folder / "mug.glb").write_bytes(hostile_glb(rng) if spoil else packed(striped_box()))
     board = trimesh.creation.box(extents=(1.2, 0.7, 0.74))
     (folder / "table.glb").write_bytes(packed(board))
-    shown = rng.random() < 0.1
+    shown, apart = rng.random() < 0.1, rng.random() < _APART
 
     def run() -> bool:
-        good = accepts(lambda: load_external(folder, decompose=False))
-        if good and shown:
-            command("evaluate", str(folder))
-        return good
+        with reading(apart):
+            good = accepts(lambda: load_external(folder, decompose=False))
+            if good and shown:
+                command("evaluate", str(folder))
+            return good
 
     return run
 
