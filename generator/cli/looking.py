@@ -89,7 +89,7 @@ def verify_all(paths: Iterable[Path], json: bool, *, may_vanish: bool = False) -
     results = {}
     for path in paths:
         try:
-            results[path.name] = list(judge(load_verified(path)).failures)
+            results[path.name] = [str(f) for f in judge(load_verified(path)).failures]
         except TabletopError as error:
             if not (may_vanish and isinstance(error, MissingError)):
                 results[path.name] = [str(error)]

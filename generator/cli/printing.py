@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -57,7 +56,7 @@ def describe(path: Path, scene: Scene) -> dict[str, Any]:
             for o in scene.objects
         ],
         "passed": None if report is None else report.passed,
-        "report": None if report is None else dataclasses.asdict(report),
+        "report": None if report is None else report.as_json(),
         "warnings": list(scene.provenance.warnings),
     }
 
@@ -92,7 +91,7 @@ def print_scene(
         ]
         gate = "no report"
         if report := scene.report:
-            gate = "passed" if report.passed else "FAILED: " + "; ".join(report.failures)
+            gate = "passed" if report.passed else f"FAILED: {report.failure_text}"
         like = [f"  likeness: {facts['mean_iou']:.2f} (mean overlap, from the picture's camera, of "
                 "what was found)"] if "mean_iou" in facts else []  # fmt: skip
         notes = [f"  note: {w}" for w in facts["warnings"]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -38,7 +39,6 @@ from ..scene import (
     Provenance,
     Scene,
     Table,
-    names_in,
 )
 from ..scene.triangles import areas
 from .foreign import ForeignBody, ForeignScene, check_count
@@ -96,8 +96,9 @@ def build_scene(
 def _find_failing(scene: Scene) -> str | None:
     """Return the object that the report's failures name most."""
     failures = scene.report.failures if scene.report else ()
-    words = [word for failure in failures for word in names_in(failure)]
-    return max((o.name for o in scene.objects if o.name in words), key=words.count, default=None)
+    counts = Counter(name for failure in failures for name in failure.objects)
+    named = (o.name for o in scene.objects if counts[o.name])
+    return max(named, key=lambda name: counts[name], default=None)
 
 
 # ------------------------------------------------------------------------------------------ bodies
