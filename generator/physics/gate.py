@@ -60,11 +60,12 @@ _FIXED: Mapping[int, Literal["table", "floor"]] = {ON_TABLE: "table", ON_FLOOR: 
 def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     """Simulate a scene from its settled poses and report what happens.
 
+    ``limits`` are by default those that the scene was judged by (:func:`limits_of`).
     Penetration and floating are judged at the start; drift, turning and falling over
     ``limits.seconds`` (:func:`watch`), then drift and turning again as the table leans, up to the
     first side to which something moves. ``moved``, ``settling`` and ``dropped`` stay as they were.
     """
-    limits = limits or GateLimits()
+    limits = limits or limits_of(scene)
     simulation = Simulation(scene)
     names = [o.name for o in scene.objects]
     overlaps = simulation.contacts().deepest()
@@ -102,7 +103,17 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
             *(Failure("off-table", (name,)) for name in off_table),
         ),
         simulated=round(simulated, 6),
+        lean=None if limits.lean == GateLimits.lean else limits.lean,
     )
+
+
+def limits_of(scene: Scene) -> GateLimits:
+    """Return the usual limits, with the lean that the scene was judged by.
+
+    An imported scene is judged on a level table: its round things roll as their file says.
+    """
+    lean = scene.report.lean if scene.report else None
+    return GateLimits() if lean is None else GateLimits(lean=lean)
 
 
 def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:

@@ -102,6 +102,7 @@ class Report:
     failures: what the gate found. Where one says that the simulation diverged, drift, tilt and
         leaning say nothing.
     dropped: objects that were left out, since the scene would not have passed with them.
+    lean: the angle by which gravity leaned, 0 for none; None: the gate's usual one.
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
         over the objects: before the joint refinement, and of the finished scene, as it rests.
@@ -124,6 +125,7 @@ class Report:
     misfit: tuple[float, float] | None = None
     simulated: float | None = None
     relations: tuple[RelationOutcome, ...] = ()
+    lean: float | None = None
 
     @property
     def passed(self) -> bool:
@@ -138,9 +140,12 @@ class Report:
     def as_json(self) -> dict[str, Any]:
         """Return the report as JSON values, ``failures`` as sentences.
 
-        Their values follow in ``failure_values``, which is absent if there are none.
+        Their values follow in ``failure_values``, which is absent if there are none, as is an
+        unset ``lean``.
         """
         values: dict[str, Any] = plain(self)
         failed = values["failures"]
         values["failures"] = [str(failure) for failure in self.failures]
+        if self.lean is None:
+            del values["lean"]
         return {**values, "failure_values": failed} if failed else values
