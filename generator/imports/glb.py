@@ -20,6 +20,7 @@ from jaxtyping import Float
 from ..errors import BackendError, InputError, choices
 from ..io.reading import is_number, printable, read_regular
 from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
+from ..meshes.reading.codecs import plain_glb
 from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix
 from ..meshes.reading.inspection import inspect_glb
 from ..meshes.reading.surface import surface_of
@@ -46,7 +47,7 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
         BackendError: the file cannot be read; see ``meshes.reading``.
     """
     what = f"The scene {path.name!r}"
-    raw = read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES)
+    raw = plain_glb(read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES), what)
     header = inspect_glb(raw, what)
     places = _places(header, 0, what)
     shells = _collision_of(raw, header, what)
