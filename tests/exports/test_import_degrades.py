@@ -10,14 +10,16 @@ from command import Shell
 from foreign_meshes import MAKERS, box, heavy, in_millimetres, layer, sheet, write_meshes
 from foreign_models import CUBE, TABLE, write
 
-from generator.bundle import load
+from generator.bundle import load, save
 from generator.errors import InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
 from generator.imports.foreign import Outcome
 from generator.imports.mjcf import read_mjcf
 from generator.meshes.reading.surface import ColoredSurface, surface_of
 from generator.meshes.thickening import thicken
+from generator.method.assembly import reassemble
 from generator.physics import decomposition
+from generator.physics.gate import GateLimits, judge
 
 BROKEN = {"broken": b"this is no GLB file at all"}
 ONE, TWO = {"one": box}, {"one": box, "two": box}
@@ -76,6 +78,7 @@ def test_what_cannot_be_decomposed_collides_as_its_hull(
     assert found["tall"] == Outcome("tall", "hull", "Convex decomposition takes too long.")
 
 
+@pytest.mark.usefixtures("in_process")
 def test_nothing_left_is_an_error_with_every_reason(tmp_path: Path) -> None:
     broken = {"a": b"nothing", "b": b"nothing either"}
     with pytest.raises(InputError, match=r"None of the 2 objects .*a: .*no GLB.*b: .*no GLB"):
@@ -166,6 +169,30 @@ def test_a_single_object_stands_on_a_plain_table(kind: str, tmp_path: Path) -> N
     (thing,) = scene.objects
     assert thing.name == "mug" and scene.report is not None and scene.report.passed
     np.testing.assert_allclose(thing.pose.position[:2], 0, atol=1e-3)
+
+
+# ------------------------------------------------------------------------------------------- round
+
+BALL = '<body name="ball" pos="1.2 2 .78"><freejoint/><geom type="sphere" size=".04"/></body>'
+
+
+@pytest.mark.slow
+def test_a_ball_is_judged_on_a_level_table_then_and_later(tmp_path: Path, shell: Shell) -> None:
+    source = write(tmp_path, TABLE + CUBE + BALL)
+    scene = import_scene(source)
+    assert scene.report is not None and scene.report.passed and scene.report.lean == 0
+    path = save(scene, tmp_path)
+    kept = load(path)
+    assert kept.report == scene.report
+    assert judge(kept).passed and not judge(kept, GateLimits()).passed
+    again = reassemble(kept, kept, ()).report
+    assert again is not None and again.passed and again.lean == 0
+    assert "sound" in shell("verify", str(path)).out
+    leaned = import_scene(source, ImportOptions(lean=2.0))
+    assert leaned.report is not None and leaned.report.lean is None
+    assert [(f.kind, f.objects, f.leaning) for f in leaned.report.failures] == [
+        ("turned", ("ball",), True)
+    ]
 
 
 # ------------------------------------------------------------------------------------------ scales
