@@ -21,7 +21,8 @@ from ..physics.inertia import MassProperties, join_bodies
 from ..scene import ConvexPart
 from .compiling import compile_foreign
 from .foreign import ForeignBody, ForeignScene, Refusals, check_count
-from .mjcf_files import GatheredModel, free_bodies, gather, keep_bodies
+from .mjcf_bodies import compile_sound
+from .mjcf_files import gather
 from .mjcf_looks import GeomLooks
 from .shapes import Solid, hull_corners, solid_part, solid_surface
 
@@ -49,7 +50,9 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
             no free body, or no table.
     """
     refusals = Refusals()
-    model = _compile_sound(gather(path, folder), f"the model {path.name!r}", refusals)
+    model = compile_sound(
+        gather(path, folder), f"the model {path.name!r}", refusals, compile_foreign
+    )
     reader = _ModelReader(model)
     stem = str(model.names[: model.names.find(b"\0")].decode("utf-8", "replace")) or path.stem
     if (single := reader.single_body(stem)) is not None:
@@ -66,24 +69,6 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
         stem, reader.fixed_body(name, fixed), tuple(objects), tuple(reader.list_left(fixed)),
         tuple(refusals.outcomes),
     )  # fmt: skip
-
-
-def _compile_sound(gathered: GatheredModel, what: str, refusals: Refusals) -> mujoco.MjModel:
-    """Return a compiled model, without the free bodies that MuJoCo refuses."""
-    try:
-        return compile_foreign(gathered, what)
-    except InputError:
-        names = free_bodies(gathered)
-        if len(names) < 2:
-            raise
-        sound: list[int] = []
-        for k, name in enumerate(names):
-            with refusals.catching(name):
-                compile_foreign(keep_bodies(gathered, [k]), what)
-                sound.append(k)
-        if not 0 < len(sound) < len(names):  # the fault is that of another part
-            raise
-    return compile_foreign(keep_bodies(gathered, sound), what)
 
 
 class _ModelReader:

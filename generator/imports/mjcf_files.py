@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
@@ -29,7 +29,8 @@ _REFUSED = {
     "skin": "skins are not rigid", "hfield": "height fields are not supported",
 }  # fmt: skip
 _FILES = {"mesh": "meshdir", "texture": "texturedir"}
-_SIDES = ("fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
+SIDES = ("fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
+"""Attributes that name the six files of a cube texture."""
 _SUFFIXES = {"mesh": (".obj", ".stl", ".msh"), "texture": (".png",)}
 
 
@@ -109,7 +110,7 @@ class _Reader:
             raise InputError(f"The model has a <{tag}>, which is refused: {_REFUSED[tag]}.")
         if tag == "replicate" and not _is_few(element.get("count", "1")):
             raise InputError(f"The model replicates a body more than {MOST_COPIES} times.")
-        named = element.get("file"), *(element.get(side) for side in _SIDES)
+        named = element.get("file"), *(element.get(side) for side in SIDES)
         if tag not in _FILES and any(named):
             raise InputError(f"The model names a file in <{tag[:40]}>; meshes and textures may.")
 
@@ -123,7 +124,7 @@ class _Reader:
             if element.tag not in _FILES:
                 continue
             element.attrib.pop("content_type", None)
-            for name in ("file", *_SIDES):
+            for name in ("file", *SIDES):
                 if given := element.get(name):
                     if "name" not in element.attrib and name == "file":
                         element.set("name", PurePosixPath(given.replace("\\", "/")).stem)
@@ -246,47 +247,3 @@ def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:
 def _pieces(raw: bytes) -> Iterator[bytes]:
     for first in range(0, len(raw), 2**16):
         yield raw[first : first + 2**16]
-
-
-_ABOUT_BODIES = ("actuator", "contact", "equality", "keyframe", "sensor", "tendon")
-
-
-def free_bodies(gathered: GatheredModel) -> list[str]:
-    """Return the names of the bodies of the world that have a free joint of their own."""
-    found = _free_elements(ET.fromstring(gathered.xml))
-    return [body.get("name") or f"body_{k + 1}" for k, (_, body) in enumerate(found)]
-
-
-def keep_bodies(gathered: GatheredModel, which: Sequence[int]) -> GatheredModel:
-    """Return the model with some of its ``free_bodies``, and without assets that nothing uses."""
-    root = ET.fromstring(gathered.xml)
-    for k, (world, body) in enumerate(_free_elements(root)):
-        if k not in which:
-            world.remove(body)
-    for section in [child for child in root if child.tag in _ABOUT_BODIES]:
-        root.remove(section)
-    for tag in ("mesh", "material", "texture"):  # textures last: materials use them
-        _drop_unused(root, tag)
-    used = {e.get(name) for e in root.iter() for name in ("file", *_SIDES)}
-    files = {name: content for name, content in gathered.files.items() if name in used}
-    return GatheredModel(ET.tostring(root, encoding="unicode"), files)
-
-
-def _free_elements(root: ET.Element) -> list[tuple[ET.Element, ET.Element]]:
-    """Return the world's bodies with a free joint, each after its parent."""
-    return [
-        (world, body)
-        for world in root.findall("worldbody")
-        for body in world.findall("body")
-        if body.find("freejoint") is not None
-        or any(joint.get("type") == "free" for joint in body.findall("joint"))
-    ]
-
-
-def _drop_unused(root: ET.Element, tag: str) -> None:
-    """Remove the assets of a kind that no other element names."""
-    used = {e.get(tag) for e in root.iter() if e.tag != tag}
-    for asset in root.findall("asset"):
-        for element in asset.findall(tag):
-            if element.get("name") not in used:
-                asset.remove(element)

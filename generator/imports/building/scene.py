@@ -10,14 +10,14 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from ..errors import InputError, SceneError
-from ..geometry import convex_outline, inside_margin, quaternion_matrix
-from ..layout.checking import correct_supports, observe
-from ..method.assembly import AssemblyConfig, reassemble
-from ..scene import TABLE, Object, Provenance, Scene
-from ..scene.provenance import plain
+from ...errors import InputError, SceneError
+from ...geometry import convex_outline, inside_margin, quaternion_matrix
+from ...layout.checking import correct_supports, observe
+from ...method.assembly import AssemblyConfig, reassemble
+from ...scene import TABLE, Object, Provenance, Scene
+from ...scene.provenance import plain
+from ..foreign import ForeignScene, Outcome, Refusals, check_count
 from .bodies import build_object, build_table
-from .foreign import ForeignScene, Outcome, Refusals, check_count
 
 _RIM = 0.01  # metres below a container's rim from which a thing is in it
 _ROUNDS = 20  # objects left out, one after the other

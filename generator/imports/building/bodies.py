@@ -13,18 +13,18 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from ..errors import BackendError, InputError, SceneError
-from ..geometry import parts_to_unit_box, quaternion_yaw, to_unit_box
-from ..language.naming import find_category
-from ..meshes.coloring import best_size, own_texture, painted_faces
-from ..meshes.normalising import Normal, foreign_physics, repair_surface
-from ..meshes.reading.surface import ColoredSurface
-from ..meshes.thickening import thicken
-from ..method.assembly import table_body
-from ..physics.inertia import MassProperties, body_mass
-from ..physics.parts import body_parts, model_parts
-from ..physics.spec import compile_spec, scene_spec
-from ..scene import (
+from ...errors import BackendError, InputError, SceneError
+from ...geometry import parts_to_unit_box, quaternion_yaw, to_unit_box
+from ...language.naming import find_category
+from ...meshes.coloring import best_size, own_texture, painted_faces
+from ...meshes.normalising import Normal, foreign_physics, repair_surface
+from ...meshes.reading.surface import ColoredSurface
+from ...meshes.thickening import thicken
+from ...method.assembly import table_body
+from ...physics.inertia import MassProperties, body_mass
+from ...physics.parts import body_parts, model_parts
+from ...physics.spec import compile_spec, scene_spec
+from ...scene import (
     TABLE,
     ConvexPart,
     Mesh,
@@ -37,9 +37,9 @@ from ..scene import (
     Scene,
     Table,
 )
-from ..scene.triangles import areas
-from .foreign import DENSITY, LARGEST, ForeignBody, Outcome
-from .shapes import few_corners
+from ...scene.triangles import areas
+from ..foreign import DENSITY, LARGEST, ForeignBody, Outcome
+from ..shapes import few_corners
 
 _MOST_FACES = 24_000  # triangles of a body that stay as they are
 _TEXTURE = 1024  # side of a texture made again, texels
