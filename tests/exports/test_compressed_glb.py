@@ -17,6 +17,7 @@ from generator.imports.glb import read_glb
 from generator.meshes.reading import codecs
 from generator.meshes.reading.codecs import plain_glb, rewrite
 from generator.meshes.reading.surface import ColoredSurface, read_surface
+from generator.sandbox.running import INSIDE
 
 POINTS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float64)
 FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], np.uint16)
@@ -189,7 +190,7 @@ def broken(**changes: Any) -> bytes:
     return glb(header, b"".join(columns))
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize("within_child", [True, pytest.param(False, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(
     "raw",
     [
@@ -197,7 +198,11 @@ def broken(**changes: Any) -> bytes:
         broken(sparse={}), glb(parts(meshopt())[0], bytes(200)),
     ],
 )  # fmt: skip
-def test_damaged_files_are_refused(raw: bytes) -> None:
+def test_damaged_files_are_refused(
+    raw: bytes, within_child: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if within_child:
+        monkeypatch.setenv(INSIDE, "1")
     with pytest.raises(BackendError):
         read_surface(raw, "The mesh", "glb")
 

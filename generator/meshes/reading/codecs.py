@@ -57,6 +57,10 @@ def plain_glb(raw: bytes, what: str) -> bytes:
         raise BackendError(
             f"{what} cannot be decompressed: it {error}. Export it uncompressed."
         ) from error
+    except Exception as error:  # whatever a decoder may stumble over, already within a child
+        raise BackendError(
+            f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it uncompressed."
+        ) from error
 
 
 def rewrite(raw: bytes) -> bytes:
