@@ -54,6 +54,14 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
+def inline(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Read foreign files in this process: a child takes most of the time of a small test."""
+    from generator.sandbox.running import INSIDE
+
+    monkeypatch.setenv(INSIDE, "1")
+
+
+@pytest.fixture
 def shell(capsys: pytest.CaptureFixture[str]):
     """Runs commands and tells what they print: a ``command.Shell``."""
     from command import Shell  # not before the packages may be imported

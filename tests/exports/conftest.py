@@ -9,7 +9,6 @@ from generator.imports import mjcf as reading
 from generator.imports.foreign import ForeignScene
 from generator.imports.mjcf import read_mjcf
 from generator.imports.mjcf_files import GatheredModel
-from generator.sandbox.running import INSIDE
 
 
 @pytest.fixture
@@ -21,9 +20,3 @@ def read(monkeypatch: pytest.MonkeyPatch) -> Callable[..., ForeignScene]:
 
     monkeypatch.setattr(reading, "compile_foreign", compile_here)
     return read_mjcf
-
-
-@pytest.fixture
-def in_process(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Read foreign files in this process: a child takes most of the time."""
-    monkeypatch.setenv(INSIDE, "1")

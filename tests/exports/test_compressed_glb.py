@@ -111,7 +111,7 @@ def check_tetrahedron(surface: ColoredSurface) -> None:
     assert (surface.colors == [255, 0, 0]).all()
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 def test_a_quantized_mesh_is_read() -> None:
     header, columns = quantized()
     surface = read_surface(glb(header, b"".join(columns)), "The mesh", "glb")
@@ -119,12 +119,12 @@ def test_a_quantized_mesh_is_read() -> None:
     np.testing.assert_allclose(np.sort(surface.uv, axis=0)[-1], [0.5, 1.0], atol=1e-4)
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 def test_a_mesh_compressed_by_meshopt_is_read() -> None:
     check_tetrahedron(read_surface(meshopt(), "The mesh", "glb"))
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 def test_quantized_texture_coordinates_are_moved_as_their_material_says() -> None:
     header, columns = quantized()
     move = {"KHR_texture_transform": {"scale": [2, 2], "offset": [0.25, 0]}}
@@ -143,7 +143,7 @@ def test_quantized_texture_coordinates_are_moved_as_their_material_says() -> Non
         read_surface(glb(header, b"".join(columns)), "The mesh", "glb")
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 @pytest.mark.parametrize("extension", ["extension_draco", "extension_webp"])
 def test_a_textured_mesh_by_draco_or_with_webp_is_read(extension: str) -> None:
     plain = read_surface(textured().export(file_type="glb"), "The mesh", "glb")
@@ -158,7 +158,7 @@ def test_a_textured_mesh_by_draco_or_with_webp_is_read(extension: str) -> None:
     np.testing.assert_allclose(np.sort(colors[0], axis=0), np.sort(colors[1], axis=0), atol=8)
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 def test_a_compressed_scene_is_imported_by_its_nodes(tmp_path: Path) -> None:
     scene = trimesh.Scene()
     scene.add_geometry(box(1.0, 0.5, 0.6), node_name="table", geom_name="table")

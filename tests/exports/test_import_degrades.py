@@ -78,7 +78,7 @@ def test_what_cannot_be_decomposed_collides_as_its_hull(
     assert found["tall"] == Outcome("tall", "hull", "Convex decomposition takes too long.")
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 def test_nothing_left_is_an_error_with_every_reason(tmp_path: Path) -> None:
     broken = {"a": b"nothing", "b": b"nothing either"}
     with pytest.raises(InputError, match=r"None of the 2 objects .*a: .*no GLB.*b: .*no GLB"):

@@ -122,7 +122,7 @@ def write_folder(folder: Path, **changes: object) -> Path:
     return folder
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
@@ -145,7 +145,7 @@ def test_poses_that_cannot_be_are_refused(changes: dict, said: str, tmp_path: Pa
         import_scene(write_folder(tmp_path, **changes))
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 def test_sources_that_are_none_are_refused(tmp_path: Path) -> None:
     for source in (tmp_path, tmp_path / "no.xml", tmp_path / "scene.blend"):
         with pytest.raises(InputError, match=str(source)):
@@ -155,7 +155,7 @@ def test_sources_that_are_none_are_refused(tmp_path: Path) -> None:
         import_scene(tmp_path)
 
 
-@pytest.mark.usefixtures("in_process")
+@pytest.mark.usefixtures("inline")
 def test_the_folder_of_a_urdf_export_is_refused_as_such(tmp_path: Path) -> None:
     scene = toy_scene((toy_object("box_1", (0.05, 0.03, 0.04), (0.0, 0.0)),))
     with pytest.raises(InputError, match=r"of a URDF export.*GLB or MJCF"):

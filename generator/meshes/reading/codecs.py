@@ -59,7 +59,8 @@ def plain_glb(raw: bytes, what: str) -> bytes:
         ) from error
     except Exception as error:  # whatever a decoder may stumble over, already within a child
         raise BackendError(
-            f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it uncompressed."
+            f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it "
+            "uncompressed."
         ) from error
 
 
