@@ -110,7 +110,12 @@ def _facts(facts: dict[str, Any], scene: Any) -> dict[str, Any]:
         "table_iou": round(facts["table"]["iou"], 3),
         "color_difference": facts["mean_color_difference"],
         "elevation_deg": facts["camera"]["elevation_deg"],
-        "warnings": "; ".join([*scene.provenance.warnings, *(report.failures if report else ())]),
+        "warnings": "; ".join(
+            [
+                *scene.provenance.warnings,
+                *map(str, report.failures if report else ()),
+            ]
+        ),
     }
 
 

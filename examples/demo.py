@@ -74,7 +74,7 @@ def main() -> None:
             + ", ".join(o.name for o in generation.scene.objects),
             f"- gate: deepest overlap {1e3 * report.penetration:.2f} mm, drift in "
             f"{report.seconds:.0f} s {1e3 * report.drift:.2f} mm, "
-            + ("passed" if report.passed else "failed: " + "; ".join(report.failures)),
+            + ("passed" if report.passed else f"failed: {report.failure_text}"),
             f"- {moved}",
             f"- bundle `{bundle.name}`; pictures `{name}.png`, `{name}_panda.png`, `{name}/`",
             "",

@@ -58,7 +58,7 @@ def compose(
     if not plan.objects:
         raise InputError("The plan holds no object; a scene needs at least one.")
     models = build_models(plan, seed)
-    failures: tuple[str, ...] = ()
+    failures = ""
     best: Scene | None = None
     waiting: list[tuple[int, int, Rested, Rest]] = []
     for attempt in range(ATTEMPTS):
@@ -74,7 +74,7 @@ def compose(
             waiting = [each for each in waiting if each[2] is not rested]
             assert scene.report is not None
             if not scene.report.passed:
-                failures = scene.report.failures
+                failures = scene.report.failure_text
                 continue
             same = scene.objects is rested.scene.objects
             scene = record_relations(scene, seen if same else None)
@@ -86,7 +86,7 @@ def compose(
         return warn_unmet(best)
     raise SceneError(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
-        f"{'; '.join(failures)}. Try another seed, or fewer stacked things."
+        f"{failures}. Try another seed, or fewer stacked things."
     )
 
 

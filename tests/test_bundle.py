@@ -12,11 +12,13 @@ from forging import refused, rewrite
 from toy import toy_scene
 
 from generator import bundle
-from generator.bundle.encoding import dumps
+from generator.bundle.decoding import decode_scene
+from generator.bundle.encoding import dumps, encode_scene
 from generator.errors import BundleError, SceneError, StorageError
 from generator.physics.gate import judge
 from generator.scene import (
     Edit,
+    Failure,
     PlannedObject,
     PlannedTable,
     Provenance,
@@ -170,14 +172,44 @@ def test_no_path_or_clock_time_is_kept(path: Path, tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------------------------ publication
+OVERLAP = Failure("overlap", ("cube_1", "can_1"), 0.1, 5e-4)
+TURNED = Failure("turned", ("can_1",), 0.2, 0.03, 5.0, leaning=True)
+
+
 def test_a_scene_that_failed_is_not_published(scene: Scene, tmp_path: Path) -> None:
-    failed = scene.replace(report=Report(0.1, 0, 0, failures=("cube_1 overlaps can_1 by 100 mm",)))
+    failed = scene.replace(report=Report(0.1, 0, 0, failures=(OVERLAP,)))
     with pytest.raises(SceneError, match="cube_1 overlaps can_1"):
         bundle.save(failed, tmp_path)
     with pytest.raises(SceneError, match="never judged"):
         bundle.save(scene.replace(report=None), tmp_path)
     assert not list(tmp_path.iterdir())
     assert bundle.load(bundle.save(failed, tmp_path, allow_failed=True)).report == failed.report
+
+
+def test_failures_are_kept_as_sentences_and_as_values(scene: Scene, tmp_path: Path) -> None:
+    report = Report(0.1, 0, 0, failures=(OVERLAP, TURNED))
+    path = bundle.save(scene.replace(report=report), tmp_path, allow_failed=True)
+    written = json.loads((path / "scene.json").read_text())["report"]
+    assert written["failures"] == [
+        "cube_1 overlaps can_1 by 100.0 mm", "can_1 turned 11.5° in 5 s on a leaning table"
+    ]  # fmt: skip
+    assert bundle.load(path).report == report
+    passing = bundle.save(scene.replace(report=Report(0.0, 0, 0)), tmp_path)
+    assert "failure_values" not in json.loads((passing / "scene.json").read_text())["report"]
+
+
+def test_failures_without_values_keep_their_sentences(scene: Scene) -> None:
+    """Earlier versions wrote the sentences alone."""
+    said = "cube_1 overlaps can_1 by 100.0 mm"
+    payload, files = encode_scene(scene.replace(report=Report(0.1, 0, 0, failures=(OVERLAP,))))
+    del payload["report"]["failure_values"]
+    report = decode_scene(payload, files.__getitem__).scene.report
+    assert report is not None and not report.passed
+    assert report.failures == (Failure("recorded", sentence=said),)
+    assert report.failure_text == said
+    payload["report"]["failure_values"] = []
+    with pytest.raises(BundleError, match="as many as"):
+        decode_scene(payload, files.__getitem__)
 
 
 @pytest.mark.parametrize("name", ["", "../up", "a/b", ".hidden", "x" * 81])

@@ -212,13 +212,14 @@ def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
     used, learning, recording, cloud = set(), set(), set(), set()
     many, hub, others, by_hand = set(), set(), set(), set()
-    served, charted = set(), set()
+    served, charted, decoded = set(), set(), set()
     extras = {
         "tabletopgen_env.learning": learning,
         "tabletopgen_env.recording": recording,
         "tabletopgen_env.teleoperation": by_hand,
         "tabletopgen_web.study": charted,
         "tabletopgen_web.studio": served,
+        "generator.meshes.reading.codecs": decoded,
         "generator.calls": cloud,
         "generator.backends.cloud": cloud,
         "generator.backends.modelers": cloud,
@@ -235,6 +236,7 @@ def test_what_is_imported_is_what_is_installed() -> None:
     assert recording - declared() == declared("record") | declared("lerobot")
     assert many - declared() == declared("ray")
     assert others - declared() == declared("usd") | declared("engines")
+    assert decoded - declared() == declared("gltf")
     assert by_hand - declared() == declared("teleop")
     assert served - declared() == declared("studio")
     assert charted - declared() == declared("plot")

@@ -5,6 +5,7 @@ from toy import toy_object, toy_scene
 from generator.errors import InputError, TabletopError, choices
 from generator.scene import (
     ConvexPart,
+    Failure,
     Mesh,
     Model,
     Physics,
@@ -80,7 +81,7 @@ def test_choices_names_the_near_match() -> None:
 
 def test_a_report_passes_only_without_failures() -> None:
     assert Report(0.0, 0.0, 0.0).passed
-    assert not Report(0.0, 0.0, 0.0, failures=("mug floats",)).passed
+    assert not Report(0.0, 0.0, 0.0, failures=(Failure("floats", ("mug",)),)).passed
 
 
 @pytest.mark.parametrize("name", ["", "table", "world", "a/b", "a\nb"])

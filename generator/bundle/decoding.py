@@ -10,11 +10,11 @@ from typing import Any
 from ..errors import BundleError
 from ..io.reading import parse_object, printable
 from ..physics.mjcf import mesh_path, texture_path
-from ..scene import TABLE, Mesh, Model, Object, Scene, Table
+from ..scene import TABLE, Failure, Mesh, Model, Object, Report, Scene, Table
 from .bounds import BOUNDS, check_counts, check_drawn
 from .contents import decode_obj, decode_png, mesh_counts, picture_size
 from .encoding import HIDDEN
-from .fields import arguments
+from .fields import arguments, default_fields
 
 _ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")  # controls as ``dumps`` writes them
 _BESIDE_THE_SCENE = ("schema", "files", "instances")
@@ -55,7 +55,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     check_counts(dict(payload))
     entry = arguments(
         Scene, {k: v for k, v in payload.items() if k not in _BESIDE_THE_SCENE}, "scene.json",
-        table=Any, objects=tuple[Any, ...], models=Mapping[str, Any],
+        table=Any, objects=tuple[Any, ...], models=Mapping[str, Any], report=Any,
     )  # fmt: skip
     models = {
         key: arguments(
@@ -89,9 +89,26 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
     for body in (table, *objects):
         body["model"] = made[body["model"]]
     entry |= {"table": Table(**table), "objects": tuple(Object(**thing) for thing in objects)}
+    entry["report"] = _decode_report(entry["report"])
     scene = Scene(**entry)
     _check_supports(scene)
     return Decoded(scene, {mesh: looks[:2] for looks, mesh in meshes.items()})
+
+
+def _decode_report(entry: object) -> Report | None:
+    """Return a report; of failures without values, which an earlier version wrote, the text."""
+    if entry is None:
+        return None
+    what = "scene.json.report"
+    hints = {"failures": tuple[str, ...], "failure_values": tuple[Failure, ...]}
+    fields = arguments(Report, entry, what, default_fields(Report) | {"failure_values"}, **hints)
+    failures: tuple[Failure, ...] | None = fields.pop("failure_values", None)
+    if failures is None:
+        failures = tuple(Failure("recorded", sentence=text) for text in fields.get("failures", ()))
+    if len(failures) != len(fields.get("failures", ())):
+        raise BundleError(f"{what}.failure_values must be as many as its failures.")
+    fields["failures"] = failures
+    return Report(**fields)
 
 
 def _check_models(models: Mapping[str, Any], used: Sequence[str]) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..io.reading import MAX_NAME_LENGTH
 from ..physics.mjcf import mesh_files
-from ..scene import ConvexPart, Model, Scene, ScenePlan
+from ..scene import ConvexPart, Model, Report, Scene, ScenePlan
 from ..scene.provenance import plain
 
 HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
@@ -88,10 +88,15 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         "models": models,
         "provenance": provenance,
         "view": plain(scene.view),
-        "report": _without_empty(_printable(plain(scene.report)), "relations"),
+        "report": _encode_report(scene.report),
         "plan": _encode_plan(scene.plan),
     }
     return payload, files
+
+
+def _encode_report(report: Report | None) -> dict[str, Any] | None:
+    encoded = None if report is None else _printable(report.as_json())
+    return _without_empty(encoded, "relations")
 
 
 def _encode_plan(plan: ScenePlan | None) -> dict[str, Any] | None:

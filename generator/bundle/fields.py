@@ -72,7 +72,8 @@ def _convert(kind: Any, value: Any, what: str) -> Any:
         return numbers(value, what)
     if dataclasses.is_dataclass(kind):
         make = typing.cast("type[object]", kind)
-        return make(**_fields(_hints(make), _required_fields(make), value, what))
+        hints = _hints(make)
+        return make(**_fields(hints, hints.keys() - default_fields(make), value, what))
     return _scalar(kind, value, what)
 
 
@@ -117,10 +118,11 @@ def _hints(kind: type) -> dict[str, Any]:
 
 
 @cache
-def _required_fields(kind: type) -> frozenset[str]:
+def default_fields(kind: type) -> frozenset[str]:
+    """Return the names of a dataclass's fields that have a default."""
     empty = dataclasses.MISSING
     return frozenset(
         f.name
         for f in dataclasses.fields(kind)
-        if f.init and f.default is empty and f.default_factory is empty
+        if f.init and (f.default is not empty or f.default_factory is not empty)
     )

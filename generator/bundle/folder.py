@@ -203,7 +203,7 @@ def _check_publishable(scene: Scene, allow_failed: bool) -> None:
         )
     if not scene.report.passed:
         raise SceneError(
-            f"Scene {scene.name!r} failed its physical gate: {'; '.join(scene.report.failures)}. "
+            f"Scene {scene.name!r} failed its physical gate: {scene.report.failure_text}. "
             "Pass allow_failed=True to publish it all the same."
         )
 

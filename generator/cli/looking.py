@@ -139,7 +139,7 @@ def verify_all(
     played = dict[str, int]()
     for path in paths:
         try:
-            results[path.name] = list(judge(load_verified(path)).failures)
+            results[path.name] = [str(f) for f in judge(load_verified(path)).failures]
             for verifier in () if results[path.name] else verifiers:
                 played[path.name], wrong = verifier(path)
                 results[path.name] += map(str, wrong)

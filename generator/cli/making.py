@@ -17,7 +17,7 @@ from ..io.files import check_folder
 from ..scene import Density, Intrinsics
 from . import paying
 from .paying import NO_CALLS, USUAL, Calls, Chosen
-from .printing import print_scene, progress
+from .printing import outcome_lines, print_scene, progress
 from .store import store
 
 
@@ -172,31 +172,43 @@ def import_(
     allow_failed: bool = False,
     json: bool = False,
 ) -> int:
-    """Turn a scene of another program into a bundle: a MJCF or GLB file, or a folder of GLB files.
+    """Turn a scene of another program into a bundle: a MJCF, GLB or OBJ file, or a folder of files.
 
     Of a MJCF the bodies with a free joint become objects, and what they stand on the table; meshes,
     colours, textures, masses, friction and collision shapes stay. A folder needs poses.json, which
     says which file is what, and where. What comes without collision shapes is cut into convex
-    parts. The scene is settled and judged.
+    parts. A single object without a table stands on a plain one. The scene is settled and judged,
+    and a table says what was done with each object: taken, repaired, replaced by its hull, refused
+    or left out.
 
     Args:
-        source: A MJCF file (.xml), a GLB file, a folder with poses.json, or a MJCF export's folder.
+        source: A MJCF file (.xml), a GLB or OBJ file, a folder with poses.json, or a MJCF export's
+            folder.
         out: Folder the bundle goes into; the user cache if left out.
         options: How it is read.
         allow_failed: Publish the scene even if it fails its physical gate.
         json: Print one JSON object instead of text.
     """
     if not os.path.lexists(source):
-        raise InputError(f"No file or folder at {str(source)!r}. Name a MJCF, a GLB or a folder.")
+        raise InputError(
+            f"No file or folder at {str(source)!r}. Name a MJCF, GLB or OBJ file, or a folder."
+        )
     folder = _check_output(out, options.name)
 
     from ..bundle import save
-    from ..imports import import_scene
+    from ..imports import import_scene, list_outcomes
     from ..method.figures import preview
 
     scene = import_scene(source, options)
+    outcomes = list_outcomes(scene)
+    if not (allow_failed or scene.report is None or scene.report.passed):
+        print(escape("\n".join(outcome_lines(outcomes))), file=sys.stderr)
+        raise SceneError(
+            f"{source} fails the physical gate: {scene.report.failure_text}. Leave out what fails "
+            "(--drop-failing), or publish it all the same (--allow-failed)."
+        )
     path = save(scene, folder, images={"preview": preview(scene)}, allow_failed=allow_failed)
-    return print_scene(path, scene, json)
+    return print_scene(path, scene, json, outcomes=outcomes)
 
 
 import_.__name__ = "import"

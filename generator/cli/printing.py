@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from ..errors import escape
 if TYPE_CHECKING:
     from ..calls import Session
     from ..comparison.doubts import PictureMatch
+    from ..imports.foreign import Outcome
     from ..method.stopwatch import Seconds
     from ..scene import Scene
 
@@ -57,7 +58,7 @@ def describe(path: Path, scene: Scene) -> dict[str, Any]:
             for o in scene.objects
         ],
         "passed": None if report is None else report.passed,
-        "report": None if report is None else dataclasses.asdict(report),
+        "report": None if report is None else report.as_json(),
         "warnings": list(scene.provenance.warnings),
     }
 
@@ -69,9 +70,15 @@ def print_scene(
     seconds: Mapping[str, Seconds] | None = None,
     session: Session | None = None,
     likeness: PictureMatch | None = None,
+    outcomes: Sequence[Outcome] = (),
 ) -> int:
-    """Print a bundle, how like its picture it is, times and calls; return success's exit code."""
+    """Print a bundle, how like its picture it is, times and calls; return success's exit code.
+
+    ``outcomes`` are those of an import, which repeat warnings of the scene.
+    """
     facts = describe(path, scene)
+    if outcomes:
+        facts["outcomes"] = [dataclasses.asdict(outcome) for outcome in outcomes]
     if likeness is not None and likeness.mean_iou is not None:
         facts["mean_iou"] = round(likeness.mean_iou, 3)
     if session is not None and session.account.entries:
@@ -92,15 +99,17 @@ def print_scene(
         ]
         gate = "no report"
         if report := scene.report:
-            gate = "passed" if report.passed else "FAILED: " + "; ".join(report.failures)
+            gate = "passed" if report.passed else f"FAILED: {report.failure_text}"
         like = [f"  likeness: {facts['mean_iou']:.2f} (mean overlap, from the picture's camera, of "
                 "what was found)"] if "mean_iou" in facts else []  # fmt: skip
-        notes = [f"  note: {w}" for w in facts["warnings"]]
+        listed = {str(outcome) for outcome in outcomes}
+        notes = [f"  note: {w}" for w in facts["warnings"] if w not in listed]
         spent = "" if session is None else session.account.text(session.prices.currency)
         calls = ["  calls:", *(f"    {line}" for line in spent.splitlines())] if spent else []
         return [
             str(path),
             *rows,
+            *outcome_lines(outcomes),
             f"  gate: {gate}",
             *like,
             *notes,
@@ -110,6 +119,12 @@ def print_scene(
 
     emit(facts, as_json, lines)
     return 0
+
+
+def outcome_lines(outcomes: Sequence[Outcome]) -> list[str]:
+    """Return a table of what an import did with each object."""
+    rows = (f"    {o.name:<20} {o.kind:<9} {o.detail}".rstrip() for o in outcomes)
+    return ["  import:", *rows] if outcomes else []
 
 
 def _timings(seconds: Mapping[str, Seconds]) -> list[str]:

@@ -64,9 +64,9 @@ class Edited:
             SceneError: it failed its gate.
         """
         if scene.report is None or not scene.report.passed:
-            failures = () if scene.report is None else scene.report.failures
+            failures = "" if scene.report is None else scene.report.failure_text
             raise SceneError(
-                f"Edited so, {scene.name!r} fails its physical gate: {'; '.join(failures)}. "
+                f"Edited so, {scene.name!r} fails its physical gate: {failures}. "
                 "Nothing was published. Try another seed, or make room first."
             )
         if scene.provenance.kind == "compose":  # names of its plan are names of its things

@@ -6,7 +6,8 @@
 
 A foreign scene is a set of rigid bodies at rest on a table. What it says of them is kept: where
 they are, what they weigh, how they slide, the shapes that collide, and how they look. Then the
-scene is settled and judged as any other.
+scene is settled and judged. An object that cannot be used is refused, and the others stay:
+``list_outcomes`` says what was done with each.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from .options import ImportOptions as ImportOptions
 if TYPE_CHECKING:
     from ..method.assembly import AssemblyConfig
     from ..scene import Scene
+    from .foreign import Outcome
 
 
 def import_scene(
@@ -28,3 +30,10 @@ def import_scene(
     from .importing import import_scene as run
 
     return run(source, options or ImportOptions(), config)
+
+
+def list_outcomes(scene: Scene) -> tuple[Outcome, ...]:
+    """Return what the import of a scene did with each object; see ``building.list_outcomes``."""
+    from .building import list_outcomes as run
+
+    return run(scene)

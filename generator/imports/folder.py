@@ -24,32 +24,37 @@ import numpy as np
 from jaxtyping import Float
 
 from ..catalogue import build_table
-from ..errors import InputError
+from ..errors import BackendError, InputError
 from ..geometry import quaternion_matrix
 from ..io.reading import is_number, parse_object, printable
 from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
 from ..meshes.reading.companions import companions
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
+from ..sandbox import Limits, SandboxError, call
 from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
-from .foreign import ForeignBody, ForeignScene, check_count, read_source
+from .foreign import ForeignBody, ForeignScene, Refusals, check_count, read_source
 
 POSES = "poses.json"
 """Name of the file that says what is where."""
 
 _MOST_POSES, _MOST_SCALE = 2**20, 1e4
+_APART = Limits(cpu_seconds=4.0)  # of one file, once all together reached their limit
+_PLAIN = (1.2, 0.8, 0.74)  # metres, the least size of a plain table
 _OBJECT = {"name", "file", "position", "quaternion", "mass", "category", "scale", "friction", "up"}
 _TABLE = {"file", "position", "quaternion", "scale", "friction", "up", "size"}
 
 
-def read_folder(folder: Path) -> ForeignScene:
-    """Read a folder of files with ``poses.json``.
+def read_folder(folder: Path, scale: float = 1.0, apart: bool = False) -> ForeignScene:
+    """Read a folder of files with ``poses.json``; objects that cannot be read are refused.
+
+    ``scale`` is that of objects without one. ``apart`` reads each file in a child process of its
+    own, so that one that reaches a limit is refused alone.
 
     Raises:
-        InputError: that is missing, says something unknown or impossible, or names a file outside
-            of the folder.
-        BackendError: a file cannot be read; see ``meshes.reading``.
+        InputError: ``poses.json`` is missing or damaged, or no object can be read.
+        BackendError: the table's file cannot be read; see ``meshes.reading``.
     """
-    reader = _FolderReader(folder)
+    reader = _FolderReader(folder, scale, apart)
     payload = parse_object(reader.read(POSES, _MOST_POSES), POSES, InputError)
     table, objects = payload.get("table"), payload.get("objects")
     if isinstance(table, dict) and "quaternion_wxyz" in table:
@@ -63,18 +68,53 @@ def read_folder(folder: Path) -> ForeignScene:
     if not isinstance(objects, list) or not objects:
         raise InputError(f"{POSES} has no objects: a list of at least one.")
     check_count(len(objects))
-    bodies = tuple(reader.object(entry, k) for k, entry in enumerate(cast("list[Any]", objects)))
+    refusals, bodies = Refusals(), list[ForeignBody]()
+    for k, entry in enumerate(cast("list[Any]", objects)):
+        with refusals.catching(_name_of(entry, k)):
+            bodies.append(reader.object(entry, k))
+    refusals.check_left(bodies)
     name = payload.get("name", folder.resolve().name)
     return ForeignScene(
-        printable(name, f"The name in {POSES}", InputError), reader.table(table), bodies
-    )
+        printable(name, f"The name in {POSES}", InputError), reader.table(table), tuple(bodies),
+        refused=tuple(refusals.outcomes),
+    )  # fmt: skip
+
+
+def read_file(path: Path) -> ForeignScene:
+    """Read a GLB or OBJ file as a single object without a table.
+
+    Raises:
+        InputError: its name cannot be printed.
+        BackendError: it cannot be read; see ``meshes.reading``.
+    """
+    entry = {"name": path.stem, "file": path.name, "position": [0.0, 0.0, 0.0]}
+    return ForeignScene(path.stem, None, (_FolderReader(path.parent).object(entry, 0),))
+
+
+def on_plain_table(foreign: ForeignScene) -> ForeignScene:
+    """Return a scene without a table with its one object in the middle of a plain table."""
+    (body,) = foreign.objects
+    world = body.surface.vertices @ body.rotation.T
+    low, high = world.min(0), world.max(0)
+    length, width, height = (float(v) for v in np.maximum(_PLAIN, [*2 * (high - low)[:2], 0.0]))
+    table = body_of(build_table(PlannedTable(size=(length, width, height)), 0))
+    position = np.array([*-(low + high)[:2] / 2, height - low[2]])
+    return replace(foreign, table=table, objects=(replace(body, position=position),))
+
+
+def _name_of(entry: object, number: int) -> str:
+    """Return what an entry of ``poses.json`` calls its object, for messages."""
+    name = cast("dict[str, Any]", entry).get("name") if isinstance(entry, dict) else None
+    return name[:100] if isinstance(name, str) and name else f"thing_{number + 1}"
 
 
 class _FolderReader:
     """Reads the files of a folder, each once."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, scale: float = 1.0, apart: bool = False) -> None:
         self._folder = folder
+        self._scale = scale
+        self._apart = apart
         self._surfaces: dict[tuple[str, Axis], ColoredSurface] = {}
         self._faces = 0  # of all bodies
 
@@ -115,7 +155,7 @@ class _FolderReader:
         if up not in ("", "y", "z"):
             raise InputError(f'{what}.up must be "y" or "z", got {str(up)[:20]!r}.')
         surface = self._surface(entry.get("file"), what, up or "y")
-        scale = entry.get("scale", 1.0)
+        scale = entry.get("scale", self._scale)
         factor = (
             np.full(3, _number(scale, f"{what}.scale", _MOST_SCALE))
             if not isinstance(scale, list)
@@ -145,7 +185,7 @@ class _FolderReader:
             raw = self.read(file, MOST_BYTES)
             place = self._folder.joinpath(*PurePosixPath(file).parent.parts)
             beside = companions(raw, what, place) if kind == "obj" else {}
-            surface = read_surface(raw, f"{what}: {file}", kind, beside)
+            surface = self._decode(raw, f"{what}: {file}", kind, beside)
             self._surfaces[file, up] = surface.upright(up)
         self._faces += len(self._surfaces[file, up].faces)
         if self._faces > MOST_FACES:
@@ -154,6 +194,18 @@ class _FolderReader:
                 "file that is named again counted again. Reduce them."
             )
         return self._surfaces[file, up]
+
+    def _decode(
+        self, raw: bytes, what: str, kind: Kind, beside: Mapping[str, bytes]
+    ) -> ColoredSurface:
+        if not self._apart:
+            return read_surface(raw, what, kind, beside)
+        try:
+            return call(
+                read_surface, raw, what, kind, {**beside}, limits=_APART, returns=(ColoredSurface,)
+            )
+        except SandboxError as error:
+            raise BackendError(f"{what} {error}. Use a simpler mesh.") from error
 
 
 def body_of(model: Model) -> ForeignBody:

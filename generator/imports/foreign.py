@@ -1,24 +1,94 @@
 """A foreign scene as it was read: bodies with a surface, shapes that collide, mass and pose.
 
-Its files are plain ones inside of its folder, and no others (``read_source``).
+Its files are plain ones inside of its folder, and no others (``read_source``). An object that
+cannot be used is refused by itself, with an ``Outcome``; the others stay.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator, Sized
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from jaxtyping import Float
 
 from ..bundle import BOUNDS, read_inside
-from ..errors import BundleError, InputError
+from ..errors import BackendError, BundleError, InputError, SceneError, TabletopError
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
 from ..scene import ConvexPart
 
+DENSITY = (1.0, 29_000.0)
+"""Densities of materials, kg/m³."""
+
 LARGEST = 100.0
 """No body of a foreign scene is larger, or farther from its table, metres."""
+
+OutcomeKind = Literal["taken", "repaired", "hull", "refused", "left out"]
+"""What an import does with an object: "hull" means that it collides as its convex hull, "left out"
+that the physical gate failed because of it."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What an import did with one object.
+
+    Attributes:
+        name: The object.
+        kind: What was done.
+        detail: How it was repaired, or why it was refused; empty if there is nothing to say.
+    """
+
+    name: str
+    kind: OutcomeKind = "taken"
+    detail: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.kind}" + (f" ({self.detail})" if self.detail else "")
+
+
+@dataclass
+class Refusals:
+    """Collects the objects of a scene that cannot be used, so that the others can.
+
+    Attributes:
+        outcomes: An outcome for each refused object.
+        first: The error of the first one.
+    """
+
+    outcomes: list[Outcome] = field(default_factory=list[Outcome])
+    first: TabletopError | None = None
+
+    def add(self, name: str, error: TabletopError) -> None:
+        """Refuse an object because of an error."""
+        self.outcomes.append(Outcome(name, "refused", str(error)))
+        self.first = self.first or error
+
+    @contextmanager
+    def catching(self, name: str) -> Iterator[None]:
+        """Refuse an object if the block raises an error of this project."""
+        try:
+            yield
+        except (InputError, BackendError, SceneError) as error:
+            self.add(name, error)
+
+    def check_left(self, left: Sized) -> None:
+        """Check that objects are left.
+
+        Raises:
+            InputError: All are refused; with the reasons. Of a single one its own error is raised.
+        """
+        if len(left) or self.first is None:
+            return
+        if len(self.outcomes) == 1:
+            raise self.first
+        reasons = "; ".join(f"{o.name}: {o.detail}" for o in self.outcomes[:5])
+        raise InputError(
+            f"None of the {len(self.outcomes)} objects can be imported. {reasons}"
+        ) from self.first
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,21 +120,50 @@ class ForeignBody:
         if not len(self.surface.faces):
             raise InputError(f"The body {self.name!r} has no faces; nothing of it can be drawn.")
         far = np.abs(self.surface.vertices).max(), np.abs(self.position).max()
-        if not max(far) <= LARGEST:  # NaN is not, either
-            raise InputError(
-                f"The body {self.name!r} reaches farther than {LARGEST:g} m, or holds a number "
-                "that is not finite. Lengths are metres."
+        if not np.isfinite(far).all():
+            raise InputError(f"The body {self.name!r} holds a number that is not finite.")
+
+    def scaled(self, factor: float) -> ForeignBody:
+        """Return the body with all lengths multiplied.
+
+        A mass that fits the body's own lengths, 1 to 29,000 kg/m³ of its box, was computed from
+        them and scales with the volume; any other mass is kilograms and stays.
+        """
+        mass = self.mass
+        if mass is not None:
+            density = mass.mass / max(float(np.prod(np.ptp(self.surface.vertices, axis=0))), 1e-300)
+            heavier = factor**3 if DENSITY[0] <= density <= DENSITY[1] else 1.0
+            mass = MassProperties(
+                mass.mass * heavier, mass.com * factor, mass.inertia * heavier * factor**2
             )
+        return replace(
+            self, position=self.position * factor, mass=mass,
+            surface=replace(self.surface, vertices=self.surface.vertices * factor),
+            parts=tuple(ConvexPart(p.vertices * factor, p.kind, p.axis) for p in self.parts),
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
 class ForeignScene:
-    """What was read of a foreign scene: its table, its objects, and what was left out of it."""
+    """What was read of a foreign scene: its table, its objects, and what was left out of it.
+
+    ``table`` is None if the source holds a single object and no table. ``refused`` are the objects
+    that could not be read.
+    """
 
     name: str
-    table: ForeignBody
+    table: ForeignBody | None
     objects: tuple[ForeignBody, ...]
     warnings: tuple[str, ...] = ()
+    refused: tuple[Outcome, ...] = ()
+
+    def scaled(self, factor: float) -> ForeignScene:
+        """Return the scene with all lengths multiplied."""
+        if factor == 1:
+            return self
+        objects = tuple(body.scaled(factor) for body in self.objects)
+        table = None if self.table is None else self.table.scaled(factor)
+        return replace(self, table=table, objects=objects)
 
 
 def check_count(objects: int) -> None:

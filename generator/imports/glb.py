@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -20,13 +20,14 @@ from jaxtyping import Float
 from ..errors import BackendError, InputError, choices
 from ..io.reading import is_number, printable, read_regular
 from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
+from ..meshes.reading.codecs import plain_glb
 from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix
 from ..meshes.reading.inspection import inspect_glb
 from ..meshes.reading.surface import surface_of
 from ..meshes.reading.textures import Pictures
 from ..physics.inertia import MassProperties
 from ..scene import ConvexPart
-from .foreign import ForeignBody, ForeignScene, check_count
+from .foreign import ForeignBody, ForeignScene, Refusals, check_count
 from .mjcf import TABLE_WORDS
 from .shapes import part_of
 
@@ -46,7 +47,7 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
         BackendError: the file cannot be read; see ``meshes.reading``.
     """
     what = f"The scene {path.name!r}"
-    raw = read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES)
+    raw = plain_glb(read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES), what)
     header = inspect_glb(raw, what)
     places = _places(header, 0, what)
     shells = _collision_of(raw, header, what)
@@ -57,15 +58,28 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
     check_count(len(free) - 1)  # one may be the table
     bodies: list[ForeignBody] = []
     fixed: dict[str, ForeignBody] = {}
-    meshes, pictures = _load(raw, header, places, what), Pictures(what)
+    meshes, pictures = _load_each(raw, header, places, what), Pictures(what)
+    refusals = Refusals()
     for owner, mine in owners.items():
-        body, is_fixed = _read_body(header, owner, [places[k] for k in mine],
-                                    [meshes[k] for k in mine], shells, what, pictures)  # fmt: skip
-        if is_fixed or body.name == table:
-            fixed[body.name] = body
-        else:
-            bodies.append(body)
-    return _arrange(path.stem, bodies, fixed, table)
+        with refusals.catching(_name(header, owner)):
+            body, is_fixed = _read_body(
+                header, owner, [places[k] for k in mine], [meshes[k] for k in mine], shells, what,
+                pictures,
+            )  # fmt: skip
+            if is_fixed or body.name == table:
+                fixed[body.name] = body
+            else:
+                bodies.append(body)
+    refusals.check_left([*bodies, *fixed])
+    try:
+        found = _arrange(path.stem, bodies, fixed, table)
+    except InputError as error:
+        if refusals.first is None:
+            raise
+        raise InputError(
+            f"{error} Refused: {'; '.join(map(str, refusals.outcomes[:5]))}"
+        ) from error
+    return replace(found, refused=tuple(refusals.outcomes))
 
 
 def _arrange(
@@ -74,6 +88,8 @@ def _arrange(
     """Return a scene with one of its bodies as the table."""
     if table is not None and table not in fixed:
         raise InputError(f"Nothing is called {table!r}." + choices(table, (b.name for b in bodies)))
+    if not fixed and len(bodies) == 1 and not TABLE_WORDS.search(bodies[0].name):
+        return ForeignScene(name, None, (replace(bodies[0], name=name),))
     if not fixed:
         called = [body for body in bodies if TABLE_WORDS.search(body.name)]
         if len(called) != 1:
@@ -143,6 +159,24 @@ def _extras(node: object) -> Mapping[str, Any]:
     return found if isinstance(found, Mapping) else {}
 
 
+def _load_each(
+    raw: bytes, header: Header, places: Sequence[_Place], what: str
+) -> list[list[trimesh.Trimesh] | BackendError]:
+    """Return the meshes of each place, or why they cannot be read."""
+    try:
+        return [*_load(raw, header, places, what)]
+    except BackendError:
+        if len(places) == 1:
+            raise
+    found: list[list[trimesh.Trimesh] | BackendError] = []
+    for place in places:
+        try:
+            found += _load(raw, header, [place], what)
+        except BackendError as error:
+            found.append(error)
+    return found
+
+
 def _load(
     raw: bytes, header: Header, places: Sequence[_Place], what: str
 ) -> list[list[trimesh.Trimesh]]:
@@ -168,21 +202,27 @@ def _load(
     return found
 
 
+def _name(header: Header, owner: int) -> str:
+    return str(header["nodes"][owner].get("name") or f"thing_{owner}")[:100]
+
+
 def _read_body(
     header: Header,
     owner: int,
     places: Sequence[_Place],
-    meshes: Sequence[Sequence[trimesh.Trimesh]],
+    meshes: Sequence[Sequence[trimesh.Trimesh] | BackendError],
     shells: Mapping[str, tuple[ConvexPart, ...]],
     what: str,
     pictures: Pictures,
 ) -> tuple[ForeignBody, bool]:
     """Return the body of a node, and whether it is fixed."""
     node = header["nodes"][owner]
-    name = printable(str(node.get("name") or f"thing_{owner}")[:100], "A node's name", InputError)
+    name = printable(_name(header, owner), "A node's name", InputError)
     rotation, scale, position = _split(places[0].owner_matrix, name)
     placed = []
     for place, pieces in zip(places, meshes, strict=True):
+        if isinstance(pieces, BackendError):
+            raise pieces
         own = np.linalg.inv(places[0].owner_matrix) @ place.matrix
         for piece in pieces:
             moved = piece.copy(include_visual=False)

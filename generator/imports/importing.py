@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
 
 from ..errors import BackendError, InputError
 from ..method.assembly import AssemblyConfig
+from ..physics.gate import GateLimits
 from ..scene import Provenance, Scene
 from ..scene.provenance import scene_name, versions
 from .building import build_scene
@@ -15,6 +20,9 @@ from .options import ImportOptions
 from .reading import SourceKind, read_scene
 
 _SCENE = "scene.xml"
+_KINDS: Mapping[str, SourceKind] = MappingProxyType(
+    {".xml": "mjcf", ".mjcf": "mjcf", ".glb": "glb", ".obj": "obj"}
+)
 _USUAL = ImportOptions()
 
 
@@ -25,18 +33,28 @@ def import_scene(
 ) -> Scene:
     """Return a foreign scene, settled and judged; its report may have failed.
 
-    ``source`` is a MJCF file, a GLB file, a folder with ``poses.json`` and the files it names, or a
-    folder with ``scene.xml``, as ``export`` writes it. The same source gives the same scene.
+    ``source`` is a MJCF, GLB or OBJ file, a folder with ``poses.json`` and the files it names, or a
+    folder with ``scene.xml``, as ``export`` writes it. A single object without a table stands on a
+    plain one. Objects that cannot be used are refused and the others stay; ``list_outcomes`` says
+    what was done with each. The same source gives the same scene.
+
+    ``config`` replaces the settings of the assembly; by default the gate's lean is that of the
+    options.
 
     Raises:
-        InputError: it cannot be read, has no free body, no table or too many objects.
-        SceneError: a shape cannot be decomposed, or nothing comes to rest.
+        InputError: it cannot be read, or has no object that can be used, no table or too many
+            objects.
+        SceneError: nothing comes to rest.
     """
     kind, path = find_source(Path(source))
     try:
-        foreign = read_scene(kind, path, options.root, options.table)
+        foreign = read_scene(kind, path, options.root, options.table, options.scale)
         name = options.name or scene_name(foreign.name)
-        settings = {"import": kind, "table": options.table, "drop_failing": options.drop_failing}
+        settings = {
+            "import": kind, "table": options.table, "drop_failing": options.drop_failing,
+            "scale": options.scale, "lean": options.lean,
+        }  # fmt: skip
+        config = config or AssemblyConfig(limits=GateLimits(lean=float(np.deg2rad(options.lean))))
         provenance = Provenance(
             "manual", 0, source_sha256=_digest(path), config=settings, versions=versions()
         )
@@ -58,13 +76,13 @@ def find_source(path: Path) -> tuple[SourceKind, Path]:
             return "mjcf", path / _SCENE
         raise InputError(f"{path} has neither {_SCENE} nor {POSES}; see the page on importing.")
     suffix = path.suffix.lower()
-    if suffix not in (".xml", ".mjcf", ".glb"):
+    if suffix not in _KINDS:
         raise InputError(
-            f"{path} cannot be imported: MJCF (.xml), GLB (.glb) and folders with {POSES} can."
+            f"{path} cannot be imported: MJCF (.xml), GLB, OBJ and folders with {POSES} can."
         )
     if not path.is_file():
         raise InputError(f"There is no file {path}.")
-    return ("glb" if suffix == ".glb" else "mjcf"), path
+    return _KINDS[suffix], path
 
 
 def _digest(path: Path) -> str:

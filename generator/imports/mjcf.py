@@ -20,7 +20,8 @@ from ..meshes.reading.bounds import MOST_FACES
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties, join_bodies
 from ..scene import ConvexPart
-from .foreign import ForeignBody, ForeignScene, check_count
+from .foreign import ForeignBody, ForeignScene, Refusals, check_count
+from .mjcf_bodies import compile_sound
 from .mjcf_files import GatheredModel, gather
 from .mjcf_looks import GeomLooks
 from .shapes import Solid, hull_corners, solid_part, solid_surface
@@ -33,6 +34,7 @@ TABLE_WORDS = re.compile(r"table|desk|bench|counter|island|worktop", re.IGNORECA
 
 _KINDS: dict[int, Solid] = {3: "capsule", 2: "ellipsoid", 4: "ellipsoid", 5: "cylinder", 6: "box"}
 _PLANE, _MESH = 0, 7  # of mjtGeom
+_JOINTED = "it has joints that are not free; only rigid bodies are imported"
 _UNDER = 0.05  # metres that an object may be sunk into what it stands on
 _SEEN = 0.01  # opacity from which a geom is drawn
 
@@ -47,17 +49,27 @@ def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) 
         InputError: it cannot be read (``mjcf_files``) or compiled, has joints other than free ones,
             no free body, or no table.
     """
-    model = compile_foreign(gather(path, folder), f"the model {path.name!r}")
+    refusals = Refusals()
+    model = compile_sound(
+        gather(path, folder), f"the model {path.name!r}", refusals, compile_foreign
+    )
     _check_meshes(model)
     reader = _ModelReader(model)
-    reader.check_joints()
+    stem = str(model.names[: model.names.find(b"\0")].decode("utf-8", "replace")) or path.stem
+    if (single := reader.single_body(stem)) is not None:
+        return ForeignScene(stem, None, (single,), refused=tuple(refusals.outcomes))
+    reader.check_joints(refusals)
     check_count(len(reader.free))
-    objects = tuple(reader.body(b) for b in reader.free)
+    objects: list[ForeignBody] = []
+    for b in reader.free:
+        with refusals.catching(model.body(b).name or f"body_{b}"):
+            objects.append(reader.body(b))
+    refusals.check_left(objects)
     fixed, name = reader.find_table(table, objects)
-    stem = str(model.names[: model.names.find(b"\0")].decode("utf-8", "replace"))
     return ForeignScene(
-        stem or path.stem, reader.fixed_body(name, fixed), objects, tuple(reader.list_left(fixed))
-    )
+        stem, reader.fixed_body(name, fixed), tuple(objects), tuple(reader.list_left(fixed)),
+        tuple(refusals.outcomes),
+    )  # fmt: skip
 
 
 def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
@@ -109,17 +121,38 @@ class _ModelReader:
         colors = [self.looks.color(g)[3] > _SEEN for g in range(model.ngeom)]
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
 
-    def check_joints(self) -> None:
-        """Refuse what is no set of free bodies."""
+    def single_body(self, name: str) -> ForeignBody | None:
+        """Return the only body of a model without joints, if it is not a table; else None."""
+        groups = self._fixed_groups()
+        if self.model.njnt or len(groups) != 1:
+            return None
+        ((known, geoms),) = groups.items()
+        if TABLE_WORDS.search(known):
+            return None
+        body = int(self.model.geom_bodyid[geoms[0]])
+        called = self.model.body(int(self.model.body_rootid[body])).name if body else known
+        rigid = np.flatnonzero(self.model.body_mass > 0).tolist()
+        masses = [self._mass(b, np.zeros(3), np.eye(3)) for b in rigid]
+        mass = join_bodies(masses) if masses else None
+        return self._body(called or name, geoms, np.zeros(3), np.eye(3), mass)
+
+    def check_joints(self, refusals: Refusals) -> None:
+        """Refuse bodies with joints that are not free, and the model if no free body is left."""
         model = self.model
         other = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) not in self.free]
+        tops = {int(model.body_rootid[model.jnt_bodyid[j]]) for j in other}
+        self.free = [b for b in self.free if b not in tops]
         if other:
             names = sorted({model.body(int(model.jnt_bodyid[j])).name or "without a name"
                             for j in other})  # fmt: skip
-            raise InputError(
+            error = InputError(
                 f"The model has {len(other)} joints that are not free, of {', '.join(names[:5])}. "
                 "Only rigid bodies with a free joint are imported; take out robots and doors."
             )
+            if not self.free:
+                raise error
+            for top in sorted(tops):
+                refusals.add(model.body(top).name or f"body_{top}", InputError(_JOINTED))
         if not self.free:
             raise InputError(
                 "The model has no free body: nothing on its table can move. Give each object a "

@@ -30,7 +30,8 @@ _REFUSED = {
     "skin": "skins are not rigid", "hfield": "height fields are not supported",
 }  # fmt: skip
 _FILES = {"mesh": "meshdir", "texture": "texturedir"}
-_SIDES = ("fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
+SIDES = ("fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
+"""Attributes that name the six files of a cube texture."""
 _SUFFIXES = {"mesh": (".obj", ".stl", ".msh"), "texture": (".png",)}
 
 
@@ -64,7 +65,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
     drop_unused(root)
     check_copies(root, MOST_ELEMENTS)
     reader.hand_over(root)
-    check_assets(root, reader.files, _SIDES)
+    check_assets(root, reader.files, SIDES)
     return GatheredModel(ET.tostring(root, encoding="unicode"), reader.files)
 
 
@@ -111,7 +112,7 @@ class _Reader:
         tag = element.tag
         if tag in _REFUSED:
             raise InputError(f"The model has a <{tag}>, which is refused: {_REFUSED[tag]}.")
-        named = element.get("file"), *(element.get(side) for side in _SIDES)
+        named = element.get("file"), *(element.get(side) for side in SIDES)
         if tag not in _FILES and any(named):
             raise InputError(f"The model names a file in <{tag[:40]}>; meshes and textures may.")
 
@@ -125,7 +126,7 @@ class _Reader:
             if element.tag not in _FILES:
                 continue
             element.attrib.pop("content_type", None)
-            for name in ("file", *_SIDES):
+            for name in ("file", *SIDES):
                 if given := element.get(name):
                     if "name" not in element.attrib and name == "file":
                         element.set("name", PurePosixPath(given.replace("\\", "/")).stem)

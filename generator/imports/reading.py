@@ -15,50 +15,64 @@ from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
 from ..sandbox import SandboxError, call
 from ..scene import ConvexPart
-from .foreign import ForeignBody, ForeignScene
+from .foreign import ForeignBody, ForeignScene, Outcome
 
-SourceKind = Literal["mjcf", "glb", "folder"]
-"""What a foreign scene is: a MJCF file, a GLB file, or a folder of files with ``poses.json``."""
+SourceKind = Literal["mjcf", "glb", "obj", "folder"]
+"""What a foreign scene is: a MJCF, GLB or OBJ file, or a folder of files with ``poses.json``."""
 
-_VALUES = (ForeignScene, ForeignBody, ColoredSurface, ConvexPart, MassProperties)
+_VALUES = (ForeignScene, ForeignBody, ColoredSurface, ConvexPart, MassProperties, Outcome)
 
 
 def read_scene(
-    kind: SourceKind, path: Path, root: Path | None = None, table: str | None = None
+    kind: SourceKind,
+    path: Path,
+    root: Path | None = None,
+    table: str | None = None,
+    scale: float = 1.0,
 ) -> ForeignScene:
-    """Return a foreign scene, read in a child process; its arrays are read-only.
+    """Return a foreign scene with a table, read in a child process; its arrays are read-only.
 
     ``root`` is the folder that a MJCF and all its files are inside of, ``table`` the name of the
-    fixed thing that is the table; see the reader of each kind.
+    fixed thing that is the table, ``scale`` multiplies lengths; see the reader of each kind. If the
+    files of a folder reach a limit together, each is read in a child of its own, so that one that
+    reaches it alone is refused alone.
 
     Raises:
         InputError: the file cannot be read, or its reader reaches a limit.
         BackendError: a mesh cannot be read; see ``meshes.reading``.
     """
     folder = None if root is None else root.absolute()
+    source = (kind, path.absolute(), folder, table, scale)
     try:
-        return call(
-            read_source_file, kind, path.absolute(), folder, table, limits=LIMITS, returns=_VALUES
-        )
+        return call(read_source_file, *source, limits=LIMITS, returns=_VALUES)
     except SandboxError as error:
+        if kind == "folder":
+            from .folder import read_folder
+
+            return read_folder(path, scale, apart=True)
         raise InputError(f"The scene {path.name!r} {error}. {_advice(error)}") from error
 
 
 def read_source_file(
-    kind: SourceKind, path: Path, root: Path | None, table: str | None
+    kind: SourceKind, path: Path, root: Path | None, table: str | None, scale: float
 ) -> ForeignScene:
-    """Return a foreign scene, read in this process."""
-    if kind == "folder":
-        from .folder import read_folder
+    """Return a foreign scene with a table, read in this process."""
+    from .folder import on_plain_table, read_file, read_folder
 
-        return read_folder(path)
-    if kind == "glb":
+    if kind == "folder":
+        return read_folder(path, scale)
+    if kind == "obj":
+        foreign = read_file(path)
+    elif kind == "glb":
         from .glb import read_glb
 
-        return read_glb(path, table)
-    from .mjcf import read_mjcf
+        foreign = read_glb(path, table)
+    else:
+        from .mjcf import read_mjcf
 
-    return read_mjcf(path, root, table)
+        foreign = read_mjcf(path, root, table)
+    foreign = foreign.scaled(scale)
+    return on_plain_table(foreign) if foreign.table is None else foreign
 
 
 def _advice(error: SandboxError) -> str:

@@ -88,6 +88,18 @@ def hull_corners(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
     return hull_points(np.unique(np.asarray(points, np.float64).round(7), axis=0))
 
 
+def few_corners(points: Float[np.ndarray, "n 3"], most: int = 128) -> Float[np.ndarray, "k 3"]:
+    """Return at most ``most`` corners of the convex hull, farthest in evenly spread directions."""
+    corners = hull_corners(points)
+    if len(corners) <= most:
+        return corners
+    height = 1 - (2 * np.arange(most) + 1) / most
+    angle = np.pi * (1 + 5**0.5) * np.arange(most)
+    across = np.sqrt(1 - height**2)
+    directions = np.column_stack([across * np.cos(angle), across * np.sin(angle), height])
+    return corners[np.unique((directions @ corners.T).argmax(1))]
+
+
 def _drum(half: Float[np.ndarray, "3"], axis: int) -> Float[np.ndarray, "n 3"]:
     """Return points on both rims of a cylinder along an axis."""
     angles = np.arange(_SIDES) * 2 * np.pi / _SIDES

@@ -79,22 +79,43 @@ def normal_surface(
     surface: ColoredSurface, what: str, *, up: Axis, to: Normal | None = None
 ) -> Mesh:
     """Return a surface as one textured mesh with +z up; see ``normal_mesh``."""
-    to = to or Normal()
-    surface = clean(surface.upright(up), what)
+    return repair_surface(surface.upright(up), what, to)[0]
+
+
+def repair_surface(
+    surface: ColoredSurface, what: str, to: Normal | None = None
+) -> tuple[Mesh, tuple[str, ...]]:
+    """Return an upright surface as one textured mesh, and what was repaired; see ``normal_mesh``.
+
+    Raises:
+        BackendError: it cannot be repaired (``repairing``) or reduced.
+    """
+    to, given = to or Normal(), len(surface.faces)
+    surface = clean(surface, what)
+    repairs = _list_repairs({"faulty triangles removed": given - len(surface.faces)})
     vertices, faces = welded_shape(surface.vertices, surface.faces)
     if len(faces) > to.faces:
         vertices, faces = reduce(vertices, faces, to.faces, what)
         faces = tidy(vertices, faces)
+        repairs += (f"reduced from {len(surface.faces)} to {len(faces)} triangles",)
     own = len(faces) == len(surface.faces)
     over = inside_out(vertices, faces)
     faces = np.where(over[:, None], faces[:, ::-1], faces)
+    before = len(faces)
     vertices, faces = fill_holes(vertices, faces)
+    repairs += _list_repairs(
+        {"triangles turned outwards": int(over.sum()), "triangles close holes": len(faces) - before}
+    )
     check_surface(faces, what)
     size = best_size(surface, to.texture, len(faces))
     if not own or len(faces) > len(surface.faces):
-        return painted_shape(vertices, faces, surface, size)
+        return painted_shape(vertices, faces, surface, size), repairs
     surface = surface.flip(over)
-    return own_texture(surface) or painted_faces(surface, size)
+    return own_texture(surface) or painted_faces(surface, size), repairs
+
+
+def _list_repairs(counts: Mapping[str, int]) -> tuple[str, ...]:
+    return tuple(f"{count} {what}" for what, count in counts.items() if count)
 
 
 def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:

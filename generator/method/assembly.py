@@ -175,9 +175,12 @@ def reassemble(
 
     ``wanted`` has everything where it was asked to be; ``arranged`` is free of overlaps, everything
     on or just above what it stands on. ``fresh`` names what is new: other things get no foot, and
-    keep their pose bit for bit unless settling moves them.
+    keep their pose bit for bit unless settling moves them. Gravity leans as when ``arranged`` was
+    judged.
     """
     config = config or AssemblyConfig()
+    if arranged.report is not None and arranged.report.lean is not None:
+        config = replace(config, limits=replace(config.limits, lean=arranged.report.lean))
     rested, unstable = rest(arranged, config, fresh)
     rested = keep_unmoved(arranged, rested, fresh)
     return finish(Rested(wanted, arranged, rested, unstable=unstable), config, fresh)

@@ -14,6 +14,7 @@ the same measure: a refinement that assembly undoes does not stay.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -24,6 +25,7 @@ from jaxtyping import Float
 from ..layout.checking import correct_supports, list_unmet, observe, record_relations, warn_unmet
 from ..scene import (
     TABLE,
+    Failure,
     Instance,
     Model,
     Placement,
@@ -33,7 +35,6 @@ from ..scene import (
     Scene,
     SizePrior,
     View,
-    names_in,
 )
 from .assembly import AssemblyConfig, assemble
 from .planned import ALIKE, REAL, Laid, SceneDraft, Turn, draft_scene, lay_out_draft
@@ -145,10 +146,10 @@ class Attempt:
         """Return the attempt with a thing on a weighted foot."""
         return replace(self, footed=(*self.footed, name))
 
-    def without(self, name: str, failures: Sequence[str]) -> Attempt:
+    def without(self, name: str, failures: Sequence[Failure]) -> Attempt:
         """Return the attempt without a thing and its contents, and with a warning for each."""
         contents = contents_of(self.placements, name)
-        reason = "; ".join(f for f in failures if name in names_in(f))
+        reason = "; ".join(str(f) for f in failures if name in f.objects)
         told = [f"{name} was left out: {reason}."]
         told += [f"{other} was left out with {name}." for other in contents]
         return replace(
@@ -202,7 +203,7 @@ def publish_planned(found: Reconstruction, draft: SceneDraft) -> Scene:
         scene, draft = found.assemble_laid(laid), laid.draft
         if scene.report is not None and not scene.report.passed:
             failed = failed or scene
-            names = {name for failure in scene.report.failures for name in names_in(failure)}
+            names = {name for failure in scene.report.failures for name in failure.objects}
             draft = draft.doubt({*draft.models} & names or {*draft.models}, "it would not stand")
             continue
         scene = record_relations(scene)
@@ -252,22 +253,21 @@ def allowance(share: float, count: int) -> int:
 
 
 def most_named(
-    failures: Sequence[str], placements: Sequence[Placement], sizes: Mapping[str, SizePrior]
+    failures: Sequence[Failure], placements: Sequence[Placement], sizes: Mapping[str, SizePrior]
 ) -> str | None:
     """Return which placed thing the gate's failures name most; None if they name none.
 
     Of those named equally often it is the one whose size is farthest from its kind's.
     """
-    words = [word for failure in failures for word in names_in(failure)]
-    named = [(words.count(p.name), _oddness(p, sizes), p.name) for p in placements]
+    counts = Counter(name for failure in failures for name in failure.objects)
+    named = [(counts[p.name], _oddness(p, sizes), p.name) for p in placements]
     count, _, name = max(named, default=(0, 0.0, ""))
     return name if count else None
 
 
-def _list_restless(failures: Sequence[str]) -> set[str]:
+def _list_restless(failures: Sequence[Failure]) -> set[str]:
     """Return the names of what moved or turned, which a foot may cure."""
-    moved = (f for f in failures if " moved " in f or " turned " in f)
-    return {name for failure in moved for name in names_in(failure)}
+    return {name for failure in failures if failure.restless for name in failure.objects}
 
 
 def without(placements: Sequence[Placement], name: str) -> Placements:

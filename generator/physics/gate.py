@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from jaxtyping import Bool, Float
 
 from ..errors import require
 from ..geometry import inside_margin
-from ..scene import Report, Scene
+from ..scene import Failure, FailureKind, Report, Scene
 from .settling import has_toppled
 from .simulation import ON_FLOOR, ON_TABLE, Motion, Simulation, find_supported, measure_motion
 
@@ -53,16 +54,18 @@ _SMALL = 5e-3  # of the limits: motion between two looks that may be a tremble i
 _TINY = 0.4  # of that: motion that is one
 _LOST = 2.0  # times the limits: what has moved so far as gravity leans is not watched on
 _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
+_FIXED: Mapping[int, Literal["table", "floor"]] = {ON_TABLE: "table", ON_FLOOR: "floor"}
 
 
 def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     """Simulate a scene from its settled poses and report what happens.
 
+    ``limits`` are by default those that the scene was judged by (:func:`limits_of`).
     Penetration and floating are judged at the start; drift, turning and falling over
     ``limits.seconds`` (:func:`watch`), then drift and turning again as the table leans, up to the
     first side to which something moves. ``moved``, ``settling`` and ``dropped`` stay as they were.
     """
-    limits = limits or GateLimits()
+    limits = limits or limits_of(scene)
     simulation = Simulation(scene)
     names = [o.name for o in scene.objects]
     overlaps = simulation.contacts().deepest()
@@ -70,11 +73,11 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     off = inside_margin(simulation.centers_of_mass[:, :2], scene.table.outline) < 0
     drift, tilt = watch(simulation, limits)
     simulated = simulation.time
-    level = _moving(simulation, drift, tilt, limits, "")
+    level = _moving(simulation, drift, tilt, limits, leaning=False)
     floating = tuple(n for n, ok in zip(names, held, strict=True) if not ok)
     fallen = tuple(names[i] for i in find_fallen(simulation))
     off_table = tuple(n for n, out in zip(names, off, strict=True) if out)
-    leaning, leans = 0.0, []
+    leaning, leans = 0.0, list[Failure]()
     if limits.lean and not level:
         leaning, shortest, leans = _leaning(simulation, limits)
         simulated = min(simulated, shortest)
@@ -95,12 +98,22 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
             *_overlapping(overlaps, names, limits.penetration),
             *level,
             *leans,
-            *(f"{n} floats" for n in floating),
-            *(f"{n} fell from the table" for n in fallen),
-            *(f"{n} has its centre of mass beyond the table's edge" for n in off_table),
+            *(Failure("floats", (name,)) for name in floating),
+            *(Failure("fell", (name,)) for name in fallen),
+            *(Failure("off-table", (name,)) for name in off_table),
         ),
         simulated=round(simulated, 6),
+        lean=None if limits.lean == GateLimits.lean else limits.lean,
     )
+
+
+def limits_of(scene: Scene) -> GateLimits:
+    """Return the usual limits, with the lean that the scene was judged by.
+
+    An imported scene is judged on a level table: its round things roll as their file says.
+    """
+    lean = scene.report.lean if scene.report else None
+    return GateLimits() if lean is None else GateLimits(lean=lean)
 
 
 def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:
@@ -159,7 +172,7 @@ def _speeds_up(
     return (growth > 1.05) & (steps[-1] > _TINY * small) & (forecast > bounds)
 
 
-def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[str]]:
+def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[Failure]]:
     """Return how far anything moves as gravity leans, the least time simulated, and failures."""
     worst, shortest = 0.0, limits.seconds
     bounds = np.array([limits.drift, limits.tilt])
@@ -168,7 +181,7 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
             drift, tilt = _watch(simulation, limits, bounds, _LOST)
         worst = max(worst, float(drift.max(initial=0.0)))
         shortest = min(shortest, simulation.time)
-        if failures := _moving(simulation, drift, tilt, limits, " on a leaning table"):
+        if failures := _moving(simulation, drift, tilt, limits, leaning=True):
             return worst, shortest, failures
     return worst, shortest, []
 
@@ -206,20 +219,21 @@ def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterat
 
 
 def _moving(
-    simulation: Simulation, drift: PerObject, tilt: PerObject, limits: GateLimits, where: str
-) -> list[str]:
-    """Say what the run just ended shows: what moved too far, or at what it broke down."""
+    simulation: Simulation, drift: PerObject, tilt: PerObject, limits: GateLimits, *, leaning: bool
+) -> list[Failure]:
+    """Return what the run just ended shows: what moved too far, or at what it broke down."""
     names = [o.name for o in simulation.scene.objects]
     if broken := simulation.diverged:
-        return [
-            f"{names[k]} moved beyond all bounds{where}: the simulation broke down" for k in broken
-        ]
+        return [Failure("diverged", (names[k],), leaning=leaning) for k in broken]
+    kinds: tuple[tuple[FailureKind, PerObject, float], ...] = (
+        ("moved", drift, limits.drift), ("turned", tilt, limits.tilt),
+    )  # fmt: skip
     return [
-        *(f"{n} moved {1e3 * d:.1f} mm in {simulation.time:.3g} s{where}"
-          for n, d in zip(names, drift, strict=True) if d > limits.drift),
-        *(f"{n} turned {np.rad2deg(t):.1f}° in {simulation.time:.3g} s{where}"
-          for n, t in zip(names, tilt, strict=True) if t > limits.tilt),
-    ]  # fmt: skip
+        Failure(kind, (name,), float(value), limit, simulation.time, leaning)
+        for kind, values, limit in kinds
+        for name, value in zip(names, values, strict=True)
+        if value > limit
+    ]
 
 
 def reach(scene: Scene) -> float:
@@ -233,13 +247,14 @@ def reach(scene: Scene) -> float:
 
 def _overlapping(
     overlaps: Mapping[tuple[int, int], float], names: Sequence[str], limit: float
-) -> list[str]:
-    called = {ON_TABLE: "the table", ON_FLOOR: "the floor"}
-    return [
-        f"{names[max(a, b)]} overlaps {called.get(a) or names[a]} by {1e3 * depth:.1f} mm"
-        for (a, b), depth in sorted(overlaps.items())
-        if depth > limit
-    ]
+) -> list[Failure]:
+    found: list[Failure] = []
+    for (a, b), depth in sorted(overlaps.items()):
+        if depth > limit:
+            fixed = _FIXED.get(a)
+            objects = (names[max(a, b)],) if fixed else (names[max(a, b)], names[a])
+            found.append(Failure("overlap", objects, float(depth), limit, support=fixed or ""))
+    return found
 
 
 def find_fallen(simulation: Simulation) -> tuple[int, ...]:

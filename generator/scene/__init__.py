@@ -52,6 +52,10 @@ from .plan import PlannedTable as PlannedTable
 from .plan import Relation as Relation
 from .plan import RelationKind as RelationKind
 from .plan import ScenePlan as ScenePlan
+from .report import Failure as Failure
+from .report import FailureKind as FailureKind
+from .report import RelationOutcome as RelationOutcome
+from .report import Report as Report
 from .result import Edit as Edit
 from .result import EditKind as EditKind
 from .result import LayoutBox as LayoutBox
@@ -59,10 +63,7 @@ from .result import Object as Object
 from .result import Placement as Placement
 from .result import Pose as Pose
 from .result import Provenance as Provenance
-from .result import RelationOutcome as RelationOutcome
-from .result import Report as Report
 from .result import Rotation as Rotation
 from .result import Scene as Scene
 from .result import Stacking as Stacking
 from .result import Table as Table
-from .result import names_in as names_in

@@ -15,7 +15,8 @@ from ..io.reading import printable
 from .arrays import FARTHEST, OUTLINE, SMALLEST, VECTOR, freeze
 from .model import ConvexPart, Model
 from .picture import USUAL_VIEW, View
-from .plan import TABLE, RelationKind, ScenePlan
+from .plan import TABLE, ScenePlan
+from .report import Report
 
 _LEAST_MASS = 1e-9  # of an object, kg; MuJoCo's own limit is a millionth of it
 _LEAST_TOP = 1e-6  # of a tabletop, square metres
@@ -200,73 +201,6 @@ class Table:
     def height(self) -> float:
         """Height of the top surface above the floor, metres."""
         return float(self.scale[2])
-
-
-def names_in(failure: str) -> tuple[str, ...]:
-    """Return the words of one of a report's failures; the things' names are among them."""
-    return tuple(word.strip(";,.") for word in failure.split())
-
-
-@dataclass(frozen=True)
-class RelationOutcome:
-    """Whether a relation that a text asks for holds in the settled scene.
-
-    Attributes:
-        name, kind, target: the relation of the object ``name``.
-        holds: whether it does.
-        margin: by how many metres; 0 or less where it does not hold.
-    """
-
-    name: str
-    kind: RelationKind
-    target: str
-    holds: bool
-    margin: float
-
-
-@dataclass(frozen=True)
-class Report:
-    """The recorded physical gate of a scene (lengths in metres, angles in radians).
-
-    penetration: deepest overlap of two collision shapes at the start.
-    drift, tilt: largest move and turn of any object over ``seconds``.
-    floating: objects with no contact and a gap below them; fallen: objects that left the table.
-    off_table: objects whose centre of mass is outside the top's outline.
-    moved: the largest correction that separating overlaps needed; settling: by settling.
-    leaning: largest move with gravity leaning by the gate's angle to any of four sides.
-    seconds: the time that drift, tilt and leaning stand for.
-    simulated: the least of it that was simulated, level or leaning; the rest is the forecast of an
-        even creep. None where that was not recorded.
-    failures: what the gate found, in words. Where they say that the simulation broke down, drift,
-        tilt and leaning say nothing.
-    dropped: objects that were left out, since the scene would not have passed with them.
-    reach: from the best side of the table, the farthest object's distance to that side.
-    misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
-        over the objects: before the joint refinement, and of the finished scene, as it rests.
-    relations: what the plan asks for, held or not.
-    """
-
-    penetration: float
-    drift: float
-    tilt: float
-    floating: tuple[str, ...] = ()
-    fallen: tuple[str, ...] = ()
-    off_table: tuple[str, ...] = ()
-    moved: float = 0.0
-    settling: float = 0.0
-    leaning: float = 0.0
-    reach: float = 0.0
-    seconds: float = 2.0
-    dropped: tuple[str, ...] = ()
-    failures: tuple[str, ...] = ()
-    misfit: tuple[float, float] | None = None
-    simulated: float | None = None
-    relations: tuple[RelationOutcome, ...] = ()
-
-    @property
-    def passed(self) -> bool:
-        """Whether the scene may be published."""
-        return not self.failures
 
 
 EditKind = Literal["swap", "add", "remove", "move", "restyle"]

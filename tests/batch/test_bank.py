@@ -13,6 +13,7 @@ from worlds import world_of
 
 from generator.errors import InputError
 from generator.physics.gate import judge
+from generator.scene import Failure
 from tabletopgen_env.batch.bank import SceneBank
 from tabletopgen_env.batch.union import capping
 from tabletopgen_env.batch.union.capping import cap_world
@@ -172,8 +173,9 @@ def test_objects_of_many_parts_are_merged_and_gated_anew(monkeypatch: pytest.Mon
     capped = cap_world(world, 5, Panda())
     assert capped is not world and capped.mount is world.mount
     assert cap_world(world, 13, Panda()) is world
-    failed = replace(judge(world.scene), failures=("mug_1 moves", "bowl_1 floats", "more"))
+    floating = tuple(Failure("floats", (name,)) for name in ("mug_1", "bowl_1", "more"))
+    failed = replace(judge(world.scene), failures=floating)
     monkeypatch.setattr(capping, "judge", lambda scene: failed)
-    said = "with 5 parts an object it fails its physical gate (mug_1 moves; bowl_1 floats)"
+    said = "with 5 parts an object it fails its physical gate (mug_1 floats; bowl_1 floats)"
     with pytest.raises(InputError, match=re.escape(said)):
         SceneBank([world], max_parts=5)

@@ -5,6 +5,7 @@ A joint refinement that assembly undoes does not stay; the report says what is p
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -29,6 +30,7 @@ from generator.method.publish import (
 from generator.method.refinement import Refinement
 from generator.scene import (
     TABLE,
+    Failure,
     Instance,
     Placement,
     PlannedObject,
@@ -61,15 +63,24 @@ def placement(name: str, on: str = TABLE, side: float = 0.1, *, inside: bool = F
     return Placement(name, 0.0, np.array([0.0, 0.0, 0.8]), np.full(3, side), on, inside)
 
 
+def floats(name: str) -> Failure:
+    return Failure("floats", (name,))
+
+
+def overlap(*names: str, support: Literal["", "table"] = "") -> Failure:
+    return Failure("overlap", names, 0.003, 5e-4, support=support)
+
+
+TOPLESS = Failure("recorded", sentence="the table has no top")
 FOUND = (placement("mug_1"), placement("berry_1", side=0.4), placement("melon_1", side=0.2))
 SIZES = FACTS["sizes"]
 
 
 @dataclass(frozen=True, eq=False)
 class Judged(Reconstruction):
-    """Scenes that fail, in these words, while any of the troublemakers is there."""
+    """Scenes that fail in these ways while any of the troublemakers is there."""
 
-    failures: Mapping[str, str] = field(default_factory=dict)
+    failures: Mapping[str, Failure] = field(default_factory=dict)
     misfits: Mapping[str, float] = field(default_factory=dict)
     assembled: list[Attempt] = field(default_factory=list)
 
@@ -77,7 +88,7 @@ class Judged(Reconstruction):
         self.assembled.append(attempt)
         names = self.names()[-1]
         made = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),), name=names[0])
-        failures = tuple(text for name, text in self.failures.items() if name in names)
+        failures = tuple(failure for name, failure in self.failures.items() if name in names)
         return made.replace(
             provenance=Provenance("text", 0, "made", warnings=attempt.warnings),
             report=Report(0.0, 0.0, 0.0, failures=failures),
@@ -91,7 +102,7 @@ class Judged(Reconstruction):
         return [tuple(p.name for p in attempt.placements) for attempt in self.assembled]
 
 
-def judged(failures: Mapping[str, str], share: float = 0.5) -> Judged:
+def judged(failures: Mapping[str, Failure], share: float = 0.5) -> Judged:
     return Judged(**FACTS, failures=failures, leave_out=share)
 
 
@@ -107,7 +118,7 @@ def test_a_scene_that_passes_keeps_everything() -> None:
 
 
 def test_what_fits_its_kind_least_goes_of_two_that_overlap() -> None:
-    found = judged({"berry_1": "melon_1 overlaps berry_1 by 3.0 mm"})
+    found = judged({"berry_1": overlap("melon_1", "berry_1")})
     scene = placed(FOUND, found)
     assert found.names()[-1] == ("mug_1", "melon_1")
     assert scene.report and scene.report.passed and scene.report.dropped == ("berry_1",)
@@ -115,32 +126,51 @@ def test_what_fits_its_kind_least_goes_of_two_that_overlap() -> None:
 
 
 def test_what_does_not_rest_is_put_on_a_foot_before_it_is_left_out() -> None:
-    found = judged({"mug_1": "mug_1 turned 4.5° in 5 s on a leaning table"})
+    found = judged({"mug_1": Failure("turned", ("mug_1",), 0.08, 0.03, 5.0, leaning=True)})
     scene = placed(FOUND, found)
     assert [attempt.footed for attempt in found.assembled] == [(), ("mug_1",), ()]
     assert scene.report and scene.report.dropped == ("mug_1",)
 
 
 def test_with_too_much_to_leave_out_the_whole_scene_fails() -> None:
-    spoiled = {"berry_1": "berry_1 floats", "mug_1": "mug_1 overlaps melon_1 by 9.0 mm"}
+    spoiled = {"berry_1": floats("berry_1"), "mug_1": overlap("mug_1", "melon_1")}
     found = judged(spoiled, share=0.34)
     scene = placed(FOUND, found)
     assert len(found.assembled) == 2
     assert scene.report and len(scene.report.failures) == 2 and not scene.report.dropped
-    none = judged({"mug_1": "mug_1 floats"}, share=0.0)
+    none = judged({"mug_1": floats("mug_1")}, share=0.0)
     assert placed(FOUND, none).report.failures and len(none.assembled) == 1
 
 
 def test_failures_that_name_nothing_cost_nothing() -> None:
-    found = judged({"mug_1": "the table has no top"})
+    found = judged({"mug_1": TOPLESS})
     scene = placed(FOUND, found)
     assert len(found.assembled) == 1 and scene.report and not scene.report.passed
 
 
 def test_the_most_named_is_the_misfit():
-    failures = ["mug_1 overlaps melon_1 by 1.0 mm", "mug_1 overlaps the table by 2.0 mm"]
+    failures = [overlap("mug_1", "melon_1"), overlap("mug_1", support="table")]
     assert most_named(failures, FOUND, SIZES) == "mug_1"
-    assert most_named(["mug_10 floats"], FOUND, SIZES) is None
+    assert most_named([floats("mug_10")], FOUND, SIZES) is None
+
+
+NAMES = ("moved", "turned", "the", "floats", "overlaps by", "mug 1", "mug", "on a leaning table")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_a_thing_is_called_changes_nothing(name: str) -> None:
+    """A failure names a thing by its field, whatever words its sentence has."""
+    others = (placement("berry_1"), placement("melon_1"))
+    unstable = Failure("turned", (name,), 0.08, 0.03, 5.0, leaning=True)
+    found = judged({name: unstable})
+    scene = placed((placement(name), *others), found)
+    assert [attempt.footed for attempt in found.assembled] == [(), (name,), ()]
+    assert scene.report and scene.report.dropped == (name,)
+    assert f"{name} was left out: {unstable}." in scene.provenance.warnings
+    found = judged({"melon_1": floats("melon_1")})
+    scene = placed((placement(name), *others), found)
+    assert [attempt.footed for attempt in found.assembled] == [(), ()]
+    assert scene.report and scene.report.dropped == ("melon_1",)
 
 
 def test_what_stood_on_it_stands_where_it_stood():
@@ -166,7 +196,7 @@ def test_what_was_in_it_goes_with_it() -> None:
     assert [(p.name, p.on, p.inside) for p in left] == [
         ("cap_1", TABLE, False), ("mug_2", TABLE, False),
     ]  # fmt: skip
-    scene = placed(stack, judged({"mug_1": "mug_1 floats"}))
+    scene = placed(stack, judged({"mug_1": floats("mug_1")}))
     assert scene.report and scene.report.passed
     assert scene.report.dropped == ("mug_1", "pen_1")
     assert "pen_1 was left out with mug_1." in scene.provenance.warnings
@@ -206,10 +236,10 @@ def shown(name: str, label: str) -> Instance:
 
 @dataclass(frozen=True, eq=False)
 class Rested(Reconstruction):
-    """Scenes at rest as they were laid, which fail in these words, one after the other."""
+    """Scenes at rest as they were laid, which fail in these ways, one after the other."""
 
     layout: tuple[Placement, ...] = ()
-    verdicts: tuple[str, ...] = ()
+    verdicts: tuple[Failure, ...] = ()
     pushed: int = 0
     laid: list[Laid] = field(default_factory=list)
 
@@ -223,7 +253,7 @@ class Rested(Reconstruction):
         failures = self.verdicts[number : number + 1]
         return toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),)).replace(
             objects=bodies, plan=laid.draft.plan,
-            report=Report(0.0, 0.0, 0.0, failures=tuple(f for f in failures if f)),
+            report=Report(0.0, 0.0, 0.0, failures=failures),
         )  # fmt: skip
 
 
@@ -243,7 +273,7 @@ def test_what_is_as_planned_is_assembled_once_and_stays() -> None:
 
 def test_what_fails_is_the_plans_in_the_next_scene() -> None:
     _, found = desk()
-    found = replace(found, verdicts=("mug_1 floats",))
+    found = replace(found, verdicts=(floats("mug_1"),))
     scene = follow(found)
     assert isinstance(found, Rested) and len(found.laid) == 2
     first, second = (laid.draft for laid in found.laid)
@@ -263,11 +293,11 @@ def test_what_does_not_hold_at_rest_is_tried_otherwise_and_told_in_the_end() -> 
 
 def test_from_the_third_scene_on_everything_is_the_plans_and_the_first_failure_is_told() -> None:
     _, found = desk()
-    hopeless = replace(found, verdicts=("book_1 floats", *["mug_1 floats"] * (ATTEMPTS - 1)))
+    hopeless = replace(found, verdicts=(floats("book_1"), *[floats("mug_1")] * (ATTEMPTS - 1)))
     scene = follow(hopeless)
     assert isinstance(hopeless, Rested) and len(hopeless.laid) == ATTEMPTS
     assert not hopeless.laid[2].draft.shown
-    assert scene.report and scene.report.failures == ("book_1 floats",)
+    assert scene.report and scene.report.failures == (floats("book_1"),)
 
 
 def test_a_plan_that_is_not_followed_changes_nothing() -> None:
@@ -294,7 +324,7 @@ class Outlined(Judged):
     def assemble(self, attempt: Attempt) -> Scene:
         name = "moved" if attempt.placements == MOVED else "first"
         scene = super().assemble(attempt).replace(name=name)
-        failures = ("the table has no top",) if name in self.failing else ()
+        failures = (TOPLESS,) if name in self.failing else ()
         return scene.replace(report=Report(0.0, 0.0, 0.0, failures=failures))
 
 

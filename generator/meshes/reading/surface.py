@@ -16,6 +16,7 @@ from trimesh.resolvers import ZipResolver
 from ...errors import BackendError
 from ...render.shading import sample_texture
 from .bounds import MOST_FACES
+from .codecs import plain_glb
 from .flattening import Header, flatten
 from .inspection import inspect_glb, inspect_obj
 from .textures import Pictures, light, to_srgb
@@ -90,6 +91,7 @@ def read_surface(
     """
     header: Header = {}
     if kind == "glb":
+        raw = plain_glb(raw, what)
         header = inspect_glb(raw, what, most_faces)
     else:
         inspect_obj(raw, what, most_faces)

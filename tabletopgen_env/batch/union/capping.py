@@ -26,6 +26,6 @@ def cap_world(world: World, most: int, robot: Panda) -> World:
     if capped is world.scene:
         return world
     if failures := judge(capped).failures:
-        some = "; ".join(failures[:2])
+        some = "; ".join(map(str, failures[:2]))
         raise SceneError(f"with {most} parts an object it fails its physical gate ({some})")
     return World(capped, robot, world.mount)

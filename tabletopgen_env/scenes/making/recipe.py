@@ -158,6 +158,6 @@ def _generate(what: str | ScenePlan, seed: int) -> Scene:
 
     scene = generate(what, seed=seed).scene
     if scene.report is None or not scene.report.passed:
-        failures = "; ".join(scene.report.failures) if scene.report else "it was not judged"
+        failures = scene.report.failure_text if scene.report else "it was not judged"
         raise SceneError(f"A generated scene is not sound: {failures}.")
     return scene

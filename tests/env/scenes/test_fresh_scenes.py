@@ -10,7 +10,7 @@ from toy import toy_scene
 
 from generator.errors import InputError, SceneError
 from generator.language.distribution import SceneDistribution
-from generator.scene import Report, Scene, ScenePlan
+from generator.scene import Failure, Report, Scene, ScenePlan
 from tabletopgen_env.env import make_env
 from tabletopgen_env.scenes import FreshScenes, SceneRecipe, SplitRule
 
@@ -105,7 +105,8 @@ def test_a_second_attempt_keeps_to_the_plan(composed, monkeypatch) -> None:
 
 def test_scenes_are_generated_by_the_whole_pipeline(monkeypatch) -> None:
     asked = []
-    sound, failed = (Report(0.0, 0.0, 0.0, failures=f) for f in ((), ("it fell",)))
+    sound, failed = (Report(0.0, 0.0, 0.0, failures=f)
+                     for f in ((), (Failure("fell", ("it",)),)))  # fmt: skip
 
     def generate(what: str | ScenePlan, seed: int) -> types.SimpleNamespace:
         asked.append((what, seed))

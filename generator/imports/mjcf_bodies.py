@@ -1,0 +1,86 @@
+"""Free bodies of a gathered MJCF, compiled apart to find those that MuJoCo refuses."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from ..errors import InputError
+from .foreign import Refusals
+from .mjcf_files import SIDES, GatheredModel
+
+if TYPE_CHECKING:
+    import mujoco
+
+_ABOUT_BODIES = ("actuator", "contact", "equality", "keyframe", "sensor", "tendon")
+
+
+def free_bodies(gathered: GatheredModel) -> list[str]:
+    """Return the names of the bodies of the world that have a free joint of their own."""
+    found = _free_elements(ET.fromstring(gathered.xml))
+    return [body.get("name") or f"body_{k + 1}" for k, (_, body) in enumerate(found)]
+
+
+def keep_bodies(gathered: GatheredModel, which: Sequence[int]) -> GatheredModel:
+    """Return the model with some of its ``free_bodies``, and without assets that nothing uses."""
+    root = ET.fromstring(gathered.xml)
+    for k, (world, body) in enumerate(_free_elements(root)):
+        if k not in which:
+            world.remove(body)
+    for section in [child for child in root if child.tag in _ABOUT_BODIES]:
+        root.remove(section)
+    for tag in ("mesh", "material", "texture"):  # textures last: materials use them
+        _drop_unused(root, tag)
+    used = {e.get(name) for e in root.iter() for name in ("file", *SIDES)}
+    files = {name: content for name, content in gathered.files.items() if name in used}
+    return GatheredModel(ET.tostring(root, encoding="unicode"), files)
+
+
+def _free_elements(root: ET.Element) -> list[tuple[ET.Element, ET.Element]]:
+    """Return the world's bodies with a free joint, each after its parent."""
+    return [
+        (world, body)
+        for world in root.findall("worldbody")
+        for body in world.findall("body")
+        if body.find("freejoint") is not None
+        or any(joint.get("type") == "free" for joint in body.findall("joint"))
+    ]
+
+
+def _drop_unused(root: ET.Element, tag: str) -> None:
+    """Remove the assets of a kind that no other element names."""
+    used = {e.get(tag) for e in root.iter() if e.tag != tag}
+    for asset in root.findall("asset"):
+        for element in asset.findall(tag):
+            if element.get("name") not in used:
+                asset.remove(element)
+
+
+def compile_sound(
+    gathered: GatheredModel,
+    what: str,
+    refusals: Refusals,
+    compile_model: Callable[[GatheredModel, str], mujoco.MjModel],
+) -> mujoco.MjModel:
+    """Return a compiled model without the free bodies that MuJoCo refuses.
+
+    Raises:
+        InputError: MuJoCo refuses it for another reason, or all its bodies.
+    """
+    try:
+        return compile_model(gathered, what)
+    except InputError:
+        names = free_bodies(gathered)
+        if len(names) < 2:
+            raise
+        found, sound = Refusals(), list[int]()
+        for k, name in enumerate(names):
+            with found.catching(name):
+                compile_model(keep_bodies(gathered, [k]), what)
+                sound.append(k)
+        if not 0 < len(sound) < len(names):
+            raise
+    refusals.outcomes += found.outcomes
+    refusals.first = refusals.first or found.first
+    return compile_model(keep_bodies(gathered, sound), what)

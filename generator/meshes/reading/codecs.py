@@ -1,0 +1,283 @@
+"""GLB files with compressed or quantised meshes, rewritten as plain glTF 2.0.
+
+Draco (``KHR_draco_mesh_compression``) is decoded by DracoPy, meshopt (``EXT_meshopt_compression``)
+by meshoptimizer; quantised columns (``KHR_mesh_quantization``) become floats, and their texture
+coordinates are moved as ``KHR_texture_transform`` says (files with turned textures stay refused).
+Decoders run in a child process with limits.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from ...backends.installing import module
+from ...errors import BackendError
+from ...sandbox import Limits, SandboxError, call
+from .flattening import FAN, JSON_CHUNK, STRIP, TRIANGLES, Header, base_color
+
+DRACO = "KHR_draco_mesh_compression"
+MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+QUANTIZED = "KHR_mesh_quantization"
+
+_DECODED = frozenset({DRACO, *MESHOPT, QUANTIZED})
+_TRANSFORM = "KHR_texture_transform"
+_INSTALL = "Install tabletopgen[gltf], or export the file uncompressed."
+_COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+_TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+_SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
+_BINARY = 0x004E4942
+_LIMITS = Limits(cpu_seconds=60.0)
+
+
+def plain_glb(raw: bytes, what: str) -> bytes:
+    """Return a GLB file without the extensions decoded here; other files unchanged.
+
+    Meshes keep their triangles' positions, texture coordinates and colours.
+
+    Raises:
+        BackendError: it is damaged, its decoder is not installed, or it reaches a limit.
+    """
+    header = _header(raw)
+    used = {*_names(header, "extensionsUsed"), *_names(header, "extensionsRequired")} & _DECODED
+    if not used:
+        return raw
+    if DRACO in used:
+        module("DracoPy", f"{what} is compressed by {DRACO}: reading it", _INSTALL)
+    if used & {*MESHOPT}:
+        module("meshoptimizer", f"{what} is compressed by meshopt: reading it", _INSTALL)
+    try:
+        return call(rewrite, raw, limits=_LIMITS)
+    except SandboxError as error:
+        raise BackendError(
+            f"{what} cannot be decompressed: it {error}. Export it uncompressed."
+        ) from error
+    except Exception as error:  # whatever a decoder may stumble over, already within a child
+        raise BackendError(
+            f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it "
+            "uncompressed."
+        ) from error
+
+
+def rewrite(raw: bytes) -> bytes:
+    """Return a compressed GLB as a plain one. Whatever a damaged one raises is raised."""
+    return _Rewriter(_header(raw), _binary(raw)).run()
+
+
+def _header(raw: bytes) -> Header:
+    """Return the JSON of a GLB; empty if it is no GLB, which its inspection refuses."""
+    try:
+        size, kind = struct.unpack_from("<2I", raw, 12)
+        header = json.loads(raw[20 : 20 + size]) if kind == JSON_CHUNK else {}
+    except (struct.error, ValueError, RecursionError):
+        return {}
+    return header if raw[:4] == b"glTF" and isinstance(header, dict) else {}
+
+
+def _binary(raw: bytes) -> bytes:
+    return raw[28 + struct.unpack_from("<I", raw, 12)[0] :]
+
+
+def _names(header: Header, key: str) -> Sequence[str]:
+    listed = header.get(key)
+    return [n for n in listed if isinstance(n, str)] if isinstance(listed, list) else []
+
+
+class _Rewriter:
+    """Writes a new binary chunk with plain columns, and a header that names them."""
+
+    def __init__(self, header: Header, data: bytes) -> None:
+        self._header, self._data = header, data
+        self._views: dict[int, bytes] = {}
+        self._written = bytearray()
+        self._new: dict[str, list[Any]] = {"bufferViews": [], "accessors": []}
+        self._kept: dict[tuple[Any, ...], int] = {}
+
+    def run(self) -> bytes:
+        """Return the file."""
+        header = self._header
+        meshes = [
+            {**mesh, "primitives": [self._primitive(p) for p in mesh["primitives"] if _fits(p)]}
+            for mesh in header.get("meshes", ())
+        ]
+        images = [
+            {**image, "bufferView": self._view(self._view_bytes(image["bufferView"]))}
+            if "bufferView" in image else image for image in header.get("images", ())
+        ]  # fmt: skip
+        dropped = {"bufferViews", "accessors", "animations", "skins"}
+        plain = {key: value for key, value in header.items() if key not in dropped}
+        for key in ("extensionsUsed", "extensionsRequired"):
+            plain[key] = [name for name in header.get(key, ()) if name not in _DECODED]
+        plain |= {"meshes": meshes, **self._new, "buffers": [{"byteLength": len(self._written)}]}
+        if images:
+            plain["images"] = images
+        if "materials" in header:
+            plain["materials"] = [_untransformed(material) for material in header["materials"]]
+        return _glb(plain, bytes(self._written))
+
+    def _primitive(self, given: Header) -> dict[str, Any]:
+        attributes, indices = self._columns(given)
+        transform = _transform_of(self._header, given)
+        if transform is not None and "TEXCOORD_0" in attributes:
+            attributes["TEXCOORD_0"] = _transformed(attributes["TEXCOORD_0"], transform)
+        plain = {key: given[key] for key in ("mode", "material") if key in given}
+        plain["attributes"] = {name: self._accessor(a) for name, a in attributes.items()}
+        if indices is not None:
+            plain["indices"] = self._accessor(indices.reshape(-1, 1).astype(np.uint32))
+        return plain
+
+    def _columns(self, given: Header) -> tuple[dict[str, np.ndarray], np.ndarray | None]:
+        """Return the columns of a primitive by attribute, and its indices."""
+        named: Mapping[str, int] = given["attributes"]
+        packed = given.get("extensions", {}).get(DRACO)
+        if packed is None:
+            columns = {n: self._column(k) for n, k in named.items() if n in _SHOWN}
+            indices = self._raw(given["indices"]) if "indices" in given else None
+            return columns, indices
+        import DracoPy
+
+        mesh = DracoPy.decode(self._view_bytes(packed["bufferView"]))
+        columns = {}
+        for name, unique in packed["attributes"].items():
+            if name in _SHOWN:
+                accessor = self._header["accessors"][named[name]]
+                values = mesh.get_attribute_by_unique_id(unique)["data"]
+                columns[name] = _floats(np.asarray(values), accessor)
+        return columns, np.asarray(mesh.faces)
+
+    def _column(self, index: int) -> Float[np.ndarray, "n k"]:
+        return _floats(self._raw(index), self._header["accessors"][index])
+
+    def _raw(self, index: int) -> np.ndarray:
+        """Return the numbers of an accessor, shape (count, columns)."""
+        accessor = self._header["accessors"][index]
+        if "sparse" in accessor:
+            raise ValueError("sparse accessors are not read")
+        view = self._header["bufferViews"][accessor["bufferView"]]
+        kind, width = np.dtype(_TYPES[accessor["componentType"]]), _COLUMNS[accessor["type"]]
+        content = self._view_bytes(accessor["bufferView"])
+        step = view.get("byteStride") or kind.itemsize * width
+        start, count = accessor.get("byteOffset", 0), accessor["count"]
+        end = start + step * (count - 1) + kind.itemsize * width
+        if count < 1 or start < 0 or step < kind.itemsize * width or end > len(content):
+            raise ValueError(f"accessor {index} is larger than its view")
+        return np.ndarray((count, width), kind, content, start, (step, kind.itemsize)).copy()
+
+    def _view_bytes(self, index: int) -> bytes:
+        """Return the content of a view, decompressed."""
+        if index not in self._views:
+            view = self._header["bufferViews"][index]
+            packed = view.get("extensions", {})
+            coded = next((packed[name] for name in MESHOPT if name in packed), None)
+            content = self._slice(view if coded is None else coded)
+            self._views[index] = content if coded is None else _meshopt(coded, content)
+        return self._views[index]
+
+    def _slice(self, place: Header) -> bytes:
+        start, size = place.get("byteOffset", 0), place["byteLength"]
+        if place["buffer"] != 0 or not 0 <= start <= start + size <= len(self._data):
+            raise ValueError("a view is outside the binary chunk")
+        return self._data[start : start + size]
+
+    def _accessor(self, column: np.ndarray) -> int:
+        """Write a column; return its accessor, the same for equal columns."""
+        column = np.ascontiguousarray(column)
+        key = (column.dtype.str, column.shape, column.tobytes())
+        if key not in self._kept:
+            kinds = {width: name for name, width in _COLUMNS.items()}
+            self._kept[key] = len(self._new["accessors"])
+            self._new["accessors"].append({
+                "bufferView": self._view(column.tobytes()), "count": len(column),
+                "componentType": 5125 if column.dtype == np.uint32 else 5126,
+                "type": kinds[column.shape[1]],
+            })  # fmt: skip
+        return self._kept[key]
+
+    def _view(self, content: bytes) -> int:
+        self._written += b"\0" * (-len(self._written) % 4)
+        place = {"buffer": 0, "byteOffset": len(self._written), "byteLength": len(content)}
+        self._written += content
+        self._new["bufferViews"].append(place)
+        return len(self._new["bufferViews"]) - 1
+
+
+def _fits(primitive: Header) -> bool:
+    mode = primitive.get("mode", TRIANGLES)
+    return mode in (TRIANGLES, STRIP, FAN) and "POSITION" in primitive["attributes"]
+
+
+def _floats(values: np.ndarray, accessor: Header) -> Float[np.ndarray, "n k"]:
+    """Return quantised numbers as floats: normalised ones in [-1, 1], as glTF defines it."""
+    floats = values.astype(np.float32)
+    if accessor.get("normalized") and values.dtype.kind in "iu":
+        return np.maximum(floats / np.float32(np.iinfo(values.dtype).max), np.float32(-1.0))
+    return floats
+
+
+def _meshopt(coded: Header, content: bytes) -> bytes:
+    """Return a view that meshopt compressed."""
+    import meshoptimizer
+
+    count, stride = int(coded["count"]), int(coded["byteStride"])
+    mode, filtered = coded["mode"], coded.get("filter", "NONE")
+    if mode == "ATTRIBUTES":
+        items = meshoptimizer.decode_vertex_buffer(
+            count, stride, content, dtype=np.dtype((np.void, stride))
+        )
+        values = np.frombuffer(items.tobytes(), np.uint8).copy()
+        if filtered != "NONE":
+            kinds = {"OCTAHEDRAL": "oct", "QUATERNION": "quat", "EXPONENTIAL": "exp"}
+            decode = getattr(meshoptimizer, f"decode_filter_{kinds[filtered]}")
+            values = decode(values, count, stride)
+        return np.asarray(values).tobytes()[: count * stride]
+    if mode == "TRIANGLES":
+        found = meshoptimizer.decode_index_buffer(count, 4, content)
+    elif mode == "INDICES":
+        found = meshoptimizer.decode_index_sequence(count, 4, content)
+    else:
+        raise ValueError(f"unknown meshopt mode {mode!r}")
+    return np.asarray(found, np.uint32).astype({2: "<u2", 4: "<u4"}[stride]).tobytes()
+
+
+def _transform_of(header: Header, primitive: Header) -> Header | None:
+    """Return how the base colour's texture of a primitive is moved; None if it is not."""
+    if "material" not in primitive:
+        return None
+    return _transform(header["materials"][primitive["material"]])
+
+
+def _transform(material: Header) -> Header | None:
+    """Return how the texture of a material's base colour is moved without being turned."""
+    color = base_color(material).get("baseColorTexture", {})
+    transform = color.get("extensions", {}).get(_TRANSFORM)
+    return None if transform is None or transform.get("rotation") else transform
+
+
+def _transformed(uv: Float[np.ndarray, "n 2"], transform: Header) -> Float[np.ndarray, "n 2"]:
+    scale = np.array(transform.get("scale", (1, 1)), np.float64).reshape(2)
+    offset = np.array(transform.get("offset", (0, 0)), np.float64).reshape(2)
+    return (uv[:, :2] * scale + offset).astype(np.float32)
+
+
+def _untransformed(material: Header) -> Header:
+    """Return a material without the transform that its texture coordinates now have."""
+    if _transform(material) is None:
+        return material
+    plain = dict(base_color(material))
+    color = dict(plain["baseColorTexture"])
+    color["extensions"] = {k: v for k, v in color["extensions"].items() if k != _TRANSFORM}
+    return {**material, "pbrMetallicRoughness": {**plain, "baseColorTexture": color}}
+
+
+def _glb(header: Header, data: bytes) -> bytes:
+    text = json.dumps(header).encode()
+    text += b" " * (-len(text) % 4)
+    data += b"\0" * (-len(data) % 4)
+    size = 28 + len(text) + len(data)
+    head = struct.pack("<4s4I", b"glTF", 2, size, len(text), JSON_CHUNK)
+    return head + text + struct.pack("<2I", len(data), _BINARY) + data

@@ -1,0 +1,260 @@
+"""An object that cannot be used costs itself alone; an outcome says what was done with each."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from command import Shell
+from foreign_meshes import MAKERS, box, heavy, in_millimetres, layer, sheet, write_meshes
+from foreign_models import CUBE, TABLE, write
+
+from generator.bundle import load, save
+from generator.errors import InputError, SceneError
+from generator.imports import ImportOptions, import_scene, list_outcomes
+from generator.imports.foreign import Outcome
+from generator.imports.mjcf import read_mjcf
+from generator.meshes.reading.surface import ColoredSurface, surface_of
+from generator.meshes.thickening import thicken
+from generator.method.assembly import reassemble
+from generator.physics import decomposition
+from generator.physics.gate import GateLimits, judge
+
+BROKEN = {"broken": b"this is no GLB file at all"}
+ONE, TWO = {"one": box}, {"one": box, "two": box}
+
+
+def outcomes(source: Path, **options: object) -> dict[str, Outcome]:
+    scene = import_scene(source, ImportOptions(**options))  # type: ignore[arg-type]
+    assert scene.report is not None and scene.report.passed, scene.report
+    found = {outcome.name: outcome for outcome in list_outcomes(scene)}
+    left = [name for name, o in found.items() if o.kind != "refused"]
+    assert [o.name for o in scene.objects] == left
+    return found
+
+
+# ------------------------------------------------------------------------------------- by object
+
+
+@pytest.mark.slow
+def test_a_dozen_foreign_meshes_are_all_taken_beside_two_that_cannot_be(tmp_path: Path) -> None:
+    makers = {**MAKERS, "millimetres": in_millimetres}
+    found = outcomes(write_meshes(tmp_path, makers, BROKEN))
+    kinds = {name: outcome.kind for name, outcome in found.items()}
+    repaired = {"torn", "thin", "flat", "inside out"}
+    assert kinds == {
+        **dict.fromkeys(MAKERS, "taken"), **dict.fromkeys(repaired, "repaired"),
+        "millimetres": "refused", "broken": "refused",
+    }  # fmt: skip
+    assert "is no GLB file" in found["broken"].detail
+    assert "90 m tall, try --scale 0.001" in found["millimetres"].detail
+    assert "close holes" in found["torn"].detail
+    assert found["thin"].detail == "a sheet, made 0.4 mm thick"
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(600)
+def test_a_mesh_of_a_million_triangles_is_reduced(tmp_path: Path) -> None:
+    found = outcomes(write_meshes(tmp_path, {**ONE, "heavy": heavy}))
+    assert found["heavy"].kind == "repaired"
+    assert "reduced from 1310720 to" in found["heavy"].detail
+
+
+@pytest.mark.slow
+def test_what_cannot_be_decomposed_collides_as_its_hull(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = decomposition.decompose
+
+    def decompose(mesh, scale, **settings):
+        if scale[2] > 0.1:
+            raise SceneError("Convex decomposition takes too long.")
+        return real(mesh, scale, **settings)
+
+    monkeypatch.setattr(decomposition, "decompose", decompose)
+    found = outcomes(write_meshes(tmp_path, {**ONE, "tall": lambda: box(0.06, 0.12, 0.05)}))
+    assert found["one"].kind == "taken"
+    assert found["tall"] == Outcome("tall", "hull", "Convex decomposition takes too long.")
+
+
+@pytest.mark.usefixtures("inline")
+def test_nothing_left_is_an_error_with_every_reason(tmp_path: Path) -> None:
+    broken = {"a": b"nothing", "b": b"nothing either"}
+    with pytest.raises(InputError, match=r"None of the 2 objects .*a: .*no GLB.*b: .*no GLB"):
+        import_scene(write_meshes(tmp_path, {}, broken))
+
+
+@pytest.mark.slow
+def test_the_command_prints_a_table_of_outcomes(tmp_path: Path, shell: Shell) -> None:
+    source = write_meshes(tmp_path / "in", ONE, BROKEN)
+    said = shell("import", str(source), "--out", str(tmp_path / "out")).out
+    rows = [line.split() for line in said.splitlines()]
+    assert ["one", "taken"] in rows and "refused" in said
+    assert said.count("no GLB file") == 1
+    told = shell("import", str(source), "--out", str(tmp_path / "out"), "--json").out
+    facts = json.loads(told)
+    assert [o["kind"] for o in facts["outcomes"]] == ["taken", "refused"]
+    kept = list_outcomes(load(facts["bundle"]))
+    assert [outcome.kind for outcome in kept] == ["taken", "refused"]
+
+
+@pytest.mark.slow
+def test_a_file_that_breaks_its_reader_is_refused_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Files are read together in one child process, and apart if that one dies."""
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    monkeypatch.syspath_prepend(tmp_path)
+    (tmp_path / "sitecustomize.py").write_text(
+        "import os, trimesh\n"
+        "load = trimesh.load_scene\n"
+        "def load_scene(file, *args, **options):\n"
+        "    found = load(file, *args, **options)\n"
+        "    if max(g.bounds[1, 1] for g in found.geometry.values()) > 0.1:\n"
+        "        os.abort()\n"
+        "    return found\n"
+        "trimesh.load_scene = load_scene\n"
+    )
+    found = outcomes(write_meshes(tmp_path / "in", {**ONE, "bad": lambda: box(0.1, 0.3, 0.1)}))
+    assert found["one"].kind == "taken"
+    assert found["bad"].kind == "refused" and "breaks its reader" in found["bad"].detail
+
+
+# ------------------------------------------------------------------------------------------- MJCF
+
+LID = """<body name="box" pos="1.2 2 .77"><freejoint/><geom type="box" size=".03 .03 .03"/>
+  <body name="lid"><joint/><geom size=".01"/></body></body>"""
+
+
+def test_a_body_with_joints_is_refused_and_the_others_stay(tmp_path: Path, read) -> None:
+    found = read(write(tmp_path, TABLE + CUBE + LID))
+    assert [body.name for body in found.objects] == ["cube"]
+    (refused,) = found.refused
+    assert refused.name == "box" and "not free" in refused.detail
+
+
+@pytest.mark.slow
+def test_a_body_that_mujoco_refuses_does_not_lose_the_others(tmp_path: Path) -> None:
+    (tmp_path / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    head = '<asset><mesh name="flat" file="flat.obj"/></asset>'
+    bad = '<body name="bad" pos="1 2.2 .8"><freejoint/><geom type="mesh" mesh="flat"/></body>'
+    motor = '</worldbody><sensor><framepos objtype="body" objname="bad"/></sensor><worldbody>'
+    found = read_mjcf(write(tmp_path, TABLE + CUBE + bad + motor, head))
+    assert [body.name for body in found.objects] == ["cube"]
+    (refused,) = found.refused
+    assert refused.name == "bad" and "MuJoCo refuses" in refused.detail
+
+
+def test_a_single_body_without_joints_is_an_object(tmp_path: Path, read) -> None:
+    mug = '<body name="mug"><geom size=".04 .05" type="cylinder" mass=".3"/></body>'
+    found = read(write(tmp_path, mug + '<geom type="plane" size="1 1 1"/>'))
+    assert found.table is None
+    (body,) = found.objects
+    assert body.name == "mug" and body.mass is not None
+    assert body.mass.mass == pytest.approx(0.3)
+    with pytest.raises(InputError, match="no free body"):
+        read(write(tmp_path, mug.replace("mug", "side table")))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["xml", "glb", "obj"])
+def test_a_single_object_stands_on_a_plain_table(kind: str, tmp_path: Path) -> None:
+    path = tmp_path / f"mug.{kind}"
+    if kind == "xml":
+        write(tmp_path, '<geom name="mug" type="box" size=".03 .03 .02"/>', name="mug.xml")
+    else:
+        box().export(path)
+    scene = import_scene(path)
+    (thing,) = scene.objects
+    assert thing.name == "mug" and scene.report is not None and scene.report.passed
+    np.testing.assert_allclose(thing.pose.position[:2], 0, atol=1e-3)
+
+
+# ------------------------------------------------------------------------------------------- round
+
+BALL = '<body name="ball" pos="1.2 2 .78"><freejoint/><geom type="sphere" size=".04"/></body>'
+
+
+@pytest.mark.slow
+def test_a_ball_is_judged_on_a_level_table_then_and_later(tmp_path: Path, shell: Shell) -> None:
+    source = write(tmp_path, TABLE + CUBE + BALL)
+    scene = import_scene(source)
+    assert scene.report is not None and scene.report.passed and scene.report.lean == 0
+    path = save(scene, tmp_path)
+    kept = load(path)
+    assert kept.report == scene.report
+    assert judge(kept).passed and not judge(kept, GateLimits()).passed
+    again = reassemble(kept, kept, ()).report
+    assert again is not None and again.passed and again.lean == 0
+    assert "sound" in shell("verify", str(path)).out
+    leaned = import_scene(source, ImportOptions(lean=2.0))
+    assert leaned.report is not None and leaned.report.lean is None
+    assert [(f.kind, f.objects, f.leaning) for f in leaned.report.failures] == [
+        ("turned", ("ball",), True)
+    ]
+
+
+# ------------------------------------------------------------------------------------------ scales
+
+
+@pytest.mark.slow
+def test_millimetres_are_read_with_a_scale(tmp_path: Path) -> None:
+    source = write_meshes(tmp_path, {"can": in_millimetres})
+    with pytest.raises(InputError, match=r"90 m tall, try --scale 0\.001"):
+        import_scene(source)
+    scene = import_scene(source, ImportOptions(scale=1e-3))
+    np.testing.assert_allclose(scene.objects[0].scale, [0.08, 0.08, 0.09], atol=1e-3)
+
+
+def test_a_model_in_millimetres_keeps_its_kilograms_and_its_densities(tmp_path: Path, read) -> None:
+    text = (
+        '<body name="table"><geom type="box" size="600 400 370" pos="0 0 370"/></body>'
+        '<body name="dense" pos="0 0 780"><freejoint/><geom type="box" size="30 30 30"/></body>'
+        '<body name="weighed" pos="200 0 780"><freejoint/>'
+        '<geom type="box" size="30 30 30" mass=".2"/></body>'
+    )
+    found = read(write(tmp_path, text)).scaled(1e-3)
+    dense, weighed = (body.mass for body in found.objects)
+    assert dense.mass == pytest.approx(1000 * 0.06**3)
+    assert weighed.mass == pytest.approx(0.2)
+    for mass in (dense, weighed):
+        np.testing.assert_allclose(np.diag(mass.inertia), mass.mass * 0.06**2 / 6, rtol=1e-6)
+    np.testing.assert_allclose(found.objects[1].position, [0.2, 0, 0.78])
+
+
+@pytest.mark.parametrize("wrong", [{"scale": 0}, {"scale": float("nan")}, {"lean": 90}])
+def test_options_out_of_range_are_refused(wrong: dict[str, float]) -> None:
+    with pytest.raises(InputError, match=next(iter(wrong))):
+        ImportOptions(**wrong)
+
+
+# ------------------------------------------------------------------------------------------ sheets
+
+
+def surface(mesh: trimesh.Trimesh) -> ColoredSurface:
+    return surface_of([mesh], "The mesh")
+
+
+def test_a_thin_sheet_gets_a_thickness_along_its_own_normal() -> None:
+    turn = trimesh.transformations.rotation_matrix(0.4, (1, 2, 3))
+    mesh = sheet()
+    mesh.apply_transform(turn)
+    made, thickness = thicken(surface(mesh))
+    assert thickness == pytest.approx(4e-4)
+    along = made.vertices @ turn[:3, 1]
+    assert np.ptp(along) == pytest.approx(4e-4)
+
+
+def test_a_single_layer_becomes_a_closed_solid() -> None:
+    made, thickness = thicken(surface(layer()))
+    solid = trimesh.Trimesh(made.vertices, made.faces)
+    assert solid.is_watertight and solid.is_winding_consistent
+    assert solid.volume == pytest.approx(0.2 * 0.15 * thickness)
+
+
+@pytest.mark.parametrize("size", [(0.1, 0.002, 0.1), (0.001, 0.001, 0.001), (2e-4, 2e-4, 2e-4)])
+def test_what_is_no_sheet_stays_as_it_is(size: tuple[float, float, float]) -> None:
+    given = surface(box(*size))
+    made, thickness = thicken(given)
+    assert made is given and thickness == 0
