@@ -88,7 +88,8 @@ def is_picture_name(text: str) -> bool:
     if "\n" in text or len(text) > 1024 or not text.strip():
         return False
     suffixes = {
-        ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif", ".heic", ".heif", ".avif",
+        ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif",
+        ".heic", ".heif", ".avif",
     }  # fmt: skip
     path = Path(text)
     try:
