@@ -14,7 +14,7 @@ from ..errors import escape
 if TYPE_CHECKING:
     from ..calls import Session
     from ..comparison.doubts import PictureMatch
-    from ..imports.foreign import Outcome
+    from ..imports.foreign import ImportOutcome
     from ..method.stopwatch import Seconds
     from ..scene import Scene
 
@@ -70,7 +70,7 @@ def print_scene(
     seconds: Mapping[str, Seconds] | None = None,
     session: Session | None = None,
     likeness: PictureMatch | None = None,
-    outcomes: Sequence[Outcome] = (),
+    outcomes: Sequence[ImportOutcome] = (),
 ) -> int:
     """Print a bundle, how like its picture it is, times and calls; return success's exit code.
 
@@ -121,7 +121,7 @@ def print_scene(
     return 0
 
 
-def outcome_lines(outcomes: Sequence[Outcome]) -> list[str]:
+def outcome_lines(outcomes: Sequence[ImportOutcome]) -> list[str]:
     """Return a table of what an import did with each object."""
     rows = (f"    {o.name:<20} {o.kind:<9} {o.detail}".rstrip() for o in outcomes)
     return ["  import:", *rows] if outcomes else []

@@ -20,7 +20,7 @@ from .options import ImportOptions as ImportOptions
 if TYPE_CHECKING:
     from ..method.assembly import AssemblyConfig
     from ..scene import Scene
-    from .foreign import Outcome
+    from .foreign import ImportOutcome
 
 
 def import_scene(
@@ -32,7 +32,7 @@ def import_scene(
     return run(source, options or ImportOptions(), config)
 
 
-def list_outcomes(scene: Scene) -> tuple[Outcome, ...]:
+def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
     """Return what the import of a scene did with each object; see ``building.list_outcomes``."""
     from .building import list_outcomes as run
 

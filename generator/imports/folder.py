@@ -187,12 +187,13 @@ class _FolderReader:
             beside = companions(raw, what, place) if kind == "obj" else {}
             surface = self._decode(raw, f"{what}: {file}", kind, beside)
             self._surfaces[file, up] = surface.upright(up)
-        self._faces += len(self._surfaces[file, up].faces)
-        if self._faces > MOST_FACES:
+        faces = self._faces + len(self._surfaces[file, up].faces)
+        if faces > MOST_FACES:
             raise InputError(
                 f"The files of {POSES} have more than {MOST_FACES} triangles together, those of a "
                 "file that is named again counted again. Reduce them."
             )
+        self._faces = faces
         return self._surfaces[file, up]
 
     def _decode(

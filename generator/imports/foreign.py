@@ -1,7 +1,7 @@
 """A foreign scene as it was read: bodies with a surface, shapes that collide, mass and pose.
 
 Its files are plain ones inside of its folder, and no others (``read_source``). An object that
-cannot be used is refused by itself, with an ``Outcome``; the others stay.
+cannot be used is refused by itself, with an ``ImportOutcome``; the others stay.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ that the physical gate failed because of it."""
 
 
 @dataclass(frozen=True)
-class Outcome:
+class ImportOutcome:
     """What an import did with one object.
 
     Attributes:
@@ -59,12 +59,12 @@ class Refusals:
         first: The error of the first one.
     """
 
-    outcomes: list[Outcome] = field(default_factory=list[Outcome])
+    outcomes: list[ImportOutcome] = field(default_factory=list[ImportOutcome])
     first: TabletopError | None = None
 
     def add(self, name: str, error: TabletopError) -> None:
         """Refuse an object because of an error."""
-        self.outcomes.append(Outcome(name, "refused", str(error)))
+        self.outcomes.append(ImportOutcome(name, "refused", str(error)))
         self.first = self.first or error
 
     @contextmanager
@@ -123,7 +123,7 @@ class ForeignBody:
         if not np.isfinite(far).all():
             raise InputError(f"The body {self.name!r} holds a number that is not finite.")
 
-    def scaled(self, factor: float) -> ForeignBody:
+    def scale(self, factor: float) -> ForeignBody:
         """Return the body with all lengths multiplied.
 
         A mass that fits the body's own lengths, 1 to 29,000 kg/m³ of its box, was computed from
@@ -155,14 +155,14 @@ class ForeignScene:
     table: ForeignBody | None
     objects: tuple[ForeignBody, ...]
     warnings: tuple[str, ...] = ()
-    refused: tuple[Outcome, ...] = ()
+    refused: tuple[ImportOutcome, ...] = ()
 
-    def scaled(self, factor: float) -> ForeignScene:
+    def scale(self, factor: float) -> ForeignScene:
         """Return the scene with all lengths multiplied."""
         if factor == 1:
             return self
-        objects = tuple(body.scaled(factor) for body in self.objects)
-        table = None if self.table is None else self.table.scaled(factor)
+        objects = tuple(body.scale(factor) for body in self.objects)
+        table = None if self.table is None else self.table.scale(factor)
         return replace(self, table=table, objects=objects)
 
 

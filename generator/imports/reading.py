@@ -15,12 +15,12 @@ from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
 from ..sandbox import SandboxError, call
 from ..scene import ConvexPart
-from .foreign import ForeignBody, ForeignScene, Outcome
+from .foreign import ForeignBody, ForeignScene, ImportOutcome
 
 SourceKind = Literal["mjcf", "glb", "obj", "folder"]
 """What a foreign scene is: a MJCF, GLB or OBJ file, or a folder of files with ``poses.json``."""
 
-_VALUES = (ForeignScene, ForeignBody, ColoredSurface, ConvexPart, MassProperties, Outcome)
+_VALUES = (ForeignScene, ForeignBody, ColoredSurface, ConvexPart, MassProperties, ImportOutcome)
 
 
 def read_scene(
@@ -71,7 +71,7 @@ def read_source_file(
         from .mjcf import read_mjcf
 
         foreign = read_mjcf(path, root, table)
-    foreign = foreign.scaled(scale)
+    foreign = foreign.scale(scale)
     return on_plain_table(foreign) if foreign.table is None else foreign
 
 

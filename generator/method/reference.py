@@ -87,7 +87,9 @@ def is_picture_name(text: str) -> bool:
     """Tell whether a string means a picture file rather than a description."""
     if "\n" in text or len(text) > 1024 or not text.strip():
         return False
-    suffixes = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif"}
+    suffixes = {
+        ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif", ".heic", ".heif", ".avif",
+    }  # fmt: skip
     path = Path(text)
     try:
         if path.suffix.lower() in suffixes:

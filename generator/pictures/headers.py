@@ -27,6 +27,8 @@ _SIGNATURES: tuple[tuple[Format, re.Pattern[bytes]], ...] = (
     ("TGA", re.compile(rb".[\0\1][\1\2\3\t\n\x0b].{13}[\1\x08\x10\x18\x20]", re.DOTALL)),
 )
 
+_HEIC = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"hevm", b"hevs", b"mif1", b"msf1")
+
 _SEGMENTS = 20_000  # of a JPEG; sound ones have hundreds
 _CHUNKS = 1000, 256  # a file has so many chunks, and one more for so many bytes
 _IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # what ends the data of a scan
@@ -61,6 +63,15 @@ def format_of(raw: bytes, formats: Iterable[Format]) -> Format | None:
         if signature.match(raw):
             return name if name in formats else None
     return None
+
+
+def refused_format(raw: bytes) -> str | None:
+    """Return the name of a common format that is not read, by the brand of its ``ftyp`` box."""
+    if raw[4:8] != b"ftyp":
+        return None
+    if raw[8:12] in _HEIC:
+        return "HEIC"
+    return "AVIF" if raw[8:12] in (b"avif", b"avis") else None
 
 
 def parse_header(raw: bytes, kind: Format) -> PictureHeader:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..errors import TabletopError
-from .headers import DamagedHeader, Format, PictureHeader, format_of, parse_header
+from .headers import DamagedHeader, Format, PictureHeader, format_of, parse_header, refused_format
 
 _NAMES = {"WEBP": "WebP"}
 
@@ -87,6 +87,8 @@ def read_header(
     if len(raw) > limits.max_bytes:
         raise error(f"{what} has {len(raw):,} bytes; at most {limits.max_bytes:,} are read.")
     kind = format_of(raw, limits.formats)
+    if kind is None and (name := refused_format(raw)):
+        raise error(f"{what} cannot be read: {name} pictures are not. Convert it to JPEG or PNG.")
     if kind is None:
         names = [_NAMES.get(name, name) for name in limits.formats]
         listed = ", ".join(names[:-1]) + f" or {names[-1]}" if len(names) > 1 else names[0]

@@ -13,7 +13,7 @@ from foreign_models import CUBE, TABLE, write
 from generator.bundle import load, save
 from generator.errors import InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
-from generator.imports.foreign import Outcome
+from generator.imports.foreign import ImportOutcome
 from generator.imports.mjcf import read_mjcf
 from generator.meshes.reading.surface import ColoredSurface, surface_of
 from generator.meshes.thickening import thicken
@@ -25,7 +25,7 @@ BROKEN = {"broken": b"this is no GLB file at all"}
 ONE, TWO = {"one": box}, {"one": box, "two": box}
 
 
-def outcomes(source: Path, **options: object) -> dict[str, Outcome]:
+def outcomes(source: Path, **options: object) -> dict[str, ImportOutcome]:
     scene = import_scene(source, ImportOptions(**options))  # type: ignore[arg-type]
     assert scene.report is not None and scene.report.passed, scene.report
     found = {outcome.name: outcome for outcome in list_outcomes(scene)}
@@ -75,7 +75,7 @@ def test_what_cannot_be_decomposed_collides_as_its_hull(
     monkeypatch.setattr(decomposition, "decompose", decompose)
     found = outcomes(write_meshes(tmp_path, {**ONE, "tall": lambda: box(0.06, 0.12, 0.05)}))
     assert found["one"].kind == "taken"
-    assert found["tall"] == Outcome("tall", "hull", "Convex decomposition takes too long.")
+    assert found["tall"] == ImportOutcome("tall", "hull", "Convex decomposition takes too long.")
 
 
 @pytest.mark.usefixtures("inline")
@@ -214,7 +214,7 @@ def test_a_model_in_millimetres_keeps_its_kilograms_and_its_densities(tmp_path: 
         '<body name="weighed" pos="200 0 780"><freejoint/>'
         '<geom type="box" size="30 30 30" mass=".2"/></body>'
     )
-    found = read(write(tmp_path, text)).scaled(1e-3)
+    found = read(write(tmp_path, text)).scale(1e-3)
     dense, weighed = (body.mass for body in found.objects)
     assert dense.mass == pytest.approx(1000 * 0.06**3)
     assert weighed.mass == pytest.approx(0.2)

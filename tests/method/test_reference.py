@@ -106,3 +106,4 @@ def test_texts_are_not_taken_for_files() -> None:
     assert not is_picture_name("a desk with a mug")
     assert not is_picture_name("")
     assert is_picture_name("photos/my desk.JPG")
+    assert is_picture_name("my desk.HEIC")

@@ -127,6 +127,15 @@ def test_the_first_bytes_say_the_format() -> None:
         assert format_of(raw, EVERY.formats) is None
 
 
+@pytest.mark.parametrize(
+    ("brand", "name"), [(b"heic", "HEIC"), (b"mif1", "HEIC"), (b"avif", "AVIF")]
+)
+def test_common_formats_that_are_not_read_are_named(brand: bytes, name: str) -> None:
+    raw = b"\0\0\0\x18ftyp" + brand + b"\0\0\0\0mif1heic" + bytes(200)
+    with pytest.raises(InputError, match=rf"{name} pictures are not\. Convert it to JPEG or PNG"):
+        read_header(raw, "The picture", InputError, PictureLimits())
+
+
 def test_limits_are_said_with_the_caller_s_error() -> None:
     raw = encoded(noise(130, 70), "PNG")
     for limits, said in (

@@ -38,7 +38,7 @@ from ...scene import (
     Table,
 )
 from ...scene.triangles import areas
-from ..foreign import DENSITY, LARGEST, ForeignBody, Outcome
+from ..foreign import DENSITY, LARGEST, ForeignBody, ImportOutcome
 from ..shapes import few_corners
 
 _MOST_FACES = 24_000  # triangles of a body that stay as they are
@@ -48,7 +48,7 @@ _MASSES = (1e-9, 1e3)  # kilograms, of an object
 _USUAL_SIDE = (3e-3, 1.5)  # metres, of things on a table: what a proposed scale leads to
 
 
-def build_table(body: ForeignBody) -> tuple[Table, Float[np.ndarray, "3"], Outcome]:
+def build_table(body: ForeignBody) -> tuple[Table, Float[np.ndarray, "3"], ImportOutcome]:
     """Return the table, by how much the world moves so that it stands in the middle, and repairs.
 
     Raises:
@@ -71,7 +71,7 @@ def build_table(body: ForeignBody) -> tuple[Table, Float[np.ndarray, "3"], Outco
     return table_body(model, extent), shift, _outcome(TABLE, repairs, reason)
 
 
-def build_object(body: ForeignBody, name: str, table: Table) -> tuple[Object, Outcome]:
+def build_object(body: ForeignBody, name: str, table: Table) -> tuple[Object, ImportOutcome]:
     """Return an object whose +z is the axis of its body that points up most, and its outcome.
 
     Raises:
@@ -114,10 +114,10 @@ def build_object(body: ForeignBody, name: str, table: Table) -> tuple[Object, Ou
     return thing, _outcome(name, repairs, reason)
 
 
-def _outcome(name: str, repairs: Sequence[str], reason: str) -> Outcome:
+def _outcome(name: str, repairs: Sequence[str], reason: str) -> ImportOutcome:
     if reason:
-        return Outcome(name, "hull", "; ".join((reason, *repairs)))
-    return Outcome(name, "repaired", "; ".join(repairs)) if repairs else Outcome(name)
+        return ImportOutcome(name, "hull", "; ".join((reason, *repairs)))
+    return ImportOutcome(name, "repaired", "; ".join(repairs)) if repairs else ImportOutcome(name)
 
 
 # ------------------------------------------------------------------------------------------- sizes

@@ -16,7 +16,7 @@ from ...layout.checking import correct_supports, observe
 from ...method.assembly import AssemblyConfig, reassemble
 from ...scene import TABLE, Object, Provenance, Scene
 from ...scene.provenance import plain
-from ..foreign import ForeignScene, Outcome, Refusals, check_count
+from ..foreign import ForeignScene, ImportOutcome, Refusals, check_count
 from .bodies import build_object, build_table
 
 _RIM = 0.01  # metres below a container's rim from which a thing is in it
@@ -66,16 +66,16 @@ def build_scene(
     return _mark_inside(correct_supports(done, observe(done)))
 
 
-def list_outcomes(scene: Scene) -> tuple[Outcome, ...]:
+def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
     """Return what the import of a scene did with each object; empty if it was not imported.
 
     A table is among them if it was repaired.
     """
     listed: Sequence[Mapping[str, Any]] = scene.provenance.config.get(_OUTCOMES, ())
-    return tuple(Outcome(o["name"], o["kind"], o["detail"]) for o in listed)
+    return tuple(ImportOutcome(o["name"], o["kind"], o["detail"]) for o in listed)
 
 
-def _record(provenance: Provenance, outcomes: Sequence[Outcome]) -> Provenance:
+def _record(provenance: Provenance, outcomes: Sequence[ImportOutcome]) -> Provenance:
     """Return the provenance with the outcomes, and a warning for each that changed something."""
     changed = (str(o) for o in outcomes if o.kind != "taken")
     return replace(
@@ -86,14 +86,14 @@ def _record(provenance: Provenance, outcomes: Sequence[Outcome]) -> Provenance:
 
 def _settle(
     scene: Scene, config: AssemblyConfig | None, leave_out: bool
-) -> tuple[Scene, list[Outcome]]:
+) -> tuple[Scene, list[ImportOutcome]]:
     """Return the scene settled and judged, and what was left out of it so that it passes."""
     done = reassemble(scene, scene, (), config)
-    dropped: list[Outcome] = []
+    dropped: list[ImportOutcome] = []
     while leave_out and len(dropped) < _ROUNDS and (worst := _find_failing(done)):
         assert done.report is not None
         reasons = (str(f) for f in done.report.failures if worst in f.objects)
-        dropped.append(Outcome(worst, "left out", "; ".join(reasons)))
+        dropped.append(ImportOutcome(worst, "left out", "; ".join(reasons)))
         left = tuple(o for o in scene.objects if o.name != worst)
         if not left:
             raise SceneError(

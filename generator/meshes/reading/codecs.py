@@ -117,14 +117,14 @@ class _Rewriter:
         if images:
             plain["images"] = images
         if "materials" in header:
-            plain["materials"] = [_untransformed(material) for material in header["materials"]]
+            plain["materials"] = [_drop_transform(material) for material in header["materials"]]
         return _glb(plain, bytes(self._written))
 
     def _primitive(self, given: Header) -> dict[str, Any]:
         attributes, indices = self._columns(given)
         transform = _transform_of(self._header, given)
         if transform is not None and "TEXCOORD_0" in attributes:
-            attributes["TEXCOORD_0"] = _transformed(attributes["TEXCOORD_0"], transform)
+            attributes["TEXCOORD_0"] = _move_texture(attributes["TEXCOORD_0"], transform)
         plain = {key: given[key] for key in ("mode", "material") if key in given}
         plain["attributes"] = {name: self._accessor(a) for name, a in attributes.items()}
         if indices is not None:
@@ -258,13 +258,13 @@ def _transform(material: Header) -> Header | None:
     return None if transform is None or transform.get("rotation") else transform
 
 
-def _transformed(uv: Float[np.ndarray, "n 2"], transform: Header) -> Float[np.ndarray, "n 2"]:
+def _move_texture(uv: Float[np.ndarray, "n 2"], transform: Header) -> Float[np.ndarray, "n 2"]:
     scale = np.array(transform.get("scale", (1, 1)), np.float64).reshape(2)
     offset = np.array(transform.get("offset", (0, 0)), np.float64).reshape(2)
     return (uv[:, :2] * scale + offset).astype(np.float32)
 
 
-def _untransformed(material: Header) -> Header:
+def _drop_transform(material: Header) -> Header:
     """Return a material without the transform that its texture coordinates now have."""
     if _transform(material) is None:
         return material
