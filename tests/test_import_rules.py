@@ -50,7 +50,11 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("tabletopgen_env.vectors", "tabletopgen_env.batch"),
     ("tabletopgen_env.vector", "tabletopgen_env.statistics"),
     ("tabletopgen_env.certificates.certify",),
-    ("tabletopgen_env.certificates.command", "tabletopgen_env.learning"),
+    (
+        "tabletopgen_env.certificates.command",
+        "tabletopgen_env.certificates.replaying",
+        "tabletopgen_env.learning",
+    ),
     ("tabletopgen_env.recording", "tabletopgen_env.bench"),
     ("tabletopgen_env.teleoperation",),
     ("tabletopgen_env", "assets_cache.make_starter"),

@@ -40,10 +40,10 @@ def read_results(folder: Path) -> list[BenchResult]:
     paths = sorted(folder.glob("*.json"))
     if not paths:
         raise InputError(f"{folder} holds no results. `tabletopgen bench run` writes them.")
-    return [_marked(path) for path in paths]
+    return [_read_with_mark(path) for path in paths]
 
 
-def _marked(path: Path) -> BenchResult:
+def _read_with_mark(path: Path) -> BenchResult:
     """Return a result with how many of its episodes were played again."""
     result = read_result(path)
     mark = read_mark(path, result.digest)
@@ -120,7 +120,7 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
         cells = [
             _plain(player.name), _plain(_sight(player)),
             *(_cell(results.get(c)) for c in ("plain", "random")),
-            *by_level, _steps(random or results["plain"]), _replayed(results.values()),
+            *by_level, _steps(random or results["plain"]), _replay_count(results.values()),
         ]  # fmt: skip
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
@@ -149,7 +149,7 @@ def _steps(result: BenchResult) -> str:
     return str(steps[len(steps) // 2]) if steps else "–"
 
 
-def _replayed(results: Iterable[BenchResult]) -> str:
+def _replay_count(results: Iterable[BenchResult]) -> str:
     """Return how many of the episodes were played again: "6 of 147"."""
     own = list(results)
     count = sum(result.replayed for result in own)

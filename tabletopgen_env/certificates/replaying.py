@@ -38,7 +38,7 @@ class CertificateDoubt:
         """Return a sentence."""
         seen = self.instance
         return (
-            f"{_named(seen)}: {seen.successes} of {seen.episodes} episodes cannot be "
+            f"{_name_of(seen)}: {seen.successes} of {seen.episodes} episodes cannot be "
             f"({self.kind}: one is played until it fails, at most {self.limit} times)"
         )
 
@@ -68,7 +68,7 @@ class StartReplay:
         """Return a sentence."""
         said, now = (("" if solved else "not ") + "solved" for solved in (self.listed, self.solved))
         other = f"; it was made with {', '.join(self.versions)}" if self.versions else ""
-        return f"{_named(self.instance)}: episode {self.number} is {now}, listed as {said}{other}"
+        return f"{_name_of(self.instance)}: episode {self.number} is {now}, listed as {said}{other}"
 
 
 def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[object]]:
@@ -153,6 +153,6 @@ def _doubt(seen: TaskInstance, limit: int) -> CertificateDoubt | None:
     return None
 
 
-def _named(instance: TaskInstance) -> str:
+def _name_of(instance: TaskInstance) -> str:
     asked = {"preset": instance.preset} if instance.preset else instance.options
     return f"{instance.task} ({', '.join(f'{k} {v}' for k, v in asked.items()) or 'as drawn'})"

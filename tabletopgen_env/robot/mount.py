@@ -111,7 +111,7 @@ def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
     return _obstacle(mount, thing.pose.position, name, _rising(scene, _boxes(scene)))
 
 
-def unobstructed(
+def clear_of_tall(
     scene: Scene, mount: Mount, name: str, points: Float[np.ndarray, "n 2"]
 ) -> Bool[np.ndarray, "n"]:
     """Return which points (x, y, world) have no tall thing but ``name`` between them and the base.

@@ -9,7 +9,7 @@ from jaxtyping import Float
 
 from generator.geometry import inside_margin
 
-from ..robot.mount import unobstructed
+from ..robot.mount import clear_of_tall
 from .world import World
 
 FREE_MARGIN = 0.015
@@ -43,5 +43,5 @@ def free_spot(
         if other != name:
             free &= inside_margin(points, outline) <= -(radius + FREE_MARGIN)
     found = points[free]
-    found = found[unobstructed(world.scene, world.mount, name, found)]
+    found = found[clear_of_tall(world.scene, world.mount, name, found)]
     return next((point for point in found[:_ASKED] if fits is None or fits(point)), None)

@@ -12,7 +12,7 @@ from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert import arm
 from tabletopgen_env.expert.pick import Picker
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.robot.mount import ARM_BREADTH, unobstructed
+from tabletopgen_env.robot.mount import ARM_BREADTH, clear_of_tall
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.world.workspace import free_spot
 from tabletopgen_env.world.world import World
@@ -53,7 +53,7 @@ def test_a_certified_spot_is_not_behind_a_tall_thing(seed: int) -> None:
     env = starter(seed, cache=1)
     goal, world = env.goal, env.world
     assert world.scene.name == "dining-fruit" and goal.spot is not None
-    assert unobstructed(world.scene, world.mount, str(goal.target), goal.spot[None, :2]).all()
+    assert clear_of_tall(world.scene, world.mount, str(goal.target), goal.spot[None, :2]).all()
     solved, phases = played(env)
     assert solved and "unwind" not in phases
     env.close()
@@ -101,9 +101,9 @@ def test_no_spot_lies_behind_a_tall_thing() -> None:
     base = world.mount.position[:2]
     behind = tower.pose.position[:2] + 0.25 * (tower.pose.position[:2] - base)
     beside = behind + np.array([0.3, 0.0])
-    both = unobstructed(scene, world.mount, "cube_1", np.array([behind, beside]))
+    both = clear_of_tall(scene, world.mount, "cube_1", np.array([behind, beside]))
     assert both.tolist() == [False, True]
-    assert unobstructed(scene, world.mount, "tower_1", behind[None]).all()
+    assert clear_of_tall(scene, world.mount, "tower_1", behind[None]).all()
     for seed in range(60):
         spot = free_spot(world, "cube_1", np.random.default_rng(seed))
         assert spot is not None

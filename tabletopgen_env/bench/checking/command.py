@@ -16,7 +16,7 @@ from ..running import PACKAGES
 from ..suites import find_suite
 from .figures import check_suite, doubts
 from .marks import ReplayMark, mark_path, remove_mark, write_mark
-from .replaying import EpisodeReplay, chosen, player_of, replay
+from .replaying import EpisodeReplay, draw_places, player_of, replay
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def check_result(path: Path, check: Check) -> bool:
     check_suite(result, suite)
     seed = secrets.randbelow(2**31) if check.seed is None else check.seed
     require_seed(seed)
-    numbers = chosen(check.episodes, result, seed)
+    numbers = draw_places(check.episodes, result, seed)
     if found := doubts(result, suite):
         remove_mark(path)
         for doubt in found:

@@ -33,7 +33,7 @@ class EpisodeReplay:
         return self.listed == self.played
 
 
-def chosen(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
+def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
     """Return the places of ``count`` episodes drawn by a seed; of all, if there are fewer.
 
     Raises:

@@ -145,6 +145,7 @@ def _write_folder(rng: random.Random, folder: Path) -> Path:
 _ALONE = """
 import sys
 from pathlib import Path
+from generator.errors import TabletopError
 from generator.imports.reading import read_scene
 try:
     read_scene(sys.argv[1], Path(sys.argv[2]))
