@@ -30,7 +30,7 @@ from ..io.reading import is_number, parse_object, printable
 from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
 from ..meshes.reading.companions import companions
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
-from ..sandbox import Limits, SandboxError, call
+from ..sandbox import SandboxError, SandboxLimits, call
 from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
 from .foreign import ForeignBody, ForeignScene, Refusals, check_count, read_source
 
@@ -38,7 +38,7 @@ POSES = "poses.json"
 """Name of the file that says what is where."""
 
 _MOST_POSES, _MOST_SCALE = 2**20, 1e4
-_APART = Limits(cpu_seconds=4.0)  # of one file, once all together reached their limit
+_APART = SandboxLimits(cpu_seconds=4.0)  # of one file, once all together reached their limit
 _PLAIN = (1.2, 0.8, 0.74)  # metres, the least size of a plain table
 _OBJECT = {"name", "file", "position", "quaternion", "mass", "category", "scale", "friction", "up"}
 _TABLE = {"file", "position", "quaternion", "scale", "friction", "up", "size"}

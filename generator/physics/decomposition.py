@@ -23,7 +23,7 @@ from jaxtyping import Float
 
 from ..errors import SceneError
 from ..io.npz import read_arrays
-from ..sandbox import Limits, SandboxError, call
+from ..sandbox import SandboxError, SandboxLimits, call
 from ..scene import ConvexPart, Mesh
 from ..scene.triangles import Faces, Vertices, closed, pieces
 from .inertia import weld
@@ -33,7 +33,7 @@ _FULL = 1.001  # of its hull that a mesh may fill, as reckoned
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
 _MOST_PIECES = 200  # of more, the boxes are not compared
 
-_LIMITS = Limits(cpu_seconds=90.0, threads=1)  # several times what the roughest meshes take
+_LIMITS = SandboxLimits(cpu_seconds=90.0, threads=1)  # several times what the roughest meshes take
 _SETTINGS = {
     "max_convex_hull": 24, "preprocess_resolution": 30, "resolution": 300, "mcts_nodes": 5,
     "mcts_iterations": 20, "mcts_max_depth": 1, "decimate": True, "max_ch_vertex": 48, "seed": 0,
@@ -46,7 +46,7 @@ def decompose(
     mesh: Mesh,
     scale: Float[np.ndarray, "3"],
     *,
-    limits: Limits = _LIMITS,
+    limits: SandboxLimits = _LIMITS,
     cache: Path | None = None,
 ) -> tuple[ConvexPart, ...]:
     """Return convex parts of a canonical mesh, in the canonical frame, as cut at ``scale``.
@@ -71,7 +71,9 @@ def decompose(
     return tuple(ConvexPart((hull / proportions).clip(-0.5, 0.5)) for hull in hulls)
 
 
-def _coacd(vertices: Vertices, faces: Faces, limits: Limits) -> list[Float[np.ndarray, "_k 3"]]:
+def _coacd(
+    vertices: Vertices, faces: Faces, limits: SandboxLimits
+) -> list[Float[np.ndarray, "_k 3"]]:
     """Run CoACD in a sandbox on a reduced mesh."""
     if len(faces) > _MOST_FACES:
         import fast_simplification

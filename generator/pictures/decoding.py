@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 
 from ..errors import InputError, TabletopError
-from ..sandbox import Limits, SandboxError, call
+from ..sandbox import SandboxError, SandboxLimits, call
 from .limits import PictureLimits, read_header
 from .picture import DecodedPicture, Form
 
@@ -42,7 +42,7 @@ def decode(
     try:
         return call(
             decode_pixels, raw, what, limits, form, max_side,
-            limits=Limits(limits.cpu_seconds, limits.memory), returns=(DecodedPicture,),
+            limits=SandboxLimits(limits.cpu_seconds, limits.memory), returns=(DecodedPicture,),
             cancelled=cancelled,
         )  # fmt: skip
     except SandboxError as failure:

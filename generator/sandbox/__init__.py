@@ -6,6 +6,6 @@ decodes without pickle (:mod:`.packing`), works in a folder that no longer exist
 file behind, however it ends.
 """
 
-from .running import Limits as Limits
 from .running import SandboxError as SandboxError
+from .running import SandboxLimits as SandboxLimits
 from .running import call as call

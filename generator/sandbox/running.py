@@ -34,7 +34,7 @@ _LAST_WORDS = 4096  # bytes of standard error that are kept
 
 
 @dataclass(frozen=True)
-class Limits:
+class SandboxLimits:
     """Limits of one child process; a smaller limit that this process inherited applies instead.
 
     Attributes:
@@ -72,7 +72,7 @@ class SandboxError(InputError):
 def call(
     function: Callable[..., Any],
     *args: object,
-    limits: Limits | None = None,
+    limits: SandboxLimits | None = None,
     returns: Iterable[type] = (),
     cancelled: threading.Event | None = None,
 ) -> Any:
@@ -88,7 +88,7 @@ def call(
     """
     if os.environ.get(INSIDE):
         return function(*args)
-    limits = limits or Limits()
+    limits = limits or SandboxLimits()
     request = pack({
         "module": function.__module__, "name": function.__qualname__, "args": args,
         "cpu_seconds": limits.cpu_seconds, "memory": limits.memory, "parent": os.getpid(),
@@ -127,7 +127,7 @@ def _result(raw: bytes | memoryview, returns: Iterable[type]) -> Any:
 
 
 @contextlib.contextmanager
-def _child(limits: Limits) -> Any:
+def _child(limits: SandboxLimits) -> Any:
     """Start a child with this process's modules; kill it in the end, whatever happens."""
     path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
     alone = dict.fromkeys(_THREADS, str(limits.threads)) if limits.threads else {}
@@ -162,7 +162,7 @@ def _kill(process: subprocess.Popen[bytes]) -> int:
 def _exchange(
     process: subprocess.Popen[bytes],
     request: bytes,
-    limits: Limits,
+    limits: SandboxLimits,
     cancelled: threading.Event | None,
 ) -> tuple[bytes | memoryview, bytes, Breach | None]:
     """Send the request; return the answer, the end of standard error, and what was breached."""
@@ -211,7 +211,7 @@ def _write(process: subprocess.Popen[bytes], left: memoryview) -> memoryview:
         return left[:0]
 
 
-def _explain(breach: Breach | None, code: int, words: bytes, limits: Limits) -> SandboxError:
+def _explain(breach: Breach | None, code: int, words: bytes, limits: SandboxLimits) -> SandboxError:
     seconds = f"{limits.cpu_seconds:g} s of CPU time"
     if breach == "output":
         return SandboxError("output", f"holds more than {limits.output >> 20} MiB of data")

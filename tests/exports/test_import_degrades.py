@@ -13,6 +13,7 @@ from foreign_models import CUBE, TABLE, write
 from generator.bundle import load, save
 from generator.errors import InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
+from generator.imports.building import bodies
 from generator.imports.foreign import ImportOutcome
 from generator.imports.mjcf import read_mjcf
 from generator.meshes.reading.surface import ColoredSurface, surface_of
@@ -258,3 +259,17 @@ def test_what_is_no_sheet_stays_as_it_is(size: tuple[float, float, float]) -> No
     given = surface(box(*size))
     made, thickness = thicken(given)
     assert made is given and thickness == 0
+
+
+def test_bodies_that_show_one_mesh_are_repaired_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[str] = []
+    repair = bodies.repair_surface
+    monkeypatch.setattr(
+        bodies, "repair_surface", lambda *args: (calls.append(args[1]), repair(*args))[1]
+    )
+    names = ("one", "two", "three")
+    scene = import_scene(write_meshes(tmp_path, dict.fromkeys(names, box)), ImportOptions())
+    assert len(scene.objects) == len(names)
+    assert len(calls) == 1

@@ -12,7 +12,7 @@ from generator.errors import SceneError
 from generator.physics import decomposition
 from generator.physics.decomposition import decompose
 from generator.physics.parts import model_parts, scale_part
-from generator.sandbox import Limits
+from generator.sandbox import SandboxLimits
 from generator.scene import ConvexPart, Mesh, Model
 
 
@@ -125,7 +125,7 @@ def test_a_mesh_that_holds_more_than_its_hull_overlaps_itself() -> None:
 
 
 def test_limits_hold_and_leave_nothing(tmp_path: Path) -> None:
-    limits = Limits(cpu_seconds=30, memory=2**20)
+    limits = SandboxLimits(cpu_seconds=30, memory=2**20)
     with pytest.raises(SceneError, match="memory"):
         decompose(sphere_mesh(), np.full(3, 0.1), limits=limits, cache=tmp_path)
     assert not list(tmp_path.iterdir())

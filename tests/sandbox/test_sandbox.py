@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.sandbox import Limits, SandboxError, call
+from generator.sandbox import SandboxError, SandboxLimits, call
 from generator.sandbox.packing import class_name, pack, unpack
 from generator.sandbox.running import memory_text
 
@@ -136,21 +136,23 @@ def test_objects_are_not_packed() -> None:
 
 
 def test_names_of_classes() -> None:
-    assert class_name(Limits) == "generator.sandbox.running:Limits"
+    assert class_name(SandboxLimits) == "generator.sandbox.running:SandboxLimits"
 
 
 @pytest.mark.parametrize(
     ("function", "limits", "breach"),
     [
-        (spin, Limits(cpu_seconds=0.5), "time"),
-        (fill, Limits(), "memory"),
-        (grow, Limits(memory=2**28), "memory"),
-        (pour, Limits(output=2**20), "output"),
-        (crash, Limits(), "crash"),
-        (blunder, Limits(), "parser"),
+        (spin, SandboxLimits(cpu_seconds=0.5), "time"),
+        (fill, SandboxLimits(), "memory"),
+        (grow, SandboxLimits(memory=2**28), "memory"),
+        (pour, SandboxLimits(output=2**20), "output"),
+        (crash, SandboxLimits(), "crash"),
+        (blunder, SandboxLimits(), "parser"),
     ],
 )
-def test_a_child_that_goes_wrong_is_one_error(function: Any, limits: Limits, breach: str) -> None:
+def test_a_child_that_goes_wrong_is_one_error(
+    function: Any, limits: SandboxLimits, breach: str
+) -> None:
     with pytest.raises(SandboxError) as caught:
         call(function, limits=limits)
     assert caught.value.breach == breach
@@ -159,7 +161,7 @@ def test_a_child_that_goes_wrong_is_one_error(function: Any, limits: Limits, bre
 @pytest.mark.slow
 def test_a_limit_of_memory_is_not_called_inherited() -> None:
     with pytest.raises(SandboxError) as caught:
-        call(grow, limits=Limits(memory=2**28))
+        call(grow, limits=SandboxLimits(memory=2**28))
     assert str(caught.value) == memory_text(2**28)
 
 
@@ -207,8 +209,8 @@ memory = int(sys.argv[1])
 resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
 resource.setrlimit(resource.RLIMIT_CPU, (50, 60))
 import test_sandbox
-from generator.sandbox import Limits, call
-print(*call(test_sandbox.limits_inside, limits=Limits(cpu_seconds=1000, memory=2**40)))
+from generator.sandbox import SandboxLimits, call
+print(*call(test_sandbox.limits_inside, limits=SandboxLimits(cpu_seconds=1000, memory=2**40)))
 """
 
 

@@ -6,6 +6,7 @@ cannot be decomposed collides as its convex hull.
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -48,7 +49,9 @@ _MASSES = (1e-9, 1e3)  # kilograms, of an object
 _USUAL_SIDE = (3e-3, 1.5)  # metres, of things on a table: what a proposed scale leads to
 
 
-def build_table(body: ForeignBody) -> tuple[Table, Float[np.ndarray, "3"], ImportOutcome]:
+def build_table(
+    body: ForeignBody, drawn: SurfaceCache
+) -> tuple[Table, Float[np.ndarray, "3"], ImportOutcome]:
     """Return the table, by how much the world moves so that it stands in the middle, and repairs.
 
     Raises:
@@ -58,7 +61,7 @@ def build_table(body: ForeignBody) -> tuple[Table, Float[np.ndarray, "3"], Impor
     _check_side(body, "The table", 0.0, _MOST_TABLE)
     rotation = body.rotation
     surface = replace(body.surface, vertices=body.surface.vertices @ rotation.T + body.position)
-    mesh, repairs = _draw(surface, body)
+    mesh, repairs = drawn.draw(surface, body)
     unit, center, extent = to_unit_box(mesh)
     moved = tuple(_move(part, rotation, body.position) for part in body.parts)
     friction = 0.6 if body.friction is None else body.friction
@@ -71,7 +74,9 @@ def build_table(body: ForeignBody) -> tuple[Table, Float[np.ndarray, "3"], Impor
     return table_body(model, extent), shift, _outcome(TABLE, repairs, reason)
 
 
-def build_object(body: ForeignBody, name: str, table: Table) -> tuple[Object, ImportOutcome]:
+def build_object(
+    body: ForeignBody, name: str, table: Table, drawn: SurfaceCache
+) -> tuple[Object, ImportOutcome]:
     """Return an object whose +z is the axis of its body that points up most, and its outcome.
 
     Raises:
@@ -82,7 +87,7 @@ def build_object(body: ForeignBody, name: str, table: Table) -> tuple[Object, Im
     _check_side(body, repr(name), _LEAST_SIDE, _MOST_SIDE)
     turn = _upright(body.rotation)
     surface = replace(body.surface, vertices=body.surface.vertices @ turn.T)
-    mesh, repairs = _draw(surface, body)
+    mesh, repairs = drawn.draw(surface, body)
     unit, center, extent = to_unit_box(mesh)
     rotation = body.rotation @ turn.T
     quaternion = Rotation.from_matrix(rotation).as_quat(canonical=True, scalar_first=True)
@@ -173,6 +178,35 @@ def _check_mass(name: str, mass: float, extent: Float[np.ndarray, "3"]) -> None:
 
 
 # ------------------------------------------------------------------------------------------ shapes
+
+
+class SurfaceCache:
+    """Textured meshes by the content of their surfaces: bodies that show one mesh share it."""
+
+    def __init__(self) -> None:
+        self._meshes: dict[bytes, tuple[Mesh, tuple[str, ...]]] = {}
+
+    def draw(self, surface: ColoredSurface, body: ForeignBody) -> tuple[Mesh, tuple[str, ...]]:
+        """Return a surface of a body as one textured mesh, and how it was repaired.
+
+        Raises:
+            InputError: all its triangles are without area.
+            BackendError: it can neither be repaired nor be drawn as it is.
+        """
+        key = _digest(surface, bool(body.parts))
+        if key not in self._meshes:
+            self._meshes[key] = _draw(surface, body)
+        return self._meshes[key]
+
+
+def _digest(surface: ColoredSurface, solid: bool) -> bytes:
+    """Return the sha256 of what ``_draw`` makes a mesh of."""
+    digest = hashlib.sha256(repr((solid, surface.opacity)).encode())
+    columns = (surface.vertices, surface.faces, surface.uv, surface.colors, surface.picture)
+    for array in (*columns, *surface.pictures):
+        digest.update(repr((array.shape, array.dtype.str)).encode())
+        digest.update(np.ascontiguousarray(array).data)
+    return digest.digest()
 
 
 def _draw(surface: ColoredSurface, body: ForeignBody) -> tuple[Mesh, tuple[str, ...]]:

@@ -17,7 +17,7 @@ from ...method.assembly import AssemblyConfig, reassemble
 from ...scene import TABLE, Object, Provenance, Scene
 from ...scene.provenance import plain
 from ..foreign import ForeignScene, ImportOutcome, Refusals, check_count
-from .bodies import build_object, build_table
+from .bodies import SurfaceCache, build_object, build_table
 
 _RIM = 0.01  # metres below a container's rim from which a thing is in it
 _ROUNDS = 20  # objects left out, one after the other
@@ -45,7 +45,8 @@ def build_scene(
     check_count(len(foreign.objects))
     if foreign.table is None:
         raise InputError(f"The scene {foreign.name!r} has no table.")
-    table, shift, of_table = build_table(foreign.table)
+    drawn = SurfaceCache()
+    table, shift, of_table = build_table(foreign.table, drawn)
     objects: list[Object] = []
     outcomes = [of_table] if of_table.kind != "taken" else []
     refusals = Refusals([*foreign.refused])
@@ -53,7 +54,7 @@ def build_scene(
     for body, called in zip(foreign.objects, names, strict=True):
         with refusals.catching(called):
             moved = replace(body, position=body.position + shift)
-            thing, outcome = build_object(moved, called, table)
+            thing, outcome = build_object(moved, called, table, drawn)
             objects.append(thing)
             outcomes.append(outcome)
     refusals.check_left(objects)

@@ -5,9 +5,9 @@ The largest file that passes is read within 20 seconds and 2 GB.
 
 from __future__ import annotations
 
-from ...sandbox import Limits
+from ...sandbox import SandboxLimits
 
-LIMITS = Limits(cpu_seconds=16.0)
+LIMITS = SandboxLimits(cpu_seconds=16.0)
 """Limits of the child process that reads a mesh, or a scene with all its files.
 
 A mesh of a million triangles takes 2 s and 0.5 GB as GLB, 6 s and 1 GB as OBJ, and 6 s and 1.3 GB

@@ -3,7 +3,7 @@
 Draco (``KHR_draco_mesh_compression``) is decoded by DracoPy, meshopt (``EXT_meshopt_compression``)
 by meshoptimizer; quantised columns (``KHR_mesh_quantization``) become floats, and their texture
 coordinates are moved as ``KHR_texture_transform`` says (files with turned textures stay refused).
-Decoders run in a child process with limits.
+Like all readers of meshes, this runs in the child process of its caller.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from jaxtyping import Float
 
 from ...backends.installing import module
 from ...errors import BackendError
-from ...sandbox import Limits, SandboxError, call
 from .flattening import FAN, JSON_CHUNK, STRIP, TRIANGLES, Header, base_color
 
 DRACO = "KHR_draco_mesh_compression"
@@ -32,7 +31,6 @@ _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
 _BINARY = 0x004E4942
-_LIMITS = Limits(cpu_seconds=60.0)
 
 
 def plain_glb(raw: bytes, what: str) -> bytes:
@@ -41,7 +39,7 @@ def plain_glb(raw: bytes, what: str) -> bytes:
     Meshes keep their triangles' positions, texture coordinates and colours.
 
     Raises:
-        BackendError: it is damaged, its decoder is not installed, or it reaches a limit.
+        BackendError: it is damaged, or its decoder is not installed.
     """
     header = _header(raw)
     used = {*_names(header, "extensionsUsed"), *_names(header, "extensionsRequired")} & _DECODED
@@ -52,21 +50,12 @@ def plain_glb(raw: bytes, what: str) -> bytes:
     if used & {*MESHOPT}:
         module("meshoptimizer", f"{what} is compressed by meshopt: reading it", _INSTALL)
     try:
-        return call(rewrite, raw, limits=_LIMITS)
-    except SandboxError as error:
-        raise BackendError(
-            f"{what} cannot be decompressed: it {error}. Export it uncompressed."
-        ) from error
-    except Exception as error:  # whatever a decoder may stumble over, already within a child
+        return _Rewriter(header, _binary(raw)).run()
+    except Exception as error:  # whatever a decoder may stumble over in a foreign file
         raise BackendError(
             f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it "
             "uncompressed."
         ) from error
-
-
-def rewrite(raw: bytes) -> bytes:
-    """Return a compressed GLB as a plain one. Whatever a damaged one raises is raised."""
-    return _Rewriter(_header(raw), _binary(raw)).run()
 
 
 def _header(raw: bytes) -> Header:

@@ -16,7 +16,7 @@ from generator.meshes.normalising import normal_mesh
 from generator.meshes.reading import loading
 from generator.meshes.reading.loading import load_surface
 from generator.meshes.reading.surface import read_surface
-from generator.sandbox import Limits
+from generator.sandbox import SandboxLimits
 from generator.sandbox.running import INSIDE
 from generator.scene import USUAL_VIEW
 
@@ -68,7 +68,7 @@ def test_a_reader_that_reaches_a_limit_is_an_error_of_the_backend(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     many = glb(trimesh.creation.icosphere(7))
-    monkeypatch.setattr(loading, "LIMITS", Limits(memory=1 << 20))
+    monkeypatch.setattr(loading, "LIMITS", SandboxLimits(memory=1 << 20))
     with pytest.raises(BackendError, match=r"the answer takes more than .*fewer triangles"):
         normal_mesh(many, "the answer")
 
