@@ -134,7 +134,7 @@ def check_results(
     """Check results: their figures, and some of their episodes, which are played again.
 
     A result with figures that no run gives is not played. One whose episodes come out as it says,
-    to the step and the reward, gets a mark, RESULT.replayed beside it, which the leaderboard
+    to the step and nearly to the reward, gets a mark, RESULT.replayed beside it, which the leaderboard
     shows; one that differs loses it. Other versions of packages, and other kinds of processors, may
     play an episode otherwise. The exit code is 1 if a result fails.
 
