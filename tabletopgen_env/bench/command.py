@@ -133,10 +133,10 @@ def check_results(
 ) -> int:
     """Check results: their figures, and some of their episodes, which are played again.
 
-    A result with figures that no run gives is not played. One whose episodes come out as it says,
-    to the step and the reward, gets a mark, RESULT.replayed beside it, which the leaderboard
-    shows; one that differs loses it. Other versions of packages, and other kinds of processors, may
-    play an episode otherwise. The exit code is 1 if a result fails.
+    A result with impossible figures is not played. If its episodes end as it says, to the step and
+    within 0.0001 of the reward, it gets a mark, RESULT.replayed beside it, which the leaderboard
+    shows; if one differs, it loses the mark. Other versions of packages, and other kinds of
+    processors, may play an episode differently. The exit code is 1 if a result fails.
 
     Args:
         results: Files that "run" wrote.

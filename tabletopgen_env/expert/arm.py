@@ -14,7 +14,7 @@ from jaxtyping import Bool, Float
 
 from generator.geometry import rotation_yaw, wrap
 
-from ..robot.kinematics import HOME, LOWER, UPPER, pointing_down, solve_ik
+from ..robot.kinematics import HIGHEST, HOME, LOWER, LOWEST, UPPER, pointing_down, solve_ik
 from ..world.world import World
 from .planning.heights import HeightMap
 
@@ -29,6 +29,7 @@ _WRIST = ((0.088, 0.01), (0.088, -0.03), (0.088, -0.07))  # link 6: back to the 
 _WRIST_RADIUS, _WRIST_Z = 0.055, 0.16
 _KNUCKLE, _KNUCKLE_RADIUS, _KNUCKLE_Z = 0.0425, 0.036, 0.102  # of link 7, along both hand axes
 _ITERATIONS = 40
+_AT_LIMIT, _SWUNG = 0.02, 1.0  # radians left to a limit, and of the elbow's swing, in a dead end
 _DISC = np.array([
     (r * np.cos(a), r * np.sin(a))
     for r, n in ((0.0, 1), (1 / 3, 6), (2 / 3, 12), (1.0, 18))
@@ -102,6 +103,13 @@ def elbow_swing(world: World) -> float:
     """
     bearing = _bearing(world, world.data.site_xpos[world.tcp])
     return abs(wrap(float(world.data.qpos[world.arm_qpos[0]]) - bearing))
+
+
+def is_wound(world: World) -> bool:
+    """Return whether the elbow has swung as far as the first joint's limit lets it."""
+    first = float(world.data.qpos[world.arm_qpos[0]])
+    room = min(first - float(LOWEST[0]), float(HIGHEST[0]) - first)
+    return room < _AT_LIMIT and elbow_swing(world) > _SWUNG
 
 
 def turn_to_middle(world: World) -> float:

@@ -28,7 +28,7 @@ from generator.errors import SceneError
 
 from ..goals.goal import Goal, Raised
 from ..robot import franka
-from .arm import elbow_swing, turn_left, turn_to_middle, up
+from .arm import elbow_swing, is_wound, turn_left, turn_to_middle, up
 from .driver import NEAR, Expert
 from .planning.choosing import HOVER, GraspPlan, choose
 from .planning.dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
@@ -55,7 +55,7 @@ _NARROWER = 0.1  # of how broad the hand is taken for, where a way over things i
 _ON, _STALLED = 0.005, 8  # metres by which a hand that carries gets on, and steps without
 _FOLLOWED = 3  # times that a hinted grasp may fail until another is tried
 _RISE = 0.15  # metres by which the hand retreats
-_SWUNG, _UNWOUND = 1.3, 0.4  # radians of the elbow's swing that are a dead end, and that are good
+_WOUND, _UNWOUND = 24, 0.4  # steps in a dead end, and radians of the elbow's swing that are good
 _MOVING_FREELY: tuple[Phase, ...] = ("approach", "descend", "carry")
 _UNWINDS = 2  # times that the arm unwinds for a goal
 _PATIENCE: dict[Phase, int] = {
@@ -84,7 +84,7 @@ class Picker(Expert):
         Raises:
             SceneError: no grasp of the target can be reached.
         """
-        self.attempts = self._unwinds = 0
+        self.attempts = self._unwinds = self._wound = 0
         self._failed: tuple[Grasp, ...] = ()
         self._followed: GraspPlan | None = None
         if not self._begin():
@@ -332,10 +332,13 @@ class Picker(Expert):
         return self._still > _STALLED
 
     def _is_in_dead_end(self) -> bool:
-        """Return whether the arm has to unwind; hints, which do not know of it, are followed."""
-        if self.phase not in _MOVING_FREELY or self._env.hint is not None:
-            return False
-        return self._unwinds < _UNWINDS and elbow_swing(self._env.world) > _SWUNG
+        """Return whether the arm has to unwind; call it once a step.
+
+        Hints, which do not know of it, are followed.
+        """
+        free = self.phase in _MOVING_FREELY and self._env.hint is None
+        self._wound = self._wound + 1 if free and is_wound(self._env.world) else 0
+        return self._wound > _WOUND and self._unwinds < _UNWINDS
 
     def _has_slipped(self) -> bool:
         """Return whether the fingers are elsewhere on the object than where they closed."""

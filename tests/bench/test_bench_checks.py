@@ -125,6 +125,15 @@ def test_what_was_not_played_so_loses_its_mark(
     assert not mark_path(zero).exists()
 
 
+def test_the_last_digits_of_a_reward_are_a_processors_own(
+    zero: Path, suite_file: Path, store: Path, shell: Shell
+) -> None:
+    reward = results.read_result(zero).episodes[0].reward
+    edited(zero, reward=round(reward + 2e-6, 6))
+    own = ("--suite", f"{suite_file}:test", "--tables", str(store), "--episodes", "4")
+    assert "all as listed" in shell("bench", "check", str(zero), *own).out
+
+
 def test_another_policy_is_not_the_one_of_the_result(
     zero: Path, suite_file: Path, store: Path, shell: Shell
 ) -> None:
