@@ -16,6 +16,7 @@ ALLOWED = {
     "generator/backends/huggingface/weights/pulling.py": "its own download, not what was pinned",
     "tabletopgen_env/scenes/making/pool.py": "jobs in a temporary folder of its own",
     "tabletopgen_env/scenes/making/background.py": "jobs in a temporary folder of its own",
+    "generator/sandbox/child.py": "the empty folder that it works in",
     "generator/jobs/workers.py": "the temporary folder that it was made for",
     "generator/jobs/worker.py": "the temporary folder of its pool",
     "tabletopgen_env/recording/publishing.py": "a part folder of its own",

@@ -267,9 +267,12 @@ def test_a_detected_hint_is_the_detectors_grasp(randomization) -> None:
 
 def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
     """Neither the grasps nor the places of the expert's planners are behind it."""
+    spot = {**CUBE, "goal": "spot"}
+    env, _, expert = started(spot, task="PickPlace", grasp_hint="detected")  # plans for the spot
     for planner in ("choosing.plan_grasps", "placing._held_underside"):
         monkeypatch.setattr(f"tabletopgen_env.expert.planning.{planner}", lambda *_: 1 / 0)
-    env, seen, expert = started({**CUBE, "goal": "spot"}, task="PickPlace", grasp_hint="detected")
+    seen = env.reset(seed=0, options=spot)[0]
+    expert.reset()
     hint = env.hint
     assert hint is not None
     while hint.drop is None and env.world.data.time < 4.0:
