@@ -12,7 +12,7 @@ from ..scene import Object, Scene
 Pairs = frozenset[tuple[str, str]]
 
 
-def disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
+def find_disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
     """Return the names of objects that are new or elsewhere, or touch or touched one that is.
 
     ``before`` is the scene at rest before the edit. What was removed counts as elsewhere. Objects
@@ -24,7 +24,7 @@ def disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
     return frozenset((changed | {n for pair in pairs if changed & {*pair} for n in pair}) & {*new})
 
 
-def connected(before: Scene, now: Scene, names: Collection[str], gap: float) -> frozenset[str]:
+def find_connected(before: Scene, now: Scene, names: Collection[str], gap: float) -> frozenset[str]:
     """Return the names of objects that are connected with some by touching, before or now."""
     pairs, found = _touching(before, gap) | _touching(now, gap), {*names}
     while more := {n for pair in pairs if found & {*pair} for n in pair} - found:

@@ -10,7 +10,7 @@ from ..generation import Config
 from ..method.assembly import AssemblyConfig, Rested, finish, keep_unmoved, rest
 from ..physics.seating import overlapping
 from ..scene import TABLE, Scene
-from .disturbance import connected, disturbed
+from .disturbance import find_connected, find_disturbed
 from .placing import check_held, loads, set_down
 
 
@@ -43,15 +43,15 @@ def _settle(
     it fails, what is connected with the edit by touching may be settled further.
     """
     gap = config.limits.gap
-    loose = disturbed(before, arranged, gap)
+    loose = find_disturbed(before, arranged, gap)
     while True:
         rested, unstable = rest(arranged, config, fresh, loose)
         rested = keep_unmoved(arranged, rested, fresh)
-        more = loose | disturbed(before, rested, gap)
+        more = loose | find_disturbed(before, rested, gap)
         if more == loose:
             break
         loose = more
-    loose = connected(before, rested, loose, gap)
+    loose = find_connected(before, rested, loose, gap)
     settled = Rested(wanted, arranged, rested, unstable=unstable, loose=loose)
     done = finish(settled, config, fresh)
     if done.report is None or before.report is None:

@@ -13,7 +13,7 @@ from toy import toy_object, toy_scene
 import assets_cache
 from generator import bundle, editing
 from generator.composition import compose
-from generator.editing.disturbance import connected, disturbed
+from generator.editing.disturbance import find_connected, find_disturbed
 from generator.method.assembly import AssemblyConfig, rest
 from generator.physics.gate import judge
 from generator.physics.simulation import ON_TABLE, Simulation
@@ -108,12 +108,12 @@ def test_what_touches_a_changed_thing_is_disturbed_and_what_touches_that_is_conn
     first = before.objects[0]
     away = Pose(first.pose.position + np.array([-0.2, 0, 0]), first.pose.quaternion)
     now = before.replace(objects=(replace(first, pose=away), *before.objects[1:]))
-    assert disturbed(before, now, 1e-3) == {"box_0", "box_1"}
-    assert connected(before, now, {"box_0"}, 1e-3) == {"box_0", "box_1", "box_2"}
+    assert find_disturbed(before, now, 1e-3) == {"box_0", "box_1"}
+    assert find_connected(before, now, {"box_0"}, 1e-3) == {"box_0", "box_1", "box_2"}
     gone = before.replace(objects=before.objects[1:])
-    assert disturbed(before, gone, 1e-3) == {"box_1"}
-    assert disturbed(gone, before, 1e-3) == {"box_0", "box_1"}
-    assert disturbed(before, before, 1e-3) == set()
+    assert find_disturbed(before, gone, 1e-3) == {"box_1"}
+    assert find_disturbed(gone, before, 1e-3) == {"box_0", "box_1"}
+    assert find_disturbed(before, before, 1e-3) == set()
 
 
 def test_what_may_not_move_carries_what_falls_on_it() -> None:

@@ -79,7 +79,7 @@ class SceneDraft:
             yaws.pop(name, None)
             if yaw is not None:
                 yaws[name] = yaw
-            warnings.append(_built(name, reason, told))
+            warnings.append(_warn_built(name, reason, told))
         return replace(
             self, models={**self.models, **{n: self.planned[n] for n in mine}},
             shown={n: p for n, p in self.shown.items() if n not in names},
@@ -135,7 +135,7 @@ def draft_scene(
         there = below in (TABLE, placed[name].on)
         if isinstance(factor, str):
             turned = None if name in formed else found.of(name, own[name])
-            warnings.append(_built(name, factor, turned is not None or name in formed))
+            warnings.append(_warn_built(name, factor, turned is not None or name in formed))
         else:
             turned = placed[name].yaw
             chosen[name] = replace(models[name], size=scales[name] * factor, slots=own[name].slots)
@@ -154,7 +154,7 @@ def draft_scene(
     )
 
 
-def _built(name: str, reason: str, told: bool) -> str:
+def _warn_built(name: str, reason: str, told: bool) -> str:
     """Return the warning that a thing has the plan's shape, and its yaw if none is ``told``."""
     tail = "" if told else " The drawing does not tell its yaw, which is the plan's too."
     return f"{name} is built from the plan: {reason}.{tail}"
