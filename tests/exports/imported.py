@@ -25,7 +25,10 @@ EXTENT = tuple[tuple[float, ...], tuple[float, ...]]
 
 @dataclass
 class Found:
-    """One body as read: numbers in its own frame, its pose in the world (z up, wxyz)."""
+    """One body as read: numbers in its own frame, its pose in the world (z up, wxyz).
+
+    The mass of what is fixed is 0.
+    """
 
     position: np.ndarray
     quaternion: np.ndarray
@@ -94,7 +97,8 @@ def from_sdf(path: Path) -> dict[str, Found]:
         link = model.find("link")
         assert link is not None
         if (inertial := link.find("inertial")) is not None:
-            body.mass = float(inertial.findtext("mass", ""))
+            fixed = model.findtext("static") == "true"
+            body.mass = 0.0 if fixed else float(inertial.findtext("mass", ""))
             body.com = numbers(inertial.find("pose"), 6)[:3]
             i = {e.tag: float(e.text or "") for e in inertial.iterfind("inertia/*")}
             body.inertia = np.array(
@@ -152,7 +156,8 @@ def from_glb(path: Path) -> dict[str, Found]:
         matrix, key = drawn.graph[name]
         turn = Rotation.from_matrix(up @ matrix[:3, :3])
         found[name] = Found(
-            up @ matrix[:3, 3], turn.as_quat(scalar_first=True), more["mass"],
+            up @ matrix[:3, 3], turn.as_quat(scalar_first=True),
+            0.0 if more["fixed"] else more["mass"],
             np.array(more["center_of_mass"]), np.array(more["inertia"]), more["friction"],
             bounds(np.asarray(drawn.geometry[key].vertices)),
         )  # fmt: skip

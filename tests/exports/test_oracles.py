@@ -71,7 +71,7 @@ def test_yourdfpy_finds_the_same_links(scene: Scene, tmp_path: Path) -> None:
     assert {*found} == {*bodies, "world"}
     for name, body in bodies.items():
         read, turn = found[name], quaternion_matrix(body.quaternion)
-        assert read["mass"] == (None if body.fixed else pytest.approx(body.mass, rel=1e-5))
+        assert read["mass"] == pytest.approx(body.mass, rel=1e-5)
         assert read["parts"] == len(body.pieces)
         np.testing.assert_allclose(np.array(read["matrix"])[:3, :3], turn, atol=1e-5)
         np.testing.assert_allclose(np.array(read["matrix"])[:3, 3], body.position, atol=1e-5)
