@@ -46,7 +46,7 @@ def decode_pixels(
     Raises:
         InputError: it is damaged or over a limit.
     """
-    with opened(raw, what, limits) as picture:
+    with open_picture(raw, what, limits) as picture:
         if form != "rgb":  # a JPEG that is to be shrunk is decoded at a lower resolution
             picture.load()
         mode, (width, height), orientation = picture.mode, picture.size, 1
@@ -54,7 +54,7 @@ def decode_pixels(
             orientation = _orientation(picture)
             pixels = upright(picture, max_side)
         elif form == "rgb":
-            pixels = shrunk(picture, max_side)
+            pixels = shrink(picture, max_side)
         elif form == "rgba":
             pixels = np.asarray(picture.convert("RGBA"), np.uint8)
         else:
@@ -63,7 +63,7 @@ def decode_pixels(
 
 
 @contextmanager
-def opened(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image.Image]:
+def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image.Image]:
     """Open a picture whose header is within limits; it is decoded as it is used.
 
     Raises:
@@ -84,7 +84,7 @@ def opened(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image.Image
         raise InputError(damage(what, error)) from error
 
 
-def shrunk(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w 3"]:
+def shrink(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w 3"]:
     """Return a picture's colours, its longer side at most ``max_side``; may change the picture."""
     plain = picture if picture.mode == "RGB" else picture.convert("RGB")
     if max_side is not None:

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 
 from ...errors import BackendError, InputError
 from ...io.reading import parse_object
-from ...pictures.pixels import opened
+from ...pictures.pixels import open_picture
 from . import bounds
 from .flattening import (
     FAN,
@@ -132,7 +132,7 @@ def check_pictures(
     sizes: dict[bytes, int] = {}
     for raw in pictures:
         try:
-            with opened(raw, "has a texture that", TEXTURE_LIMITS) as picture:
+            with open_picture(raw, "has a texture that", TEXTURE_LIMITS) as picture:
                 width, height = picture.size
         except InputError as error:
             return str(error)

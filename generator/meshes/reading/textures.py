@@ -99,9 +99,9 @@ def _file(image: Image.Image) -> bytes | None:
 
 def _small(image: Image.Image) -> Texels:
     """Return the colours of a picture in memory, its longest side at most ``MOST_TEXTURE``."""
-    from ...pictures.pixels import shrunk
+    from ...pictures.pixels import shrink
 
-    return shrunk(image.copy(), MOST_TEXTURE)
+    return shrink(image.copy(), MOST_TEXTURE)
 
 
 def _tint(picture: Texels, tint: Float[np.ndarray, "3"]) -> Texels:
