@@ -10,6 +10,7 @@ from pathlib import Path
 
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
+from starlette.middleware import Middleware
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import Response
 from starlette.routing import Route
@@ -77,6 +78,7 @@ def make_application(
     app = Starlette(
         routes=list(ROUTES),
         lifespan=lifespan,
+        middleware=[Middleware(EndingRequests, changes=changes)],
         exception_handlers={
             TabletopError: _refuse, HTTPException: _refuse_route, OSError: _refuse_disk,
             ClientDisconnect: _give_up, Exception: _fail,
@@ -84,7 +86,7 @@ def make_application(
     )  # fmt: skip
     app.router.redirect_slashes = False
     app.router.default = pages.show
-    return StudioGuard(EndingRequests(app, changes), access)
+    return StudioGuard(app, access)
 
 
 async def _refuse(request: Request, error: Exception) -> Response:
