@@ -12,7 +12,7 @@ from tabletopgen_web.studio.queue import jobs, process
 
 
 def events_of(client: TestClient, job: str) -> list[dict]:
-    store = client.app._app._app.state.services.store
+    store = client.app._app.state.services.store
     return [{"type": e.type, **e.data} for e in store.events(0, 10_000) if e.job == job]
 
 
