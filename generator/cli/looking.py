@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import os
 import secrets
 import sys
@@ -136,20 +137,23 @@ def verify_all(
     from ..physics.gate import judge
 
     results: dict[str, list[str]] = {}
-    played = dict[str, int]()
+    notes: dict[str, str] = {}
     for path in paths:
         try:
-            results[path.name] = [str(f) for f in judge(load_verified(path)).failures]
+            report = judge(load_verified(path))
+            results[path.name] = [str(f) for f in report.failures]
+            if report.lean is not None:
+                notes[path.name] = f", gravity leaning by {math.degrees(report.lean):.3g}°"
             for verifier in () if results[path.name] else verifiers:
-                played[path.name], wrong = verifier(path)
+                played, wrong = verifier(path)
                 results[path.name] += map(str, wrong)
+                notes[path.name] = notes.get(path.name, "") + f", {played} episodes replayed"
         except TabletopError as error:
             if not (may_vanish and isinstance(error, MissingError)):
                 results[path.name] = [str(error)]
-    told = {name: f", {count} episodes replayed" for name, count in played.items()}
     emit(
         results, json,
-        lambda: [f"{n}: {'; '.join(f) or 'sound'}{told.get(n, '')}" for n, f in results.items()],
+        lambda: [f"{n}: {'; '.join(f) or 'sound'}{notes.get(n, '')}" for n, f in results.items()],
     )  # fmt: skip
     return 1 if any(results.values()) else 0
 

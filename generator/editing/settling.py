@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ..errors import SceneError
 from ..generation import Config
-from ..method.assembly import AssemblyConfig, Rested, finish, keep_unmoved, rest
+from ..method.assembly import AssemblyConfig, Rested, finish, keep_unmoved, rest, with_lean_of
 from ..physics.seating import overlapping
 from ..scene import TABLE, Scene
 from .disturbance import find_connected, find_disturbed
@@ -40,8 +40,10 @@ def _settle(
     """Settle what is new or elsewhere and what touches it, in turn what touches what that moved.
 
     All other objects are fixed meanwhile. The gate then judges the scene with everything free; if
-    it fails, what is connected with the edit by touching may be settled further.
+    it fails, what is connected with the edit by touching may be settled further. Gravity leans as
+    when ``before`` was judged.
     """
+    config = with_lean_of(before, config)
     gap = config.limits.gap
     loose = find_disturbed(before, arranged, gap)
     while True:

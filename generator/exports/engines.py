@@ -12,7 +12,8 @@ only it reads:
 | Isaac Sim | max(a, b), set by ``physxMaterial:frictionCombineMode`` | ``UsdPhysicsMaterialAPI`` |
 
 Between an object and the table the result is MuJoCo's. Between two objects PyBullet's and Drake's
-is MuJoCo's where at most one of them is rougher than the table, and none is smoother.
+is MuJoCo's where at most one of them is rougher than the table, and none is smoother; in Drake also
+none may be rougher than 1.8 times the table. Gazebo takes the smaller of the two.
 
 Drake also gets compliant hydroelastic contact: with point contact a flat body rests on one point.
 """

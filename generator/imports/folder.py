@@ -27,7 +27,7 @@ from ..catalogue import build_table
 from ..errors import BackendError, InputError
 from ..geometry import quaternion_matrix
 from ..io.reading import is_number, parse_object, printable
-from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
+from ..meshes.reading.bounds import LIMITS, MOST_BYTES, MOST_FACES
 from ..meshes.reading.companions import companions
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
 from ..sandbox import SandboxError, SandboxLimits, call
@@ -39,6 +39,7 @@ POSES = "poses.json"
 
 _MOST_POSES, _MOST_SCALE = 2**20, 1e4
 _APART = SandboxLimits(cpu_seconds=4.0)  # of one file, once all together reached their limit
+_MOST_EXHAUSTED = 3  # files that may reach it until no other is read
 _PLAIN = (1.2, 0.8, 0.74)  # metres, the least size of a plain table
 _OBJECT = {"name", "file", "position", "quaternion", "mass", "category", "scale", "friction", "up"}
 _TABLE = {"file", "position", "quaternion", "scale", "friction", "up", "size"}
@@ -116,7 +117,10 @@ class _FolderReader:
         self._scale = scale
         self._apart = apart
         self._surfaces: dict[tuple[str, Axis], ColoredSurface] = {}
+        self._failures: dict[tuple[str, Axis], BackendError] = {}
         self._faces = 0  # of all bodies
+        self._bytes = 0  # of all textures
+        self._exhausted = 0  # files that reached a limit
 
     def read(self, name: str, limit: int) -> bytes:
         """Return the content of a file inside of the folder."""
@@ -180,13 +184,25 @@ class _FolderReader:
         suffix = PurePosixPath(file).suffix.lower()
         if suffix not in (".glb", ".obj"):
             raise InputError(f"{what} names {file[:80]!r}; GLB and OBJ files are read.")
+        if failure := self._failures.get((file, up)):
+            raise failure
         if (file, up) not in self._surfaces:
             kind: Kind = "glb" if suffix == ".glb" else "obj"
             raw = self.read(file, MOST_BYTES)
             place = self._folder.joinpath(*PurePosixPath(file).parent.parts)
             beside = companions(raw, what, place) if kind == "obj" else {}
-            surface = self._decode(raw, f"{what}: {file}", kind, beside)
+            try:
+                surface = self._decode(raw, f"{what}: {file}", kind, beside)
+            except BackendError as error:
+                self._failures[file, up] = error
+                raise
             self._surfaces[file, up] = surface.upright(up)
+            self._bytes += sum(texture.nbytes for texture in surface.pictures)
+            if self._bytes > LIMITS.output:
+                raise InputError(
+                    f"The files of {POSES} have more than {LIMITS.output >> 20} MiB of textures "
+                    "together. Make them smaller or fewer."
+                )
         faces = self._faces + len(self._surfaces[file, up].faces)
         if faces > MOST_FACES:
             raise InputError(
@@ -201,11 +217,16 @@ class _FolderReader:
     ) -> ColoredSurface:
         if not self._apart:
             return read_surface(raw, what, kind, beside)
+        if self._exhausted == _MOST_EXHAUSTED:
+            raise BackendError(
+                f"{what} is not read, since {_MOST_EXHAUSTED} files of {POSES} reached a limit."
+            )
         try:
             return call(
                 read_surface, raw, what, kind, {**beside}, limits=_APART, returns=(ColoredSurface,)
             )
         except SandboxError as error:
+            self._exhausted += error.breach != "parser"
             raise BackendError(f"{what} {error}. Use a simpler mesh.") from error
 
 

@@ -119,6 +119,13 @@ class ForeignBody:
     def __post_init__(self) -> None:
         if not len(self.surface.faces):
             raise InputError(f"The body {self.name!r} has no faces; nothing of it can be drawn.")
+        points = sum(len(part.vertices) for part in self.parts)
+        if len(self.parts) > BOUNDS.parts or points > BOUNDS.all_part_vertices:
+            raise InputError(
+                f"The body {self.name!r} has {len(self.parts)} collision shapes with {points} "
+                f"points; at most {BOUNDS.parts} with {BOUNDS.all_part_vertices} are read. Use "
+                "fewer, or a mesh that is its own collision shape."
+            )
         far = np.abs(self.surface.vertices).max(), np.abs(self.position).max()
         if not np.isfinite(far).all():
             raise InputError(f"The body {self.name!r} holds a number that is not finite.")

@@ -72,7 +72,7 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
                 bodies.append(body)
     refusals.check_left([*bodies, *fixed])
     try:
-        found = _arrange(path.stem, bodies, fixed, table)
+        found = _arrange(path.stem, bodies, fixed, table, whole=not refusals.outcomes)
     except InputError as error:
         if refusals.first is None:
             raise
@@ -83,12 +83,19 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
 
 
 def _arrange(
-    name: str, bodies: list[ForeignBody], fixed: dict[str, ForeignBody], table: str | None
+    name: str,
+    bodies: list[ForeignBody],
+    fixed: dict[str, ForeignBody],
+    table: str | None,
+    whole: bool,
 ) -> ForeignScene:
-    """Return a scene with one of its bodies as the table."""
+    """Return a scene with one of its bodies as the table.
+
+    ``whole`` tells that no body was refused: a single one is then a scene without a table.
+    """
     if table is not None and table not in fixed:
         raise InputError(f"Nothing is called {table!r}." + choices(table, (b.name for b in bodies)))
-    if not fixed and len(bodies) == 1 and not TABLE_WORDS.search(bodies[0].name):
+    if whole and not fixed and len(bodies) == 1 and not TABLE_WORDS.search(bodies[0].name):
         return ForeignScene(name, None, (replace(bodies[0], name=name),))
     if not fixed:
         called = [body for body in bodies if TABLE_WORDS.search(body.name)]
@@ -186,6 +193,8 @@ def _load(
     flat = {**header, "nodes": nodes, "scenes": scenes, "scene": 0}
     try:
         loaded = trimesh.load_scene(io.BytesIO(flatten(raw, flat)), file_type="glb", process=False)
+    except MemoryError:  # the sandbox explains it
+        raise
     except Exception as error:  # whatever a parser may stumble over in a foreign file
         raise BackendError(
             f"{what} cannot be read ({type(error).__name__}: {error}). Export it again."

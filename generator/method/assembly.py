@@ -178,12 +178,17 @@ def reassemble(
     keep their pose bit for bit unless settling moves them. Gravity leans as when ``arranged`` was
     judged.
     """
-    config = config or AssemblyConfig()
-    if arranged.report is not None and arranged.report.lean is not None:
-        config = replace(config, limits=replace(config.limits, lean=arranged.report.lean))
+    config = with_lean_of(arranged, config or AssemblyConfig())
     rested, unstable = rest(arranged, config, fresh)
     rested = keep_unmoved(arranged, rested, fresh)
     return finish(Rested(wanted, arranged, rested, unstable=unstable), config, fresh)
+
+
+def with_lean_of(scene: Scene, config: AssemblyConfig) -> AssemblyConfig:
+    """Return the settings with the lean of gravity at which a scene was judged, if it says one."""
+    if scene.report is None or scene.report.lean is None:
+        return config
+    return replace(config, limits=replace(config.limits, lean=scene.report.lean))
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:

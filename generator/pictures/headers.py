@@ -32,7 +32,7 @@ _HEIC = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"hevm", b"hevs",
 _SEGMENTS = 20_000  # of a JPEG; sound ones have hundreds
 _CHUNKS = 1000, 256  # a file has so many chunks, and one more for so many bytes
 _IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # what ends the data of a scan
-_MARKER = re.compile(rb"\xff+([^\x00\xff])")
+_MARKER = re.compile(rb"\xff([^\x00\xff])")  # without "+", which takes quadratic time
 _SOS, _EOI = 0xDA, 0xD9
 _SIZED = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}  # markers that begin a frame
 _BARE = frozenset((0x01, 0xD8, *range(0xD0, 0xD8)))  # markers without a length
@@ -90,8 +90,11 @@ def _png(raw: bytes) -> PictureHeader:
     if raw[8:16] != b"\0\0\0\rIHDR":
         raise DamagedHeader("it does not begin with a header")
     width, height = struct.unpack_from(">II", raw, 16)
-    frames = 1
+    frames, profiles = 1, 0
     for name, at, size in _chunks(raw, 8, ">I4s", 4, 1):
+        profiles += name == b"iCCP"
+        if profiles > 1:  # each is unpacked by decoders, and a PNG has one at most
+            raise DamagedHeader("it holds more than one colour profile")
         if name == b"acTL" and size >= 4:
             frames = max(1, struct.unpack_from(">I", raw, at)[0])
         if name == b"IEND":
@@ -153,8 +156,7 @@ def _jpeg(raw: bytes) -> PictureHeader:
             ending = _IN_SCAN.search(raw, at)
             at = ending.start() if ending else len(raw)
     else:
-        if size is None or not scans:
-            raise DamagedHeader(f"it holds more than {_SEGMENTS} segments")
+        raise DamagedHeader(f"it holds more than {_SEGMENTS} segments")
     if size is None:
         raise DamagedHeader("it says no size")
     return PictureHeader("JPEG", *size, 1, max(1, scans))

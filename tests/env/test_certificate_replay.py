@@ -12,6 +12,7 @@ from toy import toy_object, toy_scene
 from generator.bundle import save
 from generator.cli import plugins
 from generator.physics.gate import judge
+from tabletopgen_env.certificates import replaying
 from tabletopgen_env.certificates.certificate import (
     Certificate,
     TaskInstance,
@@ -76,13 +77,19 @@ def test_what_the_expert_did_it_does_again(certified: Path) -> None:
 
 
 @pytest.mark.slow
-def test_what_the_expert_did_not_do_is_found(certified: Path, tmp_path: Path, shell: Shell) -> None:
+def test_what_the_expert_did_not_do_is_found(
+    certified: Path, tmp_path: Path, shell: Shell, monkeypatch: pytest.MonkeyPatch
+) -> None:
     bundle = shutil.copytree(certified, tmp_path / certified.name)
     verify = shell.of("verify", str(bundle), "--replay", "3", "--seed", "1")
     assert f"{bundle.name}: sound, 3 episodes replayed" in verify().out
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 0, 1))
-    said = verify(code=1).out
-    assert "Lift (target cube_1): episode 0 is solved, listed as not solved" in said
+    assert "sound, 1 episodes replayed" in verify().out, "it claims less than holds"
+    with_instances(bundle, TaskInstance("Lift", "cube_1", None, 1, 1))
+    with monkeypatch.context() as failing:
+        failing.setattr(replaying, "has_solved", lambda *_: False)
+        said = verify(code=1).out
+    assert "Lift (target cube_1): episode 0 is not solved, listed as solved" in said
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 40, 40))
     assert "40 of 40 episodes cannot be (too many" in verify(code=1).out
     listed = json.loads(verify("--json", code=1).out)

@@ -10,17 +10,20 @@ from command import Shell
 from foreign_meshes import MAKERS, box, heavy, in_millimetres, layer, sheet, write_meshes
 from foreign_models import CUBE, TABLE, write
 
+from generator import editing
 from generator.bundle import load, save
-from generator.errors import InputError, SceneError
+from generator.errors import BackendError, InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
+from generator.imports import folder as folders
 from generator.imports.building import bodies
 from generator.imports.foreign import ImportOutcome
 from generator.imports.mjcf import read_mjcf
-from generator.meshes.reading.surface import ColoredSurface, surface_of
+from generator.meshes.reading.surface import ColoredSurface, read_surface, surface_of
 from generator.meshes.thickening import thicken
 from generator.method.assembly import reassemble
 from generator.physics import decomposition
 from generator.physics.gate import GateLimits, judge
+from generator.sandbox import SandboxError
 
 BROKEN = {"broken": b"this is no GLB file at all"}
 ONE, TWO = {"one": box}, {"one": box, "two": box}
@@ -188,7 +191,9 @@ def test_a_ball_is_judged_on_a_level_table_then_and_later(tmp_path: Path, shell:
     assert judge(kept).passed and not judge(kept, GateLimits()).passed
     again = reassemble(kept, kept, ()).report
     assert again is not None and again.passed and again.lean == 0
-    assert "sound" in shell("verify", str(path)).out
+    edited = editing.remove(path, "cube").scene.report
+    assert edited is not None and edited.passed and edited.lean == 0
+    assert "sound, gravity leaning by 0°" in shell("verify", str(path)).out
     leaned = import_scene(source, ImportOptions(lean=2.0))
     assert leaned.report is not None and leaned.report.lean is None
     assert [(f.kind, f.objects, f.leaning) for f in leaned.report.failures] == [
@@ -273,3 +278,52 @@ def test_bodies_that_show_one_mesh_are_repaired_once(
     scene = import_scene(write_meshes(tmp_path, dict.fromkeys(names, box)), ImportOptions())
     assert len(scene.objects) == len(names)
     assert len(calls) == 1
+
+
+def test_bodies_with_collision_shapes_are_not_covered_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(bodies, "body_parts", None)
+    scene = import_scene(write(tmp_path, TABLE + CUBE))
+    assert [o.name for o in scene.objects] == ["cube"]
+
+
+def test_a_body_of_too_many_collision_shapes_is_refused_alone(tmp_path: Path) -> None:
+    geoms = '<geom type="box" size=".01 .01 .01"/>' * 1100
+    many = f'<body name="many" pos="1.3 2 .8"><freejoint/>{geoms}</body>'
+    found = outcomes(write(tmp_path, TABLE + CUBE + many))
+    assert {name: o.kind for name, o in found.items()} == {"cube": "taken", "many": "refused"}
+    assert "1100 collision shapes" in found["many"].detail
+
+
+@pytest.mark.parametrize("error", [MemoryError(), ValueError("torn")])
+def test_want_of_memory_is_no_damage(error: Exception, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise error
+
+    monkeypatch.setattr(trimesh, "load_scene", fail)
+    wanted = MemoryError if isinstance(error, MemoryError) else BackendError
+    with pytest.raises(wanted):
+        read_surface(box().export(file_type="glb"), "The mesh", "glb")
+
+
+def test_a_file_that_reaches_a_limit_is_read_once_and_others_go_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+
+    def call(function: object, raw: bytes, what: str, *args: object, **_: object) -> ColoredSurface:
+        asked.append(what)
+        if b"slow" in raw:
+            raise SandboxError("time", "takes more than 4 s of CPU time")
+        return read_surface(raw, what, *args)  # type: ignore[arg-type]
+
+    folder = write_meshes(tmp_path, ONE, {f"slow {k}": b"slow" + bytes([k]) for k in range(9)})
+    poses = json.loads((folder / "poses.json").read_text())
+    poses["objects"] += [{**poses["objects"][1], "name": "again"}]
+    (folder / "poses.json").write_text(json.dumps(poses))
+    monkeypatch.setattr(folders, "call", call)
+    scene = folders.read_folder(folder, apart=True)
+    assert [body.name for body in scene.objects] == ["one"]
+    assert len(scene.refused) == 10
+    assert len([what for what in asked if "slow" in what]) == 3

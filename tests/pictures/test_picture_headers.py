@@ -1,6 +1,8 @@
 """Headers of pictures agree with Pillow's, and count frames and scans."""
 
 import random
+import time
+import zlib
 
 import pytest
 from hostile_pictures import (
@@ -147,3 +149,28 @@ def test_limits_are_said_with_the_caller_s_error() -> None:
     ):
         with pytest.raises(BundleError, match=f"^The picture .*{said}"):
             read_header(raw, "The picture", BundleError, limits)
+
+
+def test_padding_of_a_jpeg_takes_linear_time() -> None:
+    raw = b"\xff\xd8" + b"\xff" * 2_000_000 + b"\0"
+    before = time.process_time()
+    with pytest.raises(InputError):
+        header(raw)
+    assert time.process_time() - before < 5
+
+
+def test_scans_behind_many_segments_are_counted_or_refused() -> None:
+    plain = encoded(noise(64, 64), "JPEG", progressive=True)
+    start = plain.index(b"\xff\xda")
+    comments = b"\xff\xfe\0\2" * 30_000
+    with pytest.raises(InputError, match=r"segments|scans"):
+        header(plain[:start] + comments + plain[start:-2] + plain[start:])
+
+
+def test_a_png_has_one_colour_profile() -> None:
+    plain = encoded(noise(64, 64), "PNG")
+    end = plain.index(b"IDAT") - 4
+    profile = png_chunk(b"iCCP", b"name\0\0" + zlib.compress(bytes(1000)))
+    assert header(plain[:end] + profile + plain[end:]).format == "PNG"
+    with pytest.raises(InputError, match="colour profile"):
+        header(plain[:end] + 2 * profile + plain[end:])

@@ -238,6 +238,8 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
 
 def _solid(model: Model, extent: Float[np.ndarray, "3"]) -> tuple[Model, str]:
     """Return a model that has a collision shape, and why that is its convex hull, if it is."""
+    if model.parts:
+        return model, ""
     try:
         body_parts(model, extent)
     except SceneError as error:

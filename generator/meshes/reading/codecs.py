@@ -51,6 +51,8 @@ def plain_glb(raw: bytes, what: str) -> bytes:
         module("meshoptimizer", f"{what} is compressed by meshopt: reading it", _INSTALL)
     try:
         return _Rewriter(header, _binary(raw)).run()
+    except MemoryError:  # the sandbox explains it
+        raise
     except Exception as error:  # whatever a decoder may stumble over in a foreign file
         raise BackendError(
             f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it "

@@ -106,7 +106,7 @@ def read_surface(
         asset = header.get("asset")
         maker = str(asset.get("generator", "")) if isinstance(asset, dict) else ""
         return surface_of(parts, what, kind == "glb" and "trimesh" not in maker, most_faces)
-    except BackendError:
+    except (BackendError, MemoryError):  # the sandbox explains the latter
         raise
     except Exception as error:  # whatever a parser may stumble over in a foreign file
         raise BackendError(

@@ -73,7 +73,10 @@ def _lay_out(draft: SceneDraft, seed: int) -> Laid:
             if best is None:
                 raise
             return best
-        warnings = (*layout.warnings, "The table is built from the plan, as all has to fit on it.")
+        warnings = (
+            *layout.warnings,
+            "The table is the plan's, and everything is placed on it anew.",
+        )
         laid, _ = _judge(draft, layout.placements, table, warnings, ())
         if best is None or laid.faults < best.faults:
             best = laid
