@@ -39,6 +39,8 @@ def unused(text: str) -> list[str]:
         ("pencils in 120 colours, a mug", "120"),
         ("4 stacks of five poker chips", "4"),
         ("a cup 2/3 full", "2/3"),
+        ("4 mugs, each scaled by 0.5", "0.5"),
+        ("6 mugs at scale 1.5", "1.5"),
     ],
 )
 def test_a_number_that_is_not_used_is_named(text: str, number: str) -> None:
@@ -53,6 +55,7 @@ def test_a_number_that_is_not_used_is_named(text: str, number: str) -> None:
         "2-3 apples",
         "a dozen eggs and one mug",
         "1.5e1 mugs",
+        "1.5 dozen eggs",
         "2 pairs of chopsticks",
         "a 3 x 3 grid of blocks",
         "forks x4",

@@ -58,6 +58,7 @@ _HOUR = re.compile(r"(?i):[0-5]\d\b|\s?(?:[ap]\.?m\b|o'clock)|\s?[:]\d{1,2}\b")
 _YEAR = re.compile(r"1[5-9]\d\d|20\d\d")
 _ITEM = re.compile(r"(?:^|[\n;,:.(]|\s)\s*$")
 _NAMED = re.compile(r"(?:\b[A-Z]\w*|\b(?:[Nn]o|[Nn]r|[Ss]ize|[Pp]age|[Vv]ersion|[Mm]odel)\.?)\s$")
+_TIMES = (10, 12, 20, 100, 1000)  # what fractions are counted in
 _NO_QUANTITY = ("setting", "title", "abstract")
 
 
@@ -186,7 +187,9 @@ def _counts(noun: Noun, value: float) -> bool:
     if value in (noun.amount or ()) or abs(noun.ordinal) == value:
         return True
     count = noun.count or 0.0
-    return 0 < value <= count and (count / value) % 1 == 0
+    if value % 1:  # "1.5 dozen", "1.5e1"
+        return any(abs(times * value - count) < 1e-9 for times in _TIMES)
+    return 0 < value <= count and count % value == 0
 
 
 def _is_length(number: WrittenNumber, lengths: Sequence[float]) -> bool:
