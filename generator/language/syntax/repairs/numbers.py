@@ -93,7 +93,8 @@ def unused_numbers(
         people: for how many people the table is.
     """
     nouns = [noun for sentence in sentences for noun in _nouns(sentence)]
-    counts = {noun.count for noun in nouns if noun.count is not None} | {float(n) for n in people}
+    counts = {n.count for n in nouns if n.count is not None and (n.words or n.count % 1 == 0)}
+    counts |= {float(n) for n in people}
     amounts = {float(n) for noun in nouns for n in noun.amount or ()}
     posts = [post for s in sentences for c in s.clauses for post in _posts_of(c.predicate, nouns)]
     for post in posts:
