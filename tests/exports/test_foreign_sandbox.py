@@ -112,7 +112,9 @@ from generator.imports.reading import read_scene
 
 def used():
     both = [resource.getrusage(kind) for kind in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(r.ru_utime + r.ru_stime for r in both), sum(r.ru_maxrss for r in both) / 1024
+    status = Path("/proc/self/status").read_text()  # ru_maxrss has that of the process that forked
+    own = int(status.partition("VmHWM:")[2].split()[0])
+    return sum(r.ru_utime + r.ru_stime for r in both), (own + both[1].ru_maxrss) / 1024
 
 for path in sys.argv[1:]:
     before = used()[0]
