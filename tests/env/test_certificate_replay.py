@@ -85,7 +85,7 @@ def test_what_the_expert_did_not_do_is_found(
     assert f"{bundle.name}: sound, 3 episodes replayed" in verify().out
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 0, 1))
     assert "sound, 1 episodes replayed" in verify().out, "it claims less than holds"
-    with_instances(bundle, TaskInstance("Lift", "cube_1", None, 1, 1))
+    with_instances(bundle, TaskInstance("Lift", "cube_1", None, 3, 3))
     with monkeypatch.context() as failing:
         failing.setattr(replaying, "has_solved", lambda *_: False)
         said = verify(code=1).out

@@ -317,8 +317,8 @@ def _family(pid: int) -> list[int]:
     while waiting:
         one = waiting.pop()
         found.append(one)
-        for listed in Path(f"/proc/{one}/task").glob("*/children"):
-            with contextlib.suppress(OSError, ValueError):
+        with contextlib.suppress(OSError, ValueError):  # it may have ended meanwhile
+            for listed in Path(f"/proc/{one}/task").glob("*/children"):
                 waiting += map(int, listed.read_text().split())
     return found
 
