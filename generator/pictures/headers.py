@@ -156,7 +156,7 @@ def _jpeg(raw: bytes) -> PictureHeader:
             ending = _IN_SCAN.search(raw, at)
             at = ending.start() if ending else len(raw)
     else:
-        raise DamagedHeader(f"it holds more than {_SEGMENTS} segments")
+        raise DamagedHeader(f"it holds more than {_SEGMENTS} segments, {scans} of them scans")
     if size is None:
         raise DamagedHeader("it says no size")
     return PictureHeader("JPEG", *size, 1, max(1, scans))

@@ -78,7 +78,7 @@ def test_what_is_doubted_keeps_its_yaw_at_another_place() -> None:
     assert any("not by the drawing: seen_stapler_1" in w for w in laid.warnings)
     everything = lay_out_draft(draft.doubt({*draft.models}, "so"), 0)
     assert by_name(everything.placements)["seen_stapler_1"].yaw == YAW
-    assert any("table is built from the plan" in w for w in everything.warnings)
+    assert any("The table is the plan's" in w for w in everything.warnings)
 
 
 def test_members_of_groups_are_arranged_as_a_whole() -> None:
