@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
@@ -12,6 +13,11 @@ from .mjcf_files import SIDES, GatheredModel
 
 if TYPE_CHECKING:
     import mujoco
+
+    CompileModel = Callable[[GatheredModel, str], mujoco.MjModel]
+
+MOST_REFUSED = 20
+"""Bodies of a file that are left out since MuJoCo refuses them; with more the file is refused."""
 
 _ABOUT_BODIES = ("actuator", "contact", "equality", "keyframe", "sensor", "tendon")
 
@@ -61,26 +67,52 @@ def compile_sound(
     gathered: GatheredModel,
     what: str,
     refusals: Refusals,
-    compile_model: Callable[[GatheredModel, str], mujoco.MjModel],
+    compile_model: CompileModel,
 ) -> mujoco.MjModel:
     """Return a compiled model without the free bodies that MuJoCo refuses.
 
     Raises:
-        InputError: MuJoCo refuses it for another reason, or all its bodies.
+        InputError: MuJoCo refuses it for another reason, all its bodies, or more than
+            ``MOST_REFUSED`` of them.
     """
     try:
         return compile_model(gathered, what)
-    except InputError:
-        names = free_bodies(gathered)
-        if len(names) < 2:
-            raise
-        found, sound = Refusals(), list[int]()
-        for k, name in enumerate(names):
-            with found.catching(name):
-                compile_model(keep_bodies(gathered, [k]), what)
-                sound.append(k)
-        if not 0 < len(sound) < len(names):
-            raise
+    except InputError as error:
+        names, found = free_bodies(gathered), Refusals()
+        sound = _list_sound(range(len(names)), names, gathered, what, found, compile_model)
+        if not 0 < len(sound) < len(names) or len(found.outcomes) > MOST_REFUSED:
+            raise error
     refusals.outcomes += found.outcomes
     refusals.first = refusals.first or found.first
     return compile_model(keep_bodies(gathered, sound), what)
+
+
+def _list_sound(
+    which: Sequence[int],
+    names: Sequence[str],
+    gathered: GatheredModel,
+    what: str,
+    found: Refusals,
+    compile_model: CompileModel,
+) -> list[int]:
+    """Return those of some bodies that compile, by halves; ``found`` collects the others.
+
+    No more than one body beyond ``MOST_REFUSED`` is looked for.
+    """
+    if len(found.outcomes) > MOST_REFUSED or not which:
+        return []
+    kept = keep_bodies(gathered, which)
+    if len(which) == 1:
+        with found.catching(names[which[0]]):
+            compile_model(kept, what)
+            return [*which]
+        return []
+    if len(which) < len(names):  # all of them together are refused already
+        with contextlib.suppress(InputError):
+            compile_model(kept, what)
+            return [*which]
+    half = len(which) // 2
+    return [
+        *_list_sound(which[:half], names, gathered, what, found, compile_model),
+        *_list_sound(which[half:], names, gathered, what, found, compile_model),
+    ]

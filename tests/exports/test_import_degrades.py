@@ -16,8 +16,10 @@ from generator.errors import BackendError, InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
 from generator.imports import folder as folders
 from generator.imports.building import bodies
-from generator.imports.foreign import ImportOutcome
-from generator.imports.mjcf import read_mjcf
+from generator.imports.foreign import ImportOutcome, Refusals
+from generator.imports.mjcf import compile_foreign, read_mjcf
+from generator.imports.mjcf_bodies import MOST_REFUSED, compile_sound
+from generator.imports.mjcf_files import GatheredModel, gather
 from generator.meshes.reading.surface import ColoredSurface, read_surface, surface_of
 from generator.meshes.thickening import thicken
 from generator.method.assembly import reassemble
@@ -148,6 +150,33 @@ def test_a_body_that_mujoco_refuses_does_not_lose_the_others(tmp_path: Path) -> 
     assert [body.name for body in found.objects] == ["cube"]
     (refused,) = found.refused
     assert refused.name == "bad" and "MuJoCo refuses" in refused.detail
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("bad", "kept"), [(3, True), (MOST_REFUSED, True), (400, False)])
+def test_few_models_are_compiled_to_find_bodies_that_mujoco_refuses(
+    bad: int, kept: bool, tmp_path: Path
+) -> None:
+    cubes = "".join(
+        f'<body name="b{k}" pos="{k} 9 9"><freejoint/>'
+        f'<geom type="box" size=".03 .03 {-1 if k < bad else 0.03}"/></body>'
+        for k in range(400)
+    )
+    gathered, compiled = gather(write(tmp_path, TABLE + cubes)), 0
+
+    def count(model: GatheredModel, what: str) -> object:
+        nonlocal compiled
+        compiled += 1
+        return compile_foreign(model, what)
+
+    refusals = Refusals()
+    try:
+        compile_sound(gathered, "it", refusals, count)  # type: ignore[arg-type]
+    except InputError:
+        assert not kept and not refusals.outcomes
+    else:
+        assert kept and [o.name for o in refusals.outcomes] == [f"b{k}" for k in range(bad)]
+    assert compiled < 130
 
 
 def test_a_single_body_without_joints_is_an_object(tmp_path: Path, read) -> None:

@@ -1,21 +1,25 @@
 """Foreign scenes whose parts are sound and do not go together: MJCF, GLB scenes and folders."""
 
+import os
 import random
 import resource
 import struct
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from generator.errors import TabletopError
 from generator.imports.mjcf_files import gather
 from generator.imports.reading import SourceKind, read_scene
 from generator.meshes.reading.inspection import inspect_glb
 
+from ..forking import Forked, forked_children
 from ..judging import Unfit, accepts, check_printable
 from ..values import mutate, written
 from . import Run
@@ -24,10 +28,11 @@ from .mjcf_parts import obj, write_mjcf
 
 def mjcf(rng: random.Random, folder: Path) -> Run:
     """MJCF files: sizes, sensors, textures, replicates, meshes, numbers."""
-    path = write_mjcf(rng, folder)
+    path, children = write_mjcf(rng, folder), _children(rng)
 
     def run() -> bool:
-        return accepts(lambda: gather(path)) and accepts(lambda: read_scene("mjcf", path))
+        with children:
+            return accepts(lambda: gather(path)) and accepts(lambda: read_scene("mjcf", path))
 
     return run
 
@@ -35,11 +40,13 @@ def mjcf(rng: random.Random, folder: Path) -> Run:
 # --------------------------------------------------------------------------------------------- GLB
 def glb_scenes(rng: random.Random, folder: Path) -> Run:
     """GLB files of several scenes, with shared nodes and meshes, and collision shapes."""
-    path = _write_glb(rng, folder)
+    path, children = _write_glb(rng, folder), _children(rng)
 
     def run() -> bool:
         raw = path.read_bytes()
-        return accepts(lambda: inspect_glb(raw, "it")) and accepts(lambda: read_scene("glb", path))
+        with children:
+            sound = accepts(lambda: inspect_glb(raw, "it"))
+            return sound and accepts(lambda: read_scene("glb", path))
 
     return run
 
@@ -119,7 +126,13 @@ def _forest(rng: random.Random) -> dict[str, Any]:
 def folders(rng: random.Random, folder: Path) -> Run:
     """Folders with ``poses.json``: files that are named again and again, and what is in them."""
     _write_folder(rng, folder)
-    return lambda: accepts(lambda: read_scene("folder", folder))
+    children = _children(rng)
+
+    def run() -> bool:
+        with children:
+            return accepts(lambda: read_scene("folder", folder))
+
+    return run
 
 
 def _write_folder(rng: random.Random, folder: Path) -> Path:
@@ -142,19 +155,9 @@ def _write_folder(rng: random.Random, folder: Path) -> Path:
 
 
 # ------------------------------------------------------------------------------------------ limits
-_ALONE = """
-import sys
-from pathlib import Path
-from generator.errors import TabletopError
-from generator.imports.reading import read_scene
-try:
-    read_scene(sys.argv[1], Path(sys.argv[2]))
-except TabletopError as error:
-    print(error)
-    sys.exit(2)
-"""
 _MEMORIES = (2 * 2**30, 3 * 2**30, 5_500_000 * 2**10, 8 * 2**30)
 _TIMES = (5, 10, 30)  # seconds
+_FORKED = 0.9  # of the cases fork the children that the others start anew
 
 
 def limited(rng: random.Random, folder: Path) -> Run:
@@ -166,28 +169,57 @@ def limited(rng: random.Random, folder: Path) -> Run:
     path = write(rng, folder)
     memory = rng.choice(_MEMORIES) if rng.random() < 0.7 else resource.RLIM_INFINITY
     seconds = rng.choice(_TIMES) if rng.random() < 0.5 else resource.RLIM_INFINITY
-    return partial(_alone, kind, path, memory, seconds)
+    return partial(_alone, kind, path, memory, seconds, forked=_forks(rng))
 
 
-def _alone(kind: SourceKind, path: Path, memory: int, seconds: int) -> bool:
+def _alone(kind: SourceKind, path: Path, memory: int, seconds: int, forked: bool) -> bool:
     """Read a scene in a process with limits; return whether it was accepted.
 
     Raises:
         Unfit: the process ends otherwise than by a result or an error of the package.
     """
+    if forked:
+        reader = partial(_read_limited, kind, path, memory, seconds, forked_children())
+        code, out, err = Forked(reader, {}).communicate()
+    else:
+        given = kind, str(path), str(memory), str(seconds)
+        program = f"from {__name__} import main; main()"
+        done = subprocess.run(
+            [sys.executable, "-c", program, *given], capture_output=True, timeout=100, check=False
+        )
+        code, out, err = done.returncode, done.stdout, done.stderr
+    if code not in (0, 2):
+        raise Unfit(f"exit code {code}: {err.decode(errors='replace')[-2000:]}")
+    check_printable(out.decode(), "what is printed")
+    return not code
 
-    def limit() -> None:
-        most = min(memory, resource.getrlimit(resource.RLIMIT_AS)[1]) if memory > 0 else memory
-        if memory != resource.RLIM_INFINITY:
-            resource.setrlimit(resource.RLIMIT_AS, (most, most))
-        if seconds != resource.RLIM_INFINITY:
-            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
 
-    done = subprocess.run(
-        [sys.executable, "-c", _ALONE, kind, str(path)], capture_output=True, text=True,
-        preexec_fn=limit, timeout=100, check=False,
-    )  # fmt: skip
-    if done.returncode not in (0, 2):
-        raise Unfit(f"exit code {done.returncode}: {done.stderr[-2000:]}")
-    check_printable(done.stdout, "what is printed")
-    return not done.returncode
+def main() -> None:
+    """Read the scene that the arguments name, under their limits."""
+    kind, path, memory, seconds = sys.argv[1:]
+    _read_limited(kind, Path(path), int(memory), int(seconds), nullcontext())  # type: ignore[arg-type]
+
+
+def _read_limited(
+    kind: SourceKind, path: Path, memory: int, seconds: int, children: AbstractContextManager[None]
+) -> None:
+    """Read a scene under limits of this process; leave with 2 where it is refused."""
+    for limit, value in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, seconds)):
+        known = [value, *resource.getrlimit(limit)]
+        most = min((v for v in known if v != resource.RLIM_INFINITY), default=-1)
+        resource.setrlimit(limit, (most, most))
+    with children:
+        try:
+            read_scene(kind, path)
+        except TabletopError as error:
+            print(error, flush=True)
+            os._exit(2)
+
+
+def _children(rng: random.Random) -> AbstractContextManager[None]:
+    """Return how children of the sandbox start: most are forked."""
+    return forked_children() if _forks(rng) else nullcontext()
+
+
+def _forks(rng: random.Random) -> bool:
+    return rng.random() < _FORKED
