@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 MOST_REFUSED = 20
 """Bodies of a file that are left out since MuJoCo refuses them; with more the file is refused."""
 
-_ABOUT_BODIES = ("actuator", "contact", "equality", "keyframe", "sensor", "tendon")
-
 
 def free_bodies(gathered: GatheredModel) -> list[str]:
     """Return the names of the bodies of the world that have a free joint of their own."""
@@ -34,8 +32,6 @@ def keep_bodies(gathered: GatheredModel, which: Sequence[int]) -> GatheredModel:
     for k, (world, body) in enumerate(_free_elements(root)):
         if k not in which:
             world.remove(body)
-    for section in [child for child in root if child.tag in _ABOUT_BODIES]:
-        root.remove(section)
     for tag in ("mesh", "material", "texture"):  # textures last: materials use them
         _drop_unused(root, tag)
     used = {e.get(name) for e in root.iter() for name in ("file", *SIDES)}

@@ -20,16 +20,20 @@ MOST_GEOMS = 10_000
 MOST_COPIES = 200
 """Copies that one replicate makes."""
 
-_UNUSED = ("size", "sensor", "keyframe", "custom")  # sections that no scene is read from
-_SAMPLES = 10_000  # of an actuator's state or history, each
+_UNUSED = (
+    "size", "sensor", "keyframe", "custom", "actuator", "tendon", "equality", "contact",
+)  # fmt: skip
+"""Sections that no scene is read from."""
 _PNG_SIZE = struct.Struct(">II")
 _PNG_HEAD = 16  # bytes before the width and height of a PNG
 
 
 def drop_unused(root: ET.Element) -> None:
-    """Remove what an import ignores, and what only reserves memory: sizes, sensors, user data."""
+    """Remove the sections and attributes that an import ignores and a compiler spends time on."""
     for element in root.iter():
         element.attrib.pop("user", None)
+        for child in element.findall("lengthrange"):  # simulates actuators for as long as it says
+            element.remove(child)
     for section in [child for child in root if child.tag in _UNUSED]:
         root.remove(section)
 
@@ -60,7 +64,7 @@ def check_copies(root: ET.Element, most_elements: int) -> None:
 
 
 def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[str]) -> None:
-    """Check how much the textures, meshes and actuators of a model unpack to.
+    """Check how much the textures and meshes of a model unpack to.
 
     ``files`` are those that the model names, by name; ``sides`` the attributes that name the
     pictures of a cube. Files count once for each element that names them.
@@ -86,9 +90,6 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
                 raise InputError(
                     f"The meshes of the model have more than {MOST_FACES} faces. Reduce them."
                 )
-        for name in ("actdim", "nsample"):
-            if _number(element.get(name, "0")) > _SAMPLES:
-                raise InputError(f"The model has a {name} of more than {_SAMPLES}. Lower it.")
 
 
 def _texels_of(raw: bytes) -> int:
