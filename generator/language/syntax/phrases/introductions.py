@@ -9,6 +9,7 @@ from ...parsing.lexicon import category_of
 from ...parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
 from ...words.speech import is_adjective
 from ..text import function_words as fw
+from ..text.number_patterns import SPELT
 from ..text.tokens import Token
 from .tree import Arrangement
 
@@ -37,6 +38,7 @@ class PhraseStart:
     """What is read of a noun phrase so far."""
 
     numbers: list[float] = field(default_factory=list)
+    described: bool = False  # "a 300 page book": the number came after "a"
     amount: tuple[int, int] | None = None
     article: bool = False
     pair: bool = False
@@ -184,6 +186,7 @@ def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
         run.numbers = []
         step = 3
     else:
+        run.described = run.described or (run.article and _is_figure(tokens[i]))
         run.numbers.append(value)
         if (
             [t.text for t in tokens[i + 1 : i + 2]] == ["of"]
@@ -203,6 +206,11 @@ def _value(token: Token) -> float | None:
     if token.tag == "number":
         return float(token.value)
     return fw.NUMBERS.get(token.text) if token.tag == "word" else None
+
+
+def _is_figure(token: Token) -> bool:
+    """Tell whether a number is one in digits or a word like "seven", unlike "dozen"."""
+    return token.tag == "number" or token.text in SPELT
 
 
 def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
