@@ -160,7 +160,7 @@ def may_continue(tokens: Sequence[Token], i: int) -> bool:
 
 
 def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read "three", "2-3", "half a dozen of", "2 x"; return how many tokens they take."""
+    """Read "three", "half a dozen of", "2 x", "2 by 3"; return how many tokens they take."""
     value = _value(tokens[i])
     if (
         tokens[i].text == "another"
@@ -178,27 +178,17 @@ def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     run.other = run.other or tokens[i].text == "another"
     if tokens[i].text == "one" and not may_continue(tokens, i + 1) and run.definite:
         return 0
-    step = 1
+    run.described = run.described or (run.article and _is_figure(tokens[i]))
+    run.numbers.append(value)
     following = [t.text for t in tokens[i + 1 : i + 3]]
-    upper = _value(tokens[i + 2]) if len(following) == 2 else None
-    if following[:1] in (["-"], ["or"], ["to"]) and upper is not None and upper > value:
-        run.amount = (int(value), int(min(upper, 1e6)))
-        run.numbers = []
-        step = 3
-    else:
-        run.described = run.described or (run.article and _is_figure(tokens[i]))
-        run.numbers.append(value)
-        if (
-            [t.text for t in tokens[i + 1 : i + 2]] == ["of"]
-            and (
-                [t.text for t in tokens[i + 2 : i + 3]] in ([w] for w in ("them", "these", "those"))
-            )
-            and not run.words
-        ):
-            run.closed = True  # "one of them holds an egg"
-            return 3
-    if i + step < len(tokens) and tokens[i + step].text in ("x", "times"):
-        step += 1
+    theirs = following in (["of", "them"], ["of", "these"], ["of", "those"])
+    if theirs and not run.words:
+        run.closed = True  # "one of them holds an egg"
+        return 3
+    step = 1
+    joint = tokens[i + step].text if i + step < len(tokens) else ""
+    crossed = joint == "by" and [t.tag for t in tokens[i + step + 1 : i + step + 2]] == ["number"]
+    step += joint in ("x", "times") or crossed
     return step + _is_of(tokens, i + step)
 
 

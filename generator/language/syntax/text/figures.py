@@ -16,7 +16,8 @@ from types import MappingProxyType
 from typing import Literal
 
 from . import function_words as fw
-from .number_patterns import ANY, DIGITS, FRACTIONS, NAMES, NUMBER, SIGNS, SPECIAL, SPELT
+from .number_context import AGE, YEAR, ends_name, is_name, noun_before, words_before
+from .number_patterns import ANY, DIGITS, FRACTIONS, NUMBER, SIGNS, SPECIAL
 
 Role = Literal["count", "range", "aside", "name"]
 
@@ -51,28 +52,9 @@ _ROLES: Mapping[str, Role] = MappingProxyType(
 )  # fmt: skip
 """Roles of the kinds that are blanked as a whole."""
 
-_AGE = re.compile(r"(?i)[ -]?years?[ -]olds?\b|[ -]?s\b(?!\s?[-–])")
-_YEAR = re.compile(r"1[5-9]\d\d|20\d\d")
-_ITEM = re.compile(r"(?:^|[\n;,:.(]|\s)\s*$")
-_NAMED = re.compile(r"(?:\b[A-Z]\w*|\b(?:[Vv]ersion|[Mm]odel)\.?)\s$")
-_GLUED = re.compile(r"(?!X\b)[A-Z]{1,2}\b|[kdc]\b")
-_SINGULAR = ("a", "an", "one", "1")
-_CAPITAL = re.compile(
-    r"(?P<determiner>\b(?:[Aa]n?|[Tt]he|[Tt]his|[Mm]y|[Yy]our|[Hh]is|[Hh]er|[Oo]ur|[Tt]heir|"
-    rf"[Oo]ne|{'|'.join(SPELT)}|\d+)) (?P<words>(?:[\w-]+ ){{0,2}}?[A-Z][\w-]*) $"
-)
 _SCALE = re.compile(r"(?i)\b(?:scale|ratio)(?:\s(?:of|is))?\s*$")
-_CONTEXT = 80
 _PART = re.compile(r"(?i)-[a-z]+")
 _FULL = re.compile(r"(?i) (?:full|filled|empty)\b(?! (?:of|with)\b)")
-_SMALL = frozenset(
-    word
-    for phrases in (fw.CARRIES, fw.RELATIONS, fw.BE, fw.STARTERS, fw.FILLERS, fw.DEFINITE,
-                    fw.INDEFINITE, fw.JOINING, fw.RELATIVE, fw.AMOUNTS)
-    for phrase in phrases
-    for word in phrase.split()
-)  # fmt: skip
-"""Words that are no nouns."""
 
 
 def written_numbers(text: str) -> Iterator[WrittenNumber]:
@@ -109,7 +91,9 @@ def _special(kind: str, text: str, found: re.Match[str]) -> WrittenNumber | None
     """Return a number of a special kind; None where it is a plain one after all."""
     if kind not in _ROLES:
         return _READERS[kind](text, found)
-    scaled = kind == "clock" and ":" in found.group() and _SCALE.search(_before(text, found))
+    scaled = kind == "clock" and (
+        _SCALE.search(words_before(text, found)) or text[found.end() :].startswith(" scale")
+    )
     return _blanked(found, "aside" if scaled else _ROLES[kind])
 
 
@@ -127,14 +111,14 @@ def _ordinal(text: str, found: re.Match[str]) -> WrittenNumber:
 def _labelled(text: str, found: re.Match[str]) -> WrittenNumber:
     """Read "Windows 11": the name stays, without its number."""
     said = found.group()
-    name = said.rstrip("0123456789").rstrip()
+    name = said.rstrip("0123456789 -–")
     return WrittenNumber(said, *found.span(), role="name", read=name.ljust(len(said)))
 
 
 def _sum(text: str, found: re.Match[str]) -> WrittenNumber | None:
     """Read "2+2" as 4; "plates 2 + 2 mugs" is a list."""
     said = found.group()
-    if " " in said and _noun_before(_before(text, found)):
+    if " " in said and noun_before(words_before(text, found)):
         return None
     total = sum(int(part) for part in said.split("+"))
     if len(str(total)) > len(said):
@@ -149,20 +133,29 @@ def _range(text: str, found: re.Match[str]) -> WrittenNumber | None:
     spaced = found["to"] in (" - ", " – ", " — ")
     if (joined == "and") != bool(found["between"]):
         return None
-    if spaced and _noun_before(_before(text, found)):
+    if spaced and noun_before(words_before(text, found)):
         return None  # "a plate 2 - 3 mugs"
     first, last = _bound(low), _bound(high)
     if first == last or (joined in "-–—" and not low[0].isdigit() and first > last):
         return None  # "twenty-five"
-    if all(_YEAR.fullmatch(bound) for bound in (low, high)):
+    if all(YEAR.fullmatch(bound) for bound in (low, high)):
         return _blanked(found, "name")
     sign = unit.strip(" -").lower()
-    if re.match(SIGNS, sign) or _before(text, found).endswith(tuple("$€£¥")):
+    if re.match(SIGNS, sign) or words_before(text, found).endswith(tuple("$€£¥")):
         return _blanked(found, "aside")
     least = min(first, last) if unit or min(first, last) >= 1 else max(first, last)
     read = (low if least == first else high).rjust(len(said) - len(unit)) + unit
-    role: Role = "name" if _AGE.match(text, found.end()) else "range"
+    role: Role = "name" if AGE.match(text, found.end()) else "range"
     return WrittenNumber(said, *found.span(), least, sign, role, read)
+
+
+def _share(text: str, found: re.Match[str]) -> WrittenNumber | None:
+    """Read "2 of 3 mugs" as all of them; the grammar knows "two of the three"."""
+    part, whole = found["part"], found["whole"]
+    spelt = found["the"] and not part[0].isdigit()
+    if spelt or _bound(part) > _bound(whole):
+        return None
+    return WrittenNumber(part, *found.span(), _bound(part), "", "aside", " " * len(found.group()))
 
 
 def _thousands(text: str, found: re.Match[str]) -> WrittenNumber:
@@ -173,24 +166,13 @@ def _thousands(text: str, found: re.Match[str]) -> WrittenNumber:
 
 
 _READERS: Mapping[str, Callable[[str, re.Match[str]], WrittenNumber | None]] = MappingProxyType(
-    {"ordinal": _ordinal, "labelled": _labelled, "sum": _sum, "range": _range,
+    {"ordinal": _ordinal, "labelled": _labelled, "sum": _sum, "range": _range, "share": _share,
      "thousands": _thousands}
 )  # fmt: skip
 
 
-def _before(text: str, found: re.Match[str]) -> str:
-    """Return the last words before a number."""
-    return text[max(0, found.start() - _CONTEXT) : found.start()]
-
-
 def _bound(said: str) -> float:
     return float(said) if said[0].isdigit() else float(fw.NUMBERS[said.lower()])
-
-
-def _noun_before(before: str) -> bool:
-    """Tell whether a noun stands right before, so that a list goes on."""
-    last = re.search(r"([a-z]+)\s*$", before, re.IGNORECASE)
-    return last is not None and last[1].lower() not in _SMALL
 
 
 # ------------------------------------------------------------------------------------ plain ones
@@ -202,10 +184,10 @@ def _plain(text: str, found: re.Match[str]) -> WrittenNumber | None:
         return None
     digits = found["digits"] or ""
     start, end = found.span()
-    if digits and (length := _ends_name(text, found)) is not None:
+    if digits and (length := ends_name(text, found)) is not None:
         end = found.end("digits") + length
         return WrittenNumber(text[start:end], start, end, role="name", read=" " * (end - start))
-    if digits and _is_name(text, found):
+    if digits and is_name(text, found):
         return WrittenNumber(found.group(), start, end, role="name")
     unit = (found["unit"] or "").strip(" -").lower() or (found["sign"] or "").strip("-− ")
     if unit == '"' and text[:start].endswith('"'):  # a number between quotes
@@ -261,45 +243,3 @@ def _value(digits: str) -> float | None:
     if whole["under"] and int(whole["under"][:9]):
         part = int(whole["over"][:9]) / int(whole["under"][:9])
     return float(whole["whole"].replace(",", "")) + part
-
-
-# ------------------------------------------------------------------------------------ names
-
-
-def _ends_name(text: str, found: re.Match[str]) -> int | None:
-    """Return how many letters follow digits that belong to a name; None where they do not.
-
-    In "4K monitor" they begin a name; in "a Boeing 747 model" a determiner and a capital come
-    before them, and no plural of which they would be the count comes after.
-    """
-    if found["unit"] or found["power"] or found["sign"]:
-        return None
-    before, after = _before(text, found), text[found.end() :]
-    glued = _GLUED.match(after)
-    if glued and not text.isupper():
-        return glued.end()
-    named = _CAPITAL.search(before)
-    if named is None or re.match(r"\s?[x×]\b|[-/]", after):
-        return None
-    words = named["words"].split()
-    plural = words[-1].endswith("s") and words[-1].lower() not in NAMES
-    if plural or any(word.lower() in _SMALL for word in words):
-        return None
-    several = named["determiner"].lower() not in _SINGULAR
-    counts = re.match(r"\s\w*s\b", after) is not None
-    return None if counts and not several else 0
-
-
-def _is_name(text: str, found: re.Match[str]) -> bool:
-    """Tell whether digits are no quantity: an age, a year, a number of an item, or of a name."""
-    before, after = text[: found.start("digits")], text[found.end() :]
-    if (found["unit"] or "").strip(' "') or found["power"]:
-        return False
-    digits = found["digits"]
-    if _AGE.match(after) or _YEAR.fullmatch(digits) or re.match(r"[A-Za-z]*[A-Z]|up\b", after):
-        return True  # "5-year-old", "1990", "7up"
-    if re.match(r"[.)](?:\s|$)", after) and _ITEM.search(before) and "(" not in before[-2:]:
-        return after[0] == ")" or not before.rpartition("\n")[2].strip()  # of a list
-    sentence = re.split(r"[.!?\n]\s*", before)[-1].strip()
-    named = _NAMED.search(before)
-    return named is not None and named.group().strip() != sentence

@@ -21,7 +21,10 @@ _OTHER_UNITS = (
 )
 _LENGTHS = "|".join(sorted(fw.MEASURES, key=len, reverse=True))
 _SPELT = "|".join(sorted((w for w, n in fw.NUMBERS.items() if n > 1), key=len, reverse=True))
-_BOUNDS = "|".join(("one", *SPELT))
+_BOUNDS = "|".join(
+    ("one", *SPELT, "thirteen", "fourteen", "sixteen", "seventeen", "eighteen", "nineteen", "sixty",
+     "seventy", "eighty", "ninety", "hundred", "dozen")
+)  # fmt: skip
 DIGITS = r"\d+(?:,\d{3})*(?:\.\d+)?"
 FRACTIONS = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 SIGNS = r"%|°\s?[CF]?|℃|℉|[€£¥$]|[″”\"](?!\w)"
@@ -48,12 +51,13 @@ SPECIAL: Mapping[str, str] = MappingProxyType(
         "ordinal": r"\d+(?:st|nd|rd|th)\b(?!\s?[-–])",  # "2nd"
         "label": r"\#\s?\d+\b|\b(?:no|nr)\.\s?\d+\b|"
                  rf"\b(?:size|number)\s\d+\b(?!{_UNITS})",  # "#2", "No. 2"
-        "labelled": rf"\b(?:{'|'.join(NAMES)})\s\d+\b"
+        "labelled": rf"\b(?:{'|'.join(NAMES)})s?\s\d+(?:\s?[-–]\s?\d+)?\b"
                     rf"(?!\s?[x×]|\s?\w*s\b|{_UNITS})",  # "Windows 11"
         "sum": r"(?<!\+)\d{1,3}(?:\s?\+\s?\d{1,3})+(?![\w.])",  # "2+2"
         "range": rf"(?<![-/])(?<!\d,)(?P<between>\bbetween\s)?(?P<low>{_BOUND})"
                  rf"(?P<to>[ ]?[-–—][ ]?|[ ](?:to|or|and)[ ]|-to-)(?P<high>{_BOUND})"
                  rf"(?P<range_unit>{_UNITS})?(?![-–/:^\d]|[.,]\d|[a-z])",  # "5-6", "two or three"
+        "share": rf"(?P<part>{_BOUND})\sof\s(?=(?P<the>the\s)?(?P<whole>{_BOUND}))",  # "2 of 3"
         "turned": r"\d+\s(?:page|piece|tier|sided|legged|layer|ply|speed|storey|burner)(?=\s[a-z])",
         "thousands": rf"(?<!,)[1-9]\d{{0,2}}(?:\.\d{{3}})+(?![\w.])(?!{_UNITS})",  # "1.000"
     }

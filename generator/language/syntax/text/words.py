@@ -45,7 +45,8 @@ _PARTS = re.compile(
     r"(?i)\b(?:one|two|three|four|five|six|seven|eight|nine|ten|twelve|single|double|multi|\d+)-"
     r"(?:tier|tiered|tone|toned|piece|legged|sided|layer|layered|litre|liter|door|drawer|slice|"
     r"handled|pronged|armed|burner|cup|ply|speed|storey|part|stage|colour|coloured|color|colored|"
-    r"year|level|ring|hole|string|button|key|arm|branch|wick|pack|page|card|star)s?\b"
+    r"year|level|ring|hole|string|button|key|arm|branch|wick|pack|page|card|star|"
+    r"pointed|way|wheeled|headed|bladed)s?\b"
 )
 """What "two-tier" and the like say of one thing."""
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
