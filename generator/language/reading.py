@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
 from ..errors import InputError
-from .drafts import Reading
+from .drafts import MAX_OBJECTS, Reading
 from .parsing import lexicon
 from .parsing.vocabulary import (
     COLORS,
@@ -88,26 +88,36 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
     try:
         reading = Interpreter(rng).read(sentences)
     except InputError as error:
-        raise _with_unread(error, check_numbers(prompt, written, tokens, sentences, ())) from error
+        use = check_numbers(prompt, written, tokens, sentences, (), MAX_OBJECTS)
+        raise _with_unread(error, use) from error
     reading.lost += talk
     reading.lost += [*parser.lost, *list_skipped(parser.skipped)]
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
     reading.warnings += [f"{NOT_UNDERSTOOD}{phrase!r}." for phrase in dict.fromkeys(reading.lost)]
     people = (reading.people, *(clause.people for s in sentences for clause in s.clauses))
-    use = check_numbers(prompt, written, tokens, sentences, people)
-    told = " ".join(reading.lost).lower()
-    unused = dict.fromkeys(n.text for n in use.unused if n.text.lower() not in told)
-    reading.warnings += [f"The number {text!r} was not used." for text in unused]
-    reading.warnings += [
-        f"The range {text!r} is read as {value:g}."
-        for text, value in {n.text: n.value for n in use.ranges}.items()
-    ]
+    use = check_numbers(prompt, written, tokens, sentences, people, len(reading.objects))
+    reading.warnings += _number_warnings(use, reading.lost)
     return ReadText(tuple(sentences), reading, fixes)
+
+
+def _number_warnings(use: NumberUse, lost: Sequence[str]) -> list[str]:
+    """Return a warning for each number that was not used and each range; not for what is lost."""
+    told = " ".join(lost).lower()
+    named = (re.search(rf"(?<!\w){re.escape(n.text.lower())}(?!\w)", told) for n in use.unused)
+    unused = dict.fromkeys(
+        n.text for n, found in zip(use.unused, named, strict=True) if found is None
+    )
+    ranges = {n.text: n.value for n in use.ranges}
+    return [
+        *(f"The number {text!r} was not used." for text in unused),
+        *(f"The range {text!r} is read as {value:g}." for text, value in ranges.items()),
+    ]
 
 
 def _with_unread(error: InputError, use: NumberUse) -> InputError:
     """Return an error with the numbers that were not read, if any may have spoilt the text."""
-    unread = dict.fromkeys(n.text for n in use.unused if n.value is None or n.unit)
+    spoiling = (n for n in use.unused if n.role == "count" and (n.value is None or n.unit))
+    unread = dict.fromkeys(n.text for n in spoiling)
     if not unread:
         return error
     names = ", ".join(map(repr, unread))

@@ -142,6 +142,13 @@ def test_an_error_blames_no_number_that_was_read(text: str) -> None:
         ("a mug with a 5 cm handle", "5 cm", {"mug": 1}),
         ("a mug (2)", "2", {"mug": 1}),
         ("the 7th mug", "7th", {"mug": 1}),
+        ("2 of 3 mugs are blue", "2", {"mug": 3}),
+        ("1 of the 3 mugs is blue", "1", {"mug": 3}),
+        ("1:43 scale model car and a mug", "1:43", {"toy_car": 1, "mug": 1}),
+        ("a 2 by 4 block", "4", {"toy_block": 1}),
+        ("size M shirt, 2 of them", "2", {"shirt": 1}),
+        ("a stack of 3 pancakes and a plate", "3", {"pancakes": 1, "plate": 1}),
+        ("a room with 2 windows and a mug", "2", {"mug": 1}),
     ],
 )
 def test_a_number_that_counts_nothing_is_named_and_not_counted(
@@ -170,6 +177,10 @@ def test_a_number_that_counts_nothing_is_named_and_not_counted(
         ("room 101 sign", {"shop_sign": 1}),
         ("a spirit level 40 cm long", {"spirit_level": 1}),
         ("a seven mug set", {"mug": 7}),
+        ("a 2 by 2 arrangement of cubes", {"cube": 4}),
+        ("twelve (12) eggs and one (1) bowl", {"egg": 12, "bowl": 1}),
+        ("five-pointed star and 2 candles", {"star": 1, "candle": 2}),
+        ("two-way radio", {"radio": 1}),
         ("2+2 mugs", {"mug": 4}),
         ("mugs (2)", {"mug": 2}),
         ("5 dollars and a mug", {"banknotes": 5, "mug": 1}),
@@ -193,6 +204,8 @@ def test_names_and_counts_are_told_apart(text: str, expected: dict[str, int]) ->
         ("some (3-5) mugs", "3-5", {"mug": 3}),
         ("a 20-30 cm vase", "20-30 cm", {"vase": 1}),
         ("0-4 mugs", "0-4", {"mug": 4}),
+        ("3~4 apples", "3~4", {"apple": 3}),
+        ("5+ apples", "5+", {"apple": 5}),
     ],
 )
 def test_a_range_is_its_lower_bound(text: str, said: str, expected: dict[str, int]) -> None:

@@ -31,7 +31,8 @@ from ..text.tokens import Token
 
 _TIMES = (10, 12, 20, 100, 1000)  # what fractions are counted in
 _SPELT = re.compile(rf"(?i)(?<![\w-])(?:{'|'.join(SPELT)})(?![\w-])")
-_NO_QUANTITY = ("setting", "title", "abstract")
+_UNCOUNTED = ("part", "setting")
+_NO_QUANTITY = ("title", "abstract")
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ def check_numbers(
     said: Sequence[Token],
     sentences: Sequence[Sentence],
     people: Iterable[int],
+    objects: int,
 ) -> NumberUse:
     """Return which numbers of a text that are quantities were used.
 
@@ -62,8 +64,9 @@ def check_numbers(
         said: the tokens that are left after corrections and without what is only talk.
         sentences: what was read of them.
         people: for how many people the table is.
+        objects: how many there are on it; no larger count is used.
     """
-    quantities = _quantities(sentences, people)
+    quantities = _quantities(sentences, people, objects)
     withdrawn = _places_of(spelt) - _places_of(said)  # taken back, or talk about the text
     numbers = [
         number
@@ -89,7 +92,7 @@ class _Quantities:
     def use(self, number: WrittenNumber) -> bool:
         """Tell whether the reading uses a number."""
         around = [n for n in self.nouns if n.span[0] < number.end and number.start < n.span[1]]
-        if any(noun.kind == "part" for noun in around):
+        if any(noun.kind in _UNCOUNTED for noun in around):
             return False
         if number.unit:  # "20 cm", "5 dollars"
             coins = any(number.unit in n.words and n.count == number.value for n in around)
@@ -99,20 +102,32 @@ class _Quantities:
         return _is_count(number, around, self.counts) or _is_length(number, self.lengths)
 
 
-def _quantities(sentences: Sequence[Sentence], people: Iterable[int]) -> _Quantities:
-    """Return the quantities of sentences; those of parts are not used."""
-    everything = tuple(noun for sentence in sentences for noun in _nouns(sentence))
-    nouns = [noun for noun in everything if noun.kind != "part"]
+def _quantities(sentences: Sequence[Sentence], people: Iterable[int], objects: int) -> _Quantities:
+    """Return the quantities of sentences; those of parts and places are not used."""
+    nouns = tuple(
+        noun
+        for sentence in sentences
+        for noun in _nouns(sentence)
+        if (noun.count or 0) <= objects or noun.kind in _UNCOUNTED
+    )
+    counted = [noun for noun in nouns if noun.kind not in _UNCOUNTED]
+    posts = [post for s in sentences for c in s.clauses for post in _posts_of(c.predicate, counted)]
+    counts = _read_counts(counted, posts)
+    lengths = [v for noun in counted for v in _kept_lengths(noun)]
+    lengths += [v for post in posts if isinstance(post, Description) for v in post.lengths]
+    return _Quantities(
+        nouns, frozenset({c for c in counts if c <= objects} | set(map(float, people))),
+        tuple(lengths),
+    )  # fmt: skip
+
+
+def _read_counts(nouns: Sequence[Noun], posts: Sequence[Counted | Description]) -> set[float]:
+    """Return how many there are of what noun phrases and what is said of them name."""
     counts = {n.count for n in nouns if n.count is not None and (n.words or n.count % 1 == 0)}
-    counts |= {float(n) for n in people}
     counts |= {float(n) for noun in nouns for n in noun.amount or ()}
-    posts = [post for s in sentences for c in s.clauses for post in _posts_of(c.predicate, nouns)]
     for post in posts:
         counts |= {post.count} if isinstance(post, Counted) else _alike(post.each)
-    counts |= {count for noun in nouns for count in _alike(noun.variants)}
-    lengths = [v for noun in nouns for v in _kept_lengths(noun)]
-    lengths += [v for post in posts if isinstance(post, Description) for v in post.lengths]
-    return _Quantities(everything, frozenset(counts), tuple(lengths))
+    return counts | {count for noun in nouns for count in _alike(noun.variants)}
 
 
 def _spelt_unused(text: str, nouns: Iterable[Noun]) -> Iterator[WrittenNumber]:

@@ -130,13 +130,13 @@ def _range(text: str, found: re.Match[str]) -> WrittenNumber | None:
     """Read "5-6", "two or three" and "between 2 and 3" as the lower bound."""
     said, low, high, unit = found.group(), found["low"], found["high"], found["range_unit"] or ""
     joined = found["to"].strip()
-    spaced = found["to"] in (" - ", " – ", " — ")
+    spaced = found["to"] in (" - ", " – ", " — ", " ~ ")
     if (joined == "and") != bool(found["between"]):
         return None
     if spaced and noun_before(words_before(text, found)):
         return None  # "a plate 2 - 3 mugs"
     first, last = _bound(low), _bound(high)
-    if first == last or (joined in "-–—" and not low[0].isdigit() and first > last):
+    if first == last or (joined in "-–—~" and not low[0].isdigit() and first > last):
         return None  # "twenty-five"
     if all(YEAR.fullmatch(bound) for bound in (low, high)):
         return _blanked(found, "name")
@@ -147,6 +147,21 @@ def _range(text: str, found: re.Match[str]) -> WrittenNumber | None:
     read = (low if least == first else high).rjust(len(said) - len(unit)) + unit
     role: Role = "name" if AGE.match(text, found.end()) else "range"
     return WrittenNumber(said, *found.span(), least, sign, role, read)
+
+
+def _restated(text: str, found: re.Match[str]) -> WrittenNumber | None:
+    """Read "twelve (12)" as one number."""
+    value = _bound(found["once"])
+    if value != _bound(found["again"]):
+        return None
+    read = found["once"].ljust(len(found.group()))
+    return WrittenNumber(found.group(), *found.span(), value, read=read)
+
+
+def _least(text: str, found: re.Match[str]) -> WrittenNumber:
+    """Read "5+" as 5."""
+    said = found.group()
+    return WrittenNumber(said, *found.span(), float(said[:-1]), "", "range", said[:-1] + " ")
 
 
 def _share(text: str, found: re.Match[str]) -> WrittenNumber | None:
@@ -167,6 +182,7 @@ def _thousands(text: str, found: re.Match[str]) -> WrittenNumber:
 
 _READERS: Mapping[str, Callable[[str, re.Match[str]], WrittenNumber | None]] = MappingProxyType(
     {"ordinal": _ordinal, "labelled": _labelled, "sum": _sum, "range": _range, "share": _share,
+     "restated": _restated, "least": _least,
      "thousands": _thousands}
 )  # fmt: skip
 

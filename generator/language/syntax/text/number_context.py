@@ -11,7 +11,7 @@ AGE = re.compile(r"(?i)[ -]?years?[ -]olds?\b|[ -]?s\b(?!\s?[-–])")
 YEAR = re.compile(r"1[5-9]\d\d|20\d\d")
 _ITEM = re.compile(r"(?:^|[\n;,:.(]|\s)\s*$")
 _NAMED = re.compile(r"(?:\b[A-Z]\w*|\b(?:[Vv]ersion|[Mm]odel)\.?)\s$")
-_GLUED = re.compile(r"(?!X\b)[A-Z]{1,2}\b|[kdc]\b")
+_GLUED = re.compile(r"(?!X\b)[A-Z]{1,2}\b|[kdcp]\b")
 _SINGULAR = ("a", "an", "one", "1")
 _CAPITAL = re.compile(
     r"(?P<determiner>\b(?:[Aa]n?|[Tt]he|[Tt]his|[Mm]y|[Yy]our|[Hh]is|[Hh]er|[Oo]ur|[Tt]heir|"

@@ -54,9 +54,11 @@ SPECIAL: Mapping[str, str] = MappingProxyType(
         "labelled": rf"\b(?:{'|'.join(NAMES)})s?\s\d+(?:\s?[-–]\s?\d+)?\b"
                     rf"(?!\s?[x×]|\s?\w*s\b|{_UNITS})",  # "Windows 11"
         "sum": r"(?<!\+)\d{1,3}(?:\s?\+\s?\d{1,3})+(?![\w.])",  # "2+2"
+        "restated": rf"(?P<once>{_BOUND})\s?\(\s?(?P<again>{_BOUND})\s?\)",  # "twelve (12)"
+        "least": r"\d{1,4}\+(?=\s[a-z])",  # "5+ apples"
         "range": rf"(?<![-/])(?<!\d,)(?P<between>\bbetween\s)?(?P<low>{_BOUND})"
-                 rf"(?P<to>[ ]?[-–—][ ]?|[ ](?:to|or|and)[ ]|-to-)(?P<high>{_BOUND})"
-                 rf"(?P<range_unit>{_UNITS})?(?![-–/:^\d]|[.,]\d|[a-z])",  # "5-6", "two or three"
+                 rf"(?P<to>[ ]?[-–—~][ ]?|[ ](?:to|or|and)[ ]|-to-)(?P<high>{_BOUND})"
+                 rf"(?P<range_unit>{_UNITS})?(?![-–~/:^\d]|[.,]\d|[a-z])",  # "5-6", "two or three"
         "share": rf"(?P<part>{_BOUND})\sof\s(?=(?P<the>the\s)?(?P<whole>{_BOUND}))",  # "2 of 3"
         "turned": r"\d+\s(?:page|piece|tier|sided|legged|layer|ply|speed|storey|burner)(?=\s[a-z])",
         "thousands": rf"(?<!,)[1-9]\d{{0,2}}(?:\.\d{{3}})+(?![\w.])(?!{_UNITS})",  # "1.000"
