@@ -182,8 +182,7 @@ def _thousands(text: str, found: re.Match[str]) -> WrittenNumber:
 
 _READERS: Mapping[str, Callable[[str, re.Match[str]], WrittenNumber | None]] = MappingProxyType(
     {"ordinal": _ordinal, "labelled": _labelled, "sum": _sum, "range": _range, "share": _share,
-     "restated": _restated, "least": _least,
-     "thousands": _thousands}
+     "restated": _restated, "least": _least, "thousands": _thousands}
 )  # fmt: skip
 
 

@@ -65,6 +65,7 @@ SPECIAL: Mapping[str, str] = MappingProxyType(
     }
 )  # fmt: skip
 """What numbers are besides plain ones: kinds and patterns, the first that fits wins."""
+
 _PLAIN = rf"""
     (?P<name>(?<![a-z])[a-z]+[-_]?(?={DIGITS}))?            # "WD-40", "PS5", "block_2"
     (?P<sign>[$€£¥]\s?|(?<![\w.)])[-−])?
