@@ -2,8 +2,8 @@
 
 Every number that is written in digits, with its sign, exponent and unit, is compared with what was
 read: how many there are, for how many people, and how long things are. Numbers of parts ("a pot
-with 2 handles") decide nothing, in words as in digits. Ages, years, hours, ordinals, numbers of list items and numbers in
-names ("WD-40", "iPhone 15") are no quantities.
+with 2 handles") decide nothing, in words as in digits. Ages, years, hours, ordinals, numbers of
+list items and numbers in names ("WD-40", "iPhone 15") are no quantities.
 """
 
 from __future__ import annotations
