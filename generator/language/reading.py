@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 
 from ..errors import InputError
-from .drafts import Reading
+from .drafts import MAX_OBJECTS, Reading
 from .parsing import lexicon
 from .parsing.vocabulary import (
     COLORS,
@@ -30,7 +30,7 @@ from .semantics.interpreter import Interpreter
 from .syntax.clauses.parser import Parser
 from .syntax.phrases.tree import Sentence
 from .syntax.repairs.corrections import correct_course
-from .syntax.repairs.numbers import unused_numbers, written_numbers
+from .syntax.repairs.numbers import NumberUse, check_numbers
 from .syntax.repairs.talk import drop_talk
 from .syntax.text.tokens import list_skipped, small_words, tokens_of
 from .syntax.text.words import words_of
@@ -85,30 +85,43 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
     tokens, talk = drop_talk(correct_course(written))
     parser = Parser(tokens)
     sentences = parser.sentences()
-    reading = _interpret(prompt, sentences, rng)
+    try:
+        reading = Interpreter(rng).read(sentences)
+    except InputError as error:
+        use = check_numbers(prompt, written, tokens, sentences, (), MAX_OBJECTS)
+        raise _with_unread(error, use) from error
     reading.lost += talk
     reading.lost += [*parser.lost, *list_skipped(parser.skipped)]
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
     reading.warnings += [f"{NOT_UNDERSTOOD}{phrase!r}." for phrase in dict.fromkeys(reading.lost)]
     people = (reading.people, *(clause.people for s in sentences for clause in s.clauses))
-    unused = unused_numbers(prompt, written, tokens, sentences, people)
-    told = " ".join(reading.lost).lower()
-    reading.warnings += [
-        f"The number {number!r} was not used." for number in unused if number.lower() not in told
-    ]
+    use = check_numbers(prompt, written, tokens, sentences, people, len(reading.objects))
+    reading.warnings += _number_warnings(use, reading.lost)
     return ReadText(tuple(sentences), reading, fixes)
 
 
-def _interpret(prompt: str, sentences: Sequence[Sentence], rng: np.random.Generator) -> Reading:
-    """Return what clauses mean; a number that cannot be read is named where they mean nothing."""
-    try:
-        return Interpreter(rng).read(sentences)
-    except InputError as error:
-        strange = [n.text for n in written_numbers(prompt) if n.value is None or n.unit]
-        if not strange:
-            raise
-        names = ", ".join(map(repr, dict.fromkeys(strange)))
-        raise InputError(f"{error} Not every number can be read; without {names}?") from error
+def _number_warnings(use: NumberUse, lost: Sequence[str]) -> list[str]:
+    """Return a warning for each number that was not used and each range; not for what is lost."""
+    told = " ".join(lost).lower()
+    named = (re.search(rf"(?<!\w){re.escape(n.text.lower())}(?!\w)", told) for n in use.unused)
+    unused = dict.fromkeys(
+        n.text for n, found in zip(use.unused, named, strict=True) if found is None
+    )
+    ranges = {n.text: n.value for n in use.ranges}
+    return [
+        *(f"The number {text!r} was not used." for text in unused),
+        *(f"The range {text!r} is read as {value:g}." for text, value in ranges.items()),
+    ]
+
+
+def _with_unread(error: InputError, use: NumberUse) -> InputError:
+    """Return an error with the numbers that were not read, if any may have spoilt the text."""
+    spoiling = (n for n in use.unused if n.role == "count" and (n.value is None or n.unit))
+    unread = dict.fromkeys(n.text for n in spoiling)
+    if not unread:
+        return error
+    names = ", ".join(map(repr, unread))
+    return InputError(f"{error} Not every number can be read; without {names}?")
 
 
 def check_text(prompt: str) -> None:

@@ -82,6 +82,8 @@ def noun_of(run: PhraseStart) -> Noun:
         noun = " ".join((*_compound(modifiers), noun))
     plural = glasses or (bool(head) and lexicon.is_plural(tuple(run.words[-len(head) :])))
     plural = plural or cut_plural or run.several
+    if run.described and not plural and not (run.lengths or run.groups):
+        count = 1.0
     if run.posture:
         attributes["posture"] = run.posture
     variants = _variants(run, attributes, plural, count)

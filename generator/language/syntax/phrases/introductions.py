@@ -9,6 +9,7 @@ from ...parsing.lexicon import category_of
 from ...parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
 from ...words.speech import is_adjective
 from ..text import function_words as fw
+from ..text.number_patterns import SPELT
 from ..text.tokens import Token
 from .tree import Arrangement
 
@@ -37,6 +38,7 @@ class PhraseStart:
     """What is read of a noun phrase so far."""
 
     numbers: list[float] = field(default_factory=list)
+    described: bool = False  # "a 300 page book": the number came after "a"
     amount: tuple[int, int] | None = None
     article: bool = False
     pair: bool = False
@@ -158,7 +160,7 @@ def may_continue(tokens: Sequence[Token], i: int) -> bool:
 
 
 def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read "three", "2-3", "half a dozen of", "2 x"; return how many tokens they take."""
+    """Read "three", "half a dozen of", "2 x", "2 by 3"; return how many tokens they take."""
     value = _value(tokens[i])
     if (
         tokens[i].text == "another"
@@ -176,26 +178,17 @@ def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
     run.other = run.other or tokens[i].text == "another"
     if tokens[i].text == "one" and not may_continue(tokens, i + 1) and run.definite:
         return 0
-    step = 1
+    run.described = run.described or (run.article and _is_figure(tokens[i]))
+    run.numbers.append(value)
     following = [t.text for t in tokens[i + 1 : i + 3]]
-    upper = _value(tokens[i + 2]) if len(following) == 2 else None
-    if following[:1] in (["-"], ["or"], ["to"]) and upper is not None and upper > value:
-        run.amount = (int(value), int(min(upper, 1e6)))
-        run.numbers = []
-        step = 3
-    else:
-        run.numbers.append(value)
-        if (
-            [t.text for t in tokens[i + 1 : i + 2]] == ["of"]
-            and (
-                [t.text for t in tokens[i + 2 : i + 3]] in ([w] for w in ("them", "these", "those"))
-            )
-            and not run.words
-        ):
-            run.closed = True  # "one of them holds an egg"
-            return 3
-    if i + step < len(tokens) and tokens[i + step].text in ("x", "times"):
-        step += 1
+    theirs = following in (["of", "them"], ["of", "these"], ["of", "those"])
+    if theirs and not run.words:
+        run.closed = True  # "one of them holds an egg"
+        return 3
+    step = 1
+    joint = tokens[i + step].text if i + step < len(tokens) else ""
+    crossed = joint == "by" and [t.tag for t in tokens[i + step + 1 : i + step + 2]] == ["number"]
+    step += joint in ("x", "times") or crossed
     return step + _is_of(tokens, i + step)
 
 
@@ -203,6 +196,11 @@ def _value(token: Token) -> float | None:
     if token.tag == "number":
         return float(token.value)
     return fw.NUMBERS.get(token.text) if token.tag == "word" else None
+
+
+def _is_figure(token: Token) -> bool:
+    """Tell whether a number is one in digits or a word like "seven", unlike "dozen"."""
+    return token.tag == "number" or token.text in SPELT
 
 
 def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:

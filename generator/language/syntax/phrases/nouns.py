@@ -21,6 +21,8 @@ def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
     i = i if run.closed else _content(tokens, i, run)
     if i == start:
         return None, start
+    following = tokens[i].text if i < len(tokens) else ""
+    run.described = run.described and following not in ("set", "sets")  # "a seven mug set"
     noun = noun_of(run)
     noun.span = tokens[start].span[0], tokens[i - 1].span[1]
     return noun, i

@@ -1,15 +1,14 @@
 """Numbers of a text that its reading does not use: masses, percentages, powers, distances, ...
 
 Every number that is written in digits, with its sign, exponent and unit, is compared with what was
-read: how many there are, for how many people, and how long things are. What is no quantity is left
-out: ages, years, hours, ordinals, numbers of list items and numbers in names ("WD-40", "iPhone
-15").
+read: how many there are, for how many people, and how long things are. Numbers of parts ("a pot
+with 2 handles") decide nothing, in words as in digits. Ages, years, hours, ordinals, numbers of
+list items and numbers in names ("WD-40", "iPhone 15") are no quantities.
 """
 
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -26,64 +25,38 @@ from ..phrases.tree import (
     Zone,
 )
 from ..text import function_words as fw
+from ..text.figures import WrittenNumber, written_numbers
+from ..text.number_patterns import SPELT
 from ..text.tokens import Token
 
-_OTHER_UNITS = (
-    r"kg|kilos?|kilograms?|kilogrammes?|mg|g|grams?|grammes?|tonnes?|tons?|"
-    r"oz|ounces?|lbs?|pounds?|ml|millilit(?:er|re)s?|cl|dl|l|lit(?:er|re)s?|pints?|gallons?|"
-    r"degrees?|deg|radians?|rad|percent|per cent|watts?|w|kw|volts?|v|amps?|newtons?|n|hz|khz|mhz|"
-    r"ghz|db|rpm|mah|gb|tb|mb|dollars?|euros?|cents?|kelvin|celsius|fahrenheit|hours?|minutes?|"
-    r"seconds?|megapixels?|mp"
-)
-_LENGTHS = "|".join(sorted(fw.MEASURES, key=len, reverse=True))
-_SPELT = "|".join(sorted((w for w, n in fw.NUMBERS.items() if n > 1), key=len, reverse=True))
-_DIGITS = r"\d+(?:,\d{3})*(?:\.\d+)?"
-_FRACTIONS = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
-_SIGNS = r"%|°\s?[CF]?|℃|℉|[€£¥$]|[″”\"](?!\w)"
-_NUMBER = re.compile(
-    rf"""(?ix)
-    (?P<name>(?<![a-z])[a-z]+[-_]?(?={_DIGITS}))?            # "WD-40", "PS5", "block_2"
-    (?P<sign>[$€£¥]\s?|(?<![\w.)])[-−])?
-    (?:
-        (?<![\d.])(?P<digits>\d+,\d+(?=\s?(?:{_SIGNS}|(?:{_LENGTHS}|{_OTHER_UNITS})(?![a-z])))
-                           |{_DIGITS}(?:(?:[ -]\d+)?/\d+|\s?[{_FRACTIONS}])?)
-        (?P<power>\s?(?:[x×*]\s?10\s?)?(?:\^|\*\*)\s?[-+]?\d+|[⁰¹²³⁴-⁹]+|e[-+]\d+)?
-        |(?<![\w-])(?P<spelt>(?:(?:{_SPELT})[ -])+)(?=(?:{_OTHER_UNITS})\b)(?!pint)
-    )
-    (?P<unit>\s?(?:{_SIGNS})|[ -]?(?:{_LENGTHS}|{_OTHER_UNITS})(?![a-z]))?
-    """
-)
-_AGE = re.compile(r"(?i)[ -]?years?[ -]olds?\b|[ -]?(?:st|nd|rd|th|s)\b(?!\s?[-–])")
-_HOUR = re.compile(r"(?i):[0-5]\d\b|\s?(?:[ap]\.?m\b|o'clock)|\s?[:]\d{1,2}\b")
-_YEAR = re.compile(r"1[5-9]\d\d|20\d\d")
-_ITEM = re.compile(r"(?:^|[\n;,:.(]|\s)\s*$")
-_NAMED = re.compile(r"(?:\b[A-Z]\w*|\b(?:[Nn]o|[Nn]r|[Ss]ize|[Pp]age|[Vv]ersion|[Mm]odel)\.?)\s$")
 _TIMES = (10, 12, 20, 100, 1000)  # what fractions are counted in
-_NO_QUANTITY = ("setting", "title", "abstract")
+_SPELT = re.compile(rf"(?i)(?<![\w-])(?:{'|'.join(SPELT)})(?![\w-])")
+_UNCOUNTED = ("part", "setting")
+_NO_QUANTITY = ("title", "abstract")
 
 
 @dataclass(frozen=True)
-class WrittenNumber:
-    """A number as it stands in a text.
+class NumberUse:
+    """What became of the numbers of a text, each in its order.
 
-    ``value`` is None where it is no plain number ("10^9"), ``unit`` "" where it has none.
+    Attributes:
+        unused: numbers that the reading does not use.
+        ranges: ranges of which it uses the lower bound.
     """
 
-    text: str
-    start: int
-    end: int
-    value: float | None
-    unit: str = ""
+    unused: tuple[WrittenNumber, ...]
+    ranges: tuple[WrittenNumber, ...]
 
 
-def unused_numbers(
+def check_numbers(
     text: str,
     spelt: Sequence[Token],
     said: Sequence[Token],
     sentences: Sequence[Sentence],
     people: Iterable[int],
-) -> list[str]:
-    """Return the numbers of a text that say something, and were not used, in its order.
+    objects: int,
+) -> NumberUse:
+    """Return which numbers of a text that are quantities were used.
 
     Args:
         text: the whole text.
@@ -91,81 +64,80 @@ def unused_numbers(
         said: the tokens that are left after corrections and without what is only talk.
         sentences: what was read of them.
         people: for how many people the table is.
+        objects: how many there are on it; no larger count is used.
     """
-    nouns = [noun for sentence in sentences for noun in _nouns(sentence)]
+    quantities = _quantities(sentences, people, objects)
+    withdrawn = _places_of(spelt) - _places_of(said)  # taken back, or talk about the text
+    numbers = [
+        number
+        for number in written_numbers(text)
+        if number.role != "name" and not withdrawn.intersection(range(number.start, number.end))
+    ]
+    unused = [n for n in numbers if n.role == "aside" or not quantities.use(n)]
+    ranges = [n for n in numbers if n.role == "range" and n not in unused]
+    written = {place for n in numbers for place in range(n.start, n.end)}
+    unused += [n for n in _spelt_unused(text, quantities.nouns) if n.start not in written]
+    unused.sort(key=lambda number: number.start)
+    return NumberUse(tuple(unused), tuple(ranges))
+
+
+@dataclass(frozen=True)
+class _Quantities:
+    """Counts and lengths that were read, and the noun phrases with their places."""
+
+    nouns: tuple[Noun, ...]
+    counts: frozenset[float]
+    lengths: tuple[float, ...]
+
+    def use(self, number: WrittenNumber) -> bool:
+        """Tell whether the reading uses a number."""
+        around = [n for n in self.nouns if n.span[0] < number.end and number.start < n.span[1]]
+        if any(noun.kind in _UNCOUNTED for noun in around):
+            return False
+        if number.unit:  # "20 cm", "5 dollars"
+            coins = any(number.unit in n.words and n.count == number.value for n in around)
+            return coins or _is_length(number, self.lengths)
+        if any(noun.kind in _NO_QUANTITY for noun in around):
+            return True
+        return _is_count(number, around, self.counts) or _is_length(number, self.lengths)
+
+
+def _quantities(sentences: Sequence[Sentence], people: Iterable[int], objects: int) -> _Quantities:
+    """Return the quantities of sentences; those of parts and places are not used."""
+    nouns = tuple(
+        noun
+        for sentence in sentences
+        for noun in _nouns(sentence)
+        if (noun.count or 0) <= objects or noun.kind in _UNCOUNTED
+    )
+    counted = [noun for noun in nouns if noun.kind not in _UNCOUNTED]
+    posts = [post for s in sentences for c in s.clauses for post in _posts_of(c.predicate, counted)]
+    counts = _read_counts(counted, posts)
+    lengths = [v for noun in counted for v in _kept_lengths(noun)]
+    lengths += [v for post in posts if isinstance(post, Description) for v in post.lengths]
+    return _Quantities(
+        nouns, frozenset({c for c in counts if c <= objects} | set(map(float, people))),
+        tuple(lengths),
+    )  # fmt: skip
+
+
+def _read_counts(nouns: Sequence[Noun], posts: Sequence[Counted | Description]) -> set[float]:
+    """Return how many there are of what noun phrases and what is said of them name."""
     counts = {n.count for n in nouns if n.count is not None and (n.words or n.count % 1 == 0)}
-    counts |= {float(n) for n in people}
-    amounts = {float(n) for noun in nouns for n in noun.amount or ()}
-    posts = [post for s in sentences for c in s.clauses for post in _posts_of(c.predicate, nouns)]
+    counts |= {float(n) for noun in nouns for n in noun.amount or ()}
     for post in posts:
         counts |= {post.count} if isinstance(post, Counted) else _alike(post.each)
-    counts |= {count for noun in nouns for count in _alike(noun.variants)}
-    lengths = [v for noun in nouns for v in _kept_lengths(noun)]
-    lengths += [v for post in posts if isinstance(post, Description) for v in post.lengths]
-    withdrawn = _places_of(spelt) - _places_of(said)  # taken back, or talk about the text
-    unused: list[str] = []
-    for number in written_numbers(text):
-        if withdrawn.intersection(range(number.start, number.end)):
-            continue
-        if number.unit:
-            used = _is_length(number, lengths)
-        else:
-            around = [n for n in nouns if n.span[0] <= number.start and number.end <= n.span[1]]
-            used = _is_count(number, around, counts | amounts) or _is_length(number, lengths)
-            used = used or any(noun.kind in _NO_QUANTITY for noun in around)
-        if not used:
-            unused.append(number.text)
-    return list(dict.fromkeys(unused))
+    return counts | {count for noun in nouns for count in _alike(noun.variants)}
 
 
-def written_numbers(text: str) -> Iterator[WrittenNumber]:
-    """Yield the quantities that a text has in digits, and those in words with a unit of mass etc.
-
-    Lengths in words are read as numbers before.
-    """
-    for found in _NUMBER.finditer(text):
-        if found["name"] or (found["digits"] and _is_name(text, found)):
-            continue
-        digits = found["digits"] or ""
-        unit = (found["unit"] or "").strip(" -").lower() or (found["sign"] or "").strip("-− ")
-        if unit == '"' and text[: found.start()].endswith('"'):  # a number between quotes
-            unit = ""
-        part = re.compile(r"-[a-z]+", re.IGNORECASE).match(text, found.end())  # "3-legged"
-        yield WrittenNumber(
-            found.group().strip(" -") + (part.group() if part else ""), *found.span(),
-            None if found["power"] else _value(digits), unit,
-        )  # fmt: skip
-
-
-def _value(digits: str) -> float | None:
-    """Return the value of "1,000", "2.5", "3 1/2" and "3½"; None of what is no such number."""
-    whole = re.fullmatch(
-        rf"(?P<whole>{_DIGITS})(?:[ -](?P<over>\d+)/(?P<under>\d+)|\s?(?P<sign>[{_FRACTIONS}]))?",
-        digits,
-    )
-    if whole is None:
-        return None
-    part = unicodedata.numeric(whole["sign"]) if whole["sign"] else 0.0
-    if whole["under"] and int(whole["under"][:9]):
-        part = int(whole["over"][:9]) / int(whole["under"][:9])
-    return float(whole["whole"].replace(",", "")) + part
-
-
-def _is_name(text: str, found: re.Match[str]) -> bool:
-    """Tell whether digits are no quantity: an age, a year, an hour, an ordinal, or of a name."""
-    before, after = text[: found.start("digits")], text[found.end() :]
-    if (found["unit"] or "").strip(' "') or found["power"]:
-        return False
-    digits = found["digits"]
-    if _AGE.match(after) or _HOUR.match(after) or re.search(r"\d:$", before):
-        return True
-    if _YEAR.fullmatch(digits) or re.match(r"[A-Za-z]*[A-Z]|up\b", after):  # "1990", "4K", "7up"
-        return True
-    if re.match(r"[.)](?:\s|$)", after) and _ITEM.search(before) and "(" not in before[-2:]:
-        return after[0] == ")" or not before.rpartition("\n")[2].strip()  # of a list
-    sentence = re.split(r"[.!?\n]\s*", before)[-1].strip()
-    named = _NAMED.search(before)
-    return named is not None and named.group().strip() != sentence
+def _spelt_unused(text: str, nouns: Iterable[Noun]) -> Iterator[WrittenNumber]:
+    """Yield numbers in words that count parts ("three handles") or describe ("a ten euro note")."""
+    for noun in nouns:
+        start, end = noun.span
+        found = _SPELT.search(text, start, end)
+        described = noun.count == 1 and text[start : start + 2].lower() in ("a ", "an")
+        if found and (noun.kind == "part" or described):
+            yield WrittenNumber(found.group(), *found.span(), fw.NUMBERS[found.group().lower()])
 
 
 def _places_of(tokens: Sequence[Token]) -> set[int]:
@@ -173,13 +145,15 @@ def _places_of(tokens: Sequence[Token]) -> set[int]:
     return {place for token in tokens for place in range(*token.span)}
 
 
-def _is_count(
-    number: WrittenNumber, around: Sequence[Noun], elsewhere: Iterable[float | None]
-) -> bool:
+def _is_count(number: WrittenNumber, around: Sequence[Noun], elsewhere: Iterable[float]) -> bool:
+    if number.text in ("1/2", "½"):
+        return any("half" in noun.words for noun in around)
     if number.value is None:
-        return "/" in number.text and any("half" in noun.words for noun in around)
+        return False
     if any(_counts(noun, number.value) for noun in around):
         return True
+    if any(noun.kind == "thing" and noun.count is not None for noun in around):
+        return False
     return number.value in elsewhere
 
 
@@ -245,5 +219,8 @@ def _nouns_of(post: Post) -> Iterator[Noun]:
 
 
 def _posts_of(predicate: Sequence[Post], nouns: Sequence[Noun]) -> list[Counted | Description]:
-    posts = [*predicate, *(post for noun in nouns for post in noun.post)]
+    """Return descriptions and counts; "a mug (2)" has its count before."""
+    posts = [*predicate]
+    for noun in nouns:
+        posts += [p for p in noun.post if not isinstance(p, Counted) or noun.count is None]
     return [post for post in posts if isinstance(post, Counted | Description)]

@@ -7,7 +7,9 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Literal
 
-from .function_words import MEASURES, NUMBERS
+from .figures import settle_numbers
+from .function_words import MEASURES, NUMBERS, ORDINALS
+from .number_patterns import SPELT
 
 WordKind = Literal["word", "number", "mark"]
 
@@ -23,6 +25,7 @@ _PIECE = re.compile(
     |(?P<possessive>(?<=[a-z])'s?(?![a-z]))
     |(?P<circa>\b(?:ca|approx|incl|inc|max|min|no|nr)\.(?=\s*[\da-z]))
     |(?P<latin>\b(?:i\.\s?e\.?|e\.\s?g\.?|viz\.))
+    |(?P<ordinal>(?<![\w.])[1-6](?:st|nd|rd|th)\b)
     |(?P<number>(?<![\w.])-?\d+(?:,\d{3})*(?:\.\d+)?(?:e\d+)?|(?<=\dx)\d+)
     |(?P<word>[a-z]+)
     |(?P<dash>\s[-–—]+\s|[–—])
@@ -36,20 +39,20 @@ _RUN_TOGETHER = {
     "atleast": ("at", "least"), "alot": ("a", "lot"), "ontopof": ("on", "top", "of"),
     "infrontof": ("in", "front", "of"), "inbetween": ("in", "between"),
 }  # fmt: skip
+_ORDINALS = {place: word for word, place in ORDINALS.items()}
 _TAG = re.compile(r"</?[A-Za-z][^<>\n]{0,80}>")
 _PARTS = re.compile(
     r"(?i)\b(?:one|two|three|four|five|six|seven|eight|nine|ten|twelve|single|double|multi|\d+)-"
     r"(?:tier|tiered|tone|toned|piece|legged|sided|layer|layered|litre|liter|door|drawer|slice|"
     r"handled|pronged|armed|burner|cup|ply|speed|storey|part|stage|colour|coloured|color|colored|"
-    r"year|level|ring|hole|string|button|key|arm|branch|wick|pack)s?\b"
+    r"year|level|ring|hole|string|button|key|arm|branch|wick|pack|page|card|star|"
+    r"pointed|way|wheeled|headed|bladed)s?\b"
 )
 """What "two-tier" and the like say of one thing."""
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
 """How many there are, said last: "forks x4"."""
-_SPELT = ("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
-          "twelve", "fifteen", "twenty", "thirty", "forty", "fifty")  # fmt: skip
 _SPELT_LENGTH = re.compile(
-    rf"(?i)(?<![\w-])({'|'.join(_SPELT)})[ -]"
+    rf"(?i)(?<![\w-])({'|'.join(SPELT)})[ -]"
     r"(?=(?:mm|cm|millimet(?:er|re)|centimet(?:er|re)|inch|f(?:oo|ee)t\b)(?:e?s)?\b)"
 )
 """Lengths in words: "ten centimetres"."""
@@ -64,7 +67,7 @@ _PREDICATE = re.compile(
 _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
 _JOINED_UP = re.compile(r"(?i)(?<=[a-z])(?<!upside)-(?:up|down|out|off)\b")
 _BAKERS = re.compile(r"(?i)\bbaker[’']s dozen\b")
-_VAGUE_COUNT = re.compile(r"(?i)\b(?:some|several|a few|a couple of) ?\((?=\d+(?: ?[-–] ?\d+)?\))")
+_VAGUE_COUNT = re.compile(r"(?i)\b(?:some|several|a few|a couple of) ?\( *(\d+)\)")
 _LIKE = re.compile(
     r"(?i)\b[a-z]+-(?:shaped|sized|style|styled|themed|scented|flavoured|flavored|inspired|like|free)\b"
 )
@@ -91,9 +94,10 @@ class Word:
 
 def words_of(text: str) -> tuple[Word, ...]:
     """Return the words of a text; bullets and numbers of list items are line ends."""
+    text = settle_numbers(text)
     text = _TAG.sub(lambda found: " " * len(found.group()), text)
     text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
-    text = _VAGUE_COUNT.sub(lambda found: " " * len(found.group()), text)
+    text = _VAGUE_COUNT.sub(lambda found: found[1].rjust(len(found.group())), text)
     text = _LIKE.sub(lambda found: " " * len(found.group()), text)
     facts = _facts_of(text)
     text = _PREDICATE.sub(lambda found: " " * len(found.group()), text)
@@ -131,6 +135,8 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
     said, name = piece.group(), piece.lastgroup
     if name == "number":
         return [(said.replace(",", ""), "number")]
+    if name == "ordinal":
+        return [(_ORDINALS[int(said[0])], "word")]
     if name == "circa":
         return [(_ABBREVIATIONS.get(said[:-1], "about"), "word")]
     if name == "latin":
