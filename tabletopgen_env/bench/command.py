@@ -135,8 +135,9 @@ def check_results(
 
     A result with impossible figures is not played. If its episodes end as it says, to the step and
     within 0.0001 of the reward, it gets a mark, RESULT.replayed beside it, which the leaderboard
-    shows; if one differs, it loses the mark. Other versions of packages, and other kinds of
-    processors, may play an episode differently. The exit code is 1 if a result fails.
+    shows; a mark of more episodes is kept. If one differs, it loses the mark. Other versions of
+    packages, and other kinds of processors, may play an episode differently. The exit code is 1 if
+    a result fails.
 
     Args:
         results: Files that "run" wrote.
