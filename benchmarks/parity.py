@@ -7,7 +7,8 @@ PyBullet and Drake, SDF into Drake. It is watched for two seconds; then its flat
 on the table, which leans by 3 degrees more each second until the thing has slid by 2 mm. Engines
 that are not installed are named in the summary (pip install 'tabletopgen[engines]'). Writes
 ``parity.csv`` and ``parity.md``; the exit code is 1 if anything moves by more than 2 mm at rest, or
-slides at an angle more than 2 degrees from MuJoCo's.
+slides at an angle more than 2 degrees from MuJoCo's. All is measured anew; ``--resume`` goes on
+with a run that was cut off.
 """
 
 from __future__ import annotations
@@ -152,6 +153,7 @@ def main() -> None:
     parser.add_argument("--bundles", nargs="+", default=SHIPPED, help="names, globs or paths")
     parser.add_argument("--engines", nargs="+", choices=[*ENGINES], default=[*ENGINES])
     parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--resume", action="store_true", help="keep the rows that parity.csv has")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
     tables.alone()
@@ -160,7 +162,7 @@ def main() -> None:
     asked = {(bundle_name(p), name): (p, name) for p in paths for name in here}
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / "parity.csv"
-    rows = tables.complete(path, FIELDS, KEY, asked, work, args.workers, say)
+    rows = tables.complete(path, FIELDS, KEY, asked, work, args.workers, say, again=not args.resume)
     tables.write(path, FIELDS, rows)
     text = summary(rows, tables.command_line("--workers", "--out"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")

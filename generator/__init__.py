@@ -12,8 +12,9 @@ The names below are imported when they are first used.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from .io.lazy import lazy_names
 
 if TYPE_CHECKING:
     from .backends import Backends as Backends
@@ -36,12 +37,4 @@ _HOMES = {
 
 __all__ = ["Backends", "Config", "Generation", "compose", "generate", "load", "save"]
 
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f".{_HOMES[name]}", __name__), name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+__getattr__, __dir__ = lazy_names(__name__, _HOMES)

@@ -453,3 +453,25 @@ def test_both_ways_of_drawing_scenes_can_be_trained_and_played() -> None:
     for mode in bench.MODES:
         [row] = bench.work((mode, 0), recipe, "", 2)
         assert (row["mode"], row["episodes"], len(json.loads(row["each"]))) == (mode, 2, 2)
+
+
+@pytest.mark.parametrize(("more", "measured"), [((), True), (("--resume",), False)])
+def test_parity_measures_again_unless_it_resumes(
+    more: tuple[str, ...], measured: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parity = script("parity")
+    row = dict.fromkeys(parity.FIELDS, "") | {
+        "bundle": "vanity", "engine": "MuJoCo", "objects": "4", "drift_mm": "0.5", "angle": "27.0",
+    }  # fmt: skip
+    parity.tables.write(tmp_path / "parity.csv", parity.FIELDS, [row])
+    monkeypatch.setattr(parity.tables, "alone", lambda: None)
+    monkeypatch.setattr(parity, "work", lambda job: [row | {"drift_mm": "0.25"}])
+    monkeypatch.setattr(
+        sys, "argv",
+        ["parity.py", "--bundles", "vanity", "--engines", "MuJoCo", "--out", str(tmp_path), *more],
+    )  # fmt: skip
+    with pytest.raises(SystemExit) as ended:
+        parity.main()
+    assert ended.value.code == 0
+    assert ("0.25" in (tmp_path / "parity.csv").read_text()) == measured
+    assert ("0.25 mm" in (tmp_path / "parity.md").read_text()) == measured

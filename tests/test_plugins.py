@@ -86,6 +86,17 @@ def test_help_of_a_command_loads_no_heavy_library(name: str) -> None:
     assert not (HEAVY - {"cv2", "gymnasium", "numpy"}) & set(names.split())
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["bench", "certify", "grasps", "record", "teleop", "train"])
+def test_help_of_the_environments_commands_loads_no_simulator(name: str) -> None:
+    code = _LISTING.replace('["--help"]', f'["{name}", "--help"]')
+    *_, names, seconds = printed_by(code).splitlines()
+    loaded = set(names.split())
+    assert not (HEAVY - {"cv2", "gymnasium", "numpy"}) & loaded
+    assert not {"tabletopgen_env.env", "tabletopgen_env.tasks.registry"} & loaded
+    assert float(seconds) < 2.0  # CPU seconds, about 0.35 on an idle machine
+
+
 @pytest.mark.parametrize(
     ("typed", "meant"), [("compos", "compose"), ("inpsect", "inspect"), ("bnech", "bench")]
 )

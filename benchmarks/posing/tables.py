@@ -105,11 +105,15 @@ def complete(
     workers: int,
     say: Callable[[list[Row]], str],
     of: str | None = None,
+    again: bool = False,
 ) -> list[Row]:
     """Do those of the jobs asked for that a table does not hold yet; return the rows of all.
 
     Jobs are listed by the first columns of their rows' ``key``; see also ``resume`` and ``run``.
+    ``again`` does all of them, whatever the table holds.
     """
+    if again:
+        write(path, fields, ())
     case = key[: len(next(iter(asked), key))]
     rows = [r for r in resume(path, fields, case, of) if _key(r, case) in asked]
     done = {_key(r, case) for r in rows}

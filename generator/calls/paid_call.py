@@ -17,7 +17,6 @@ from .http.exchange import Reply, Trouble
 from .http.redaction import redact
 from .http.retries import Breaker, retry_after
 from .money.entries import Entry, Outcome
-from .money.prices import unknown_price
 from .question import NOTHING, Question, Usage, failed, usage
 from .state import SessionState
 
@@ -91,10 +90,10 @@ class PaidCall:
     def _pay(self) -> Reply | Trouble:
         """Send the request once, within the budget, and enter it in the ledger."""
         session, asked, account = self.session, self.asked, self.session.account
-        if asked.most is None and session.budget is not None:
-            raise unknown_price(str(asked), session.budget, asked.model or f"@{asked.at}")
         lost = entry_of(asked, "failed", 0.0, asked.most)
-        with account.reserving(asked.most, session.budget, str(asked), session.check) as enter:
+        with account.reserving(
+            asked.most, session.budget, str(asked), session.check, asked.model or f"@{asked.at}"
+        ) as enter:
             try:
                 if self.sign is not None:  # not earlier: what is signed is soon too old
                     self.request.headers.update(self.sign(self.request))

@@ -47,13 +47,17 @@ class SessionState:
     def check_price(self, model: str, base_url: str, what: str) -> None:
         """Check that a budget can be kept with a model: its price is known, or it runs here.
 
+        Where the store holds answers, they may be all that is needed: then it is the first call to
+        be paid for that is refused.
+
         Raises:
             BudgetError: it is not; the message begins with ``what`` and says how to add a price.
         """
         at = urlsplit(base_url)
         if self.budget is None or self.dry or local(at.hostname or ""):
             return
-        if self.prices.price(model, at.netloc) is None:
+        may_replay = self.store is not None and not self.store.is_empty()
+        if self.prices.price(model, at.netloc) is None and not may_replay:
             raise unknown_price(what, self.budget, model or f"@{at.netloc}")
 
     def wait_for(self, call: Future[Any]) -> BaseException | None:

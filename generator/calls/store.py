@@ -148,6 +148,11 @@ class CallStore:
         """Return how many answers are kept."""
         return len(self._list_kept())
 
+    def is_empty(self) -> bool:
+        """Return whether no answer is kept."""
+        kept = (self.folder / "answers").glob("[0-9a-f][0-9a-f]/*")
+        return not any(_KEY.fullmatch(path.name) for path in kept)
+
     def size(self) -> int:
         """Return how many bytes the answers take up."""
         return sum(size for _, size, _ in self._list_kept())

@@ -87,7 +87,8 @@ def verify(
 
     Args:
         bundles: Names, digests, globs or paths.
-        json: Print one JSON object instead of lines.
+        json: Print one JSON object instead of lines: the failures of each bundle; with --replay an
+            object for each, with "failures", "replayed" (how many episodes) and "seed".
         replay: Play so many episodes of each certificate again, drawn at random: what the expert
             is said to have solved, it has to solve. Other versions of packages, and other kinds of
             processors, may play an episode otherwise.
@@ -101,7 +102,8 @@ def verify(
         return verify_all(paths, json)
     drawn = secrets.randbelow(2**31) if seed is None else seed
     print(f"replaying with --seed {drawn}", file=sys.stderr)
-    return verify_all(paths, json, verifiers=tuple(_verifiers(replay, drawn)))
+    replaying = Replaying(drawn, tuple(_verifiers(replay, drawn)))
+    return verify_all(paths, json, replaying=replaying)
 
 
 def _verifiers(count: int, seed: int) -> Iterator[Verifier]:
@@ -121,38 +123,54 @@ Verifier = Callable[[Path], tuple[int, Sequence[object]]]
 """Plays a bundle's episodes; returns how many, and what is wrong."""
 
 
+@dataclasses.dataclass(frozen=True)
+class Replaying:
+    """Further checks of sound bundles, which play episodes drawn by ``seed``."""
+
+    seed: int
+    verifiers: tuple[Verifier, ...]
+
+
 def verify_all(
     paths: Iterable[Path],
     json: bool,
     *,
     may_vanish: bool = False,
-    verifiers: Sequence[Verifier] = (),
+    replaying: Replaying | None = None,
 ) -> int:
     """Verify bundles; return the exit code.
 
     ``may_vanish``: one that another process removes meanwhile is left out, not unsound.
-    ``verifiers``: further checks of sound bundles.
     """
     from ..bundle import load_verified
     from ..physics.gate import judge
 
     results: dict[str, list[str]] = {}
     notes: dict[str, str] = {}
+    replayed: dict[str, int] = {}
     for path in paths:
         try:
             report = judge(load_verified(path))
             results[path.name] = [str(f) for f in report.failures]
             if report.lean is not None:
                 notes[path.name] = f", gravity leaning by {math.degrees(report.lean):.3g}°"
-            for verifier in () if results[path.name] else verifiers:
-                played, wrong = verifier(path)
-                results[path.name] += map(str, wrong)
-                notes[path.name] = notes.get(path.name, "") + f", {played} episodes replayed"
+            if replaying is not None and not results[path.name]:
+                for verifier in replaying.verifiers:
+                    played, wrong = verifier(path)
+                    replayed[path.name] = replayed.get(path.name, 0) + played
+                    results[path.name] += map(str, wrong)
+                notes[path.name] = (
+                    f"{notes.get(path.name, '')}, {replayed[path.name]} episodes replayed"
+                )
         except TabletopError as error:
             if not (may_vanish and isinstance(error, MissingError)):
                 results[path.name] = [str(error)]
+    facts = results if replaying is None else {
+        name: {"failures": failed, "replayed": replayed.get(name, 0), "seed": replaying.seed}
+        for name, failed in results.items()
+    }  # fmt: skip
     emit(
-        results, json,
+        facts, json,
         lambda: [f"{n}: {'; '.join(f) or 'sound'}{notes.get(n, '')}" for n, f in results.items()],
     )  # fmt: skip
     return 1 if any(results.values()) else 0

@@ -33,7 +33,11 @@ def import_scene(
 
 
 def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
-    """Return what the import of a scene did with each object; see ``building.list_outcomes``."""
+    """Return what the import of a scene did with each object; see ``building.list_outcomes``.
+
+    Raises:
+        BundleError: the scene's provenance lists something else there.
+    """
     from .building import list_outcomes as run
 
     return run(scene)

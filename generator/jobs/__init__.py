@@ -5,14 +5,51 @@ is done or absent: the process that holds its lock makes it in a folder of its o
 record, and only then publishes it. So several batches may share a folder.
 """
 
-from .facts import Outcome as Outcome
-from .making import Composing as Composing
-from .making import Generating as Generating
-from .making import shared_budget as shared_budget
-from .prompts import Job as Job
-from .prompts import Maker as Maker
-from .prompts import jobs_of as jobs_of
-from .prompts import read_prompts as read_prompts
-from .running import run as run
-from .running import try_out as try_out
-from .summary import Summary as Summary
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..io.lazy import lazy_names
+
+if TYPE_CHECKING:
+    from .facts import Outcome as Outcome
+    from .making import Composing as Composing
+    from .making import Generating as Generating
+    from .making import shared_budget as shared_budget
+    from .prompts import Job as Job
+    from .prompts import Maker as Maker
+    from .prompts import jobs_of as jobs_of
+    from .prompts import read_prompts as read_prompts
+    from .running import run as run
+    from .running import try_out as try_out
+    from .summary import Summary as Summary
+
+_HOMES = {
+    "Composing": "making",
+    "Generating": "making",
+    "Job": "prompts",
+    "Maker": "prompts",
+    "Outcome": "facts",
+    "Summary": "summary",
+    "jobs_of": "prompts",
+    "read_prompts": "prompts",
+    "run": "running",
+    "shared_budget": "making",
+    "try_out": "running",
+}
+
+__all__ = [
+    "Composing",
+    "Generating",
+    "Job",
+    "Maker",
+    "Outcome",
+    "Summary",
+    "jobs_of",
+    "read_prompts",
+    "run",
+    "shared_budget",
+    "try_out",
+]
+
+__getattr__, __dir__ = lazy_names(__name__, _HOMES)

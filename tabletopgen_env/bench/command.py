@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import tyro
 from tyro.conf import OmitArgPrefixes, Positional, arg
@@ -15,9 +15,11 @@ from generator.errors import InputError, escape
 from generator.io.files import check_target, write_whole
 from generator.jobs.pools import PoolOptions
 
-from .instances import Suite
 from .playing import FailurePictures
-from .running import BenchRun, Report, run_suite
+
+if TYPE_CHECKING:
+    from .instances import Suite
+    from .running import Report
 
 app = tyro.extras.SubcommandApp()
 
@@ -102,6 +104,7 @@ def run_policy(
         pictures: What is kept of episodes that fail.
     """
     from .results import read_result
+    from .running import BenchRun, run_suite
 
     run = BenchRun(out, name, tables, pool, pictures)
     for chosen in _find(suite):
@@ -135,8 +138,9 @@ def check_results(
 
     A result with impossible figures is not played. If its episodes end as it says, to the step and
     within 0.0001 of the reward, it gets a mark, RESULT.replayed beside it, which the leaderboard
-    shows; if one differs, it loses the mark. Other versions of packages, and other kinds of
-    processors, may play an episode differently. The exit code is 1 if a result fails.
+    shows; a mark of more episodes is kept. If one differs, it loses the mark. Other versions of
+    packages, and other kinds of processors, may play an episode differently. The exit code is 1 if
+    a result fails.
 
     Args:
         results: Files that "run" wrote.

@@ -83,7 +83,7 @@ def _row(
     own = difference(result, baseline)
     apart = (f"{100 * own.share:+.1f}", span(own.interval), f"{own.gained}", f"{own.lost}")
     return (
-        result.player.name,
+        result.player.title,
         f"{result.solved} of {len(result.episodes)}",
         f"{percent(result.share)} %",
         span(result.interval),

@@ -118,7 +118,7 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
         random = results.get("random")
         by_level = ["–" if random is None else _level(random, level) for level in levels]
         cells = [
-            _plain(player.name), _plain(_sight(player)),
+            _plain(player.title), _plain(_sight(player)),
             *(_cell(results.get(c)) for c in ("plain", "random")),
             *by_level, _steps(random or results["plain"]), _replay_count(results.values()),
         ]  # fmt: skip

@@ -25,6 +25,9 @@ from .instances import Suite
 SIMPLE = ("random", "zero", "expert")
 """Players that need no policy."""
 
+KINDS = (*SIMPLE, "policy", "function")
+"""What players are: one of `SIMPLE`, a policy file, a function that returns a policy."""
+
 OWN = frozenset({*keywords_of("observation"), *keywords_of("action"), "renderer"})
 """Keywords of an environment that are a policy's: what it sees, and how it moves the robot."""
 
@@ -53,7 +56,7 @@ class PlayerFacts:
 
     Attributes:
         name: what it is called.
-        kind: "random", "zero", "expert", "policy" (a policy file) or "function".
+        kind: one of `KINDS`. No policy or function is called as one of `SIMPLE`.
         digest: a sha256 of what decides how it plays: of a policy file; of the file of a function's
             module, and of the policy's own ``digest``. Empty for others.
         settings: its own keywords of the environment.
@@ -63,6 +66,17 @@ class PlayerFacts:
     kind: str
     digest: str = ""
     settings: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def title(self) -> str:
+        """The name, with the kind of a simple player that is called otherwise."""
+        renamed = self.kind in SIMPLE and self.name != self.kind
+        return f"{self.name} ({self.kind})" if renamed else self.name
+
+    @property
+    def is_disguised(self) -> bool:
+        """Whether a policy or a function is called as one of `SIMPLE`."""
+        return self.kind not in SIMPLE and self.name.strip().lower() in SIMPLE
 
 
 def find_player(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:

@@ -6,18 +6,17 @@ import atexit
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
-
-import numpy as np
-from jaxtyping import UInt8
+from typing import TYPE_CHECKING, Any
 
 from generator.errors import SceneError
 from generator.threads import single_thread
 
-from ..env import TabletopEnv, make_env
-from ..episodes import Held
-from .instances import Suite, SuiteEpisode
-from .players import find_player
+if TYPE_CHECKING:
+    import numpy as np
+    from jaxtyping import UInt8
+
+    from ..env import TabletopEnv
+    from .instances import Suite, SuiteEpisode
 
 FRAME_EVERY = 4
 """Steps between the pictures of an episode."""
@@ -75,6 +74,9 @@ class Stage:
     """An environment at the tables of a suite, and who plays there."""
 
     def __init__(self, playing: Playing) -> None:
+        from ..env import make_env
+        from .players import find_player
+
         self._playing = playing
         facts, self._player = find_player(playing.player, playing.suite)
         settings: dict[str, Any] = {**facts.settings, **playing.suite.settings, "cache": _KEPT}
@@ -95,6 +97,8 @@ class Stage:
         return outcome
 
     def _play(self, episode: SuiteEpisode, frames: list[Any] | None) -> SuiteOutcome:
+        from ..episodes import Held
+
         suites = self._playing.suite.of
         env, bundle = self.env, self._playing.bundles[episode.table.digest]
         options = {"scene": bundle, **episode.instance.options}
@@ -135,6 +139,7 @@ def _write(frames: list[Any], pictures: FailurePictures, stem: str) -> None:
     """
     import io
 
+    import numpy as np
     from PIL import Image
 
     from generator.io.files import write_file

@@ -22,7 +22,7 @@ from generator.io.reading import is_number, printable
 from ..files import check_type
 from ..statistics import wilson
 from .instances import Suite, SuiteEpisode
-from .players import PlayerFacts
+from .players import KINDS, SIMPLE, PlayerFacts
 from .playing import SuiteOutcome
 from .suites import canonical_digest, digest_of, read_payload
 
@@ -223,7 +223,14 @@ def _player(entry: dict[str, Any]) -> PlayerFacts:
         raise ValueError(f"a policy's digest is {digest!r:.80}")
     settings = check_type(entry["settings"], dict)
     _check_setting(settings)
-    return PlayerFacts(name, kind, digest, settings)
+    if kind not in KINDS:
+        raise ValueError(f"a player is {kind!r:.40}, none of {', '.join(KINDS)}")
+    if kind in SIMPLE and (digest or settings):
+        raise ValueError(f"its player is {kind!r}, which has no digest and no settings")
+    player = PlayerFacts(name, kind, digest, settings)
+    if player.is_disguised:
+        raise ValueError(f"its player is a {kind} called {name!r}, as a player without a policy")
+    return player
 
 
 def _check_setting(value: Any) -> None:

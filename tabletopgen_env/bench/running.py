@@ -84,6 +84,11 @@ def run_suite(suite: Suite, player: str, run: BenchRun, report: Report | None = 
     facts, _ = find_player(player, suite)
     if run.name is not None:
         facts = dataclasses.replace(facts, name=_check_name(run.name))
+    if facts.is_disguised:
+        raise InputError(
+            f"{player} is a {facts.kind} and cannot be called {facts.name!r}, the name of a player "
+            "without a policy. Choose another --name."
+        )
     episodes = suite.episodes()
     if not episodes:
         raise InputError(f"{suite.name} lists no episodes.")

@@ -10,14 +10,13 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from generator.bundle import BOUNDS, read_inside
+from generator import bundle
 from generator.errors import BundleError, InputError, choices, require, require_seed
 from generator.io.files import write_whole
 from generator.io.reading import parse_object, printable
 
 from ..files import check_type
 from ..tasks.names import NAMES, TaskName
-from ..tasks.registry import task_named
 
 FILE = "certificate.json"
 """The certificate's name in a bundle's folder."""
@@ -134,7 +133,7 @@ def read_certificate(path: str | Path) -> Certificate | None:
     folder = Path(path)
     if not os.path.lexists(folder / FILE):
         return None
-    raw = read_inside(folder, FILE, _MOST_FILE)
+    raw = bundle.read_inside(folder, FILE, _MOST_FILE)
     try:
         payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE, max_depth=_DEPTH)
         schema = check_type(payload.get("schema"), int)
@@ -157,7 +156,9 @@ def read_certificate(path: str | Path) -> Certificate | None:
 
 def scene_digest(folder: Path) -> str:
     """Return the sha256 of a bundle's ``scene.json``."""
-    return hashlib.sha256(read_inside(folder, "scene.json", BOUNDS.file_bytes)).hexdigest()
+    return hashlib.sha256(
+        bundle.read_inside(folder, "scene.json", bundle.BOUNDS.file_bytes)
+    ).hexdigest()
 
 
 def write_certificate(folder: Path, certificate: Certificate) -> None:
@@ -195,6 +196,8 @@ def _decoded_instance(entry: dict[str, Any], terms: Terms) -> TaskInstance:
         if name is not None:
             printable(name, "A name", BundleError)
     task = check_type(entry["task"], str)
+    from ..tasks.registry import task_named  # loads all of the expert
+
     task_named(task, preset)  # refuses what there is not
     if task not in terms.tasks:
         raise ValueError(f"it lists {task}, which it was not made for")

@@ -14,7 +14,16 @@ from jaxtyping import Bool, Float
 
 from generator.geometry import rotation_yaw, wrap
 
-from ..robot.kinematics import HIGHEST, HOME, LOWER, LOWEST, UPPER, pointing_down, solve_ik
+from ..robot.kinematics import (
+    HIGHEST,
+    HOME,
+    LOWER,
+    LOWEST,
+    UPPER,
+    is_beyond_reach,
+    pointing_down,
+    solve_ik,
+)
 from ..world.world import World
 from .planning.heights import HeightMap
 
@@ -52,11 +61,12 @@ def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) 
 
     Points are of the tool centre point, world frame; ``yaw`` is the hand's, base frame, radians.
     """
-    most = 0.0
-    for point in points:
-        if np.linalg.norm(world.to_base(point)[:2]) < _NEAREST:
-            return None
-        found = solve_ik(world.to_base(point), pointing_down(yaw), iterations=_ITERATIONS)
+    tools = [world.to_base(point) for point in points]
+    if any(np.linalg.norm(at[:2]) < _NEAREST or is_beyond_reach(at) for at in tools):
+        return None
+    most, down = 0.0, pointing_down(yaw)
+    for at in tools:
+        found = solve_ik(at, down, iterations=_ITERATIONS)
         inside = np.minimum(found.joints - LOWER, UPPER - found.joints).min()
         if not found.solved or inside < INSIDE:
             return None

@@ -13,10 +13,39 @@ whether an arm reaches, is for the reader to check.
     labels.position[best], labels.quaternion[best], labels.width[best]
 """
 
-from .candidates import GraspCandidate as GraspCandidate
-from .labels import GraspLabels as GraspLabels
-from .labels import GraspTerms as GraspTerms
-from .labels import read_grasps as read_grasps
-from .sampling import label_bundle as label_bundle
-from .sampling import rate_grasps as rate_grasps
-from .sampling import sample_grasps as sample_grasps
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from generator.io.lazy import lazy_names
+
+if TYPE_CHECKING:
+    from .candidates import GraspCandidate as GraspCandidate
+    from .labels import GraspLabels as GraspLabels
+    from .labels import GraspTerms as GraspTerms
+    from .labels import read_grasps as read_grasps
+    from .sampling import label_bundle as label_bundle
+    from .sampling import rate_grasps as rate_grasps
+    from .sampling import sample_grasps as sample_grasps
+
+_HOMES = {
+    "GraspCandidate": "candidates",
+    "GraspLabels": "labels",
+    "GraspTerms": "labels",
+    "label_bundle": "sampling",
+    "rate_grasps": "sampling",
+    "read_grasps": "labels",
+    "sample_grasps": "sampling",
+}
+
+__all__ = [
+    "GraspCandidate",
+    "GraspLabels",
+    "GraspTerms",
+    "label_bundle",
+    "rate_grasps",
+    "read_grasps",
+    "sample_grasps",
+]
+
+__getattr__, __dir__ = lazy_names(__name__, _HOMES)

@@ -12,7 +12,7 @@ from typing import Any, cast
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from generator.bundle import BOUNDS, load_fingerprint, read_inside
+from generator import bundle
 from generator.errors import BundleError, InputError, require, require_seed
 from generator.geometry import quaternion_matrix
 from generator.io.files import write_whole
@@ -157,10 +157,10 @@ def read_file(path: str | Path) -> GraspFile | None:
         BundleError: see ``read_grasps``.
     """
     folder = Path(path)
-    scene = load_fingerprint(folder)
+    scene = bundle.load_fingerprint(folder)
     if not os.path.lexists(folder / FILE):
         return None
-    raw = read_inside(folder, FILE, _MOST_FILE)
+    raw = bundle.read_inside(folder, FILE, _MOST_FILE)
     advice = "Remove it, or label the bundle again (tabletopgen grasps --again)."
     try:
         payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE, max_depth=_DEPTH)
@@ -241,8 +241,8 @@ def _decode_file(payload: dict[str, Any]) -> GraspFile:
         for k, v in check_type(payload["versions"], dict).items()
     }
     objects = check_type(payload["objects"], dict)
-    if len(objects) > BOUNDS.objects:
-        raise ValueError(f"it lists more than {BOUNDS.objects} objects")
+    if len(objects) > bundle.BOUNDS.objects:
+        raise ValueError(f"it lists more than {bundle.BOUNDS.objects} objects")
     labels = {
         printable(name, "An object", BundleError): decode_labels(entry)
         for name, entry in objects.items()

@@ -40,21 +40,40 @@ _PART = 3  # letters
 _NUMBERS_ONLY = "stable_baselines3"
 
 
-def instruction_space(kind: InstructionKind) -> spaces.Space[Any]:
-    """Return the space of an instruction.
+class InstructionText(spaces.Text):
+    """The space of an instruction as text.
 
-    A text warns in a process that has loaded Stable-Baselines3, which fails at ``spaces.Text`` with
-    a message that names neither.
+    It warns once where Stable-Baselines3 is loaded, which fails at ``spaces.Text`` with a message
+    that names neither: when it is made, or when its ``shape`` is read, as each of that library's
+    environments does, whichever was imported first.
     """
+
+    def __init__(self) -> None:
+        super().__init__(MOST_CHARACTERS, min_length=0, charset=CHARACTERS)
+        self._warned = False
+        self._warn()
+
+    @property
+    def shape(self) -> None:
+        """None, as of every text."""
+        self._warn()
+
+    def _warn(self) -> None:
+        if _NUMBERS_ONLY not in sys.modules or self._warned:
+            return
+        self._warned = True
+        warnings.warn(
+            "The observation has the instruction as text (spaces.Text), which "
+            "Stable-Baselines3 cannot read: for its algorithms, make the environment with "
+            "instruction='embedding', 'tokens' or 'none'; info['instruction'] has the text.",
+            stacklevel=3,
+        )
+
+
+def instruction_space(kind: InstructionKind) -> spaces.Space[Any]:
+    """Return the space of an instruction."""
     if kind == "text":
-        if _NUMBERS_ONLY in sys.modules:
-            warnings.warn(
-                "The observation has the instruction as text (spaces.Text), which "
-                "Stable-Baselines3 cannot read: for its algorithms, make the environment with "
-                "instruction='embedding', 'tokens' or 'none'; info['instruction'] has the text.",
-                stacklevel=2,
-            )
-        return spaces.Text(MOST_CHARACTERS, min_length=0, charset=CHARACTERS)
+        return InstructionText()
     if kind == "tokens":
         return spaces.Box(0, VOCABULARY - 1, (MOST_TOKENS,), np.int32)
     return spaces.Box(-1.0, 1.0, (EMBEDDING_SIZE,), np.float32)

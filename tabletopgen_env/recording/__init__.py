@@ -72,8 +72,30 @@ played, and what was interrupted, however abruptly, is resumed (``record(..., re
 the same bytes. Until it is put together at the end, a dataset takes up to twice its room.
 """
 
-from .config import FORMATS, VIDEO_CODECS, Format, LeRobotConfig, RecordConfig, VideoCodec
-from .recorder import record
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from generator.io.lazy import lazy_names
+
+if TYPE_CHECKING:
+    from .config import FORMATS as FORMATS
+    from .config import VIDEO_CODECS as VIDEO_CODECS
+    from .config import Format as Format
+    from .config import LeRobotConfig as LeRobotConfig
+    from .config import RecordConfig as RecordConfig
+    from .config import VideoCodec as VideoCodec
+    from .recorder import record as record
+
+_HOMES = {
+    "FORMATS": "config",
+    "Format": "config",
+    "LeRobotConfig": "config",
+    "RecordConfig": "config",
+    "VIDEO_CODECS": "config",
+    "VideoCodec": "config",
+    "record": "recorder",
+}
 
 __all__ = [
     "FORMATS",
@@ -84,3 +106,5 @@ __all__ = [
     "VideoCodec",
     "record",
 ]
+
+__getattr__, __dir__ = lazy_names(__name__, _HOMES)

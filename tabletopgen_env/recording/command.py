@@ -11,7 +11,6 @@ from tyro.conf import OmitArgPrefixes
 from generator.jobs.pools import PoolOptions
 
 from .config import Format, LeRobotConfig, RecordConfig
-from .recorder import record as run
 
 _POOL = PoolOptions()
 _LEROBOT = LeRobotConfig()
@@ -39,6 +38,8 @@ def record(
     """
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    from .recorder import record as run
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
                TimeElapsedColumn(), TextColumn("{task.fields[note]}"))  # fmt: skip

@@ -193,6 +193,33 @@ def solve_ik(
     return min(found, key=_badness)
 
 
+def is_beyond_reach(position: Float[np.ndarray, "3"]) -> bool:
+    """Return whether a tool position is too far for a hand that points down, whatever its yaw.
+
+    Base frame, metres. The wrist is then farther from the shoulder than the elbow stretches, by
+    more than what ``IkSolution.solved`` tolerates: ``solve_ik`` solves no such pose. Positions
+    that are not beyond reach may still have no solution.
+    """
+    x, y, z = position.tolist()
+    aside = max(math.hypot(x, y) - franka.JOINTS[6].a, 0.0)
+    wrist = z + franka.FLANGE + franka.TCP
+    return math.hypot(aside, wrist - franka.JOINTS[0].d) > _LONGEST + _TOLERATED
+
+
+def _wrist_distance(elbow: float) -> float:
+    """Return how far the wrist is from the shoulder at an angle of the elbow (rad), metres."""
+    upper, lower = franka.JOINTS[2:5:2]
+    c, s = math.cos(elbow), math.sin(elbow)
+    bent = franka.JOINTS[3].a
+    along = upper.d - s * bent + c * lower.d
+    aside = bent - c * bent - s * lower.d
+    return math.hypot(along, aside)
+
+
+_LONGEST = _wrist_distance(float(HIGHEST[3]))
+_TOLERATED = 0.004  # 1 mm, and 0.01 rad over the 0.23 m between tool and wrist
+
+
 def _badness(solution: IkSolution) -> float:
     return solution.position_error + 0.1 * solution.rotation_error
 

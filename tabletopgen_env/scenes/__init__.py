@@ -2,7 +2,8 @@
 
 A source draws *references*: a key, by which a compiled world is reused, and a function that loads
 the scene when it is not there yet. Drawing uses the generator it is given and nothing else, so
-that a seeded environment sees the same tables again; only what is renewed by the clock does not.
+that a seeded environment sees the same tables again; only what is renewed by the clock does not
+(``RefreshingScenes`` with ``per_minute``).
 
 ====================  =============================================================================
 ``FixedScenes``       bundles and scenes in memory, all equally likely

@@ -28,11 +28,19 @@ PER_MINUTE = 6.0
 class RefreshingScenes:
     """Draws uniformly from a pool that background processes keep renewing.
 
-    The oldest scene goes as a new one comes. A draw never waits for a new scene: it takes over what
-    is finished, orders what is due, and draws from what is there. Only the first draw makes its
-    pool itself, about a second a scene, where ``initial`` gives it none. Where processes die or
-    scenes cannot be made, the pool stays as it is, with one warning, and new ones are tried after
-    ever longer pauses; see ``failures``.
+    The oldest scene goes as a new one comes. With ``per_minute`` a draw never waits for a new
+    scene: it takes over what is finished, orders what is due, and draws from what is there, so that
+    what a policy sees depends on the clock and on how fast the processes are. With ``every_resets``
+    it depends on neither: the same seed gives the same scenes at the same draws, a failed scene
+    included; scenes are made ahead, and a draw at which one is due waits for it if it is not done.
+    (A process that the system kills costs its scene, and that run its repeatability, with a
+    warning.) Several slots of a vector environment draw in the order of their resets, which is
+    fixed only where they are reset by one thread.
+
+    Only the first draw makes its pool itself, about a second a scene, where ``initial`` gives it
+    none. Where processes die or scenes cannot be made, the pool stays as it is, with one warning,
+    and new ones are tried after ever longer pauses, with ``every_resets`` at the next draw that is
+    due; see ``failures``.
 
     Each process takes 150 to 300 MB at nice 10. All ends with ``close``, or with the process that
     drew; the next draw begins anew, and so does a pickled or forked copy. Threads of your own draw
@@ -43,12 +51,12 @@ class RefreshingScenes:
         size: how many scenes the pool holds.
         per_minute: how many scenes are renewed a minute; None for ``PER_MINUTE`` if
             ``every_resets`` is None, too. The processes may not keep up with a high rate.
-        every_resets: renew a scene every so many draws instead.
+        every_resets: renew a scene every so many draws instead, in step with them.
         workers: how many scenes are made at a time, each by a process.
         initial: the first pool, at most ``size`` drawn from it: a ``FixedScenes``, or what names
             one ("starter", a list of bundles).
-        synchronous: renew in this very process, as part of the draws that are due: slow, but the
-            same seed gives the same scenes. Needs ``every_resets``.
+        synchronous: renew in this very process, as part of the draws that are due, without other
+            processes: slow. Needs ``every_resets``.
         seed: of the scenes made; None takes it from the first draw's generator.
 
     Raises:

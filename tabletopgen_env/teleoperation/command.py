@@ -10,23 +10,22 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol
 
-import gymnasium as gym
 import numpy as np
 from rich.markup import escape
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from generator.errors import InputError, SceneError, require_number
 
-from ..learning.demonstrations.recorded import Demonstration, stack
 from ..recording.config import Format, LeRobotConfig, RecordConfig
-from ..recording.playing import RecordedEpisode, recorded_episode
-from ..recording.recorder import MOST_MISSES, write_dataset
 from ..rendering.config import CameraName
-from .inputs import HumanInput
-from .session import TeleopEpisode, TeleopSession, TeleopStatus
 
 if TYPE_CHECKING:
+    import gymnasium as gym
+
     from ..learning.policies import Card, TrainedPolicy
+    from ..recording.playing import RecordedEpisode
+    from .inputs import HumanInput
+    from .session import TeleopEpisode, TeleopSession, TeleopStatus
 
 Device = Literal["page", "window"]
 
@@ -93,6 +92,9 @@ def teleop(
         _check_left_out(config, acting.card, policy)
         player = f"human and {Path(policy).name}"
         config = replace(config, player=player, task=acting.card.task)
+    from ..recording.recorder import write_dataset
+    from .session import TeleopSession
+
     with closing(_environment(config, steps, own)) as env:
         session = TeleopSession(env, view, acting)
 
@@ -146,6 +148,8 @@ def play(
 
 def _begin_each(session: TeleopSession, seeds: Iterator[tuple[int, int]]) -> Iterator[int]:
     """Begin the episodes that have something to do; yield the number of each."""
+    from ..recording.recorder import MOST_MISSES
+
     missed = 0
     for number, seed in seeds:
         try:
@@ -164,6 +168,9 @@ def _begin_each(session: TeleopSession, seeds: Iterator[tuple[int, int]]) -> Ite
 
 def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:
     """Return an episode as datasets keep it, with who acted as the column ``human``."""
+    from ..learning.demonstrations.recorded import Demonstration, stack
+    from ..recording.playing import recorded_episode
+
     actions = np.stack(episode.actions)
     shown = Demonstration(
         stack(episode.observations), actions, actions, np.asarray(episode.rewards, np.float32),
@@ -217,6 +224,8 @@ def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
 
 def _environment(config: RecordConfig, steps: int, own: dict[str, Any]) -> gym.Env[Any, Any]:
     """Return the environment of a config and a policy's ``own`` keywords, with a longer limit."""
+    import gymnasium as gym
+
     return gym.make(
         f"tabletopgen_env:TabletopGen/{config.name}-v0", max_episode_steps=steps,
         **{**config.keywords, **own, "render_mode": "rgb_array", "render_size": SIZE},

@@ -107,6 +107,64 @@ def test_what_was_played_is_marked(zero: Path, suite_file: Path, store: Path, sh
     assert "4 of 4" in shell("bench", "check", str(zero), *own, "--episodes", "9").out
 
 
+def test_a_check_of_fewer_episodes_keeps_the_mark(
+    zero: Path, suite_file: Path, store: Path, shell: Shell
+) -> None:
+    check = shell.of(
+        "bench", "check", str(zero), "--suite", f"{suite_file}:test", "--tables", str(store),
+    )  # fmt: skip
+    check("--episodes", "3", "--seed", "1")
+    before = mark_path(zero).read_bytes()
+    assert "the mark of 3 episodes is kept" in check("--episodes", "1").out
+    assert mark_path(zero).read_bytes() == before
+    mark_path(zero).write_bytes(before[:-20])  # damaged, and no longer a mark
+    check("--episodes", "1")
+    mark = read_mark(zero, results.read_result(zero).digest)
+    assert mark is not None and len(mark.episodes) == 1
+    edited(zero, reward=0.123456)
+    write_mark(zero, ReplayMark(results.read_result(zero).digest, 0, (1, 2, 3), versions(PACKAGES)))
+    check("--episodes", "4", code=1)
+    assert not mark_path(zero).exists()
+
+
+def test_a_player_without_a_policy_is_shown_as_what_it_is(tmp_path: Path) -> None:
+    suite = find_suite("lift-test")
+    forged(suite, tmp_path / "a.json", SuiteOutcome(False, 60, 0.2), "expert")
+    page = leaderboard.page(leaderboard.read_results(tmp_path))
+    assert "| SuperNet (expert) | the world |" in page
+
+
+@pytest.mark.parametrize(("player", "wrong"), [
+    ({"kind": "oracle"}, "a player is 'oracle'"),
+    ({"kind": "expert", "digest": "ab" * 32}, "no digest"),
+    ({"kind": "zero", "settings": {"observation": "pixels"}}, "no settings"),
+    ({"kind": "policy", "name": "Expert", "digest": "ab" * 32}, "called 'Expert'"),
+])  # fmt: skip
+def test_no_result_is_of_a_player_that_there_cannot_be(
+    tmp_path: Path, player: dict, wrong: str
+) -> None:
+    path = forged(find_suite("lift-test"), tmp_path / "a.json", SuiteOutcome(False, 100, 0.2))
+    payload = json.loads(path.read_text())
+    payload.pop("digest")
+    payload["player"] |= {"digest": "", **player}
+    path.write_text(json.dumps({**payload, "digest": canonical_digest(payload)}))
+    with pytest.raises(InputError, match=wrong):
+        results.read_result(path)
+
+
+def test_no_policy_runs_under_the_name_of_the_expert(
+    toy: Suite, store: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "my_still_policy.py").write_text(
+        "class Still:\n    def predict(self, observation, deterministic):\n        return None\n"
+    )
+    monkeypatch.syspath_prepend(str(tmp_path))
+    run = BenchRun(tmp_path / "out", "expert", tables=store)
+    with pytest.raises(InputError, match="cannot be called 'expert'"):
+        run_suite(toy, "my_still_policy:Still", run)
+    assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.parametrize("change", [
     {"solved": True, "steps": 12, "reward": 0.9}, {"reward": 0.123456},
 ])  # fmt: skip

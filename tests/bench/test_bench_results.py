@@ -12,7 +12,7 @@ from generator.errors import InputError
 from generator.scene.provenance import versions
 from tabletopgen_env.bench import comparing, leaderboard, results
 from tabletopgen_env.bench.instances import Suite
-from tabletopgen_env.bench.players import PlayerFacts
+from tabletopgen_env.bench.players import SIMPLE, PlayerFacts
 from tabletopgen_env.bench.playing import SuiteOutcome
 from tabletopgen_env.bench.running import PACKAGES
 from tabletopgen_env.bench.suites import canonical_digest, find_suite, tasks
@@ -28,7 +28,7 @@ def result_of(suite: Suite, path: Path, name: str, solved: set[int]) -> results.
         results.row_of(episode, done if k in solved else failed)
         for k, episode in enumerate(suite.episodes())
     ]
-    facts = PlayerFacts(name, name)
+    facts = PlayerFacts(name, name if name in SIMPLE else "function")
     results.write_result(path, results.head_of(suite, facts, versions(PACKAGES)), rows)
     return results.read_result(path)
 

@@ -112,6 +112,9 @@ def test_waiting_for_calls_under_way_can_be_stopped() -> None:
 def test_a_budget_refuses_what_has_no_price() -> None:
     with pytest.raises(BudgetError, match="price table"), Account().reserving(None, 5.0, "a call"):
         raise AssertionError
+    named = Account().reserving(None, 5.0, "a call", model="brush-9")
+    with pytest.raises(BudgetError, match=r'add \[models\."brush-9"\]'), named:
+        raise AssertionError
     with Account().reserving(None, None, "a call"):
         pass
 

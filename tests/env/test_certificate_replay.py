@@ -83,6 +83,8 @@ def test_what_the_expert_did_not_do_is_found(
     bundle = shutil.copytree(certified, tmp_path / certified.name)
     verify = shell.of("verify", str(bundle), "--replay", "3", "--seed", "1")
     assert f"{bundle.name}: sound, 3 episodes replayed" in verify().out
+    counted = {"failures": [], "replayed": 3, "seed": 1}
+    assert json.loads(verify("--json").out) == {bundle.name: counted}
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 0, 1))
     assert "sound, 1 episodes replayed" in verify().out, "it claims less than holds"
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 3, 3))
@@ -92,8 +94,10 @@ def test_what_the_expert_did_not_do_is_found(
     assert "Lift (target cube_1): episode 0 is not solved, listed as solved" in said
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 40, 40))
     assert "40 of 40 episodes cannot be (too many" in verify(code=1).out
-    listed = json.loads(verify("--json", code=1).out)
-    assert len(listed[bundle.name]) == 1 and "cannot be" in listed[bundle.name][0]
+    listed = json.loads(verify("--json", code=1).out)[bundle.name]
+    assert len(listed["failures"]) == 1 and "cannot be" in listed["failures"][0]
+    assert (listed["replayed"], listed["seed"]) == (0, 1)
+    assert json.loads(shell("verify", str(bundle), "--json").out) == {bundle.name: []}
 
 
 def test_a_bundle_without_a_certificate_has_nothing_to_play(tmp_path: Path, shell: Shell) -> None:

@@ -3,6 +3,8 @@
 What is not installed is skipped, with the command that installs it.
 """
 
+import subprocess
+import sys
 from typing import Any
 
 import gymnasium as gym
@@ -104,6 +106,35 @@ def test_a_text_that_sb3_cannot_read_is_announced_when_it_is_made() -> None:
     need("stable_baselines3", "train")
     with pytest.warns(UserWarning, match="instruction='embedding'"):
         gym.make(ID, scenes=toy_scene(), observation="pixels+proprio", **SMALL)
+
+
+_LATE_IMPORT = """
+import sys, warnings, gymnasium as gym
+from tabletopgen_env.observations.instructions import instruction_space
+space = gym.spaces.Dict({"instruction": instruction_space("text")})
+assert space["instruction"].shape is None and "stable_baselines3" not in sys.modules
+from stable_baselines3.common.vec_env import DummyVecEnv
+class Bare(gym.Env):
+    observation_space, action_space = space, gym.spaces.Discrete(2)
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    try:
+        DummyVecEnv([Bare])
+    except TypeError as error:
+        print("failed:", error)
+print("warnings:", *[str(w.message) for w in caught if "instruction=" in str(w.message)])
+"""
+
+
+@pytest.mark.slow
+def test_a_text_that_sb3_cannot_read_is_announced_if_sb3_is_imported_later() -> None:
+    need("stable_baselines3", "train")
+    done = subprocess.run(
+        [sys.executable, "-c", _LATE_IMPORT], capture_output=True, text=True, timeout=240,
+        check=True,
+    )  # fmt: skip
+    assert "failed: 'NoneType' object is not iterable" in done.stdout
+    assert done.stdout.count("instruction='embedding'") == 1
 
 
 @pytest.mark.slow

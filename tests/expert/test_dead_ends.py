@@ -11,9 +11,12 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert import arm
 from tabletopgen_env.expert.pick import Picker
+from tabletopgen_env.expert.planning.plans import first_plan
 from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.robot import kinematics
 from tabletopgen_env.robot.mount import ARM_BREADTH, clear_of_tall
 from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.tasks import sampling
 from tabletopgen_env.world.workspace import free_spot
 from tabletopgen_env.world.world import World
 
@@ -131,3 +134,54 @@ def test_a_spot_that_does_not_fit_is_passed_over_and_takes_nothing_from_the_seed
     other, later = draw(lambda point: not np.array_equal(point, first))
     assert other is not None and not np.array_equal(other, first) and later == after
     assert draw(lambda point: False) == (None, after)
+
+
+REFUSABLE = toy_object("post_1", (0.05, 0.05, 0.4), (0.05, -0.1))
+"""Held so high that the arm does not put it on the far spots of the table."""
+
+
+def asked(seed: int) -> tuple[list[tuple[bytes, bool]], int]:
+    """Spots that are offered for the post and whether each is taken; and steps of kinematics."""
+    world, steps = World(toy_scene((REFUSABLE,)), Panda()), list[int]()
+    plan = first_plan(world, "post_1")
+    assert plan is not None
+    offered = list[tuple[bytes, bool]]()
+
+    def fits(point: Any) -> bool:
+        offered.append((point.tobytes(), sampling._is_brought_to(world, REFUSABLE, plan, point)))
+        return False
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kinematics, "ik_step", counted(kinematics.ik_step, steps))
+        assert free_spot(world, "post_1", np.random.default_rng(seed), fits) is None
+    return offered, len(steps)
+
+
+def counted(function: Any, calls: list[int]) -> Any:
+    def call(*args: Any, **more: Any) -> Any:
+        calls.append(1)
+        return function(*args, **more)
+
+    return call
+
+
+def test_a_spot_far_out_of_reach_is_refused_without_a_step_of_kinematics() -> None:
+    world = World(toy_scene((REFUSABLE,)), Panda())
+    plan = first_plan(world, "post_1")
+    assert plan is not None
+    far = world.to_world(np.array([0.9, 0.0, 0.0]))[:2]
+    steps = list[int]()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kinematics, "ik_step", counted(kinematics.ik_step, steps))
+        assert not sampling._is_brought_to(world, REFUSABLE, plan, far)
+    assert not steps
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(4))
+def test_the_quick_look_at_reach_changes_no_spot(seed: int, monkeypatch) -> None:
+    offered, steps = asked(seed)
+    monkeypatch.setattr(arm, "is_beyond_reach", lambda position: False)
+    as_before, more = asked(seed)
+    refused = [taken for _, taken in offered].count(False)
+    assert offered == as_before and 0 < refused < len(offered) and steps < more

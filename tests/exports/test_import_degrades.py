@@ -1,7 +1,9 @@
 """An object that cannot be used costs itself alone; an outcome says what was done with each."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,10 +11,11 @@ import trimesh
 from command import Shell
 from foreign_meshes import MAKERS, box, heavy, in_millimetres, layer, sheet, write_meshes
 from foreign_models import CUBE, TABLE, write
+from toy import toy_scene
 
 from generator import editing
 from generator.bundle import load, save
-from generator.errors import BackendError, InputError, SceneError
+from generator.errors import BackendError, BundleError, InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
 from generator.imports import folder as folders
 from generator.imports.building import bodies
@@ -103,6 +106,30 @@ def test_the_command_prints_a_table_of_outcomes(tmp_path: Path, shell: Shell) ->
     assert [o["kind"] for o in facts["outcomes"]] == ["taken", "refused"]
     kept = list_outcomes(load(facts["bundle"]))
     assert [outcome.kind for outcome in kept] == ["taken", "refused"]
+
+
+TAKEN = {"name": "one", "kind": "taken", "detail": ""}
+
+
+@pytest.mark.parametrize("listed", [
+    None, 7, "taken", {"name": "one"}, [None], ["one"], [["one", "taken", ""]], [{}],
+    [{"name": "one", "kind": "taken"}], [TAKEN | {"more": 1}], [TAKEN | {"kind": "stolen"}],
+    [TAKEN | {"kind": ["taken"]}], [TAKEN | {"name": 1}], [TAKEN | {"detail": {"a": []}}],
+    [TAKEN] * 10_001,
+])  # fmt: skip
+def test_outcomes_of_a_crafted_bundle_are_refused(listed: Any) -> None:
+    scene = toy_scene()
+    config = {**scene.provenance.config, "outcomes": listed}
+    with pytest.raises(BundleError, match="outcomes"):
+        list_outcomes(scene.replace(provenance=replace(scene.provenance, config=config)))
+
+
+def test_a_scene_that_was_not_imported_has_no_outcomes() -> None:
+    scene = toy_scene()
+    assert list_outcomes(scene) == ()
+    config = {"outcomes": [TAKEN]}
+    imported = scene.replace(provenance=replace(scene.provenance, config=config))
+    assert list_outcomes(imported) == (ImportOutcome("one"),)
 
 
 @pytest.mark.slow

@@ -2,14 +2,19 @@ import mujoco
 import numpy as np
 import pytest
 
-from tabletopgen_env.robot import kinematics
+from tabletopgen_env.robot import franka, kinematics
 from tabletopgen_env.robot.chain import chain_at
 from tabletopgen_env.robot.kinematics import (
+    HIGHEST,
     HOME,
     LOWER,
+    LOWEST,
     UPPER,
     forward,
     ik_step,
+    is_beyond_reach,
+    link_frames,
+    pointing_down,
     rotation_vector,
     solve_ik,
 )
@@ -115,3 +120,28 @@ def test_rotation_vector(angle: float) -> None:
 def test_constants_do_not_change() -> None:
     with pytest.raises(ValueError, match="read-only"):
         kinematics.HOME[0] = 1.0
+
+
+@pytest.mark.slow
+def test_what_is_beyond_reach_has_no_solution() -> None:
+    rng = np.random.default_rng(0)
+    beyond = 0
+    while beyond < 12:
+        height, radius, bearing = rng.uniform((0.3, 0.5, -1.5), (0.7, 0.9, 1.5))
+        at = np.array([radius * np.cos(bearing), radius * np.sin(bearing), height])
+        near = at - 0.01 * at / np.linalg.norm(at)
+        if is_beyond_reach(at) and not is_beyond_reach(near):  # by less than a centimetre
+            beyond += 1
+            for yaw in rng.uniform(-np.pi, np.pi, 3):
+                assert not solve_ik(at, pointing_down(yaw)).solved
+
+
+def test_what_the_arm_reaches_is_not_beyond_reach() -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(300):
+        joints = rng.uniform(LOWEST, HIGHEST)
+        joints[3] = rng.uniform(-1.2, HIGHEST[3])
+        wrist, (x, y) = link_frames(joints)[5, :3, 3], rng.normal(size=2)
+        aside = franka.JOINTS[6].a * np.array([x, y]) / np.hypot(x, y)
+        tool = wrist + np.array([*aside, -franka.FLANGE - franka.TCP])  # of a hand that points down
+        assert not is_beyond_reach(tool)

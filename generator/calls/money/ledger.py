@@ -122,19 +122,20 @@ class Account:
         budget: float | None,
         what: str,
         check: Callable[[], None] = lambda: None,
+        model: str = "MODEL",
     ) -> Iterator[Callable[[Entry], None]]:
         """Set aside what a call may cost while it runs; yields what enters the call instead.
 
         Where the budget would do but for calls under way, they are waited for: most cost less
         than they might. ``check`` is called now and then meanwhile, and may raise. ``maximum`` is
         None where it is not known, ``budget`` None for no limit; ``what`` names the call in the
-        message.
+        message, ``model`` what the price table lacks then.
 
         Raises:
             BudgetError: it might exceed the budget, or nobody knows.
         """
         if budget is not None and maximum is None:
-            raise unknown_price(what, budget)
+            raise unknown_price(what, budget, model)
         if budget is not None and maximum and self._shared is None:  # a shared one has its own sum
             self._check_earlier(what, budget)
         with self._ended:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import cast
 
 import numpy as np
 from jaxtyping import Float
 
-from ...errors import InputError, SceneError
+from ...bundle.fields import arguments
+from ...errors import BundleError, InputError, SceneError
 from ...geometry import convex_outline, inside_margin, quaternion_matrix
 from ...layout.checking import correct_supports, observe
 from ...method.assembly import AssemblyConfig, reassemble
@@ -21,7 +22,7 @@ from .bodies import SurfaceCache, build_object, build_table
 
 _RIM = 0.01  # metres below a container's rim from which a thing is in it
 _ROUNDS = 20  # objects left out, one after the other
-_OUTCOMES = "outcomes"
+_OUTCOMES, _MOST_OUTCOMES = "outcomes", 10_000
 
 
 def build_scene(
@@ -71,9 +72,18 @@ def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
     """Return what the import of a scene did with each object; empty if it was not imported.
 
     A table is among them if it was repaired.
+
+    Raises:
+        BundleError: the scene is from a bundle whose provenance lists something else there.
     """
-    listed: Sequence[Mapping[str, Any]] = scene.provenance.config.get(_OUTCOMES, ())
-    return tuple(ImportOutcome(o["name"], o["kind"], o["detail"]) for o in listed)
+    listed: object = scene.provenance.config.get(_OUTCOMES, ())
+    what = f"{scene.name}: provenance.config[{_OUTCOMES!r}]"
+    if not isinstance(listed, list | tuple) or len(listed) > _MOST_OUTCOMES:
+        raise BundleError(
+            f"{what} is not a list of at most {_MOST_OUTCOMES} outcomes. Import the scene again."
+        )
+    entries = enumerate(cast("Sequence[object]", listed))
+    return tuple(ImportOutcome(**arguments(ImportOutcome, o, f"{what}[{k}]")) for k, o in entries)
 
 
 def _record(provenance: Provenance, outcomes: Sequence[ImportOutcome]) -> Provenance:

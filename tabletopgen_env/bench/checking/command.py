@@ -7,7 +7,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from generator.errors import escape, require_seed
+from generator.errors import InputError, escape, require_seed
 from generator.jobs.pools import PoolOptions
 from generator.scene.provenance import versions
 
@@ -15,7 +15,7 @@ from ..results import BenchResult, EpisodeRow, read_result
 from ..running import PACKAGES
 from ..suites import find_suite
 from .figures import check_suite, doubts
-from .marks import ReplayMark, mark_path, remove_mark, write_mark
+from .marks import ReplayMark, mark_path, read_mark, remove_mark, write_mark
 from .replaying import EpisodeReplay, draw_places, player_of, replay
 
 
@@ -42,6 +42,8 @@ class Check:
 
 def check_result(path: Path, check: Check) -> bool:
     """Check a result, print what was found and mark it; return whether it passed.
+
+    A mark of more episodes of the same result is kept.
 
     Raises:
         InputError: it is no sound result, its suite or its policy is not found, or a number is out
@@ -71,15 +73,29 @@ def check_result(path: Path, check: Check) -> bool:
         remove_mark(path)
         _fail(path, f"{failed} of {len(numbers)} episodes differ (seed {seed}){_others(result)}")
         return False
-    write_mark(path, ReplayMark(result.digest, seed, numbers, versions(PACKAGES)))
+    mark = ReplayMark(result.digest, seed, numbers, versions(PACKAGES))
+    kept = _stronger_mark(path, mark)
+    if kept is None:
+        write_mark(path, mark)
+    marked = "marked" if kept is None else f"the mark of {len(kept.episodes)} episodes is kept"
     print(
         escape(
             f"{path}: {len(numbers)} of {len(result.episodes)} episodes replayed (seed {seed}), "
-            f"all as listed; marked in {mark_path(path).name}"
+            f"all as listed; {marked} in {mark_path(path).name}"
         ),
         flush=True,
     )
     return True
+
+
+def _stronger_mark(path: Path, mark: ReplayMark) -> ReplayMark | None:
+    """Return the mark of a result that is there if it is of more episodes than ``mark``."""
+    try:
+        there = read_mark(path, mark.result)
+    except InputError:  # edited or damaged: no mark
+        return None
+    more = there is not None and len(there.episodes) > len(mark.episodes)
+    return there if more else None
 
 
 def _fail(path: Path, why: str) -> None:

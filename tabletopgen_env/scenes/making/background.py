@@ -1,4 +1,4 @@
-"""Scenes that worker processes make in the background; nothing here ever waits for them."""
+"""Scenes that worker processes make in the background; only ``next_end`` waits for them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import shutil
 import tempfile
 import time
 from collections import deque
-from concurrent.futures import Future
+from concurrent.futures import Future, wait
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -74,6 +74,11 @@ class Background:
         return self._workers.pids
 
     @property
+    def width(self) -> int:
+        """How many scenes are made at a time."""
+        return self._workers.width
+
+    @property
     def open(self) -> int:
         """How many scenes are ordered and not done."""
         return len(self._waiting) + len(self._pending)
@@ -91,9 +96,20 @@ class Background:
             rest = min(self._rest * 2.0 ** (self._failures - 1), LONGEST_REST)
             self._resting_until = time.monotonic() + rest
         if time.monotonic() >= self._resting_until:
-            while self._waiting and len(self._pending) < self._workers.width:
-                self._start(self._waiting.popleft())
+            self.hand_out()
         return ended
+
+    def hand_out(self) -> None:
+        """Start what waits, as far as there are processes for it."""
+        while self._waiting and len(self._pending) < self.width:
+            self._start(self._waiting.popleft())
+
+    def next_end(self) -> MadeScene | FailedScene:
+        """Return what has come of the earliest order that is open, once it has ended."""
+        self.hand_out()
+        future = next(iter(self._pending))
+        wait([future])
+        return self._result(future)
 
     def close(self) -> None:
         """End the processes and remove what they have made. May be called twice."""

@@ -84,6 +84,8 @@ class ScenePool:
             while self._owed >= 1:
                 self._owed -= 1
                 self._make_one()
+        elif self._pace.every_resets is not None:
+            self._keep_step(self.background, due > 0)
         else:
             if now >= self._resting_until:
                 self._order(self.background)
@@ -92,6 +94,22 @@ class ScenePool:
         return self._pick(rng)
 
     # ---------------------------------------------------------------------------------- renewing
+
+    def _keep_step(self, background: Background, due: bool) -> None:
+        """Take the scene that is due, in the order of the orders, and keep the next ones in work.
+
+        What comes when is thus the same however fast the processes are; a draw waits for a scene
+        that is due and not done.
+        """
+        if due and background.open:
+            self._take(background.next_end())
+        while background.open < background.width:
+            try:
+                background.order(self._fresh.recipe(self._next()))
+            except SceneError as error:
+                self._fail(str(error))
+                break
+        background.hand_out()
 
     def _order(self, background: Background) -> None:
         """Order what is missing or due, never more than the pool holds."""

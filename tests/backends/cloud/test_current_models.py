@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,9 @@ from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server.configuration import DEFAULTS, OPENAI
 from generator.calls.money import prices
 from generator.calls.money.prices import Prices
+from generator.calls.question import question
 from generator.calls.session import Session
+from generator.calls.store import CallStore, StoredAnswer
 from generator.errors import BudgetError
 
 ENDED = {
@@ -39,21 +42,24 @@ def test_the_defaults_have_prices_and_no_date_of_their_end() -> None:
 
 
 @pytest.mark.parametrize(
-    ("model", "told"),
-    [("gpt-image-2.6-sunburst", False), ("gpt-image-2", False), ("gpt-image-1-mini", False),
-     ("openai/gpt-image-2.5-flare", False), ("gpt-image-1.5", True), ("brush-1", True)],
+    ("model", "taken"),
+    [("gpt-image-2.6-sunburst", set()), ("gpt-image-2", set()),
+     ("openai/gpt-image-2.5-flare", set()), ("gpt-image-1-mini", {"background"}),
+     ("gpt-image-1.5", {"background", "input_fidelity"}),
+     ("brush-1", {"background", "input_fidelity"})],
 )  # fmt: skip
 def test_an_edit_has_no_options_that_the_model_rejects(
-    model: str, told: bool, server: Running, make_imager: Callable[..., CloudImager]
+    model: str, taken: set[str], server: Running, make_imager: Callable[..., CloudImager]
 ) -> None:
     server.script.paint = lambda request: np.full((200, 300, 3), 90, np.uint8)
     server.script.models = (model,)
-    server.script.unknown = set() if told else {"input_fidelity"}
+    options = {"background", "input_fidelity"}
+    server.script.unknown = options - taken
     painter = make_imager(model=model).painter
     painter.paint("complete", "a mug", 1.0, (np.zeros((64, 64, 3), np.uint8),), clear=True)
     (request,) = server.script.requests  # none was rejected
-    assert ("input_fidelity" in request.body) == told
-    assert request.body["background"] == "transparent" and request.body["model"] == model
+    assert {*request.body} & options == taken and request.body["model"] == model
+    assert request.body.get("background", "transparent") == "transparent"
 
 
 @pytest.mark.parametrize("role", ["reasoner", "imager"])
@@ -88,3 +94,24 @@ def test_known_prices_servers_here_and_no_budget_are_not_refused(server: Running
     CloudReasoner(base_url=OPENAI, model=DEFAULTS["chat"], session=Session(budget=1.0)).check()
     CloudReasoner(model="anything", session=Session(budget=1.0)).check()  # on this machine
     CloudReasoner(base_url="http://models.invalid/v1", model="anything").check()
+
+
+def test_answers_that_are_kept_need_no_price(tmp_path: Path) -> None:
+    session = Session(CallStore(tmp_path / "calls"), budget=2.0)
+    url = "http://models.invalid/v1/chat/completions"
+    reasoner = CloudReasoner("http://models.invalid/v1", "glimpse-9", session=session)
+
+    def asked(text: str) -> dict[str, Any]:
+        return {"model": "glimpse-9", "messages": [{"role": "user", "content": text}]}
+
+    with pytest.raises(BudgetError):
+        reasoner.check()  # all of it would have to be paid for
+    with session.client("cloud/chat", "http://models.invalid/v1", timeout=5.0) as http:
+        key = question(http.build_request("POST", url, json=asked("old")), "", Prices()).key
+        assert session.store is not None
+        session.store.put(key, StoredAnswer(200, "application/json", b'{"choices": []}'))
+        reasoner.check()
+        assert http.post(url, json=asked("old")).json() == {"choices": []}
+        with pytest.raises(BudgetError, match=r'models\."glimpse-9"'):
+            http.post(url, json=asked("new"))
+    assert [entry.outcome for entry in session.account.entries] == ["cached"]

@@ -21,6 +21,12 @@ def toy(what: str | ScenePlan, seed: int) -> Scene:
     return toy_scene(tuple(objects), name=f"toy_{seed}")
 
 
+def unhurried(what: str | ScenePlan, seed: int) -> Scene:
+    """Make a scene in a third of a second."""
+    time.sleep(0.3)
+    return toy(what, seed)
+
+
 def slow(what: str | ScenePlan, seed: int) -> Scene:
     """Make a scene that takes longer than any test."""
     time.sleep(600)

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import time
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -222,6 +223,41 @@ def test_pools_of_one_seed_get_the_same_scenes_whoever_makes_them(pool) -> None:
 
     often = {"every_resets": 1, "per_minute": None, "size": 6}
     assert renewals(pool(**often)) == renewals(pool(**often, synchronous=True))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("making", ["toy", "unhurried"])
+@pytest.mark.parametrize("workers", [1, 2])
+def test_scenes_in_step_do_not_depend_on_how_fast_they_are_made(
+    pool, making: str, workers: int
+) -> None:
+    """A draw that comes at once, or after the processes have long finished, sees the same."""
+    first = initial()
+
+    def seen(pause: float, **more: Any) -> list[tuple[str, tuple[str, ...]]]:
+        given = {"initial": first, "every_resets": 2, "per_minute": None, "workers": workers}
+        source = pool(making, **given, **more)
+        rng, out = np.random.default_rng(0), []
+        for _ in range(9):
+            time.sleep(pause)
+            key = source.draw(rng).key
+            out.append((key, tuple(ref.key for ref in source.refs)))
+        assert source.renewals == 4 and source.failures == 0
+        source.close()
+        return out
+
+    assert seen(0.0) == seen(0.4) == seen(0.0, synchronous=True)
+
+
+@pytest.mark.slow
+def test_scenes_in_step_that_fail_leave_the_pool_as_it_is(pool) -> None:
+    first = initial()
+    source = pool("failing", initial=first, every_resets=1, per_minute=None)
+    rng = np.random.default_rng(0)
+    with pytest.warns(RuntimeWarning, match="is not renewed"):
+        keys = [source.draw(rng).key for _ in range(4)]
+    assert {*keys} <= {ref.key for ref in first.refs}
+    assert (source.failures, source.renewals) == (3, 0)
 
 
 def test_a_process_says_nothing_of_its_own_so_that_last_words_are_the_cause(tmp_path) -> None:

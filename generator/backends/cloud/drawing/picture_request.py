@@ -45,6 +45,9 @@ _SEEDREAM = {"response_format": "b64_json", "watermark": False,
 _FAITHFUL = re.compile(r"gpt-image-([2-9]|1-mini)")
 """Models that reject ``input_fidelity``: from 2 on it is always high (checked on 2026-11-28)."""
 
+_OPAQUE = re.compile(r"gpt-image-[2-9]")
+"""Models that reject ``background``: from 2 on they draw no transparency (as above)."""
+
 _LONG = 2048  # pixels of the longer side, in the form that takes any size
 _BLOCKED = re.compile(
     r"moderation|content[_ ]policy|safety system|(?<!case)(?<!case[-_ ])(?<!in)sensitive"
@@ -237,7 +240,7 @@ class Painter:
 def _editing(model: str, keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
     """Return the options of an edit by OpenAI's image models; see ``Painter.paint``."""
     options: dict[str, Any] = {} if _FAITHFUL.search(model) else {"input_fidelity": "high"}
-    if clear:
+    if clear and not _OPAQUE.search(model):
         options["background"] = "transparent"
     if keep is not None:
         options["mask"] = ("mask.png", encode_png(keep), "image/png")
