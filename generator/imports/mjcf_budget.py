@@ -7,12 +7,12 @@ reason that says what to change.
 from __future__ import annotations
 
 import math
-import struct
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
 
 from ..errors import InputError
 from ..meshes.reading.bounds import MOST_FACES, MOST_TEXELS, MOST_TEXELS_TOGETHER
+from ..pictures import DamagedHeader, png_size
 
 MOST_GEOMS = 10_000
 """Geoms of a model, those that replicates make counted each."""
@@ -22,8 +22,6 @@ MOST_COPIES = 200
 
 _UNUSED = ("size", "sensor", "keyframe", "custom")  # sections that no scene is read from
 _SAMPLES = 10_000  # of an actuator's state or history, each
-_PNG_SIZE = struct.Struct(">II")
-_PNG_HEAD = 16  # bytes before the width and height of a PNG
 
 
 def drop_unused(root: ET.Element) -> None:
@@ -92,11 +90,11 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
 
 
 def _texels_of(raw: bytes) -> int:
-    """Return how many texels a PNG has, by its header, where MuJoCo reads it."""
-    if len(raw) < _PNG_HEAD + _PNG_SIZE.size:
+    """Return how many texels a PNG has, by its header; 0 if it is none, which MuJoCo refuses."""
+    try:
+        return math.prod(png_size(raw))
+    except DamagedHeader:
         return 0
-    width, height = _PNG_SIZE.unpack_from(raw, _PNG_HEAD)
-    return width * height
 
 
 def _builtin_texels(element: ET.Element) -> float:

@@ -14,6 +14,7 @@ import os
 import signal
 import sys
 import tempfile
+import time
 from pathlib import Path
 from typing import Any
 
@@ -55,17 +56,21 @@ def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes 
 
     ``too_large`` is the message where the memory does not suffice.
     """
+    start = time.process_time()
     try:
-        return packed_parts({"result": function(*args)})
+        result = function(*args)
+        return packed_parts({"result": result, "cpu": time.process_time() - start})
     except TabletopError as error:
-        message = str(error.args[0]) if error.args else ""
-        return packed_parts({"error": type(error).__name__, "message": message, "breach": ""})
+        name, message = type(error).__name__, str(error.args[0]) if error.args else ""
+        breach = ""
     except Exception as error:  # whatever a parser stumbles over in a foreign file
         name, words = type(error).__name__, " ".join(str(error).split())[:300]
         breach = "memory" if _lacks_memory(error) else "parser"
         text = failure_text(f"{name}: {words}", "is damaged", too_large)
         message = too_large if breach == "memory" else text
-    return packed_parts({"error": name, "message": message, "breach": breach})
+    return packed_parts({
+        "error": name, "message": message, "breach": breach, "cpu": time.process_time() - start,
+    })  # fmt: skip
 
 
 def _lacks_memory(error: BaseException | None) -> bool:

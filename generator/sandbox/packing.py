@@ -150,6 +150,7 @@ class _Unpacker:
         self._buffers = buffers
         self._find_class = find_class
         self._arrays: dict[tuple[int, str, tuple[int, ...]], np.ndarray] = {}
+        self._copies: dict[int, bytes] = {}
 
     def value(self, tree: Any) -> Any:
         """Return the value that a JSON tree stands for."""
@@ -160,7 +161,7 @@ class _Unpacker:
         if "array" in tree:
             return self._array(tree["array"], str(tree["dtype"]), tuple(map(int, tree["shape"])))
         if "bytes" in tree:
-            return bytes(self._buffers[tree["bytes"]])
+            return self._bytes(tree["bytes"])
         if "tuple" in tree:
             return tuple(self.value(v) for v in tree["tuple"])
         if "dict" in tree:
@@ -171,6 +172,11 @@ class _Unpacker:
             return self._find_class(tree["enum"])[tree["name"]]  # type: ignore[index]
         kind = self._find_class(tree["class"])
         return kind(**{name: self.value(v) for name, v in tree["fields"].items()})
+
+    def _bytes(self, place: int) -> bytes:
+        if place not in self._copies:
+            self._copies[place] = bytes(self._buffers[place])
+        return self._copies[place]
 
     def _array(self, place: int, kind: str, shape: tuple[int, ...]) -> np.ndarray:
         key = place, kind, shape

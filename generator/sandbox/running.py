@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import selectors
 import signal
@@ -11,12 +12,13 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from .. import errors
 from ..errors import InputError, TabletopError, require
+from .budget import CpuBudget
 from .packing import class_name, pack, unpack
 
 Breach = Literal["time", "memory", "output", "hung", "killed", "crash", "cancelled", "parser"]
@@ -31,6 +33,7 @@ _CHILD = f"{__package__}.child"  # the module that a child runs
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS")
 _HUNG = 60.0, 20.0  # a child hangs after so many seconds, and so many more per CPU second allowed
 _ENDING = 30.0  # seconds in which a child ends once it has closed its pipes
+_LEAST_SECONDS = 0.05  # of CPU time of a call when its budget is spent
 _POLL = 0.2  # seconds between two looks at ``cancelled``
 _CHUNK = 1 << 20
 _LAST_WORDS = 4096  # bytes of standard error that are kept
@@ -78,20 +81,29 @@ def call(
     limits: SandboxLimits | None = None,
     returns: Iterable[type] = (),
     cancelled: threading.Event | None = None,
+    budget: CpuBudget | None = None,
 ) -> Any:
     """Return ``function(*args)``, computed in a child process with limits.
 
     ``function`` is a module's; its arguments and its result are values that ``packing`` lists, and
     ``returns`` the dataclasses and enums that its result may hold. Arrays of the result are
     read-only. Errors of this project that it raises are raised here. Setting ``cancelled`` from
-    another thread kills the child. Within a child the function is called directly.
+    another thread kills the child. The call takes its CPU time from ``budget``, and at most what
+    is left of it. Within a child the function is called directly.
 
     Raises:
         SandboxError: a limit is reached, the child dies, or the function raises another exception.
     """
+    budget = budget or CpuBudget(math.inf)
     if is_inside():
-        return function(*args)
+        start = time.process_time()
+        try:
+            return function(*args)
+        finally:
+            budget.charge(time.process_time() - start)
     limits = limits or SandboxLimits()
+    seconds = max(min(limits.cpu_seconds, budget.left), _LEAST_SECONDS)
+    limits = replace(limits, cpu_seconds=seconds)
     request = pack({
         "module": function.__module__, "name": function.__qualname__, "args": args,
         "cpu_seconds": limits.cpu_seconds, "memory": limits.memory, "parent": os.getpid(),
@@ -101,8 +113,9 @@ def call(
         breach = breach or _await_end(process)
         code = process.wait(0) if breach is None else _kill(process)
     if breach is not None or code or not raw:
+        budget.charge(seconds)
         raise _explain(breach, code, words, limits)
-    return _result(raw, returns)
+    return _result(raw, returns, budget)
 
 
 def is_inside() -> bool:
@@ -111,7 +124,7 @@ def is_inside() -> bool:
     return spec is not None and spec.name == _CHILD
 
 
-def _result(raw: bytes | memoryview, returns: Iterable[type]) -> Any:
+def _result(raw: bytes | memoryview, returns: Iterable[type], budget: CpuBudget) -> Any:
     expected = {class_name(kind): kind for kind in returns}
 
     def find_class(name: str) -> type:
@@ -121,6 +134,7 @@ def _result(raw: bytes | memoryview, returns: Iterable[type]) -> Any:
 
     try:
         answer = unpack(raw, find_class)
+        budget.charge(float(answer["cpu"]))
         if "result" in answer:
             return answer["result"]
         kind, message, breach = answer["error"], str(answer["message"]), answer["breach"]

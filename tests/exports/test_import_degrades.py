@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -327,3 +328,44 @@ def test_a_file_that_reaches_a_limit_is_read_once_and_others_go_on(
     assert [body.name for body in scene.objects] == ["one"]
     assert len(scene.refused) == 10
     assert len([what for what in asked if "slow" in what]) == 3
+
+
+@pytest.fixture
+def apart(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The files that are read apart, each in this process."""
+    asked: list[str] = []
+
+    def call(function: object, raw: bytes, what: str, *args: object, **given: Any) -> object:
+        asked.append(what.rpartition(": ")[2])
+        given["budget"].charge(6.0)
+        return read_surface(raw, what, *args)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(folders, "call", call)
+    return asked
+
+
+def test_files_read_apart_share_a_budget_of_time(tmp_path: Path, apart: list[str]) -> None:
+    folder = write_meshes(tmp_path, {f"box {k}": lambda k=k: box(0.05 + k / 1e3) for k in range(6)})
+    scene = folders.read_folder(folder, apart=True)
+    assert len(apart) == len(scene.objects) == 3
+    assert all("16 s of CPU time" in o.detail for o in scene.refused) and len(scene.refused) == 3
+
+
+def test_files_read_apart_are_bounded_together(
+    tmp_path: Path, apart: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write_meshes(tmp_path, TWO)
+    monkeypatch.setattr(folders, "_MOST_TOGETHER", (folder / "one.glb").stat().st_size + 9)
+    scene = folders.read_folder(folder, apart=True)
+    assert [body.name for body in scene.objects] == ["one"]
+    assert "at most 9 are read" in scene.refused[0].detail
+
+
+def test_a_file_of_several_spellings_is_read_once(tmp_path: Path, apart: list[str]) -> None:
+    folder = write_meshes(tmp_path, ONE)
+    poses = json.loads((folder / "poses.json").read_text())
+    (one,) = poses["objects"]
+    poses["objects"] = [one | {"file": f} for f in ("one.glb", "./one.glb", ".//one.glb")]
+    (folder / "poses.json").write_text(json.dumps(poses))
+    assert len(folders.read_folder(folder, apart=True).objects) == 3
+    assert apart == ["one.glb"]

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.sandbox import SandboxError, SandboxLimits, call, running
+from generator.sandbox import CpuBudget, SandboxError, SandboxLimits, call, running
 from generator.sandbox.packing import class_name, pack, unpack
 from generator.sandbox.running import memory_text
 
@@ -36,6 +36,12 @@ def pair(array: np.ndarray) -> Pair:
 
 def spin() -> None:
     while True:
+        pass
+
+
+def burn(seconds: float) -> None:
+    end = time.process_time() + seconds
+    while time.process_time() < end:
         pass
 
 
@@ -275,6 +281,23 @@ def test_calls_inside_a_child_start_no_other() -> None:
 def test_no_environment_switches_the_sandbox_off(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TABLETOPGEN_SANDBOX", "1")
     assert call(os.getpid) != os.getpid()
+
+
+def test_calls_take_their_time_from_a_budget() -> None:
+    budget = CpuBudget(2.0)
+    call(burn, 0.3, budget=budget)
+    assert 1.0 < budget.left < 1.71
+    for _ in range(2):
+        with pytest.raises(SandboxError) as caught:
+            call(spin, budget=budget)
+        assert caught.value.breach == "time"
+        assert budget.left == 0
+
+
+def test_a_call_inside_a_child_takes_its_time_from_a_budget(inline: None) -> None:
+    budget = CpuBudget(2.0)
+    call(burn, 0.1, budget=budget)
+    assert 1.0 < budget.left < 1.91
 
 
 def test_a_call_is_cancelled() -> None:
