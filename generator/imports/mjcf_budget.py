@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..errors import InputError
 from ..meshes.reading.bounds import MOST_FACES, MOST_TEXELS, MOST_TEXELS_TOGETHER
@@ -32,6 +32,22 @@ def drop_unused(root: ET.Element) -> None:
         root.remove(section)
 
 
+def merge_textures(root: ET.Element) -> None:
+    """Keep one of textures that differ in nothing but their names, as MuJoCo makes each of them."""
+    kept: dict[tuple[tuple[str, str], ...], str] = {}
+    renamed: dict[str, str] = {}
+    for asset in root.findall("asset"):
+        for texture in [child for child in asset.findall("texture") if child.get("name")]:
+            key = tuple(sorted((k, v) for k, v in texture.items() if k != "name"))
+            name = texture.attrib["name"]
+            if kept.setdefault(key, name) != name:
+                renamed[name] = kept[key]
+                asset.remove(texture)
+    for element in root.iter():
+        if (name := element.get("texture", "")) in renamed:
+            element.set("texture", renamed[name])
+
+
 def check_copies(root: ET.Element, most_elements: int) -> None:
     """Check how many geoms and elements a model has once its replicates are expanded.
 
@@ -47,7 +63,10 @@ def check_copies(root: ET.Element, most_elements: int) -> None:
         if element.tag == "replicate":
             count = element.get("count", "1")
             if not _is_few(count):
-                raise InputError(f"The model replicates a body more than {MOST_COPIES} times.")
+                raise InputError(
+                    f"The model replicates a body {count.strip()[:40]!r} times; whole numbers up "
+                    f"to {MOST_COPIES} are read. Correct the count, or replicate less."
+                )
             times *= int(count)
         if geoms > MOST_GEOMS or elements > most_elements:
             raise InputError(
@@ -61,7 +80,8 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
     """Check how much the textures, meshes and actuators of a model unpack to.
 
     ``files`` are those that the model names, by name; ``sides`` the attributes that name the
-    pictures of a cube. Files count once for each element that names them.
+    pictures of a cube. Equal textures are one (``merge_textures``); meshes count once for each
+    element.
 
     Raises:
         InputError: a texture, or all, have too many texels; meshes have too many faces.
@@ -70,7 +90,7 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
     for element in root.iter():
         if element.tag == "texture":
             named = [files[n] for s in ("file", *sides) if (n := element.get(s, "")) in files]
-            own = sum(map(_texels_of, named)) if named else _builtin_texels(element)
+            own = _file_texels(element, named) if named else _builtin_texels(element)
             texels += own
             if own > MOST_TEXELS or texels > MOST_TEXELS_TOGETHER:
                 raise InputError(
@@ -87,6 +107,13 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
         for name in ("actdim", "nsample"):
             if _number(element.get(name, "0")) > _SAMPLES:
                 raise InputError(f"The model has a {name} of more than {_SAMPLES}. Lower it.")
+
+
+def _file_texels(element: ET.Element, named: Sequence[bytes]) -> float:
+    """Return how many texels MuJoCo makes of the files of a texture."""
+    texels = sum(map(_texels_of, named))
+    cells = math.prod(map(_number, element.get("gridsize", "1 1").split()))
+    return max(texels, 6 * texels / cells) if cells > 1 else texels  # six cells are kept
 
 
 def _texels_of(raw: bytes) -> int:

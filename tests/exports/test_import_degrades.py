@@ -1,6 +1,7 @@
 """An object that cannot be used costs itself alone; an outcome says what was done with each."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,16 +13,17 @@ from foreign_meshes import MAKERS, box, heavy, in_millimetres, layer, sheet, wri
 from foreign_models import CUBE, TABLE, write
 
 from generator import editing
-from generator.bundle import load, save
+from generator.bundle import BOUNDS, load, save
 from generator.errors import BackendError, InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
 from generator.imports import folder as folders
 from generator.imports.building import bodies
+from generator.imports.building import scene as scenes
 from generator.imports.foreign import ImportOutcome
 from generator.imports.mjcf import read_mjcf
 from generator.meshes.reading.surface import ColoredSurface, read_surface, surface_of
 from generator.meshes.thickening import thicken
-from generator.method.assembly import reassemble
+from generator.method.assembly import AssemblyConfig, reassemble
 from generator.physics import decomposition
 from generator.physics.gate import GateLimits, judge
 from generator.sandbox import SandboxError
@@ -287,6 +289,58 @@ def test_bodies_with_collision_shapes_are_not_covered_again(
     monkeypatch.setattr(bodies, "body_parts", None)
     scene = import_scene(write(tmp_path, TABLE + CUBE))
     assert [o.name for o in scene.objects] == ["cube"]
+
+
+def test_objects_beyond_the_shapes_of_a_bundle_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What a bundle counts is refused before it is built, settled and judged."""
+    build, built = scenes.build_object, list[str]()
+    monkeypatch.setattr(
+        scenes,
+        "build_object",
+        lambda body, name, *more: (built.append(name), build(body, name, *more))[1],
+    )
+    monkeypatch.setattr(scenes, "BOUNDS", replace(BOUNDS, all_parts=25))
+    geoms = '<geom type="box" size=".01 .01 .01"/>' * 10
+    many = "".join(
+        f'<body name="b{k}" pos="{0.8 + k / 10} 2 .76"><freejoint/>{geoms}</body>' for k in range(3)
+    )
+    found = outcomes(write(tmp_path, TABLE + many))
+    assert {name: o.kind for name, o in found.items()} == {
+        "b0": "taken", "b1": "refused", "b2": "refused"
+    }  # fmt: skip
+    assert "at most 25" in found["b1"].detail
+    assert built == ["b0"]
+
+
+@pytest.mark.parametrize("kind", ["mjcf", "folder"])
+def test_shapes_are_counted_as_a_bundle_counts_them(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = write(tmp_path, TABLE + CUBE) if kind == "mjcf" else write_meshes(tmp_path, TWO)
+    scene = import_scene(path)
+    payload = json.loads((save(scene, tmp_path / "out") / "scene.json").read_text())
+    lists = [payload["table"], *payload["objects"], *payload["models"].values()]
+    parts = [part for body in lists for part in body["parts"]]
+    most = {"all_parts": len(parts), "all_part_vertices": sum(len(p["vertices"]) for p in parts)}
+    for name, count in most.items():
+        monkeypatch.setattr(scenes, "BOUNDS", replace(BOUNDS, **{name: count}))
+        assert len(import_scene(path).objects) == len(scene.objects)
+        monkeypatch.setattr(scenes, "BOUNDS", replace(BOUNDS, **{name: count - 1}))
+        if kind == "mjcf":
+            with pytest.raises(InputError, match=f"at most .*{count - 1} (?:with|are)"):
+                import_scene(path)
+        else:
+            assert len(import_scene(path).objects) == 1
+
+
+def test_a_config_of_its_own_says_the_lean(tmp_path: Path) -> None:
+    config = AssemblyConfig(limits=GateLimits(lean=float(np.deg2rad(1.5))))
+    scene = import_scene(write(tmp_path), ImportOptions(lean=3.0), config)
+    assert scene.report is not None and scene.report.lean == config.limits.lean
+    assert scene.provenance.config["lean"] == pytest.approx(1.5)
+    assert import_scene(write(tmp_path), ImportOptions(lean=3.0)).provenance.config["lean"] == 3.0
 
 
 def test_a_body_of_too_many_collision_shapes_is_refused_alone(tmp_path: Path) -> None:
