@@ -291,6 +291,16 @@ def test_bodies_with_collision_shapes_are_not_covered_again(
     assert [o.name for o in scene.objects] == ["cube"]
 
 
+def test_objects_beyond_the_budget_of_cuts_collide_as_their_hulls(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(scenes, "CutBudget", lambda: decomposition.CutBudget(1))
+    meshes = {f"box {k}": lambda k=k: box(0.05 + k / 100) for k in range(3)}
+    found = outcomes(write_meshes(tmp_path, meshes))
+    assert [outcome.kind for outcome in found.values()] == ["taken", "hull", "hull"]
+    assert "took all the pieces" in found["box 1"].detail
+
+
 def test_objects_beyond_the_shapes_of_a_bundle_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

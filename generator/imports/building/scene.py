@@ -16,6 +16,7 @@ from ...errors import InputError, SceneError
 from ...geometry import convex_outline, inside_margin, quaternion_matrix
 from ...layout.checking import correct_supports, observe
 from ...method.assembly import AssemblyConfig, reassemble
+from ...physics.decomposition import CutBudget
 from ...scene import TABLE, ConvexPart, Model, Object, Provenance, Scene, Table
 from ...scene.provenance import plain
 from ..foreign import ForeignScene, ImportOutcome, Refusals, check_count
@@ -47,8 +48,8 @@ def build_scene(
     check_count(len(foreign.objects))
     if foreign.table is None:
         raise InputError(f"The scene {foreign.name!r} has no table.")
-    drawn = SurfaceCache()
-    table, shift, of_table = build_table(foreign.table, drawn)
+    drawn, budget = SurfaceCache(), CutBudget()
+    table, shift, of_table = build_table(foreign.table, drawn, budget)
     objects: list[Object] = []
     outcomes = [of_table] if of_table.kind != "taken" else []
     refusals = Refusals([*foreign.refused])
@@ -59,7 +60,7 @@ def build_scene(
         with refusals.catching(called):
             shapes.check(body.parts)
             moved = replace(body, position=body.position + shift)
-            thing, outcome = build_object(moved, called, table, drawn)
+            thing, outcome = build_object(moved, called, table, drawn, budget)
             shapes.add(thing)
             objects.append(thing)
             outcomes.append(outcome)
