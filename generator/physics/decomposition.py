@@ -36,7 +36,6 @@ _MOST_FACES = 1200  # meshes are reduced to this many: CoACD's time grows with t
 _FULL = 1.001  # of its hull that a mesh may fill, as reckoned
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
 _MOST_PIECES = 200  # of more, the boxes are not compared
-_PIECES = "pieces"  # name of their number in a file of hulls
 
 Hulls = list[Float[np.ndarray, "_k 3"]]
 
@@ -206,7 +205,7 @@ def _read(path: Path) -> tuple[Hulls, int] | None:
     """Return the hulls and pieces kept at ``path``; None if what is there is no such file."""
     try:
         arrays = read_arrays(path, "The kept hulls", SceneError, max_bytes=_MAX_KEPT)
-        pieces = int(arrays.pop(_PIECES))
+        pieces = int(arrays.pop("pieces"))
         hulls = [np.asarray(array, np.float64) for array in arrays.values()]
     except (SceneError, KeyError, ValueError, TypeError):
         return None
@@ -219,7 +218,7 @@ def _keep(path: Path, hulls: Hulls, pieces: int) -> None:
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as part:
-            np.savez(part, *hulls, **{_PIECES: np.array(pieces)})
+            np.savez(part, *hulls, pieces=np.array(pieces))
         Path(part.name).replace(path)
 
 
