@@ -14,7 +14,7 @@ import json
 import math
 import re
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path, PurePath
 from typing import Any
 
@@ -120,7 +120,7 @@ class _Packer:
             return [self.tree(v) for v in value]
         if isinstance(value, tuple):
             return {"tuple": [self.tree(v) for v in value]}
-        if isinstance(value, dict):
+        if isinstance(value, Mapping):
             if not all(isinstance(key, str) for key in value):
                 raise TypeError("keys of a packed dict must be strings")
             return {"dict": {key: self.tree(v) for key, v in value.items()}}
