@@ -110,23 +110,23 @@ def decompose(
     digest = hashlib.sha256(repr((_SETTINGS, _THRESHOLDS, _MOST_CUTS)).encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())
-    budget = budget or CutBudget()
+    cpu = None if budget is None else budget.cpu
     key = digest.hexdigest()[:24]
     kept = (cache or hulls_folder()) / f"{key}.npz"
 
     def run() -> tuple[Hulls, int]:
         known = _read(kept) if kept.is_file() else None
         if known is None:
-            known = _coacd(vertices * proportions, faces, limits, budget.cpu)
+            known = _coacd(vertices * proportions, faces, limits, cpu)
             _keep(kept, *known)
         return known
 
-    hulls = budget.decompose(key, run)
+    hulls = run()[0] if budget is None else budget.decompose(key, run)
     return tuple(ConvexPart((hull / proportions).clip(-0.5, 0.5)) for hull in hulls)
 
 
 def _coacd(
-    vertices: Vertices, faces: Faces, limits: SandboxLimits, cpu: CpuBudget
+    vertices: Vertices, faces: Faces, limits: SandboxLimits, cpu: CpuBudget | None
 ) -> tuple[Hulls, int]:
     """Return the hulls of a mesh, by CoACD in a sandbox, and the pieces of its first cut."""
     if len(faces) > _MOST_FACES:
