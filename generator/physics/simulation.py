@@ -139,7 +139,7 @@ class Simulation:
         flags = model.opt.disableflags
         model.opt.disableflags = flags | int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
         model.geom_margin[:] = model.body_margin[:] = margin / 2
-        with self._explained():
+        with self._as_scene_error():
             mujoco.mj_kinematics(model, data)
             mujoco.mj_comPos(model, data)
             mujoco.mj_collision(model, data)
@@ -160,7 +160,7 @@ class Simulation:
         inertia = np.stack([mass] * 3 + [turning] * 3, axis=1)
         start = self.model.nbody - len(self.scene.objects)
         self.model.dof_damping[:] = self._undamped + damping * inertia[start:].ravel()
-        with self._explained():
+        with self._as_scene_error():
             mujoco.mj_step(self.model, self.data, round(seconds / self.model.opt.timestep))
         self.model.dof_damping[:] = self._undamped
 
@@ -178,7 +178,7 @@ class Simulation:
             option.gravity[:], option.timestep = before
 
     @contextmanager
-    def _explained(self) -> Iterator[None]:
+    def _as_scene_error(self) -> Iterator[None]:
         """Raise MuJoCo's own fatal errors as those of the scene."""
         import mujoco
 

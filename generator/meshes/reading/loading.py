@@ -23,7 +23,7 @@ def check_glb(raw: bytes, what: str) -> None:
     Raises:
         BackendError: it is not such a file; see ``inspection``.
     """
-    with _explained(what):
+    with _as_backend_error(what):
         call(_open, raw, what, limits=LIMITS)
 
 
@@ -32,7 +32,7 @@ def _open(raw: bytes, what: str) -> None:
 
 
 @contextmanager
-def _explained(what: str) -> Iterator[None]:
+def _as_backend_error(what: str) -> Iterator[None]:
     try:
         yield
     except SandboxError as error:
@@ -52,7 +52,7 @@ def _in_child(reader: Callable[P, ColoredSurface]) -> Callable[P, ColoredSurface
     def load(*args: P.args, **kwargs: P.kwargs) -> ColoredSurface:
         given = signature.bind(*args, **kwargs)
         given.apply_defaults()
-        with _explained(given.arguments["what"]):
+        with _as_backend_error(given.arguments["what"]):
             return call(reader, *given.args, limits=LIMITS, returns=(ColoredSurface,))
 
     return load
