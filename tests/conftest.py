@@ -56,9 +56,7 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.fixture
 def inline(monkeypatch: pytest.MonkeyPatch) -> None:
     """Read foreign files in this process: a child takes most of the time of a small test."""
-    from generator.sandbox.running import INSIDE
-
-    monkeypatch.setenv(INSIDE, "1")
+    monkeypatch.setattr("generator.sandbox.running.is_inside", lambda: True)
 
 
 @pytest.fixture

@@ -198,6 +198,17 @@ def test_failures_are_kept_as_sentences_and_as_values(scene: Scene, tmp_path: Pa
     assert "failure_values" not in json.loads((passing / "scene.json").read_text())["report"]
 
 
+@pytest.mark.parametrize("lean", [-1e-9, 0.7855, 1.0, 1e300])
+def test_the_lean_of_a_report_is_bounded(scene: Scene, lean: float) -> None:
+    payload, files = encode_scene(scene.replace(report=Report(0.0, 0, 0, lean=lean)))
+    with pytest.raises(BundleError, match=r"lean must be an angle in \[0, 0.785398\]"):
+        decode_scene(payload, files.__getitem__)
+    for sound in (0.0, float(np.deg2rad(45))):
+        payload["report"]["lean"] = sound
+        report = decode_scene(payload, files.__getitem__).scene.report
+        assert report is not None and report.lean == sound
+
+
 def test_failures_without_values_keep_their_sentences(scene: Scene) -> None:
     """Earlier versions wrote the sentences alone."""
     said = "cube_1 overlaps can_1 by 100.0 mm"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import struct
 
 import numpy as np
 from jaxtyping import Float, Int, UInt8
@@ -32,9 +31,10 @@ def picture_size(raw: bytes, name: str) -> tuple[int, int]:
     Raises:
         BundleError: it is not a PNG, or is out of bounds.
     """
-    if raw[:16] != b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" or len(raw) < 33:
-        raise BundleError(f"{name} is not a PNG picture.")
-    width, height = struct.unpack(">II", raw[16:24])
+    try:
+        width, height = pictures.png_size(raw)
+    except pictures.DamagedHeader as error:
+        raise BundleError(f"{name} is not a PNG picture.") from error
     BOUNDS.check("texels", width * height, f"{name} has {{}} pixels")
     if not width * height:
         raise BundleError(f"{name} has no pixels.")

@@ -7,10 +7,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from ..errors import BundleError
 from ..io.reading import parse_object, printable
 from ..physics.mjcf import mesh_path, texture_path
-from ..scene import TABLE, Failure, Mesh, Model, Object, Report, Scene, Table
+from ..scene import MAX_LEAN, TABLE, Failure, Mesh, Model, Object, Report, Scene, Table
 from .bounds import BOUNDS, check_counts, check_drawn
 from .contents import decode_obj, decode_png, mesh_counts, picture_size
 from .encoding import HIDDEN
@@ -108,6 +110,9 @@ def _decode_report(entry: object) -> Report | None:
     if len(failures) != len(fields.get("failures", ())):
         raise BundleError(f"{what}.failure_values must be as many as its failures.")
     fields["failures"] = failures
+    lean: float | None = fields.get("lean")
+    if lean is not None and not 0 <= lean <= np.deg2rad(MAX_LEAN):
+        raise BundleError(f"{what}.lean must be an angle in [0, {np.deg2rad(MAX_LEAN):.6g}] rad.")
     return Report(**fields)
 
 

@@ -9,15 +9,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import BundleError, SceneError
+from ..errors import BundleError
 from ..io.png import encode_png
 from ..physics.mjcf import Document, document
-from ..physics.spec import compile_spec, spec_of
+from ..physics.spec import compile_spec, list_warnings, new_data, no_console, spec_of, unsimulatable
 from .decoding import Decoded
 
 if TYPE_CHECKING:
     import mujoco
 
+_AT_START = " from its start"
 _MAX_CONTACTS = 4096  # at the start of a scene; a crowded table has some hundreds
 
 # Attributes whose numbers are computed: another machine may end them otherwise, within rounding.
@@ -74,26 +75,20 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
     """
     import mujoco
 
-    said: list[str] = []
-    before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(said.append)  # else it writes a log into the working directory
     try:
-        data = mujoco.MjData(model)
+        data = new_data(model)
         mujoco.mj_resetDataKeyframe(model, data, 0)
-        mujoco.mj_forward(model, data)
-        if data.ncon > _MAX_CONTACTS:
-            said.append(f"{data.ncon} contacts; at most {_MAX_CONTACTS} are simulated")
-        if not np.isfinite(data.qacc).all():
-            said.append("forces that are not finite")
+        with no_console():
+            mujoco.mj_forward(model, data)
     except mujoco.FatalError as error:
-        said.append(str(error))
-    finally:
-        mujoco.set_mju_user_warning(before)
+        raise unsimulatable(name, str(error), _AT_START) from error
+    said = [*list_warnings(data)]
+    if data.ncon > _MAX_CONTACTS:
+        said.append(f"{data.ncon} contacts; at most {_MAX_CONTACTS} are simulated")
+    if not np.isfinite(data.qacc).all():
+        said.append("forces that are not finite")
     if said:
-        raise SceneError(
-            f"MuJoCo cannot simulate the scene {name!r} from its start: "
-            f"{' '.join(said[0].split())[:200]!r}. Make the scene again: its bodies overlap."
-        )
+        raise unsimulatable(name, said[0], _AT_START)
 
 
 def _parse(raw: bytes, maximum: int) -> ET.Element:

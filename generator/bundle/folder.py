@@ -16,12 +16,12 @@ import re
 import stat
 from collections.abc import Generator, Mapping
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import UInt8
 
-from ..errors import BundleError, InputError, SceneError, StorageError
+from ..errors import BundleError, InputError, SceneError, StorageError, TabletopError
 from ..io.png import encode_png
 from ..physics.mjcf import document
 from ..physics.spec import compile_spec, spec_of
@@ -320,34 +320,43 @@ def read_listed(folder: Path, name: str, entry: Any) -> bytes:
     return content
 
 
-def read_inside(folder: Path, name: str, limit: int) -> bytes:
+def read_inside(
+    folder: Path,
+    name: str,
+    limit: int,
+    error: type[TabletopError] = BundleError,
+    kind: Literal["bundle", "folder"] = "bundle",
+) -> bytes:
     """Read a plain file inside ``folder``: no way out of it, no links, no more than ``limit``.
 
+    ``kind`` is the word for the folder in messages.
+
     Raises:
-        BundleError: the file is missing, too large, or not inside the folder.
+        TabletopError: ``error``, if the file is missing, too large, or not inside the folder.
     """
-    path = PurePosixPath(name)
+    path, hint = PurePosixPath(name), " Make or copy the bundle again." if kind == "bundle" else ""
     if not name.isprintable():
-        raise BundleError(f"{folder}: {name!r} is not a file's name.")
+        raise error(f"{folder}: {name!r} is not a file's name.")
     if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name or not path.parts:
-        raise BundleError(f"{folder}: the path {name!r} leaves the bundle; it was not opened.")
+        raise error(f"{folder}: the path {name!r} leaves the {kind}; it was not opened.")
     try:
         with _opened_inside(folder, path) as descriptor:
             status = os.fstat(descriptor)
             if not stat.S_ISREG(status.st_mode):
-                raise BundleError(f"{folder}: {name} is not a plain file.")
+                raise error(f"{folder}: {name} is not a plain file.")
             if status.st_size > limit:
-                raise BundleError(f"{folder}: {name} is {status.st_size} bytes, not {limit}.")
+                wanted = f"not {limit}" if kind == "bundle" else f"at most {limit} are read"
+                raise error(f"{folder}: {name} is {status.st_size} bytes, {wanted}.")
             with open(descriptor, "rb", closefd=False) as file:
                 return file.read(limit + 1)
-    except FileNotFoundError as error:
-        raise BundleError(f"{folder}: {name} is missing. Make or copy the bundle again.") from error
-    except OSError as error:
-        if error.errno == errno.ELOOP or (error.errno == errno.ENOTDIR and folder.is_dir()):
-            raise BundleError(
-                f"{folder}: {name} is a link, or in no plain folder; a bundle has plain files only."
-            ) from error
-        raise BundleError(f"{folder}: {name} cannot be read: {error.strerror}.") from error
+    except FileNotFoundError as failure:
+        raise error(f"{folder}: {name} is missing.{hint}") from failure
+    except OSError as failure:
+        if failure.errno == errno.ELOOP or (failure.errno == errno.ENOTDIR and folder.is_dir()):
+            raise error(
+                f"{folder}: {name} is a link, or in no plain folder; plain files only are read."
+            ) from failure
+        raise error(f"{folder}: {name} cannot be read: {failure.strerror}.") from failure
 
 
 @contextlib.contextmanager

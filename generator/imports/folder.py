@@ -28,9 +28,9 @@ from ..errors import BackendError, InputError
 from ..geometry import quaternion_matrix
 from ..io.reading import is_number, parse_object, printable
 from ..meshes.reading.bounds import LIMITS, MOST_BYTES, MOST_FACES
-from ..meshes.reading.companions import companions
+from ..meshes.reading.companions import companions, total_bytes
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
-from ..sandbox import SandboxError, SandboxLimits, call
+from ..sandbox import CpuBudget, SandboxError, SandboxLimits, call
 from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
 from .foreign import ForeignBody, ForeignScene, Refusals, check_count, read_source
 
@@ -40,6 +40,7 @@ POSES = "poses.json"
 _MOST_POSES, _MOST_SCALE = 2**20, 1e4
 _APART = SandboxLimits(cpu_seconds=4.0)  # of one file, once all together reached their limit
 _MOST_EXHAUSTED = 3  # files that may reach it until no other is read
+_MOST_TOGETHER = 384 * 2**20  # bytes of all files, each counted once
 _PLAIN = (1.2, 0.8, 0.74)  # metres, the least size of a plain table
 _OBJECT = {"name", "file", "position", "quaternion", "mass", "category", "scale", "friction", "up"}
 _TABLE = {"file", "position", "quaternion", "scale", "friction", "up", "size"}
@@ -116,10 +117,12 @@ class _FolderReader:
         self._folder = folder
         self._scale = scale
         self._apart = apart
-        self._surfaces: dict[tuple[str, Axis], ColoredSurface] = {}
-        self._failures: dict[tuple[str, Axis], BackendError] = {}
+        self._decoded: dict[PurePosixPath, ColoredSurface | BackendError | InputError] = {}
+        self._surfaces: dict[tuple[PurePosixPath, Axis], ColoredSurface] = {}
         self._faces = 0  # of all bodies
-        self._bytes = 0  # of all textures
+        self._texture_bytes = 0
+        self._left = _MOST_TOGETHER  # bytes of files
+        self._budget = CpuBudget(LIMITS.cpu_seconds)  # of files read apart: as of all together
         self._exhausted = 0  # files that reached a limit
 
     def read(self, name: str, limit: int) -> bytes:
@@ -181,50 +184,70 @@ class _FolderReader:
     def _surface(self, file: object, what: str, up: Axis) -> ColoredSurface:
         if not isinstance(file, str) or not file:
             raise InputError(f"{what} has no file.")
-        suffix = PurePosixPath(file).suffix.lower()
-        if suffix not in (".glb", ".obj"):
+        path = PurePosixPath(file)  # one for all spellings: "./a.glb" is "a.glb"
+        if path.suffix.lower() not in (".glb", ".obj"):
             raise InputError(f"{what} names {file[:80]!r}; GLB and OBJ files are read.")
-        if failure := self._failures.get((file, up)):
-            raise failure
-        if (file, up) not in self._surfaces:
-            kind: Kind = "glb" if suffix == ".glb" else "obj"
-            raw = self.read(file, MOST_BYTES)
-            place = self._folder.joinpath(*PurePosixPath(file).parent.parts)
-            beside = companions(raw, what, place) if kind == "obj" else {}
-            try:
-                surface = self._decode(raw, f"{what}: {file}", kind, beside)
-            except BackendError as error:
-                self._failures[file, up] = error
-                raise
-            self._surfaces[file, up] = surface.upright(up)
-            self._bytes += sum(texture.nbytes for texture in surface.pictures)
-            if self._bytes > LIMITS.output:
-                raise InputError(
-                    f"The files of {POSES} have more than {LIMITS.output >> 20} MiB of textures "
-                    "together. Make them smaller or fewer."
-                )
-        faces = self._faces + len(self._surfaces[file, up].faces)
+        if (path, up) not in self._surfaces:
+            self._surfaces[path, up] = self._decode(path, what).upright(up)
+        surface = self._surfaces[path, up]
+        faces = self._faces + len(surface.faces)
         if faces > MOST_FACES:
             raise InputError(
                 f"The files of {POSES} have more than {MOST_FACES} triangles together, those of a "
                 "file that is named again counted again. Reduce them."
             )
         self._faces = faces
-        return self._surfaces[file, up]
+        return surface
 
-    def _decode(
+    def _decode(self, path: PurePosixPath, what: str) -> ColoredSurface:
+        """Return a file's surface as it lies there; each is read once, also if that fails."""
+        if path not in self._decoded:
+            try:
+                self._decoded[path] = self._load(path, what)
+            except (BackendError, InputError) as error:
+                self._decoded[path] = error
+        found = self._decoded[path]
+        if isinstance(found, Exception):
+            raise found
+        return found
+
+    def _load(self, path: PurePosixPath, what: str) -> ColoredSurface:
+        kind: Kind = "glb" if path.suffix.lower() == ".glb" else "obj"
+        if self._left <= 0:
+            raise InputError(
+                f"The files of {POSES} have more than {_MOST_TOGETHER} bytes together."
+            )
+        raw = self.read(str(path), min(MOST_BYTES, self._left))
+        self._left -= len(raw)
+        beside: Mapping[str, bytes] = {}
+        if kind == "obj":
+            place = self._folder.joinpath(*path.parent.parts)
+            beside = companions(raw, what, place, min(MOST_BYTES, self._left))
+            self._left -= total_bytes(beside)
+        surface = self._parse(raw, f"{what}: {path}", kind, beside)
+        self._texture_bytes += sum(texture.nbytes for texture in surface.pictures)
+        if self._texture_bytes > LIMITS.output:
+            raise InputError(
+                f"The files of {POSES} have more than {LIMITS.output >> 20} MiB of textures "
+                "together. Make them smaller or fewer."
+            )
+        return surface
+
+    def _parse(
         self, raw: bytes, what: str, kind: Kind, beside: Mapping[str, bytes]
     ) -> ColoredSurface:
         if not self._apart:
             return read_surface(raw, what, kind, beside)
-        if self._exhausted == _MOST_EXHAUSTED:
+        if self._exhausted == _MOST_EXHAUSTED or not self._budget.left:
             raise BackendError(
-                f"{what} is not read, since {_MOST_EXHAUSTED} files of {POSES} reached a limit."
+                f"{what} is not read, since {_MOST_EXHAUSTED} files of {POSES} reached a limit, or "
+                f"all together took {LIMITS.cpu_seconds:g} s of CPU time."
             )
         try:
             return call(
-                read_surface, raw, what, kind, {**beside}, limits=_APART, returns=(ColoredSurface,)
-            )
+                read_surface, raw, what, kind, {**beside}, limits=_APART,
+                returns=(ColoredSurface,), budget=self._budget,
+            )  # fmt: skip
         except SandboxError as error:
             self._exhausted += error.breach != "parser"
             raise BackendError(f"{what} {error}. Use a simpler mesh.") from error

@@ -16,7 +16,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..bundle import BOUNDS, read_inside
-from ..errors import BackendError, BundleError, InputError, SceneError, TabletopError
+from ..errors import BackendError, InputError, SceneError, TabletopError
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
 from ..scene import ConvexPart
@@ -192,10 +192,4 @@ def read_source(folder: Path, name: str, limit: int) -> bytes:
     Raises:
         InputError: the file is missing, too large, or not inside of the folder.
     """
-    try:
-        return read_inside(folder, name, limit)
-    except BundleError as error:
-        told = f"{error}".replace("leaves the bundle", "leaves the folder")
-        told = told.replace("a bundle has plain files only", "only plain files are read")
-        told = told.replace(" Make or copy the bundle again.", "")
-        raise InputError(f"The scene cannot be imported: {told}") from error
+    return read_inside(folder, name, limit, InputError, "folder")

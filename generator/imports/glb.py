@@ -20,9 +20,8 @@ from jaxtyping import Float
 from ..errors import BackendError, InputError, choices
 from ..io.reading import is_number, printable, read_regular
 from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
-from ..meshes.reading.codecs import plain_glb
-from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix
-from ..meshes.reading.inspection import inspect_glb
+from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix, roots_of
+from ..meshes.reading.inspection import open_glb
 from ..meshes.reading.surface import surface_of
 from ..meshes.reading.textures import Pictures
 from ..physics.inertia import MassProperties
@@ -47,10 +46,13 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
         BackendError: the file cannot be read; see ``meshes.reading``.
     """
     what = f"The scene {path.name!r}"
-    raw = plain_glb(read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES), what)
-    header = inspect_glb(raw, what)
-    places = _places(header, 0, what)
-    shells = _collision_of(raw, header, what)
+    raw = read_regular(path, f"{what}:", InputError, max_bytes=MOST_BYTES)
+    raw, header = open_glb(raw, what)
+    if not header.get("nodes"):
+        header = {**header, "nodes": [{"mesh": k} for k in range(len(header["meshes"]))]}
+    shown = header.get("scene", 0)
+    places = _places(header, shown, what)
+    shells, damaged = _collision_of(raw, header, shown, what)
     owners: dict[int, list[int]] = {}
     for k, place in enumerate(places):
         owners.setdefault(place.owner, []).append(k)
@@ -79,7 +81,7 @@ def read_glb(path: Path, table: str | None = None) -> ForeignScene:
         raise InputError(
             f"{error} Refused: {'; '.join(map(str, refusals.outcomes[:5]))}"
         ) from error
-    return replace(found, refused=tuple(refusals.outcomes))
+    return replace(found, warnings=(*found.warnings, *damaged), refused=tuple(refusals.outcomes))
 
 
 def _arrange(
@@ -139,7 +141,7 @@ def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
 
 def _walk(header: Header, scene: int) -> Iterator[_Place]:
     nodes: Sequence[Any] = header.get("nodes", ())
-    roots = header["scenes"][scene].get("nodes", ())
+    roots = roots_of(header, scene)
     said = any("fixed" in _extras(node) or "body" in _extras(node) for node in nodes)
     waiting = [(int(k), np.eye(4), -1, np.eye(4)) for k in reversed(roots)]
     seen: set[int] = set()
@@ -172,9 +174,9 @@ def _load_each(
     """Return the meshes of each place, or why they cannot be read."""
     try:
         return [*_load(raw, header, places, what)]
-    except BackendError:
+    except BackendError as error:
         if len(places) == 1:
-            raise
+            return [error]
     found: list[list[trimesh.Trimesh] | BackendError] = []
     for place in places:
         try:
@@ -256,8 +258,8 @@ def _split(
     matrix: Float[np.ndarray, "4 4"], name: str
 ) -> tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
     """Return rotation, scale and place of a node."""
-    scale = np.linalg.norm(matrix[:3, :3], axis=0)
     with np.errstate(all="ignore"):
+        scale = np.linalg.norm(matrix[:3, :3], axis=0)
         turn = matrix[:3, :3] / scale
     if not np.isfinite(matrix).all() or not np.abs(turn.T @ turn - np.eye(3)).max() < _RIGID:
         raise InputError(f"The node {name!r} is not placed by a rotation, a scale and a shift.")
@@ -291,22 +293,46 @@ def _number(value: object, name: str, what: str) -> float | None:
     return float(cast("float", value))
 
 
-def _collision_of(raw: bytes, header: Header, what: str) -> Mapping[str, tuple[ConvexPart, ...]]:
-    """Return the convex parts of each body that the scene "collision" has."""
+def _collision_of(
+    raw: bytes, header: Header, shown: int, what: str
+) -> tuple[Mapping[str, tuple[ConvexPart, ...]], Sequence[str]]:
+    """Return the convex parts of each body that the scene "collision" has, and warnings.
+
+    A body with a damaged part has none of them: its collision shape is made from its surface.
+    """
     scenes = header.get("scenes", ())
-    number = next((k for k, s in enumerate(scenes) if k and s.get("name") == _COLLISION), None)
+    number = next(
+        (k for k, s in enumerate(scenes) if k != shown and s.get("name") == _COLLISION), None
+    )
     if number is None:
-        return {}
-    places = _places(header, number, what)
+        return {}, ()
+    try:
+        places = _places(header, number, what)
+    except InputError as error:
+        return {}, (f"the collision shapes cannot be read: {error}",)
     parts: dict[str, list[ConvexPart]] = {}
-    for place, meshes in zip(places, _load(raw, header, places, what), strict=True):
-        nodes = header["nodes"]
-        body, kind = _extras(nodes[place.owner]).get("body"), _extras(nodes[place.node]).get("kind")
-        _split(place.owner_matrix, str(body)[:100])  # which refuses what has no inverse
-        own = np.linalg.inv(place.owner_matrix) @ place.matrix
-        for mesh in meshes:
-            points = np.asarray(mesh.vertices, np.float64) @ own[:3, :3].T + own[:3, 3]
-            if not np.isfinite(points).all():
-                raise InputError(f"{what} holds NaN or infinity; every vertex must be finite.")
-            parts.setdefault(str(body), []).append(part_of(points, str(kind)))
-    return {name: tuple(found) for name, found in parts.items()}
+    damaged: dict[str, str] = {}
+    for place, meshes in zip(places, _load_each(raw, header, places, what), strict=True):
+        body = str(_extras(header["nodes"][place.owner]).get("body"))[:100]
+        try:
+            parts.setdefault(body, []).extend(_shells(header, place, meshes, what))
+        except (InputError, BackendError) as error:
+            damaged.setdefault(body, f"the collision shapes of {body!r} cannot be read: {error}")
+    sound = {name: tuple(found) for name, found in parts.items() if name not in damaged}
+    return sound, tuple(damaged.values())
+
+
+def _shells(
+    header: Header, place: _Place, meshes: Sequence[trimesh.Trimesh] | BackendError, what: str
+) -> Iterator[ConvexPart]:
+    """Yield the convex parts of one place of the scene "collision", in the frame of its body."""
+    if isinstance(meshes, BackendError):
+        raise meshes
+    kind = str(_extras(header["nodes"][place.node]).get("kind"))
+    _split(place.owner_matrix, _name(header, place.owner))  # which refuses what has no inverse
+    own = np.linalg.inv(place.owner_matrix) @ place.matrix
+    for mesh in meshes:
+        points = np.asarray(mesh.vertices, np.float64) @ own[:3, :3].T + own[:3, 3]
+        if not np.isfinite(points).all():
+            raise InputError(f"{what} holds NaN or infinity; every vertex must be finite.")
+        yield part_of(points, kind)

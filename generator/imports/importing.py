@@ -38,8 +38,8 @@ def import_scene(
     plain one. Objects that cannot be used are refused and the others stay; ``list_outcomes`` says
     what was done with each. The same source gives the same scene.
 
-    ``config`` replaces the settings of the assembly; by default the gate's lean is that of the
-    options.
+    ``config`` replaces the settings of the assembly, the gate's lean with them; by default that is
+    the lean of the options.
 
     Raises:
         InputError: it cannot be read, or has no object that can be used, no table or too many
@@ -50,11 +50,12 @@ def import_scene(
     try:
         foreign = read_scene(kind, path, options.root, options.table, options.scale)
         name = options.name or scene_name(foreign.name)
+        lean = options.lean if config is None else float(np.rad2deg(config.limits.lean))
         settings = {
             "import": kind, "table": options.table, "drop_failing": options.drop_failing,
-            "scale": options.scale, "lean": options.lean,
+            "scale": options.scale, "lean": lean,
         }  # fmt: skip
-        config = config or AssemblyConfig(limits=GateLimits(lean=float(np.deg2rad(options.lean))))
+        config = config or AssemblyConfig(limits=GateLimits(lean=float(np.deg2rad(lean))))
         provenance = Provenance(
             "manual", 0, source_sha256=_digest(path), config=settings, versions=versions()
         )

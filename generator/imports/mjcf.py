@@ -19,6 +19,7 @@ from ..errors import InputError, choices
 from ..meshes.reading.bounds import MOST_FACES
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties, join_bodies
+from ..physics.spec import new_data, write_no_log
 from ..scene import ConvexPart
 from .foreign import ForeignBody, ForeignScene, Refusals, check_count
 from .mjcf_bodies import compile_sound
@@ -80,6 +81,7 @@ def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
     """
     import mujoco
 
+    write_no_log()
     try:
         return mujoco.MjModel.from_xml_string(gathered.xml, gathered.files)
     except ValueError as error:
@@ -108,7 +110,7 @@ class _ModelReader:
         import mujoco
 
         self.model = model
-        self.data = mujoco.MjData(model)
+        self.data = new_data(model)
         mujoco.mj_kinematics(model, self.data)
         mujoco.mj_comPos(model, self.data)
         free = int(mujoco.mjtJoint.mjJNT_FREE)

@@ -7,12 +7,12 @@ reason that says what to change.
 from __future__ import annotations
 
 import math
-import struct
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..errors import InputError
 from ..meshes.reading.bounds import MOST_FACES, MOST_TEXELS, MOST_TEXELS_TOGETHER
+from ..pictures import DamagedHeader, png_size
 
 MOST_GEOMS = 10_000
 """Geoms of a model, those that replicates make counted each."""
@@ -24,8 +24,6 @@ _UNUSED = (
     "size", "sensor", "keyframe", "custom", "actuator", "tendon", "equality", "contact",
 )  # fmt: skip
 """Sections that no scene is read from."""
-_PNG_SIZE = struct.Struct(">II")
-_PNG_HEAD = 16  # bytes before the width and height of a PNG
 
 
 def drop_unused(root: ET.Element) -> None:
@@ -36,6 +34,22 @@ def drop_unused(root: ET.Element) -> None:
             element.remove(child)
     for section in [child for child in root if child.tag in _UNUSED]:
         root.remove(section)
+
+
+def merge_textures(root: ET.Element) -> None:
+    """Keep one of textures that differ in nothing but their names, as MuJoCo makes each of them."""
+    kept: dict[tuple[tuple[str, str], ...], str] = {}
+    renamed: dict[str, str] = {}
+    for asset in root.findall("asset"):
+        for texture in [child for child in asset.findall("texture") if child.get("name")]:
+            key = tuple(sorted((k, v) for k, v in texture.items() if k != "name"))
+            name = texture.attrib["name"]
+            if kept.setdefault(key, name) != name:
+                renamed[name] = kept[key]
+                asset.remove(texture)
+    for element in root.iter():
+        if (name := element.get("texture", "")) in renamed:
+            element.set("texture", renamed[name])
 
 
 def check_copies(root: ET.Element, most_elements: int) -> None:
@@ -53,7 +67,10 @@ def check_copies(root: ET.Element, most_elements: int) -> None:
         if element.tag == "replicate":
             count = element.get("count", "1")
             if not _is_few(count):
-                raise InputError(f"The model replicates a body more than {MOST_COPIES} times.")
+                raise InputError(
+                    f"The model replicates a body {count.strip()[:40]!r} times; whole numbers up "
+                    f"to {MOST_COPIES} are read. Correct the count, or replicate less."
+                )
             times *= int(count)
         if geoms > MOST_GEOMS or elements > most_elements:
             raise InputError(
@@ -67,7 +84,8 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
     """Check how much the textures and meshes of a model unpack to.
 
     ``files`` are those that the model names, by name; ``sides`` the attributes that name the
-    pictures of a cube. Files count once for each element that names them.
+    pictures of a cube. Equal textures are one (``merge_textures``); meshes count once for each
+    element.
 
     Raises:
         InputError: a texture, or all, have too many texels; meshes have too many faces.
@@ -76,7 +94,7 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
     for element in root.iter():
         if element.tag == "texture":
             named = [files[n] for s in ("file", *sides) if (n := element.get(s, "")) in files]
-            own = sum(map(_texels_of, named)) if named else _builtin_texels(element)
+            own = _file_texels(element, named) if named else _builtin_texels(element)
             texels += own
             if own > MOST_TEXELS or texels > MOST_TEXELS_TOGETHER:
                 raise InputError(
@@ -92,12 +110,19 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
                 )
 
 
+def _file_texels(element: ET.Element, named: Sequence[bytes]) -> float:
+    """Return how many texels MuJoCo makes of the files of a texture."""
+    texels = sum(map(_texels_of, named))
+    cells = math.prod(map(_number, element.get("gridsize", "1 1").split()))
+    return max(texels, 6 * texels / cells) if cells > 1 else texels  # six cells are kept
+
+
 def _texels_of(raw: bytes) -> int:
-    """Return how many texels a PNG has, by its header, where MuJoCo reads it."""
-    if len(raw) < _PNG_HEAD + _PNG_SIZE.size:
+    """Return how many texels a PNG has, by its header; 0 if it is none, which MuJoCo refuses."""
+    try:
+        return math.prod(png_size(raw))
+    except DamagedHeader:
         return 0
-    width, height = _PNG_SIZE.unpack_from(raw, _PNG_HEAD)
-    return width * height
 
 
 def _builtin_texels(element: ET.Element) -> float:

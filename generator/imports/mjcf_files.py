@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 
 from ..errors import InputError
 from .foreign import read_source
-from .mjcf_budget import check_assets, check_copies, drop_unused
+from .mjcf_budget import check_assets, check_copies, drop_unused, merge_textures
 
 MOST_XML, MOST_FILE, MOST_TOGETHER = 32 * 2**20, 128 * 2**20, 384 * 2**20
 """Bytes of an XML file, of a mesh or a picture, and of all together."""
@@ -65,6 +65,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
     drop_unused(root)
     check_copies(root, MOST_ELEMENTS)
     reader.hand_over(root)
+    merge_textures(root)
     check_assets(root, reader.files, SIDES)
     return GatheredModel(ET.tostring(root, encoding="unicode"), reader.files)
 

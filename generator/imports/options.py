@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import require
+from ..scene import MAX_LEAN
 
 
 @dataclass(frozen=True)
@@ -35,4 +36,4 @@ class ImportOptions:
 
     def __post_init__(self) -> None:
         require(self, "scale", minimum=1e-6, maximum=1e6)
-        require(self, "lean", minimum=0, maximum=45)
+        require(self, "lean", minimum=0, maximum=MAX_LEAN)

@@ -57,13 +57,7 @@ def parse_json(
         data = raw.encode() if isinstance(raw, str) else bytes(raw)
     except ValueError as failure:
         raise _not_json(what, error, failure) from failure
-    if len(data) > max_bytes:
-        raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
-    bare = _STRING.sub(b"", data)
-    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > _MAX_VALUES:
-        raise error(f"{what} holds more than the {_MAX_VALUES} values that are read.")
-    if _depth(bare) > max_depth:
-        raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
+    check_json_size(data, what, error, max_bytes=max_bytes, max_depth=max_depth)
     try:
         payload = json.loads(
             data.decode("utf-8-sig"), parse_constant=_not_finite, parse_float=_finite
@@ -73,6 +67,23 @@ def parse_json(
     except (ValueError, RecursionError) as failure:
         raise _not_json(what, error, failure) from failure
     return payload
+
+
+def check_json_size(
+    data: bytes, what: str, error: type[TabletopError], *, max_bytes: int, max_depth: int
+) -> None:
+    """Check the length, number of values and nesting of a JSON text before it is parsed.
+
+    Raises:
+        TabletopError: ``error``, if it has too many; see :func:`parse_json`.
+    """
+    if len(data) > max_bytes:
+        raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
+    bare = _STRING.sub(b"", data)
+    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > _MAX_VALUES:
+        raise error(f"{what} holds more than the {_MAX_VALUES} values that are read.")
+    if _depth(bare) > max_depth:
+        raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
 
 
 def parse_object(

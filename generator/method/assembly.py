@@ -16,6 +16,7 @@ from jaxtyping import Float
 
 from ..errors import InputError, choices, require
 from ..geometry import convex_outline, yaw_quaternion
+from ..physics.decomposition import CutBudget
 from ..physics.footing import on_foot
 from ..physics.gate import GateLimits, find_fallen, find_toppling, judge
 from ..physics.inertia import body_mass
@@ -236,9 +237,14 @@ def rest(
 # ------------------------------------------------------------------------------------------ bodies
 
 
-def table_body(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
-    """Return a model as a table of that scale (its extent in metres), with convex parts."""
-    parts = model_parts(model, scale)
+def table_body(
+    model: Model, scale: Float[np.ndarray, "3"], budget: CutBudget | None = None
+) -> Table:
+    """Return a model as a table of that scale (its extent in metres), with convex parts.
+
+    A mesh without parts is decomposed, within a ``budget`` of several meshes.
+    """
+    parts = model_parts(model, scale, budget)
     points = np.concatenate([p.vertices for p in parts])
     top = points[points[:, 2] > points[:, 2].max() - 0.01]
     return Table(model, scale, parts, convex_outline(top[:, :2]), model.physics.friction)

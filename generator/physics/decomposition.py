@@ -7,6 +7,9 @@ about a thousand faces, once per mesh: results are kept by content.
 CoACD first cuts a mesh into pieces, then merges them, which takes longest: a rough mesh falls into
 hundreds of pieces. The cut is therefore tried at falling thresholds, and the finest one that leaves
 a moderate number of pieces is merged. The number of pieces, never a clock, decides the result.
+
+An import of many meshes has one ``CutBudget``: pieces that all its first cuts may fall into. Meshes
+beyond it are refused, which their caller answers with their hulls.
 """
 
 from __future__ import annotations
@@ -14,6 +17,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import tempfile
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 
@@ -23,7 +27,7 @@ from jaxtyping import Float
 
 from ..errors import SceneError
 from ..io.npz import read_arrays
-from ..sandbox import SandboxError, SandboxLimits, call
+from ..sandbox import CpuBudget, SandboxError, SandboxLimits, call
 from ..scene import ConvexPart, Mesh
 from ..scene.triangles import Faces, Vertices, closed, pieces
 from .inertia import weld
@@ -32,6 +36,8 @@ _MOST_FACES = 1200  # meshes are reduced to this many: CoACD's time grows with t
 _FULL = 1.001  # of its hull that a mesh may fill, as reckoned
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
 _MOST_PIECES = 200  # of more, the boxes are not compared
+
+Hulls = list[Float[np.ndarray, "_k 3"]]
 
 _LIMITS = SandboxLimits(cpu_seconds=90.0, threads=1)  # several times what the roughest meshes take
 _SETTINGS = {
@@ -42,19 +48,60 @@ _THRESHOLDS = 0.15, 0.06  # of concavity, from coarse to fine
 _MOST_CUTS = 48  # pieces of a cut up to which the next finer one is made
 
 
+class CutBudget:
+    """Pieces that the first cuts of several meshes may fall into together.
+
+    A piece stands for 0.05 to 0.15 s of CPU time. Solid things fall into 1 to 16 pieces, rough
+    meshes into about 70. The count is the same on every machine, and whether results are cached or
+    not: a mesh is decomposed as long as pieces are left, and one that is met again costs nothing.
+    A mesh that fails counts as a rough one. All meshes together have the CPU time that a single one
+    may take, several times what the pieces take: whatever reaches it is refused.
+    """
+
+    def __init__(self, pieces: int = 200) -> None:
+        self.left = pieces
+        self.cpu = CpuBudget(_LIMITS.cpu_seconds)
+        self._hulls: dict[str, Hulls | SceneError] = {}
+
+    def decompose(self, key: str, run: Callable[[], tuple[Hulls, int]]) -> Hulls:
+        """Return the hulls of the mesh ``key``, which ``run`` returns with its number of pieces.
+
+        Raises:
+            SceneError: no pieces are left, or ``run`` failed.
+        """
+        if key not in self._hulls:
+            if self.left <= 0 or not self.cpu.left:
+                raise SceneError(
+                    "Convex decomposition of the meshes before it took all the pieces of an "
+                    "import. Give models convex parts, or import fewer at a time."
+                )
+            try:
+                self._hulls[key], pieces = run()
+                self.left -= pieces
+            except SceneError as error:
+                self._hulls[key] = error
+                self.left -= _MOST_CUTS
+        found = self._hulls[key]
+        if isinstance(found, SceneError):
+            raise found
+        return found
+
+
 def decompose(
     mesh: Mesh,
     scale: Float[np.ndarray, "3"],
     *,
     limits: SandboxLimits = _LIMITS,
     cache: Path | None = None,
+    budget: CutBudget | None = None,
 ) -> tuple[ConvexPart, ...]:
     """Return convex parts of a canonical mesh, in the canonical frame, as cut at ``scale``.
 
     Results are kept in ``cache`` (by default a folder of the user's cache) if it can be written.
+    ``budget`` is that of all meshes of an import.
 
     Raises:
-        SceneError: CoACD failed or reached one of the ``limits``.
+        SceneError: CoACD failed or reached one of the ``limits``, or the budget is spent.
     """
     proportions = np.round(np.asarray(scale, float) / np.max(scale), 3).clip(1e-3)
     vertices, faces = weld(mesh)
@@ -63,18 +110,25 @@ def decompose(
     digest = hashlib.sha256(repr((_SETTINGS, _THRESHOLDS, _MOST_CUTS)).encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())
-    kept = (cache or hulls_folder()) / f"{digest.hexdigest()[:24]}.npz"
-    hulls = _read(kept) if kept.is_file() else None
-    if not hulls:
-        hulls = _coacd(vertices * proportions, faces, limits)
-        _keep(kept, hulls)
+    cpu = None if budget is None else budget.cpu
+    key = digest.hexdigest()[:24]
+    kept = (cache or hulls_folder()) / f"{key}.npz"
+
+    def run() -> tuple[Hulls, int]:
+        known = _read(kept) if kept.is_file() else None
+        if known is None:
+            known = _coacd(vertices * proportions, faces, limits, cpu)
+            _keep(kept, *known)
+        return known
+
+    hulls = run()[0] if budget is None else budget.decompose(key, run)
     return tuple(ConvexPart((hull / proportions).clip(-0.5, 0.5)) for hull in hulls)
 
 
 def _coacd(
-    vertices: Vertices, faces: Faces, limits: SandboxLimits
-) -> list[Float[np.ndarray, "_k 3"]]:
-    """Run CoACD in a sandbox on a reduced mesh."""
+    vertices: Vertices, faces: Faces, limits: SandboxLimits, cpu: CpuBudget | None
+) -> tuple[Hulls, int]:
+    """Return the hulls of a mesh, by CoACD in a sandbox, and the pieces of its first cut."""
     if len(faces) > _MOST_FACES:
         import fast_simplification
 
@@ -84,7 +138,7 @@ def _coacd(
         vertices, faces = fewer[0].astype(np.float64), fewer[1].astype(np.int64)
     remesh = not closed(faces) or _overlaps(vertices, faces)
     try:
-        hulls = call(run_coacd, vertices, faces, remesh, limits=limits)
+        hulls, pieces = call(run_coacd, vertices, faces, remesh, limits=limits, budget=cpu)
     except SandboxError as error:
         raise SceneError(
             f"Convex decomposition of {len(faces)} faces failed: it {error}. Give the model convex "
@@ -92,11 +146,11 @@ def _coacd(
         ) from error
     if not hulls:
         raise SceneError("Convex decomposition found no solid piece. Give the model convex parts.")
-    return hulls
+    return hulls, pieces
 
 
-def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> list[Float[np.ndarray, "_k 3"]]:
-    """Return the hulls of a mesh, decomposed in this process.
+def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> tuple[Hulls, int]:
+    """Return the hulls of a mesh, decomposed in this process, and the pieces of its first cut.
 
     ``remesh`` makes the surface again first, which open and overlapping meshes need.
     """
@@ -105,16 +159,17 @@ def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> list[Float[np.n
     coacd.set_log_level("error")
     settings = {**_SETTINGS, "preprocess_mode": "on" if remesh else "off"}
 
-    def run(threshold: float, merge: bool) -> list[Float[np.ndarray, "_k 3"]]:
+    def run(threshold: float, merge: bool) -> Hulls:
         mesh = coacd.Mesh(vertices, faces)
         return [h for h, _ in coacd.run_coacd(mesh, threshold=threshold, merge=merge, **settings)]
 
-    chosen = _THRESHOLDS[0]
+    chosen, counts = _THRESHOLDS[0], list[int]()
     for threshold, finer in pairwise(_THRESHOLDS):
-        if len(run(threshold, merge=False)) > _MOST_CUTS:
+        counts.append(len(run(threshold, merge=False)))
+        if counts[-1] > _MOST_CUTS:
             break
         chosen = finer
-    return run(chosen, merge=True)
+    return run(chosen, merge=True), counts[0]
 
 
 def _overlaps(vertices: Vertices, faces: Faces) -> bool:
@@ -146,23 +201,24 @@ def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
     return bool(meet.sum() > len(names))
 
 
-def _read(path: Path) -> list[Float[np.ndarray, "_k 3"]] | None:
-    """Return the hulls kept at ``path``; None if what is there is no such file."""
+def _read(path: Path) -> tuple[Hulls, int] | None:
+    """Return the hulls and pieces kept at ``path``; None if what is there is no such file."""
     try:
         arrays = read_arrays(path, "The kept hulls", SceneError, max_bytes=_MAX_KEPT)
+        pieces = int(arrays.pop("pieces"))
         hulls = [np.asarray(array, np.float64) for array in arrays.values()]
-    except (SceneError, ValueError, TypeError):
+    except (SceneError, KeyError, ValueError, TypeError):
         return None
     sound = all(h.ndim == 2 and h.shape[1] == 3 and np.isfinite(h).all() for h in hulls)
-    return hulls if sound else None
+    return (hulls, pieces) if hulls and sound and pieces > 0 else None
 
 
-def _keep(path: Path, hulls: list[Float[np.ndarray, "_k 3"]]) -> None:
+def _keep(path: Path, hulls: Hulls, pieces: int) -> None:
     """Keep hulls for the next time, if the cache can be written: it only saves time."""
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as part:
-            np.savez(part, *hulls)
+            np.savez(part, *hulls, pieces=np.array(pieces))
         Path(part.name).replace(path)
 
 

@@ -12,7 +12,7 @@ from jaxtyping import Bool, Float
 
 from ..errors import require
 from ..geometry import inside_margin
-from ..scene import Failure, FailureKind, Report, Scene
+from ..scene import MAX_LEAN, Failure, FailureKind, Report, Scene
 from .settling import has_toppled
 from .simulation import ON_FLOOR, ON_TABLE, Motion, Simulation, find_supported, measure_motion
 
@@ -25,8 +25,8 @@ class GateLimits:
     drift, tilt: how far a thing may move and turn.
     gap: what nothing touches within this distance floats.
     seconds: how long it is watched.
-    lean: the same must hold with gravity leaning by this angle to each of four sides; 0 leaves
-        that out.
+    lean: the same must hold with gravity leaning by this angle, at most ``MAX_LEAN``, to each of
+        four sides; 0 leaves that out.
 
     Raises:
         InputError: not a number, negative, or no time at all.
@@ -42,7 +42,7 @@ class GateLimits:
     def __post_init__(self) -> None:
         require(self, "penetration", "drift", "tilt", "gap", minimum=0)
         require(self, "seconds", above=0)
-        require(self, "lean", minimum=0, maximum=1)
+        require(self, "lean", minimum=0, maximum=float(np.deg2rad(MAX_LEAN)))
 
 
 PerObject = Float[np.ndarray, "n"]

@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
@@ -14,6 +15,9 @@ from ..geometry import convex_outline, inside_margin, quaternion_matrix
 from ..scene import ConvexPart, Model, Object, Pose
 from ..scene.triangles import Faces, Vertices
 from .covering import covering
+
+if TYPE_CHECKING:
+    from .decomposition import CutBudget
 
 THINNEST = 4e-4
 """No part is thinner than this along an axis, metres; thinner ones grow about their middle, and so
@@ -38,26 +42,34 @@ def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
     return ConvexPart(vertices.round(6), part.kind, part.axis)
 
 
-def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
+def model_parts(
+    model: Model, scale: Float[np.ndarray, "3"], budget: CutBudget | None = None
+) -> tuple[ConvexPart, ...]:
     """Return the convex parts of ``model`` at ``scale`` (its extent in metres), as they are.
+
+    A mesh that has none is decomposed, within a ``budget`` of several meshes.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
     """
     from .decomposition import decompose
 
-    parts = model.parts or decompose(model.mesh, scale)
+    parts = model.parts or decompose(model.mesh, scale, budget=budget)
     return tuple(scale_part(part, scale) for part in parts)
 
 
-def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
+def body_parts(
+    model: Model, scale: Float[np.ndarray, "3"], budget: CutBudget | None = None
+) -> tuple[ConvexPart, ...]:
     """Return the collision shape of ``model`` at ``scale``: parts that cover what is drawn.
+
+    ``budget`` is that of several meshes, for one that has to be decomposed.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
     """
     vertices = model.mesh.vertices.astype(np.float64) * scale
-    parts = model_parts(model, scale)
+    parts = model_parts(model, scale, budget)
     return _cover(_Shape(_digest(parts, vertices, model.mesh.faces), parts, vertices,
                          model.mesh.faces))  # fmt: skip
 

@@ -14,7 +14,7 @@ from jaxtyping import Bool, Float, Int
 
 from ..scene import Object, Pose, Scene
 from .mjcf import FLOOR, written_poses
-from .spec import compile_spec, scene_spec
+from .spec import compile_spec, new_data, scene_spec, unsimulatable
 
 if TYPE_CHECKING:
     import mujoco
@@ -65,7 +65,7 @@ class Simulation:
         self.scene = scene
         self.model = _compile_at(scene, fixed)
         self.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
-        self.data = mujoco.MjData(self.model)
+        self.data = new_data(self.model)
         mujoco.mj_setConst(self.model, self.data)
         bodies = [self.model.body(o.name).id for o in scene.objects]
         owner = np.full(self.model.nbody, ON_TABLE)
@@ -129,6 +129,9 @@ class Simulation:
         """Return what touches, or comes within ``margin`` metres, exact in depth.
 
         Only objects count: the table stands on the floor unmentioned.
+
+        Raises:
+            SceneError: there are more than MuJoCo has memory for.
         """
         import mujoco
 
@@ -136,23 +139,29 @@ class Simulation:
         flags = model.opt.disableflags
         model.opt.disableflags = flags | int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
         model.geom_margin[:] = model.body_margin[:] = margin / 2
-        mujoco.mj_kinematics(model, data)
-        mujoco.mj_comPos(model, data)
-        mujoco.mj_collision(model, data)
+        with self._as_scene_error():
+            mujoco.mj_kinematics(model, data)
+            mujoco.mj_comPos(model, data)
+            mujoco.mj_collision(model, data)
         model.opt.disableflags = flags
         model.geom_margin[:] = model.body_margin[:] = 0.0
         pairs = np.sort(self._owner[data.contact.geom].reshape(-1, 2), axis=1)
         return Contacts(pairs, np.array(data.contact.dist, float))
 
     def run(self, seconds: float, damping: float = 0.0) -> None:
-        """Simulate; ``damping`` is the rate (1/s) at which free motion dies out."""
+        """Simulate; ``damping`` is the rate (1/s) at which free motion dies out.
+
+        Raises:
+            SceneError: the objects have more contacts than MuJoCo has memory for.
+        """
         import mujoco
 
         mass, turning = self.model.body_mass, self.model.body_inertia.min(1)
         inertia = np.stack([mass] * 3 + [turning] * 3, axis=1)
         start = self.model.nbody - len(self.scene.objects)
         self.model.dof_damping[:] = self._undamped + damping * inertia[start:].ravel()
-        mujoco.mj_step(self.model, self.data, round(seconds / self.model.opt.timestep))
+        with self._as_scene_error():
+            mujoco.mj_step(self.model, self.data, round(seconds / self.model.opt.timestep))
         self.model.dof_damping[:] = self._undamped
 
     @contextmanager
@@ -167,6 +176,16 @@ class Simulation:
             yield
         finally:
             option.gravity[:], option.timestep = before
+
+    @contextmanager
+    def _as_scene_error(self) -> Iterator[None]:
+        """Raise MuJoCo's own fatal errors as those of the scene."""
+        import mujoco
+
+        try:
+            yield
+        except mujoco.FatalError as error:
+            raise unsimulatable(self.scene.name, str(error)) from error
 
     def speeds(self) -> Float[np.ndarray, "n 2"]:
         """Return each object's linear (m/s) and angular (rad/s) speed."""

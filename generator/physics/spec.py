@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection, Sequence
+import threading
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -16,6 +18,83 @@ from .mjcf import UV_DIGITS, VERTEX_DIGITS, Document, document
 
 if TYPE_CHECKING:
     import mujoco
+
+
+_LOG = "MUJOCO_LOG.TXT"  # MuJoCo's own default, in the working directory
+_LOG_LOCK = threading.Lock()
+_LOG_WAIT = 5.0  # seconds; a process that was forked while a thread held the lock goes on
+
+
+def write_no_log() -> None:
+    """Have MuJoCo write no log file into the working directory, in this process from now on.
+
+    Its warnings still go to standard error and to a handler of the caller's. A log file that the
+    caller has named stays in use. Unlike a handler of warnings this has no part in what threads
+    simulate.
+    """
+    import mujoco
+
+    if mujoco.MjLogConfig.get().logto_file:  # else done already
+        with _changing_log():
+            config = mujoco.MjLogConfig.get()
+            if config.logfile == _LOG:
+                config.logto_file = False
+                config.set()
+
+
+@contextmanager
+def no_console() -> Iterator[None]:
+    """Meanwhile MuJoCo prints no warnings: ``list_warnings`` has those that matter to the caller.
+
+    Those of other threads are not printed meanwhile, either.
+    """
+    import mujoco
+
+    with _changing_log():
+        config = mujoco.MjLogConfig.get()
+        printed, config.logto_console = config.logto_console, False
+        config.set()
+        try:
+            yield
+        finally:
+            config.logto_console = printed
+            config.set()
+
+
+@contextmanager
+def _changing_log() -> Iterator[None]:
+    """Let one thread at a time change MuJoCo's log, which is one for the process."""
+    held = _LOG_LOCK.acquire(timeout=_LOG_WAIT)
+    try:
+        yield
+    finally:
+        if held:
+            _LOG_LOCK.release()
+
+
+def new_data(model: mujoco.MjModel) -> mujoco.MjData:
+    """Return a state of a model, whose simulation writes no log file (``write_no_log``)."""
+    import mujoco
+
+    write_no_log()
+    return mujoco.MjData(model)
+
+
+def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
+    """Return what MuJoCo warned of since a state was made or reset, a text for each kind."""
+    import mujoco
+
+    raised = [(kind, data.warning[kind]) for kind in range(len(data.warning))]
+    return tuple(mujoco.mju_warningText(k, w.lastinfo) for k, w in raised if w.number)
+
+
+def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
+    """Return the error about a scene that MuJoCo cannot simulate."""
+    said = " ".join(reason.split())[:200]
+    return SceneError(
+        f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Make the scene again: its "
+        "bodies overlap."
+    )
 
 
 def scene_spec(
@@ -47,6 +126,7 @@ def spec_of(made: Document, name: str) -> mujoco.MjSpec:
     """
     import mujoco
 
+    write_no_log()
     try:
         return mujoco.MjSpec.from_string(made.xml, assets=dict(made.files))
     except ValueError as error:
@@ -59,6 +139,7 @@ def compile_spec(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
     Raises:
         SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
     """
+    write_no_log()
     try:
         return spec.compile()
     except ValueError as error:

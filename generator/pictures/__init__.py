@@ -7,9 +7,11 @@ raise.
 
 from .decoding import decode as decode
 from .decoding import decode_png as decode_png
+from .headers import DamagedHeader as DamagedHeader
 from .headers import Format as Format
 from .headers import PictureHeader as PictureHeader
 from .headers import format_of as format_of
+from .headers import png_size as png_size
 from .limits import PictureLimits as PictureLimits
 from .limits import read_header as read_header
 from .picture import DecodedPicture as DecodedPicture

@@ -16,6 +16,7 @@ from typing import Literal
 Format = Literal["PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF", "TGA"]
 
 _PNG = b"\x89PNG\r\n\x1a\n"
+_PNG_HEAD = 33  # bytes of the signature and the first chunk
 _SIGNATURES: tuple[tuple[Format, re.Pattern[bytes]], ...] = (
     ("PNG", re.compile(re.escape(_PNG))),
     ("JPEG", re.compile(rb"\xff\xd8\xff")),
@@ -86,10 +87,21 @@ def parse_header(raw: bytes, kind: Format) -> PictureHeader:
         raise DamagedHeader("its header is cut off") from error
 
 
-def _png(raw: bytes) -> PictureHeader:
-    if raw[8:16] != b"\0\0\0\rIHDR":
+def png_size(raw: bytes) -> tuple[int, int]:
+    """Return width and height of a PNG, by its header alone.
+
+    Raises:
+        DamagedHeader: it does not begin with the header of a PNG.
+    """
+    if raw[:16] != _PNG + b"\0\0\0\rIHDR":
         raise DamagedHeader("it does not begin with a header")
-    width, height = struct.unpack_from(">II", raw, 16)
+    if len(raw) < _PNG_HEAD:
+        raise DamagedHeader("its header is cut off")
+    return struct.unpack_from(">II", raw, 16)
+
+
+def _png(raw: bytes) -> PictureHeader:
+    width, height = png_size(raw)
     frames, profiles = 1, 0
     for name, at, size in _chunks(raw, 8, ">I4s", 4, 1):
         profiles += name == b"iCCP"

@@ -7,39 +7,48 @@ was its standard output when it started.
 from __future__ import annotations
 
 import ctypes
+import errno
 import importlib
 import math
 import os
 import signal
 import sys
 import tempfile
+import time
 from pathlib import Path
 from typing import Any
 
 from ..errors import TabletopError
 from .packing import packed_parts, unpack
+from .running import NO_MEMORY, failure_text, memory_text
 
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 
 
 def main() -> None:
     """Answer one request."""
+    try:
+        _serve()
+    except MemoryError:
+        os._exit(NO_MEMORY)
+    os._exit(0)  # leaves nothing to the exit handlers of libraries that have parsed foreign data
+
+
+def _serve() -> None:
     given, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     with Path(os.devnull).open("rb") as nothing:
         os.dup2(nothing.fileno(), 0)
     os.dup2(2, 1)  # what libraries print is no part of the answer
-    from .running import memory_text
-
     request = unpack(given.read(), _find)
     _leave_with(int(request["parent"]))
     function = _find(f"{request['module']}:{request['name']}")
     _work_nowhere()
-    too_large = memory_text(int(request["memory"]))  # names the inherited limit, so before ours
-    _limit(float(request["cpu_seconds"]), int(request["memory"]))
+    memory = int(request["memory"])
+    too_large = memory_text(memory)  # names the inherited limit, so before ours
+    _limit(float(request["cpu_seconds"]), memory)
     for part in _answer(function, request["args"], too_large):
         answers.write(part)
     answers.flush()
-    os._exit(0)  # leaves nothing to the exit handlers of libraries that have parsed foreign data
 
 
 def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes | memoryview]:
@@ -47,20 +56,33 @@ def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes 
 
     ``too_large`` is the message where the memory does not suffice.
     """
-    from .running import lacks_memory
-
+    start = time.process_time()
     try:
-        return packed_parts({"result": function(*args)})
+        result = function(*args)
+        return packed_parts({"result": result, "cpu": time.process_time() - start})
     except TabletopError as error:
-        message = str(error.args[0]) if error.args else ""
-        return packed_parts({"error": type(error).__name__, "message": message, "breach": ""})
+        name, message = type(error).__name__, str(error.args[0]) if error.args else ""
+        breach = ""
     except Exception as error:  # whatever a parser stumbles over in a foreign file
         name, words = type(error).__name__, " ".join(str(error).split())[:300]
-        if lacks_memory(f"{name}: {words}"):
-            message, breach = too_large, "memory"
-        else:
-            message, breach = f"is damaged ({name}: {words})", "parser"
-    return packed_parts({"error": name, "message": message, "breach": breach})
+        breach = "memory" if _lacks_memory(error) else "parser"
+        text = failure_text(f"{name}: {words}", "is damaged", too_large)
+        message = too_large if breach == "memory" else text
+    return packed_parts({
+        "error": name, "message": message, "breach": breach, "cpu": time.process_time() - start,
+    })  # fmt: skip
+
+
+def _lacks_memory(error: BaseException | None) -> bool:
+    """Return whether an error, or one that it was raised from, is that memory did not suffice."""
+    seen: set[int] = set()
+    while error is not None and id(error) not in seen:
+        seen.add(id(error))
+        no_room = isinstance(error, OSError) and error.errno == errno.ENOMEM
+        if isinstance(error, MemoryError) or no_room:
+            return True
+        error = error.__cause__ or error.__context__
+    return False
 
 
 def _find(name: str) -> Any:
@@ -92,8 +114,7 @@ def _limit(cpu_seconds: float, memory: int) -> None:
     import resource
 
     used = resource.getrusage(resource.RUSAGE_SELF)
-    seconds = math.ceil(used.ru_utime + used.ru_stime + cpu_seconds)
-    _lower(resource.RLIMIT_CPU, seconds)
+    _limit_time(math.ceil(used.ru_utime + used.ru_stime + cpu_seconds))
     _lower(resource.RLIMIT_CORE, 0)
     _lower(resource.RLIMIT_FSIZE, 0)
     statm = Path("/proc/self/statm")
@@ -102,12 +123,27 @@ def _limit(cpu_seconds: float, memory: int) -> None:
         _lower(resource.RLIMIT_AS, pages * resource.getpagesize() + memory)
 
 
+def _limit_time(seconds: int) -> None:
+    """Limit CPU time. The hard limit is above: its SIGKILL could be anyone's, SIGXCPU is ours."""
+    import resource
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_CPU)
+    signal.signal(signal.SIGXCPU, signal.SIG_DFL)
+    top = _least(seconds + 1, hard)
+    resource.setrlimit(resource.RLIMIT_CPU, (max(1, min(_least(seconds, soft), top - 1)), top))
+
+
 def _lower(kind: int, limit: int) -> None:
     import resource
 
-    soft, hard = resource.getrlimit(kind)
-    known = [value for value in (limit, soft, hard) if value != resource.RLIM_INFINITY]
-    resource.setrlimit(kind, (min(known), min(known)))
+    least = _least(limit, *resource.getrlimit(kind))
+    resource.setrlimit(kind, (least, least))
+
+
+def _least(limit: int, *inherited: int) -> int:
+    import resource
+
+    return min([limit, *(value for value in inherited if value != resource.RLIM_INFINITY)])
 
 
 if __name__ == "__main__":

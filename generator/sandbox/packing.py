@@ -12,16 +12,23 @@ import dataclasses
 import enum
 import json
 import math
+import re
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path, PurePath
 from typing import Any
 
 import numpy as np
 
+from ..errors import InputError, TabletopError
+from ..io.reading import check_json_size
+
 _HEAD = struct.Struct("<4sQ")
 _MAGIC = b"ttg1"
 _ALIGN = 64  # bytes
+_MAX_HEAD = 64 * 2**20  # bytes of the JSON document
+_MAX_DEPTH = 64  # levels of its lists and objects
+_DTYPE = re.compile(r"[<>|=][biufc][0-9]{1,2}")
 
 
 def pack(value: object) -> bytes:
@@ -53,12 +60,14 @@ def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
 
     Raises:
         ValueError: the bytes are no packed value.
+        TabletopError: the constructor of a class refuses its values.
     """
     try:
         magic, length = _HEAD.unpack_from(raw)
         if magic != _MAGIC or length > len(raw) - _HEAD.size:
             raise ValueError("not a packed value")
-        document = json.loads(bytes(raw[_HEAD.size : _HEAD.size + length]))
+        text = bytes(raw[_HEAD.size : _HEAD.size + min(length, _MAX_HEAD + 1)])
+        document = _parse(text)
         start, buffers = _HEAD.size + length, []
         for size in document["sizes"]:
             if not 0 <= size <= len(raw) - start:
@@ -66,8 +75,18 @@ def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
             buffers.append(memoryview(raw)[start : start + size])
             start += size + -size % _ALIGN
         return _Unpacker(buffers, find_class).value(document["tree"])
-    except (KeyError, TypeError, IndexError, struct.error, RecursionError) as error:
+    except TabletopError:
+        raise
+    except Exception as error:  # whatever damaged bytes lead to
         raise ValueError(f"not a packed value ({type(error).__name__}: {error})") from error
+
+
+def _parse(text: bytes) -> Any:
+    try:
+        check_json_size(text, "the document", InputError, max_bytes=_MAX_HEAD, max_depth=_MAX_DEPTH)
+    except InputError as error:
+        raise ValueError(str(error)) from error
+    return json.loads(text)
 
 
 def class_name(kind: type) -> str:
@@ -101,7 +120,7 @@ class _Packer:
             return [self.tree(v) for v in value]
         if isinstance(value, tuple):
             return {"tuple": [self.tree(v) for v in value]}
-        if isinstance(value, dict):
+        if isinstance(value, Mapping):
             if not all(isinstance(key, str) for key in value):
                 raise TypeError("keys of a packed dict must be strings")
             return {"dict": {key: self.tree(v) for key, v in value.items()}}
@@ -131,6 +150,7 @@ class _Unpacker:
         self._buffers = buffers
         self._find_class = find_class
         self._arrays: dict[tuple[int, str, tuple[int, ...]], np.ndarray] = {}
+        self._copies: dict[int, bytes] = {}
 
     def value(self, tree: Any) -> Any:
         """Return the value that a JSON tree stands for."""
@@ -141,7 +161,7 @@ class _Unpacker:
         if "array" in tree:
             return self._array(tree["array"], str(tree["dtype"]), tuple(map(int, tree["shape"])))
         if "bytes" in tree:
-            return bytes(self._buffers[tree["bytes"]])
+            return self._bytes(tree["bytes"])
         if "tuple" in tree:
             return tuple(self.value(v) for v in tree["tuple"])
         if "dict" in tree:
@@ -153,13 +173,20 @@ class _Unpacker:
         kind = self._find_class(tree["class"])
         return kind(**{name: self.value(v) for name, v in tree["fields"].items()})
 
+    def _bytes(self, place: int) -> bytes:
+        if place not in self._copies:
+            self._copies[place] = bytes(self._buffers[place])
+        return self._copies[place]
+
     def _array(self, place: int, kind: str, shape: tuple[int, ...]) -> np.ndarray:
         key = place, kind, shape
         if key not in self._arrays:
+            if not _DTYPE.fullmatch(kind):
+                raise ValueError(f"an array of {kind[:20]!r}")
             dtype = np.dtype(kind)
             buffer = self._buffers[place]
             size = math.prod(shape) * dtype.itemsize
-            if dtype.kind not in "biufc" or min(shape, default=0) < 0 or size != len(buffer):
+            if min(shape, default=0) < 0 or size != len(buffer):
                 raise ValueError(f"an array of shape {shape} and {kind} in {len(buffer)} bytes")
             self._arrays[key] = np.frombuffer(buffer, dtype).reshape(shape)
         return self._arrays[key]

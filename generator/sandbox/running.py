@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import selectors
 import signal
@@ -11,23 +12,28 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from .. import errors
 from ..errors import InputError, TabletopError, require
+from .budget import CpuBudget
 from .packing import class_name, pack, unpack
 
-Breach = Literal["time", "memory", "output", "hung", "crash", "cancelled", "parser"]
-"""Why a child returned nothing: it reached a limit, died, was cancelled, or a parser raised an
-exception of its own."""
+Breach = Literal["time", "memory", "output", "hung", "killed", "crash", "cancelled", "parser"]
+"""Why a child returned nothing: it reached a limit, was killed from outside (such as by a kernel
+that runs out of memory), died, was cancelled, or a parser raised an exception of its own. It never
+depends on the text of an error."""
 
-INSIDE = "TABLETOPGEN_SANDBOX"
-"""Environment variable that is set inside a child: nested calls run there without another child."""
+NO_MEMORY = 77
+"""Exit code of a child that could not allocate memory outside of its function."""
 
+_CHILD = f"{__package__}.child"  # the module that a child runs
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS")
 _HUNG = 60.0, 20.0  # a child hangs after so many seconds, and so many more per CPU second allowed
+_ENDING = 30.0  # seconds in which a child ends once it has closed its pipes
+_LEAST_SECONDS = 0.05  # of CPU time of a call when its budget is spent
 _POLL = 0.2  # seconds between two looks at ``cancelled``
 _CHUNK = 1 << 20
 _LAST_WORDS = 4096  # bytes of standard error that are kept
@@ -75,33 +81,50 @@ def call(
     limits: SandboxLimits | None = None,
     returns: Iterable[type] = (),
     cancelled: threading.Event | None = None,
+    budget: CpuBudget | None = None,
 ) -> Any:
     """Return ``function(*args)``, computed in a child process with limits.
 
     ``function`` is a module's; its arguments and its result are values that ``packing`` lists, and
     ``returns`` the dataclasses and enums that its result may hold. Arrays of the result are
     read-only. Errors of this project that it raises are raised here. Setting ``cancelled`` from
-    another thread kills the child. Within a child the function is called directly.
+    another thread kills the child. The call takes its CPU time from ``budget``, and at most what
+    is left of it. Within a child the function is called directly.
 
     Raises:
         SandboxError: a limit is reached, the child dies, or the function raises another exception.
     """
-    if os.environ.get(INSIDE):
-        return function(*args)
+    budget = budget or CpuBudget(math.inf)
+    if is_inside():
+        start = time.process_time()
+        try:
+            return function(*args)
+        finally:
+            budget.charge(time.process_time() - start)
     limits = limits or SandboxLimits()
+    seconds = max(min(limits.cpu_seconds, budget.left), _LEAST_SECONDS)
+    limits = replace(limits, cpu_seconds=seconds)
     request = pack({
         "module": function.__module__, "name": function.__qualname__, "args": args,
         "cpu_seconds": limits.cpu_seconds, "memory": limits.memory, "parent": os.getpid(),
     })  # fmt: skip
     with _child(limits) as process:
         raw, words, breach = _exchange(process, request, limits, cancelled)
-        code = process.wait() if breach is None else _kill(process)
+        breach = breach or _await_end(process)
+        code = process.wait(0) if breach is None else _kill(process)
     if breach is not None or code or not raw:
+        budget.charge(seconds)
         raise _explain(breach, code, words, limits)
-    return _result(raw, returns)
+    return _result(raw, returns, budget)
 
 
-def _result(raw: bytes | memoryview, returns: Iterable[type]) -> Any:
+def is_inside() -> bool:
+    """Return whether this process is the child of a sandbox, by the module that it runs."""
+    spec = getattr(sys.modules.get("__main__"), "__spec__", None)
+    return spec is not None and spec.name == _CHILD
+
+
+def _result(raw: bytes | memoryview, returns: Iterable[type], budget: CpuBudget) -> Any:
     expected = {class_name(kind): kind for kind in returns}
 
     def find_class(name: str) -> type:
@@ -111,6 +134,7 @@ def _result(raw: bytes | memoryview, returns: Iterable[type]) -> Any:
 
     try:
         answer = unpack(raw, find_class)
+        budget.charge(float(answer["cpu"]))
         if "result" in answer:
             return answer["result"]
         kind, message, breach = answer["error"], str(answer["message"]), answer["breach"]
@@ -133,9 +157,9 @@ def _child(limits: SandboxLimits) -> Any:
     alone = dict.fromkeys(_THREADS, str(limits.threads)) if limits.threads else {}
     try:
         process = subprocess.Popen(
-            [sys.executable, "-P", "-m", f"{__package__}.child"],
+            [sys.executable, "-P", "-m", _CHILD],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0,
-            env={**os.environ, **alone, "PYTHONPATH": path, INSIDE: "1"},
+            env={**os.environ, **alone, "PYTHONPATH": path},
             start_new_session=True,  # an interrupt ends the parent, which ends the child
         )  # fmt: skip
     except OSError as error:
@@ -145,6 +169,15 @@ def _child(limits: SandboxLimits) -> Any:
         yield process
     finally:
         _kill(process)
+
+
+def _await_end(process: subprocess.Popen[bytes]) -> Breach | None:
+    """Wait for the end of a child that has closed its pipes; return "hung" if it goes on."""
+    try:
+        process.wait(_ENDING)
+    except subprocess.TimeoutExpired:
+        return "hung"
+    return None
 
 
 def _kill(process: subprocess.Popen[bytes]) -> int:
@@ -219,39 +252,55 @@ def _explain(breach: Breach | None, code: int, words: bytes, limits: SandboxLimi
         return SandboxError("hung", f"keeps its reader waiting without need of {seconds}")
     if breach == "cancelled":
         return SandboxError("cancelled", "was cancelled")
-    if code in (-signal.SIGXCPU, -signal.SIGKILL):  # the hard limit kills
+    if code == -signal.SIGXCPU:  # the soft limit, which lies below the hard one
         return SandboxError("time", _time_text(seconds))
-    said = words.decode(errors="replace").strip().splitlines()[-1:]
-    text = said[0][:300] if said else _name_of(code)
-    if lacks_memory(text):
+    if code == -signal.SIGKILL:
+        reason = "the system killed its reader, as it does when memory runs out"
+        return SandboxError("killed", f"cannot be read here: {reason}")
+    if code == NO_MEMORY:
         return SandboxError("memory", memory_text(limits.memory))
-    return SandboxError("crash", f"breaks its reader ({text})")
+    last = words.decode(errors="replace").strip().splitlines()[-1:]
+    text = last[0][:300] if last else _name_of(code)
+    return SandboxError(
+        "crash", failure_text(text, "breaks its reader", memory_text(limits.memory))
+    )
 
 
-def lacks_memory(text: str) -> bool:
-    """Return whether the last words of a program say that it could not allocate memory."""
-    return any(sign in text for sign in ("MemoryError", "bad_alloc", "llocat", "failed to map"))
+def failure_text(words: str, what: str, too_large: str) -> str:
+    """Return the message about a parser that ended with ``words``: ``what``, or ``too_large``.
 
-
-def _time_text(seconds: str) -> str:
-    import resource
-
-    inherited = resource.getrlimit(resource.RLIMIT_CPU)[0]
-    text = f"takes more than {seconds}"
-    if inherited != resource.RLIM_INFINITY:
-        text += f", or than the {inherited} s that 'ulimit -t' allows"
-    return text
+    C++ libraries report that memory did not suffice in their words alone ("std::bad_alloc"). The
+    words choose this text and nothing else: the breach stays "parser" or "crash".
+    """
+    signs = ("MemoryError", "bad_alloc", "llocat", "failed to map")
+    return too_large if any(sign in words for sign in signs) else f"{what} ({words})"
 
 
 def memory_text(memory: int) -> str:
     """Return the reason that ``memory`` bytes, or a smaller inherited limit, do not suffice."""
     import resource
 
-    inherited = resource.getrlimit(resource.RLIMIT_AS)[0]
-    text = f"takes more than {memory / 2**30:.3g} GiB of memory"
-    if inherited != resource.RLIM_INFINITY:
-        text += f", or than is left of the {inherited / 2**30:.3g} GiB that 'ulimit -v' allows"
-    return text
+    return _excess(
+        f"{memory / 2**30:.3g} GiB of memory", resource.RLIMIT_AS,
+        lambda limit: f"is left of the {limit / 2**30:.3g} GiB that 'ulimit -v' allows",
+    )  # fmt: skip
+
+
+def _time_text(seconds: str) -> str:
+    import resource
+
+    return _excess(
+        seconds, resource.RLIMIT_CPU, lambda limit: f"the {limit} s that 'ulimit -t' allows"
+    )
+
+
+def _excess(limit: str, kind: int, inherited: Callable[[int], str]) -> str:
+    """Return that an input takes more than a limit, and the limit that this process inherited."""
+    import resource
+
+    soft = resource.getrlimit(kind)[0]
+    text = f"takes more than {limit}"
+    return text if soft == resource.RLIM_INFINITY else f"{text}, or than {inherited(soft)}"
 
 
 def _name_of(code: int) -> str:

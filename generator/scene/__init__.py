@@ -52,6 +52,7 @@ from .plan import PlannedTable as PlannedTable
 from .plan import Relation as Relation
 from .plan import RelationKind as RelationKind
 from .plan import ScenePlan as ScenePlan
+from .report import MAX_LEAN as MAX_LEAN
 from .report import Failure as Failure
 from .report import FailureKind as FailureKind
 from .report import RelationOutcome as RelationOutcome

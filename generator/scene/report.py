@@ -10,6 +10,9 @@ import numpy as np
 from .plan import RelationKind
 from .provenance import plain
 
+MAX_LEAN = 45.0
+"""Degrees by which gravity may lean in the physical gate."""
+
 FailureKind = Literal[
     "overlap", "moved", "turned", "floats", "fell", "off-table", "diverged", "recorded"
 ]

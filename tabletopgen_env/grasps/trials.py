@@ -27,7 +27,7 @@ from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
 from generator.physics.mjcf import object_document
-from generator.physics.spec import compile_spec, spec_of
+from generator.physics.spec import compile_spec, new_data, spec_of
 from generator.scene import Object
 
 from ..robot import franka
@@ -77,7 +77,7 @@ class GraspBench:
         hand.assets = {**spec.assets, **hand.assets}
         spec.attach(hand, prefix=_HAND, frame=spec.worldbody.add_frame())
         self._model = model = compile_spec(spec, thing.name)
-        self._data = data = mujoco.MjData(model)
+        self._data = data = new_data(model)
         mujoco.mj_forward(model, data)
         tool = model.site(_HAND + TCP_SITE).id
         self._tool = data.site_xpos[tool].copy()

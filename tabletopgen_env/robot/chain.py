@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
+from generator.physics.spec import new_data
+
 from . import franka
 
 if TYPE_CHECKING:
@@ -23,10 +25,9 @@ class Chain:
     """The chain at some joints. What it returns are views that the next ``move`` overwrites."""
 
     def __init__(self) -> None:
-        import mujoco
 
         self._model = _chain_model()
-        self._data = data = mujoco.MjData(self._model)
+        self._data = data = new_data(self._model)
         self._jacobian = np.zeros((6, 7))
         self.tool = data.site_xpos[0]
         self.hand = data.site_xmat[0].reshape(3, 3)

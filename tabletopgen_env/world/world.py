@@ -22,7 +22,7 @@ from jaxtyping import Float, Int
 from generator.bundle import digest
 from generator.errors import SceneError, choices
 from generator.geometry import rotation_z
-from generator.physics.spec import compile_spec
+from generator.physics.spec import compile_spec, new_data
 from generator.scene import Scene, hold_supports
 
 from ..affordance import (
@@ -83,7 +83,6 @@ class World:
     def __init__(
         self, scene: Scene, robot: Panda, mount: Mount | None = None, bundle: Path | None = None
     ) -> None:
-        import mujoco
 
         self.bundle = bundle
         self._source = scene
@@ -92,7 +91,7 @@ class World:
         self.seat(self._own_mount)
         self.absent: frozenset[str] = frozenset()
         self.model = compile_spec(compose(scene, robot, self.mount), scene.name)
-        self.data = mujoco.MjData(self.model)
+        self.data = new_data(self.model)
         self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
         self._rows = {name: k for k, name in enumerate(self.names)}
         model = self.model
@@ -132,11 +131,9 @@ class World:
 
     def twin(self) -> World:
         """Return a world of the same scene that shares what is known of it, with its own model."""
-        import mujoco
-
         other = copy.copy(self)
         other.model = copy.copy(self.model)
-        other.data = mujoco.MjData(other.model)
+        other.data = new_data(other.model)
         other.state = other._view_state()
         other._touches = {}
         other.reset()

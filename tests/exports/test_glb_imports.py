@@ -108,17 +108,68 @@ def test_damaged_nodes_are_refused(node: dict[str, Any], said: str, tmp_path: Pa
         read_glb(write_glb(tmp_path / "it.glb", RED, nodes=[table, mug]))
 
 
-@pytest.mark.parametrize("node", [{"mesh": 99}, {"mesh": 1}, {"mesh": 0, "scale": [0, 0, 0]}])
-def test_damaged_collision_shapes_are_refused(node: dict[str, Any], tmp_path: Path) -> None:
+def with_shapes(folder: Path, *shapes: dict[str, Any], **changes: Any) -> Path:
+    """A file of a table, a mug and a cup, with these nodes in its scene "collision"."""
     nodes = [
         {"name": "table", "mesh": 0, "extras": {"fixed": True}},
         {"name": "mug", "mesh": 0, "extras": {"fixed": False}},
-        node | {"extras": {"body": "mug"}},
+        {"name": "cup", "mesh": 0, "extras": {"fixed": False}, "translation": [0.2, 0, 0]},
+        *shapes,
     ]
-    scenes = [{"nodes": [0, 1]}, {"nodes": [2], "name": "collision"}]
+    scenes = [
+        {"nodes": [0, 1, 2]}, {"nodes": [*range(3, 3 + len(shapes))], "name": "collision"},
+    ]  # fmt: skip
     odd = RED | {"attributes": {"POSITION": 0, "COLOR_0": 2}}
-    with pytest.raises((InputError, BackendError), match=r"damaged|cannot be read|not placed by"):
-        read_glb(write_glb(tmp_path / "it.glb", odd, nodes=nodes, scenes=scenes))
+    return write_glb(folder / "it.glb", odd, nodes=nodes, scenes=scenes, **changes)
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [{"mesh": 1}, {"mesh": 0, "scale": [0, 0, 0]}, {"mesh": 0, "matrix": [1e300] * 16}],
+)
+def test_damaged_collision_shapes_cost_their_body_alone(
+    damage: dict[str, Any], tmp_path: Path
+) -> None:
+    sound = {"mesh": 0, "extras": {"body": "cup"}}
+    path = with_shapes(tmp_path, {"extras": {"body": "mug"}} | damage, sound)
+    found = read_glb(path)
+    assert {body.name: len(body.parts) for body in found.objects} == {"mug": 0, "cup": 1}
+    assert ["'mug'" in warning for warning in found.warnings] == [True]
+
+
+def test_a_collision_scene_that_is_no_tree_is_left_out(tmp_path: Path) -> None:
+    path = with_shapes(tmp_path, {"mesh": 0, "matrix": ["x"] * 16})
+    found = read_glb(path)
+    assert [len(body.parts) for body in found.objects] == [0, 0]
+    assert "collision shapes cannot be read" in found.warnings[0]
+
+
+def test_a_shape_of_a_mesh_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(BackendError, match="not there"):
+        read_glb(with_shapes(tmp_path, {"mesh": 99, "extras": {"body": "mug"}}))
+
+
+def test_the_scene_that_a_file_shows_by_default_is_read(tmp_path: Path) -> None:
+    shape = {"mesh": 0, "extras": {"body": "mug"}}
+    nodes = [
+        {"name": "table", "mesh": 0, "extras": {"fixed": True}},
+        {"name": "mug", "mesh": 0, "extras": {"fixed": False}},
+        {"name": "old mug", "mesh": 0, "extras": {"fixed": False}},
+        shape,
+    ]
+    scenes = [{"nodes": [3], "name": "collision"}, {"nodes": [0, 2]}, {"nodes": [0, 1]}]
+    found = read_glb(write_glb(tmp_path / "it.glb", RED, nodes=nodes, scenes=scenes, scene=2))
+    assert [(body.name, len(body.parts)) for body in found.objects] == [("mug", 1)]
+
+
+@pytest.mark.parametrize("changes", [{"scenes": []}, {"scenes": [{}]}, {"nodes": [], "scenes": []}])
+def test_a_file_without_scenes_shows_all_its_trees(changes: dict[str, Any], tmp_path: Path) -> None:
+    path = write_glb(tmp_path / "it.glb", RED, **changes)
+    if changes.get("nodes") == []:
+        with pytest.raises(InputError, match="0 nodes with the name of a table"):
+            read_glb(path)
+        return
+    assert [body.name for body in read_glb(path).objects] == ["mug"]
 
 
 def test_a_header_of_another_kind_is_no_harm(tmp_path: Path) -> None:

@@ -14,18 +14,19 @@ from foreign_models import CUBE, TABLE, write
 from toy import toy_scene
 
 from generator import editing
-from generator.bundle import load, save
+from generator.bundle import BOUNDS, load, save
 from generator.errors import BackendError, BundleError, InputError, SceneError
 from generator.imports import ImportOptions, import_scene, list_outcomes
 from generator.imports import folder as folders
 from generator.imports.building import bodies
+from generator.imports.building import scene as scenes
 from generator.imports.foreign import ImportOutcome, Refusals
 from generator.imports.mjcf import compile_foreign, read_mjcf
 from generator.imports.mjcf_bodies import MOST_REFUSED, compile_sound
 from generator.imports.mjcf_files import GatheredModel, gather
 from generator.meshes.reading.surface import ColoredSurface, read_surface, surface_of
 from generator.meshes.thickening import thicken
-from generator.method.assembly import reassemble
+from generator.method.assembly import AssemblyConfig, reassemble
 from generator.physics import decomposition
 from generator.physics.gate import GateLimits, judge
 from generator.sandbox import SandboxError
@@ -344,6 +345,68 @@ def test_bodies_with_collision_shapes_are_not_covered_again(
     assert [o.name for o in scene.objects] == ["cube"]
 
 
+def test_objects_beyond_the_budget_of_cuts_collide_as_their_hulls(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(scenes, "CutBudget", lambda: decomposition.CutBudget(1))
+    meshes = {f"box {k}": lambda k=k: box(0.05 + k / 100) for k in range(3)}
+    found = outcomes(write_meshes(tmp_path, meshes))
+    assert [outcome.kind for outcome in found.values()] == ["taken", "hull", "hull"]
+    assert "took all the pieces" in found["box 1"].detail
+
+
+def test_objects_beyond_the_shapes_of_a_bundle_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What a bundle counts is refused before it is built, settled and judged."""
+    build, built = scenes.build_object, list[str]()
+    monkeypatch.setattr(
+        scenes,
+        "build_object",
+        lambda body, name, *more: (built.append(name), build(body, name, *more))[1],
+    )
+    monkeypatch.setattr(scenes, "BOUNDS", replace(BOUNDS, all_parts=25))
+    geoms = '<geom type="box" size=".01 .01 .01"/>' * 10
+    many = "".join(
+        f'<body name="b{k}" pos="{0.8 + k / 10} 2 .76"><freejoint/>{geoms}</body>' for k in range(3)
+    )
+    found = outcomes(write(tmp_path, TABLE + many))
+    assert {name: o.kind for name, o in found.items()} == {
+        "b0": "taken", "b1": "refused", "b2": "refused"
+    }  # fmt: skip
+    assert "at most 25" in found["b1"].detail
+    assert built == ["b0"]
+
+
+@pytest.mark.parametrize("kind", ["mjcf", "folder"])
+def test_shapes_are_counted_as_a_bundle_counts_them(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = write(tmp_path, TABLE + CUBE) if kind == "mjcf" else write_meshes(tmp_path, TWO)
+    scene = import_scene(path)
+    payload = json.loads((save(scene, tmp_path / "out") / "scene.json").read_text())
+    lists = [payload["table"], *payload["objects"], *payload["models"].values()]
+    parts = [part for body in lists for part in body["parts"]]
+    most = {"all_parts": len(parts), "all_part_vertices": sum(len(p["vertices"]) for p in parts)}
+    for name, count in most.items():
+        monkeypatch.setattr(scenes, "BOUNDS", replace(BOUNDS, **{name: count}))
+        assert len(import_scene(path).objects) == len(scene.objects)
+        monkeypatch.setattr(scenes, "BOUNDS", replace(BOUNDS, **{name: count - 1}))
+        if kind == "mjcf":
+            with pytest.raises(InputError, match=f"at most .*{count - 1} (?:with|are)"):
+                import_scene(path)
+        else:
+            assert len(import_scene(path).objects) == 1
+
+
+def test_a_config_of_its_own_says_the_lean(tmp_path: Path) -> None:
+    config = AssemblyConfig(limits=GateLimits(lean=float(np.deg2rad(1.5))))
+    scene = import_scene(write(tmp_path), ImportOptions(lean=3.0), config)
+    assert scene.report is not None and scene.report.lean == config.limits.lean
+    assert scene.provenance.config["lean"] == pytest.approx(1.5)
+    assert import_scene(write(tmp_path), ImportOptions(lean=3.0)).provenance.config["lean"] == 3.0
+
+
 def test_a_body_of_too_many_collision_shapes_is_refused_alone(tmp_path: Path) -> None:
     geoms = '<geom type="box" size=".01 .01 .01"/>' * 1100
     many = f'<body name="many" pos="1.3 2 .8"><freejoint/>{geoms}</body>'
@@ -383,3 +446,44 @@ def test_a_file_that_reaches_a_limit_is_read_once_and_others_go_on(
     assert [body.name for body in scene.objects] == ["one"]
     assert len(scene.refused) == 10
     assert len([what for what in asked if "slow" in what]) == 3
+
+
+@pytest.fixture
+def apart(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The files that are read apart, each in this process."""
+    asked: list[str] = []
+
+    def call(function: object, raw: bytes, what: str, *args: object, **given: Any) -> object:
+        asked.append(what.rpartition(": ")[2])
+        given["budget"].charge(6.0)
+        return read_surface(raw, what, *args)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(folders, "call", call)
+    return asked
+
+
+def test_files_read_apart_share_a_budget_of_time(tmp_path: Path, apart: list[str]) -> None:
+    folder = write_meshes(tmp_path, {f"box {k}": lambda k=k: box(0.05 + k / 1e3) for k in range(6)})
+    scene = folders.read_folder(folder, apart=True)
+    assert len(apart) == len(scene.objects) == 3
+    assert all("16 s of CPU time" in o.detail for o in scene.refused) and len(scene.refused) == 3
+
+
+def test_files_read_apart_are_bounded_together(
+    tmp_path: Path, apart: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write_meshes(tmp_path, TWO)
+    monkeypatch.setattr(folders, "_MOST_TOGETHER", (folder / "one.glb").stat().st_size + 9)
+    scene = folders.read_folder(folder, apart=True)
+    assert [body.name for body in scene.objects] == ["one"]
+    assert "at most 9 are read" in scene.refused[0].detail
+
+
+def test_a_file_of_several_spellings_is_read_once(tmp_path: Path, apart: list[str]) -> None:
+    folder = write_meshes(tmp_path, ONE)
+    poses = json.loads((folder / "poses.json").read_text())
+    (one,) = poses["objects"]
+    poses["objects"] = [one | {"file": f} for f in ("one.glb", "./one.glb", ".//one.glb")]
+    (folder / "poses.json").write_text(json.dumps(poses))
+    assert len(folders.read_folder(folder, apart=True).objects) == 3
+    assert apart == ["one.glb"]

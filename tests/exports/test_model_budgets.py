@@ -2,6 +2,7 @@
 
 import json
 import struct
+import xml.etree.ElementTree as ET
 import zlib
 from pathlib import Path
 from typing import Any
@@ -132,16 +133,35 @@ BUILTIN = '<texture name="t{0}" type="{1}" builtin="flat" width="{2}" height="{3
         BUILTIN.format("", "cube", 4_000, 1, ""),
         BUILTIN.format("", "2d", 4_000, 4_000, 'nchannel="1000"'),
         BUILTIN.format("", "2d", "1e5", "inf", ""),
-        "".join(BUILTIN.format(k, "2d", 8_000, 8_000, "") for k in range(3)),
+        "".join(BUILTIN.format(k, "2d", 8_000, 8_000 - k, "") for k in range(3)),
         '<texture name="t" type="2d" file="large.png"/>',
-        "".join(f'<texture name="t{k}" type="2d" file="some.png"/>' for k in range(3)),
+        "".join(f'<texture name="t{k}" type="2d" file="{k}.png"/>' for k in range(3)),
+        '<texture name="t" type="cube" gridsize="1 2" gridlayout=".U" file="tall.png"/>',
     ],
 )
 def test_texels_count_before_any_is_made(textures: str, tmp_path: Path) -> None:
     (tmp_path / "large.png").write_bytes(png_head(24_000, 24_000))
-    (tmp_path / "some.png").write_bytes(png_head(8_000, 8_000))
+    (tmp_path / "tall.png").write_bytes(png_head(5_000, 10_000))
+    for k in range(3):
+        (tmp_path / f"{k}.png").write_bytes(png_head(8_000, 8_000 - k))
     with pytest.raises(InputError, match="texels"):
         gather(write(tmp_path, head=f"<asset>{textures}</asset>"))
+
+
+def test_equal_textures_are_one(tmp_path: Path) -> None:
+    (tmp_path / "some.png").write_bytes(png_head(8_000, 8_000))
+    names = ("a", "b", "c")
+    assets = "".join(f'<texture name="{n}" type="2d" file="some.png"/>' for n in names)
+    assets += "".join(f'<material name="m{n}" texture="{n}"/>' for n in names)
+    found = ET.fromstring(gather(write(tmp_path, head=f"<asset>{assets}</asset>")).xml)
+    assert [texture.get("name") for texture in found.iter("texture")] == ["a"]
+    assert [material.get("texture") for material in found.iter("material")] == ["a"] * 3
+
+
+@pytest.mark.parametrize("count", ["x", "-1", "1e9", "300"])
+def test_a_count_of_copies_is_quoted(count: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=f"replicates a body '{count}' times; whole numbers"):
+        gather(write(tmp_path, TABLE + CUBE + f'<replicate count="{count}"><site/></replicate>'))
 
 
 @pytest.mark.parametrize(

@@ -1,3 +1,4 @@
+import contextlib
 import dataclasses
 import resource
 from pathlib import Path
@@ -10,7 +11,7 @@ from toy import cube_mesh
 
 from generator.errors import SceneError
 from generator.physics import decomposition
-from generator.physics.decomposition import decompose
+from generator.physics.decomposition import CutBudget, decompose
 from generator.physics.parts import model_parts, scale_part
 from generator.sandbox import SandboxLimits
 from generator.scene import ConvexPart, Mesh, Model
@@ -141,6 +142,82 @@ def test_a_rough_mesh_is_cut_coarsely_not_given_up(tmp_path: Path) -> None:
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     assert 1 <= len(parts) <= 24
     assert after.ru_utime - before.ru_utime < 30
+
+
+def of_pieces(monkeypatch: pytest.MonkeyPatch, pieces: int) -> list[int]:
+    """Have each mesh fall into so many pieces; return what is cut, by number of faces."""
+    cut: list[int] = []
+
+    def coacd(vertices, faces, limits, cpu):
+        cut.append(len(faces))
+        return [vertices], pieces
+
+    monkeypatch.setattr(decomposition, "_coacd", coacd)
+    return cut
+
+
+def test_an_import_has_a_budget_of_pieces(tmp_path: Path, monkeypatch) -> None:
+    cut = of_pieces(monkeypatch, 4)
+    meshes = [together(trimesh.creation.icosphere(0, 1 + k)) for k in range(2)]
+    meshes += [together(trimesh.creation.box(extents=(1, 1, 1 + k))) for k in range(3)]
+    for _ in range(2):  # the second time from the cache
+        budget = CutBudget(10)
+        done = []
+        for mesh in meshes:
+            try:
+                decompose(mesh, np.ones(3), cache=tmp_path, budget=budget)
+                done.append(True)
+            except SceneError as error:
+                assert "took all the pieces" in str(error)
+                done.append(False)
+        assert done == [True, True, True, True, False]  # the first two are equal
+    assert cut == [20, 12, 12]
+    assert decompose(meshes[0], np.ones(3), cache=tmp_path, budget=budget), "met again"
+
+
+def test_a_mesh_that_fails_counts_as_a_rough_one(tmp_path: Path, monkeypatch) -> None:
+    calls: list[int] = []
+
+    def fail(vertices, faces, limits, cpu):
+        calls.append(len(faces))
+        raise SceneError("it breaks its reader")
+
+    monkeypatch.setattr(decomposition, "_coacd", fail)
+    budget = CutBudget(50)
+    for k in range(5):
+        for _ in range(2):
+            with pytest.raises(SceneError, match="breaks" if k < 2 else "took all"):
+                decompose(
+                    together(trimesh.creation.box(extents=(1, 1, 1 + k))), np.ones(3),
+                    cache=tmp_path, budget=budget,
+                )  # fmt: skip
+    assert len(calls) == 2
+
+
+def test_hulls_without_their_pieces_are_made_again(tmp_path: Path, monkeypatch) -> None:
+    of_pieces(monkeypatch, 3)
+    decompose(cube_mesh(), np.ones(3), cache=tmp_path)
+    (kept,) = tmp_path.iterdir()
+    np.savez(kept, np.zeros((4, 3)))
+    budget = CutBudget(10)
+    assert decompose(cube_mesh(), np.ones(3), cache=tmp_path, budget=budget)[0].vertices.any()
+    assert budget.left == 7
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(600)
+def test_the_budget_bounds_the_time_of_many_rough_meshes(tmp_path: Path) -> None:
+    budget, made = CutBudget(), 0
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    for seed in range(8):
+        corners = np.random.default_rng(seed).standard_normal((3 * 2000, 3))
+        soup = trimesh.Trimesh(corners, np.arange(len(corners)).reshape(-1, 3), process=False)
+        with contextlib.suppress(SceneError):
+            decompose(together(soup), np.ones(3), cache=tmp_path, budget=budget)
+            made += 1
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    assert 1 <= made <= 4
+    assert after.ru_utime - before.ru_utime < 90
 
 
 def test_known_parts_are_scaled_not_made(monkeypatch) -> None:

@@ -23,15 +23,8 @@ from generator.backends.cloud.drawing.pictures import decode_answer
 from generator.errors import BundleError, InputError, UnusableError
 from generator.method.reference import read_image
 from generator.pictures import PictureLimits, decode, decode_png
-from generator.sandbox.running import INSIDE
 
 LIMITS = PictureLimits()
-
-
-@pytest.fixture
-def inline(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Decode in this process, as within a child: hundreds of pictures need no child each."""
-    monkeypatch.setenv(INSIDE, "1")
 
 
 def tagged_tiff() -> bytes:
@@ -50,7 +43,7 @@ def cpu_seconds() -> float:
 def test_a_child_returns_what_this_process_would(monkeypatch: pytest.MonkeyPatch) -> None:
     raw = encoded(noise(300, 200), "PNG")
     apart = decode(raw, "The picture", InputError, LIMITS, "rgb", 100)
-    monkeypatch.setenv(INSIDE, "1")
+    monkeypatch.setattr("generator.sandbox.running.is_inside", lambda: True)
     here = decode(raw, "The picture", InputError, LIMITS, "rgb", 100)
     np.testing.assert_array_equal(apart.pixels, here.pixels)
     assert (apart.width, apart.height, apart.mode) == (here.width, here.height, here.mode)

@@ -2,6 +2,7 @@
 
 import os
 import resource
+import signal
 import subprocess
 import sys
 import threading
@@ -14,7 +15,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.sandbox import SandboxError, SandboxLimits, call
+from generator.sandbox import CpuBudget, SandboxError, SandboxLimits, call, running
 from generator.sandbox.packing import class_name, pack, unpack
 from generator.sandbox.running import memory_text
 
@@ -38,6 +39,12 @@ def spin() -> None:
         pass
 
 
+def burn(seconds: float) -> None:
+    end = time.process_time() + seconds
+    while time.process_time() < end:
+        pass
+
+
 def fill() -> int:
     return len(bytearray(2**40))
 
@@ -58,6 +65,31 @@ def crash() -> None:
 
 def blunder() -> None:
     raise KeyError("a parser's own")
+
+
+def wrapped() -> None:
+    try:
+        fill()
+    except MemoryError:
+        raise RuntimeError("the parser failed") from None
+
+
+def lament() -> None:
+    raise RuntimeError("std::bad_alloc")
+
+
+def end_in_words() -> None:
+    os.write(2, b"terminate called\n  what():  std::bad_alloc\n")
+    os.abort()
+
+
+def fall() -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def hang_silently() -> None:
+    os.closerange(0, 64)
+    time.sleep(600)
 
 
 def refuse() -> None:
@@ -129,6 +161,36 @@ def test_an_array_larger_than_its_buffer_is_refused() -> None:
         unpack(raw, lambda name: object)
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (b'"<f8"', b'"(((((("'), (b'"<f8"', b'"O"'), (b'"<f8"', b'"<f99"'),
+        (b'"shape": [4]', b'"shape": [1e999]'), (b'"shape": [4]', b'"shape": {"a": 4}'),
+        (b'{"array"', b'{"dict": 3, "x"'),
+        (b'{"array": 0', b'{"array": 99999999999999999999'),
+        (b'{"array": 0, "dtype": "<f8", "shape": [4]}', b'{"enum": "x", "name": 3}'),
+        (b'{"array": 0, "dtype": "<f8", "shape": [4]}', b'{"path": 3}'),
+        (b'{"array": 0, "dtype": "<f8", "shape": [4]}', b"[" * 200 + b"]" * 200),
+        (b'{"tree"', b"[3]#"),
+    ],
+)  # fmt: skip
+def test_a_damaged_head_is_a_value_error(old: bytes, new: bytes) -> None:
+    raw = pack(np.zeros(4))
+    length = int.from_bytes(raw[4:12], "little")
+    head = raw[12 : 12 + length].replace(old, new)
+    assert old in raw
+    damaged = raw[:4] + len(head).to_bytes(8, "little") + head + raw[12 + length :]
+    with pytest.raises(ValueError, match=r".") as caught:
+        unpack(damaged, lambda name: object)
+    assert not isinstance(caught.value, InputError)
+
+
+def test_the_head_is_bounded() -> None:
+    head = b"[" + b"0," * 5_000_000 + b"0]"
+    with pytest.raises(ValueError, match="values"):
+        unpack(b"ttg1" + len(head).to_bytes(8, "little") + head, lambda name: object)
+
+
 def test_objects_are_not_packed() -> None:
     for value in (object(), np.array([object()]), {1: 2}):
         with pytest.raises(TypeError):
@@ -148,6 +210,10 @@ def test_names_of_classes() -> None:
         (pour, SandboxLimits(output=2**20), "output"),
         (crash, SandboxLimits(), "crash"),
         (blunder, SandboxLimits(), "parser"),
+        (wrapped, SandboxLimits(), "memory"),
+        (lament, SandboxLimits(), "parser"),
+        (end_in_words, SandboxLimits(), "crash"),
+        (fall, SandboxLimits(), "killed"),
     ],
 )
 def test_a_child_that_goes_wrong_is_one_error(
@@ -156,6 +222,27 @@ def test_a_child_that_goes_wrong_is_one_error(
     with pytest.raises(SandboxError) as caught:
         call(function, limits=limits)
     assert caught.value.breach == breach
+
+
+@pytest.mark.parametrize("function", [lament, end_in_words])
+def test_words_choose_the_message_alone(function: Any) -> None:
+    with pytest.raises(SandboxError) as caught:
+        call(function)
+    assert str(caught.value) == memory_text(SandboxLimits().memory)
+
+
+def test_a_kill_from_outside_is_not_called_a_limit() -> None:
+    with pytest.raises(SandboxError, match="the system killed its reader"):
+        call(fall)
+
+
+def test_a_child_that_closes_its_pipes_and_goes_on_is_ended(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(running, "_ENDING", 0.5)
+    with pytest.raises(SandboxError) as caught:
+        call(hang_silently)
+    assert caught.value.breach == "hung"
 
 
 @pytest.mark.slow
@@ -189,6 +276,28 @@ def test_what_libraries_print_is_no_part_of_the_answer() -> None:
 
 def test_calls_inside_a_child_start_no_other() -> None:
     assert call(nested) == 0
+
+
+def test_no_environment_switches_the_sandbox_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TABLETOPGEN_SANDBOX", "1")
+    assert call(os.getpid) != os.getpid()
+
+
+def test_calls_take_their_time_from_a_budget() -> None:
+    budget = CpuBudget(2.0)
+    call(burn, 0.3, budget=budget)
+    assert 1.0 < budget.left < 1.71
+    for _ in range(2):
+        with pytest.raises(SandboxError) as caught:
+            call(spin, budget=budget)
+        assert caught.value.breach == "time"
+        assert budget.left == 0
+
+
+def test_a_call_inside_a_child_takes_its_time_from_a_budget(inline: None) -> None:
+    budget = CpuBudget(2.0)
+    call(burn, 0.1, budget=budget)
+    assert 1.0 < budget.left < 1.91
 
 
 def test_a_call_is_cancelled() -> None:

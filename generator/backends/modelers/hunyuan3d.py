@@ -15,7 +15,7 @@ from ...errors import BackendError, choices, require
 from ...io.png import encode_png
 from ...io.reading import parse_object
 from ...meshes.normalising import Normal, foreign_model, normal_mesh
-from ...meshes.reading.inspection import inspect_glb
+from ...meshes.reading.loading import check_glb
 from ...scene import Instance, Model, SizePrior, View
 from .cutout import cutout
 
@@ -92,7 +92,7 @@ class Hunyuan3D:
         used = Used(self.session.store)
         raw = self._ask(body, what, "yes", used)
         try:
-            inspect_glb(raw, f"{what} the answer")
+            check_glb(raw, f"{what} the answer")
         except BackendError:
             raw = self._ask(body, what, "renew", used)
         with used.dropped_on(BackendError):

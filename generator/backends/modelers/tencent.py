@@ -16,7 +16,7 @@ from ...calls.used import Used
 from ...errors import BackendError, choices, require
 from ...io.png import encode_png
 from ...meshes.normalising import Normal, foreign_model, normal_mesh
-from ...meshes.reading.inspection import inspect_glb
+from ...meshes.reading.loading import check_glb
 from ...scene import Instance, Model, SizePrior, View
 from .ai3d import LostJob, Service, read_keys
 from .cutout import cutout
@@ -169,7 +169,7 @@ class Tencent:
                 if answer.status_code != 200:
                     break
                 with contextlib.suppress(BackendError):
-                    inspect_glb(answer.content, what)
+                    check_glb(answer.content, what)
                     break
         return answer.content if answer.status_code == 200 else None
 

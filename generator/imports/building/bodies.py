@@ -22,6 +22,7 @@ from ...meshes.normalising import Normal, foreign_physics, repair_surface
 from ...meshes.reading.surface import ColoredSurface
 from ...meshes.thickening import thicken
 from ...method.assembly import table_body
+from ...physics.decomposition import CutBudget
 from ...physics.inertia import MassProperties, body_mass
 from ...physics.parts import body_parts, model_parts
 from ...physics.spec import compile_spec, scene_spec
@@ -50,7 +51,7 @@ _USUAL_SIDE = (3e-3, 1.5)  # metres, of things on a table: what a proposed scale
 
 
 def build_table(
-    body: ForeignBody, drawn: SurfaceCache
+    body: ForeignBody, drawn: SurfaceCache, budget: CutBudget
 ) -> tuple[Table, Float[np.ndarray, "3"], ImportOutcome]:
     """Return the table, by how much the world moves so that it stands in the middle, and repairs.
 
@@ -69,13 +70,13 @@ def build_table(
         TABLE, TABLE, unit, extent, Physics(600.0, _slide(friction)),
         parts_to_unit_box(moved, center, extent), TABLE,
     )  # fmt: skip
-    model, reason = _solid(model, extent)
+    model, reason = _solid(model, extent, budget)
     shift = -np.array([center[0], center[1], center[2] - extent[2] / 2])
-    return table_body(model, extent), shift, _outcome(TABLE, repairs, reason)
+    return table_body(model, extent, budget), shift, _outcome(TABLE, repairs, reason)
 
 
 def build_object(
-    body: ForeignBody, name: str, table: Table, drawn: SurfaceCache
+    body: ForeignBody, name: str, table: Table, drawn: SurfaceCache, budget: CutBudget
 ) -> tuple[Object, ImportOutcome]:
     """Return an object whose +z is the axis of its body that points up most, and its outcome.
 
@@ -102,8 +103,8 @@ def build_object(
         label, label, unit, extent, physics, parts_to_unit_box(moved, np.zeros(3), extent),
         kind.key if kind else "generic", bool(kind and kind.container),
     )  # fmt: skip
-    model, reason = _solid(model, extent)
-    parts = model_parts(model, extent) if moved else body_parts(model, extent)
+    model, reason = _solid(model, extent, budget)
+    parts = (model_parts if moved else body_parts)(model, extent, budget)
     weighed = _weigh(body, model, parts, turn, center)
     _check_mass(name, weighed.mass, extent)
     reckoned = body_mass(unit, extent, physics, parts).mass
@@ -236,12 +237,12 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
     return own_texture(surface) or painted_faces(surface, size)
 
 
-def _solid(model: Model, extent: Float[np.ndarray, "3"]) -> tuple[Model, str]:
+def _solid(model: Model, extent: Float[np.ndarray, "3"], budget: CutBudget) -> tuple[Model, str]:
     """Return a model that has a collision shape, and why that is its convex hull, if it is."""
     if model.parts:
         return model, ""
     try:
-        body_parts(model, extent)
+        body_parts(model, extent, budget)
     except SceneError as error:
         hull = ConvexPart(few_corners(model.mesh.vertices.astype(np.float64)))
         return replace(model, parts=(hull,)), str(error)

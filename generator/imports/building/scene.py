@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import replace
 from typing import cast
 
 import numpy as np
 from jaxtyping import Float
 
+from ...bundle import BOUNDS
 from ...bundle.fields import arguments
 from ...errors import BundleError, InputError, SceneError
 from ...geometry import convex_outline, inside_margin, quaternion_matrix
 from ...layout.checking import correct_supports, observe
 from ...method.assembly import AssemblyConfig, reassemble
-from ...scene import TABLE, Object, Provenance, Scene
+from ...physics.decomposition import CutBudget
+from ...scene import TABLE, ConvexPart, Model, Object, Provenance, Scene, Table
 from ...scene.provenance import plain
 from ..foreign import ForeignScene, ImportOutcome, Refusals, check_count
 from .bodies import SurfaceCache, build_object, build_table
@@ -46,16 +49,20 @@ def build_scene(
     check_count(len(foreign.objects))
     if foreign.table is None:
         raise InputError(f"The scene {foreign.name!r} has no table.")
-    drawn = SurfaceCache()
-    table, shift, of_table = build_table(foreign.table, drawn)
+    drawn, budget = SurfaceCache(), CutBudget()
+    table, shift, of_table = build_table(foreign.table, drawn, budget)
     objects: list[Object] = []
     outcomes = [of_table] if of_table.kind != "taken" else []
     refusals = Refusals([*foreign.refused])
+    shapes = _Shapes()
+    shapes.add(table)
     names = _free_names([body.name for body in foreign.objects])
     for body, called in zip(foreign.objects, names, strict=True):
         with refusals.catching(called):
+            shapes.check(body.parts)
             moved = replace(body, position=body.position + shift)
-            thing, outcome = build_object(moved, called, table, drawn)
+            thing, outcome = build_object(moved, called, table, drawn, budget)
+            shapes.add(thing)
             objects.append(thing)
             outcomes.append(outcome)
     refusals.check_left(objects)
@@ -66,6 +73,45 @@ def build_scene(
     outcomes = [*(o for o in outcomes if o.name not in gone), *dropped, *refusals.outcomes]
     done = done.replace(provenance=_record(done.provenance, outcomes))
     return _mark_inside(correct_supports(done, observe(done)))
+
+
+class _Shapes:
+    """The convex parts of a scene as a bundle counts them: of all bodies, and of their models."""
+
+    def __init__(self) -> None:
+        self._parts = self._points = 0
+        self._models: set[Hashable] = set()
+
+    def check(self, *lists: Sequence[ConvexPart]) -> tuple[int, int]:
+        """Return how many parts and points there are with more of them.
+
+        Raises:
+            InputError: a bundle holds fewer.
+        """
+        parts = self._parts + sum(map(len, lists))
+        points = self._points + sum(len(part.vertices) for some in lists for part in some)
+        if parts > BOUNDS.all_parts or points > BOUNDS.all_part_vertices:
+            raise InputError(
+                f"With its collision shapes the scene has {parts} convex parts with {points} "
+                f"points, those of models counted again; at most {BOUNDS.all_parts} with "
+                f"{BOUNDS.all_part_vertices} are kept. Use fewer shapes, or fewer objects."
+            )
+        return parts, points
+
+    def add(self, body: Object | Table) -> None:
+        """Count the parts of a body that is used; see ``check``."""
+        key = _content(body.model)
+        own = () if key in self._models else body.model.parts
+        self._parts, self._points = self.check(body.parts, own)
+        self._models.add(key)
+
+
+def _content(model: Model) -> Hashable:
+    """Return the same for models that a bundle keeps as one, but for rounding."""
+    arrays = (model.size, model.mesh.vertices, model.mesh.faces, model.mesh.uv, model.mesh.texture)
+    parts = tuple((part.kind, part.axis, part.vertices.tobytes()) for part in model.parts)
+    looks = hashlib.sha256(b"".join(np.ascontiguousarray(array).tobytes() for array in arrays))
+    return model.name, model.label, model.category, model.physics, looks.digest(), parts
 
 
 def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:

@@ -8,8 +8,6 @@ Like all readers of meshes, this runs in the child process of its caller.
 
 from __future__ import annotations
 
-import json
-import struct
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -18,7 +16,8 @@ from jaxtyping import Float
 
 from ...backends.installing import module
 from ...errors import BackendError
-from .flattening import FAN, JSON_CHUNK, STRIP, TRIANGLES, Header, base_color
+from .container import join_glb, split_glb
+from .flattening import FAN, STRIP, TRIANGLES, Header, base_color
 
 DRACO = "KHR_draco_mesh_compression"
 MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
@@ -30,7 +29,6 @@ _INSTALL = "Install tabletopgen[gltf], or export the file uncompressed."
 _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
-_BINARY = 0x004E4942
 
 
 def plain_glb(raw: bytes, what: str) -> bytes:
@@ -39,9 +37,12 @@ def plain_glb(raw: bytes, what: str) -> bytes:
     Meshes keep their triangles' positions, texture coordinates and colours.
 
     Raises:
-        BackendError: it is damaged, or its decoder is not installed.
+        BackendError: its compressed data is damaged, or its decoder is not installed.
     """
-    header = _header(raw)
+    try:
+        header, data = split_glb(raw, what)
+    except BackendError:  # the inspection of what is returned raises it
+        return raw
     used = {*_names(header, "extensionsUsed"), *_names(header, "extensionsRequired")} & _DECODED
     if not used:
         return raw
@@ -50,7 +51,7 @@ def plain_glb(raw: bytes, what: str) -> bytes:
     if used & {*MESHOPT}:
         module("meshoptimizer", f"{what} is compressed by meshopt: reading it", _INSTALL)
     try:
-        return _Rewriter(header, _binary(raw)).run()
+        return _Rewriter(header, data).run()
     except MemoryError:  # the sandbox explains it
         raise
     except Exception as error:  # whatever a decoder may stumble over in a foreign file
@@ -58,20 +59,6 @@ def plain_glb(raw: bytes, what: str) -> bytes:
             f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it "
             "uncompressed."
         ) from error
-
-
-def _header(raw: bytes) -> Header:
-    """Return the JSON of a GLB; empty if it is no GLB, which its inspection refuses."""
-    try:
-        size, kind = struct.unpack_from("<2I", raw, 12)
-        header = json.loads(raw[20 : 20 + size]) if kind == JSON_CHUNK else {}
-    except (struct.error, ValueError, RecursionError):
-        return {}
-    return header if raw[:4] == b"glTF" and isinstance(header, dict) else {}
-
-
-def _binary(raw: bytes) -> bytes:
-    return raw[28 + struct.unpack_from("<I", raw, 12)[0] :]
 
 
 def _names(header: Header, key: str) -> Sequence[str]:
@@ -109,7 +96,7 @@ class _Rewriter:
             plain["images"] = images
         if "materials" in header:
             plain["materials"] = [_drop_transform(material) for material in header["materials"]]
-        return _glb(plain, bytes(self._written))
+        return join_glb(plain, bytes(self._written))
 
     def _primitive(self, given: Header) -> dict[str, Any]:
         attributes, indices = self._columns(given)
@@ -263,12 +250,3 @@ def _drop_transform(material: Header) -> Header:
     color = dict(plain["baseColorTexture"])
     color["extensions"] = {k: v for k, v in color["extensions"].items() if k != _TRANSFORM}
     return {**material, "pbrMetallicRoughness": {**plain, "baseColorTexture": color}}
-
-
-def _glb(header: Header, data: bytes) -> bytes:
-    text = json.dumps(header).encode()
-    text += b" " * (-len(text) % 4)
-    data += b"\0" * (-len(data) % 4)
-    size = 28 + len(text) + len(data)
-    head = struct.pack("<4s4I", b"glTF", 2, size, len(text), JSON_CHUNK)
-    return head + text + struct.pack("<2I", len(data), _BINARY) + data

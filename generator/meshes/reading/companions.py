@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...errors import BackendError
@@ -16,27 +17,36 @@ _PICTURE = re.compile(rb"^[ \t]*+map_Kd[ \t]++([^\n]+)$", re.MULTILINE | re.IGNO
 _MOST_LIBRARIES = 10
 
 
-def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes]:
+def companions(
+    raw: bytes, what: str, folder: Path | None, max_bytes: int = MOST_BYTES
+) -> Mapping[str, bytes]:
     """Return the material files of an OBJ, and the pictures they show, by the names it uses.
 
-    ``folder`` is where it lies; an OBJ that lies nowhere (None) may name no files.
+    ``folder`` is where it lies; an OBJ that lies nowhere (None) may name no files. A file of
+    several names ("a.png", "./a.png") is read once; ``max_bytes`` bounds all files together.
 
     Raises:
         BackendError: a file is missing, outside the folder, too large, or no picture.
     """
+    beside = _Beside(what, folder, max_bytes)
     found: dict[str, bytes] = {}
     shown: dict[str, bytes] = {}  # the pictures of these
     for library in _names(_LIBRARY, raw, what, _MOST_LIBRARIES):
-        text = _read(library, what, folder, MOST_LIBRARY)
-        check_lines(text, f"{what}: {library[:80]!r}")
-        found[library] = text.decode("utf-8", "replace").encode()
+        text = beside.library(library)
+        found[library] = text
         if text.count(b"newmtl") > MOST_MATERIALS:
             raise BackendError(f"{what} has more than {MOST_MATERIALS} materials.")
-        for picture in _names(_PICTURE, found[library], what, MOST_MATERIALS):
-            found[picture] = shown[picture] = _read(picture, what, folder, MOST_BYTES)
-    if reason := check_pictures(shown.values()):
+        for picture in _names(_PICTURE, text, what, MOST_MATERIALS):
+            found[picture] = shown[picture] = beside.read(picture, MOST_BYTES)
+    pictures = {id(content): content for content in shown.values()}
+    if reason := check_pictures(pictures.values()):
         raise BackendError(f"{what} {reason} It names {', '.join(shown):.300}.")
     return found
+
+
+def total_bytes(beside: Mapping[str, bytes]) -> int:
+    """Return the bytes of all files of an OBJ, those of several names counted once."""
+    return sum({id(content): len(content) for content in beside.values()}.values())
 
 
 def _names(pattern: re.Pattern[bytes], raw: bytes, what: str, maximum: int) -> Iterator[str]:
@@ -47,19 +57,52 @@ def _names(pattern: re.Pattern[bytes], raw: bytes, what: str, maximum: int) -> I
         yield name.decode("utf-8", "replace").strip("'\"")
 
 
-def _read(name: str, what: str, folder: Path | None, maximum: int) -> bytes:
-    if folder is None:
-        raise BackendError(f"{what} names a file outside itself, {name!r}. Use GLB with all in it.")
-    home = folder.resolve()
-    try:
-        inside = "://" not in name and (home / name).resolve().is_relative_to(home)
-        there = (home / name).is_file()
-    except (OSError, ValueError, RuntimeError):  # no name of a file, or a link to itself
-        inside = there = False
-    if not inside:
-        raise BackendError(
-            f"{what} names a file outside its folder, {name[:80]!r}. Put it beside the OBJ file."
-        )
-    if not there:
-        raise BackendError(f"{what} names {name[:80]!r}, which is not beside it. Put it there.")
-    return read_regular(home / name, f"{what}:", BackendError, max_bytes=maximum)
+@dataclass
+class _Beside:
+    """Reads files of the folder of an OBJ file, each once; at most ``left`` bytes together."""
+
+    what: str
+    folder: Path | None
+    left: int
+    _files: dict[Path, bytes] = field(default_factory=dict[Path, bytes])
+    _libraries: dict[int, bytes] = field(default_factory=dict[int, bytes])
+
+    def library(self, name: str) -> bytes:
+        """Return a file of materials, as UTF-8."""
+        raw = self.read(name, MOST_LIBRARY)
+        if id(raw) not in self._libraries:
+            check_lines(raw, f"{self.what}: {name[:80]!r}")
+            self._libraries[id(raw)] = raw.decode("utf-8", "replace").encode()
+        return self._libraries[id(raw)]
+
+    def read(self, name: str, maximum: int) -> bytes:
+        """Return the content of a file."""
+        path = self._find(name)
+        if path not in self._files:
+            most = min(maximum, self.left)
+            self._files[path] = read_regular(path, f"{self.what}:", BackendError, max_bytes=most)
+            self.left -= len(self._files[path])
+        return self._files[path]
+
+    def _find(self, name: str) -> Path:
+        if self.folder is None:
+            raise BackendError(
+                f"{self.what} names a file outside itself, {name!r}. Use GLB with all in it."
+            )
+        home = self.folder.resolve()
+        try:
+            path = (home / name).resolve()
+            inside = "://" not in name and path.is_relative_to(home)
+            there = path.is_file()
+        except (OSError, ValueError, RuntimeError):  # no name of a file, or a link to itself
+            path, inside, there = home, False, False
+        if not inside:
+            raise BackendError(
+                f"{self.what} names a file outside its folder, {name[:80]!r}. Put it beside the "
+                "OBJ file."
+            )
+        if not there:
+            raise BackendError(
+                f"{self.what} names {name[:80]!r}, which is not beside it. Put it there."
+            )
+        return path

@@ -73,13 +73,11 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
     Raises:
         Crooked: the nodes are no tree.
     """
-    nodes, scenes = header.get("nodes", ()), header.get("scenes", ())
+    nodes = header.get("nodes", ())
     if not nodes:
         yield from ((mesh, np.eye(4)) for mesh in range(len(header.get("meshes", ()))))
         return
-    roots = scenes[header.get("scene", 0)].get("nodes", ()) if scenes else ()
-    if not any(scene.get("nodes") for scene in scenes):
-        roots = _topmost(nodes)
+    roots = roots_of(header, header.get("scene", 0))
     waiting = [(root, np.eye(4)) for root in roots]
     seen: set[int] = set()
     while waiting:
@@ -92,6 +90,14 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
         if "mesh" in nodes[at]:
             yield int(nodes[at]["mesh"]), matrix
         waiting += [(child, matrix) for child in nodes[at].get("children", ())]
+
+
+def roots_of(header: Header, scene: int) -> Sequence[int]:
+    """Return the topmost nodes of a scene; of a file whose scenes have none, those of all trees."""
+    scenes = header.get("scenes", ())
+    if not any(entry.get("nodes") for entry in scenes):
+        return _topmost(header.get("nodes", ()))
+    return scenes[scene].get("nodes", ())
 
 
 def shown_nodes(header: Header) -> Iterator[Header]:

@@ -6,17 +6,16 @@ import base64
 import binascii
 import hashlib
 import re
-import struct
 from collections import Counter
 from collections.abc import Iterable
 
 from ...errors import BackendError, InputError
-from ...io.reading import parse_object
-from ...pictures.pixels import open_picture
+from ...pictures import read_header
 from . import bounds
+from .codecs import plain_glb
+from .container import check_size, split_glb
 from .flattening import (
     FAN,
-    JSON_CHUNK,
     STRIP,
     TRIANGLES,
     Crooked,
@@ -61,7 +60,7 @@ def inspect_glb(
         BackendError: no GLB, cut off, too large, compressed, with files outside itself, without
             triangles, or with a picture that cannot be read or is too large.
     """
-    header, data = _chunks(raw, what)
+    header, data = split_glb(raw, what)
     try:
         reason = (
             _counts(header)
@@ -80,13 +79,23 @@ def inspect_glb(
     return header
 
 
+def open_glb(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> tuple[bytes, Header]:
+    """Return a GLB file without compression, and its header; see ``plain_glb``, ``inspect_glb``.
+
+    Raises:
+        BackendError: it cannot be read.
+    """
+    plain = plain_glb(raw, what)
+    return plain, inspect_glb(plain, what, most_faces)
+
+
 def inspect_obj(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> None:
     """Check that an OBJ file is text with faces, and not too many: of each face its triangles.
 
     Raises:
         BackendError: it is not such a file, or is too large.
     """
-    _check_size(raw, what, bounds.MOST_OBJ_BYTES)
+    check_size(raw, what, bounds.MOST_OBJ_BYTES)
     if b"\0" in raw[:4096]:
         raise BackendError(f"{what} is no OBJ file: it is not text. Export it again.")
     text = b"\n" + raw.replace(b"\r\n", b"\n").replace(b"\\\n", b"")  # lines may be continued
@@ -132,41 +141,15 @@ def check_pictures(
     sizes: dict[bytes, int] = {}
     for raw in pictures:
         try:
-            with open_picture(raw, "has a texture that", TEXTURE_LIMITS) as picture:
-                width, height = picture.size
+            header = read_header(raw, "has a texture that", InputError, TEXTURE_LIMITS)
         except InputError as error:
             return str(error)
-        sizes[hashlib.sha256(raw).digest()] = width * height
+        sizes[hashlib.sha256(raw).digest()] = header.width * header.height
         if sum(sizes.values()) > maximum:
             return (
                 f"has textures of more than {maximum} pixels together. Make them smaller or fewer."
             )
     return None
-
-
-def _check_size(raw: bytes, what: str, maximum: int) -> None:
-    if len(raw) > maximum:
-        raise BackendError(
-            f"{what} takes {len(raw) / 2**20:.0f} MiB; at most {maximum // 2**20} are read."
-        )
-
-
-def _chunks(raw: bytes, what: str) -> tuple[Header, bytes]:
-    """Return the JSON header and the binary chunk (empty where there is none)."""
-    _check_size(raw, what, bounds.MOST_BYTES)
-    if raw[:4] != b"glTF" or len(raw) < 20:
-        raise BackendError(
-            f"{what} is no GLB file: its {len(raw)} bytes begin with {raw[:12]!r}. "
-            "Binary glTF 2.0 is read."
-        )
-    version, length, size, kind = struct.unpack("<4I", raw[4:20])
-    if version != 2 or kind != JSON_CHUNK:
-        raise BackendError(f"{what} is glTF version {version}; binary glTF 2.0 is read.")
-    if length > len(raw) or size > length - 20:
-        raise BackendError(f"{what} is cut off: {len(raw)} of {max(length, size)} bytes are there.")
-    text, problem = raw[20 : 20 + size], f"{what} has a damaged header: it"
-    header = parse_object(text, problem, BackendError, max_bytes=bounds.MOST_HEADER)
-    return header, raw[28 + size :]
 
 
 def _counts(header: Header) -> str | None:

@@ -2,35 +2,61 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from types import MappingProxyType
+import functools
+import inspect
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import ParamSpec
 
 from ...errors import BackendError
 from ...sandbox import SandboxError, call
-from .bounds import LIMITS, MOST_FACES
-from .surface import ColoredSurface, Kind, read_surface
+from .bounds import LIMITS
+from .inspection import open_glb
+from .surface import ColoredSurface, read_surface
+
+P = ParamSpec("P")
 
 
-def load_surface(
-    raw: bytes,
-    what: str,
-    kind: Kind,
-    beside: Mapping[str, bytes] = MappingProxyType({}),
-    most_faces: int = MOST_FACES,
-) -> ColoredSurface:
-    """Return everything in a GLB or OBJ file as one surface, read in a child process.
-
-    Arguments, result and errors are those of ``read_surface``; the arrays are read-only.
+def check_glb(raw: bytes, what: str) -> None:
+    """Check, in a child process, that a GLB file can be read: one with compression, too.
 
     Raises:
-        BackendError: the file cannot be read, or its reader reaches a limit.
+        BackendError: it is not such a file; see ``inspection``.
     """
+    with _as_backend_error(what):
+        call(_open, raw, what, limits=LIMITS)
+
+
+def _open(raw: bytes, what: str) -> None:
+    open_glb(raw, what)
+
+
+@contextmanager
+def _as_backend_error(what: str) -> Iterator[None]:
     try:
-        return call(
-            read_surface, raw, what, kind, dict(beside), most_faces,
-            limits=LIMITS, returns=(ColoredSurface,),
-        )  # fmt: skip
+        yield
     except SandboxError as error:
         raise BackendError(
             f"{what} {error}. Export it again, with fewer triangles or smaller textures."
         ) from error
+
+
+def _in_child(reader: Callable[P, ColoredSurface]) -> Callable[P, ColoredSurface]:
+    """Return a reader that runs in a child process; its arrays are read-only.
+
+    It raises ``BackendError`` where the reader reaches a limit, too.
+    """
+    signature = inspect.signature(reader)
+
+    @functools.wraps(reader)
+    def load(*args: P.args, **kwargs: P.kwargs) -> ColoredSurface:
+        given = signature.bind(*args, **kwargs)
+        given.apply_defaults()
+        with _as_backend_error(given.arguments["what"]):
+            return call(reader, *given.args, limits=LIMITS, returns=(ColoredSurface,))
+
+    return load
+
+
+load_surface = _in_child(read_surface)
+"""Everything in a GLB or OBJ file as one surface; see ``read_surface`` and ``_in_child``."""

@@ -16,9 +16,8 @@ from trimesh.resolvers import ZipResolver
 from ...errors import BackendError
 from ...render.shading import sample_texture
 from .bounds import MOST_FACES
-from .codecs import plain_glb
 from .flattening import Header, flatten
-from .inspection import inspect_glb, inspect_obj
+from .inspection import inspect_obj, open_glb
 from .textures import Pictures, light, to_srgb
 
 Kind = Literal["glb", "obj"]
@@ -91,8 +90,7 @@ def read_surface(
     """
     header: Header = {}
     if kind == "glb":
-        raw = plain_glb(raw, what)
-        header = inspect_glb(raw, what, most_faces)
+        raw, header = open_glb(raw, what, most_faces)
     else:
         inspect_obj(raw, what, most_faces)
     files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})

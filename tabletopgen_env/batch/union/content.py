@@ -17,7 +17,7 @@ from jaxtyping import Float
 
 from generator.geometry import turned_quaternion
 from generator.physics.mjcf import FLOOR
-from generator.physics.spec import scene_spec
+from generator.physics.spec import new_data, scene_spec
 from generator.scene import TABLE, Scene
 
 from ...robot.mount import PEDESTAL
@@ -104,7 +104,7 @@ class SceneContent:
         import mujoco
 
         model, scene = world.model, world.scene
-        data = mujoco.MjData(model)
+        data = new_data(model)
         mujoco.mj_kinematics(model, data)
         fixed = [g for name in (TABLE, PEDESTAL) for g in _colliding(model, model.body(name).id)]
         at, turn = data.geom_xpos[fixed], data.geom_xmat[fixed].reshape(-1, 3, 3)

@@ -11,6 +11,7 @@ import numpy as np
 from jaxtyping import Float, Int, Shaped
 
 from generator.physics.mjcf import FLOOR
+from generator.physics.spec import new_data
 from generator.scene import TABLE
 
 from ...robot.mount import PEDESTAL
@@ -95,7 +96,7 @@ class SceneLook:
         import mujoco
 
         model = world.model
-        data = mujoco.MjData(model)
+        data = new_data(model)
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)

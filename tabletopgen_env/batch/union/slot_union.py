@@ -23,7 +23,7 @@ from jaxtyping import Float, Int
 
 from generator.errors import InputError
 from generator.physics.mjcf import FLOOR
-from generator.physics.spec import compile_spec
+from generator.physics.spec import compile_spec, new_data
 
 from ...robot.panda import HOME_QPOS, Panda
 from ...world.world import gripper_sides
@@ -107,7 +107,7 @@ class SlotUnion:
         import mujoco
 
         model = self.model
-        data = mujoco.MjData(model)
+        data = new_data(model)
         mujoco.mj_kinematics(model, data)
         row = {field: np.array(getattr(model, field)) for field in MODEL_FIELDS}
         row["geom_xpos"] = data.geom_xpos.copy()

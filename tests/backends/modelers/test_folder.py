@@ -2,6 +2,7 @@
 
 import io
 import os
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,7 +13,9 @@ from PIL import Image
 from generator.backends import Backends
 from generator.backends.modelers.folder import Folder
 from generator.errors import BackendError, InputError
+from generator.meshes.reading import companions as beside
 from generator.pipeline import generate
+from generator.sandbox.packing import pack, unpack
 from generator.scene import USUAL_VIEW, SizePrior
 
 RED, GREEN = (200, 0, 0, 255), (0, 200, 0, 255)
@@ -90,6 +93,46 @@ def test_the_pictures_of_an_obj_are_bounded_together(tmp_path):
     (tmp_path / "mug.obj").write_text("mtllib mug.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
     with pytest.raises(BackendError, match=r"textures of more than 134217728 pixels together"):
         ask(tmp_path)
+
+
+def obj_with(folder: Path, *pictures: str) -> bytes:
+    """An OBJ whose materials show these pictures."""
+    library = "".join(f"newmtl m{k}\nmap_Kd {name}\n" for k, name in enumerate(pictures))
+    (folder / "m.mtl").write_text(library)
+    (folder / "x").mkdir(exist_ok=True)
+    Image.new("RGB", (4, 4)).save(folder / "a.png")
+    return b"mtllib m.mtl\nmtllib ./m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n"
+
+
+def test_a_file_of_several_names_is_read_once(tmp_path, monkeypatch):
+    names = ("a.png", "./a.png", "x/../a.png")
+    opened, read = [], beside.read_regular
+    monkeypatch.setattr(
+        beside, "read_regular", lambda path, *a, **k: (opened.append(path), read(path, *a, **k))[1]
+    )
+    found = beside.companions(obj_with(tmp_path, *names), "it", tmp_path)
+    assert sorted(path.name for path in opened) == ["a.png", "m.mtl"]
+    assert len({id(found[name]) for name in names}) == 1
+    sizes = [(tmp_path / name).stat().st_size for name in ("a.png", "m.mtl")]
+    assert beside.total_bytes(found) == sum(sizes)
+    assert (
+        len({id(content) for content in unpack(pack(dict(found)), lambda name: object).values()})
+        == 2
+    )
+
+
+def test_the_files_of_an_obj_are_bounded_together(tmp_path):
+    raw = obj_with(tmp_path, "a.png", "b.png")
+    (tmp_path / "b.png").write_bytes((tmp_path / "a.png").read_bytes())
+    most = sum((tmp_path / n).stat().st_size for n in ("a.png", "b.png", "m.mtl"))
+    assert beside.companions(raw, "it", tmp_path, most)
+    with pytest.raises(BackendError, match=r"it: .*bytes"):
+        beside.companions(raw, "it", tmp_path, most - 1)
+
+
+def test_pictures_of_an_obj_are_decoded_in_a_child_alone(tmp_path, monkeypatch):
+    monkeypatch.setattr(Image, "open", None)
+    assert len(beside.companions(obj_with(tmp_path, "a.png"), "it", tmp_path)) == 3
 
 
 @pytest.mark.parametrize("name", ["../secret.mtl", "/etc/passwd", "http://example.org/a.mtl"])

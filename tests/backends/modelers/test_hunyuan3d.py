@@ -125,6 +125,15 @@ def test_a_damaged_answer_is_asked_for_once_more_then_refused(bad, tmp_path):
         assert len(served.calls) == 2
 
 
+def test_a_compressed_answer_is_not_damaged():
+    def compress(header: dict) -> None:
+        header["extensionsUsed"] = header["extensionsRequired"] = ["KHR_mesh_quantization"]
+
+    with serving(lambda call: Answer(body=edited(GOOD, compress))) as served:
+        assert ask(served.url).name == "mug_1"
+        assert len(served.calls) == 1
+
+
 def nan() -> bytes:
     made = striped_box()
     made.vertices[3] = np.nan

@@ -17,7 +17,6 @@ from generator.meshes.reading import loading
 from generator.meshes.reading.loading import load_surface
 from generator.meshes.reading.surface import read_surface
 from generator.sandbox import SandboxLimits
-from generator.sandbox.running import INSIDE
 from generator.scene import USUAL_VIEW
 
 GOOD = glb(striped_box(), trimesh.creation.icosphere(1))
@@ -30,7 +29,7 @@ def _apart(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*args: object, **kwargs: object) -> None:
         raise AssertionError("foreign data is parsed in this process")
 
-    monkeypatch.delenv(INSIDE, raising=False)
+    monkeypatch.setattr("generator.sandbox.running.is_inside", lambda: False)
     monkeypatch.setattr(trimesh, "load_scene", refuse)
 
 

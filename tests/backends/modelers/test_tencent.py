@@ -12,7 +12,7 @@ import httpx2
 import numpy as np
 import pytest
 import trimesh
-from backends.modelers.foreign import glb, instance, prior, striped_box
+from backends.modelers.foreign import edited, glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
 
@@ -197,6 +197,16 @@ def test_a_damaged_download_is_fetched_once_more(tmp_path):
             assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
     assert (cloud.jobs, cloud.log.count(LOAD)) == (1, 2)
     assert "the answer is cut off" in refused(Cloud(loads=[DAMAGED]))
+
+
+def test_a_compressed_download_is_fetched_once():
+    def compress(header: dict) -> None:
+        header["extensionsUsed"] = header["extensionsRequired"] = ["KHR_mesh_quantization"]
+
+    cloud = Cloud(loads=[Answer(body=edited(GOOD, compress))])
+    with serving(cloud) as served:
+        assert ask(served.url).name == "mug_1"
+    assert cloud.log.count(LOAD) == 1
 
 
 def test_each_attempt_is_signed_as_of_its_own_time(monkeypatch):

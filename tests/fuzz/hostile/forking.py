@@ -8,7 +8,9 @@ import contextlib
 import importlib
 import os
 import signal
+import subprocess
 import sys
+import time
 import traceback
 from collections.abc import Callable, Iterator, Mapping
 from typing import IO, Any
@@ -22,17 +24,23 @@ PRELOADED = (
 )  # fmt: skip
 
 
+def preload() -> None:
+    """Import what the children of the sandbox import."""
+    for name in PRELOADED:
+        importlib.import_module(name)
+
+
 @contextlib.contextmanager
 def forked_children() -> Iterator[None]:
     """Have the sandbox fork its children from this process in the meantime."""
-    for name in PRELOADED:
-        importlib.import_module(name)
+    preload()
     started = running._child
 
     @contextlib.contextmanager
     def fork_child(limits: SandboxLimits) -> Iterator[Any]:
-        threads = dict.fromkeys(running._THREADS, str(limits.threads)) if limits.threads else {}
-        process = Forked(child.main, {**threads, running.INSIDE: "1"})
+        names: tuple[str, ...] = running._THREADS if limits.threads else ()
+        threads = dict.fromkeys(names, str(limits.threads))
+        process = Forked(_answer_request, threads)
         try:
             yield process
         finally:
@@ -43,6 +51,12 @@ def forked_children() -> Iterator[None]:
         yield
     finally:
         running._child = started
+
+
+def _answer_request() -> None:
+    """Answer one request as the child of a sandbox."""
+    running.is_inside = lambda: True
+    child.main()
 
 
 class Forked:
@@ -79,12 +93,23 @@ class Forked:
 
     def poll(self) -> int | None:
         """Return the exit code as ``Popen`` has it, None while the process runs."""
-        return self._reap(os.WNOHANG)
+        if self.returncode is None:
+            pid, status = os.waitpid(self.pid, os.WNOHANG)
+            if pid:
+                self.returncode = os.waitstatus_to_exitcode(status)
+        return self.returncode
 
-    def wait(self) -> int:
-        """Wait for the end; return the exit code as ``Popen`` has it."""
-        code = self._reap(0)
-        assert code is not None
+    def wait(self, timeout: float = 100.0) -> int:
+        """Wait for the end; return the exit code as ``Popen`` has it.
+
+        Raises:
+            subprocess.TimeoutExpired: the process has not ended after ``timeout`` seconds.
+        """
+        end = time.monotonic() + timeout
+        while (code := self.poll()) is None:
+            if time.monotonic() > end:
+                raise subprocess.TimeoutExpired("a forked process", timeout)
+            time.sleep(0.001)
         return code
 
     def communicate(self) -> tuple[int, bytes, bytes]:
@@ -93,10 +118,3 @@ class Forked:
         with self.stdout, self.stderr:
             out, err = self.stdout.read(), self.stderr.read()
         return self.wait(), out, err
-
-    def _reap(self, options: int) -> int | None:
-        if self.returncode is None:
-            pid, status = os.waitpid(self.pid, options)
-            if pid:
-                self.returncode = os.waitstatus_to_exitcode(status)
-        return self.returncode

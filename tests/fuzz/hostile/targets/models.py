@@ -19,7 +19,7 @@ from generator.imports.mjcf_files import gather
 from generator.imports.reading import SourceKind, read_scene
 from generator.meshes.reading.inspection import inspect_glb
 
-from ..forking import Forked, forked_children
+from ..forking import Forked, forked_children, preload
 from ..judging import Unfit, accepts, check_printable
 from ..values import mutate, written
 from . import Run
@@ -157,7 +157,7 @@ def _write_folder(rng: random.Random, folder: Path) -> Path:
 # ------------------------------------------------------------------------------------------ limits
 _MEMORIES = (2 * 2**30, 3 * 2**30, 5_500_000 * 2**10, 8 * 2**30)
 _TIMES = (5, 10, 30)  # seconds
-_FORKED = 0.9  # of the cases fork the children that the others start anew
+_FORKED = 0.96  # of the cases fork the children that the others start anew
 
 
 def limited(rng: random.Random, folder: Path) -> Run:
@@ -179,6 +179,7 @@ def _alone(kind: SourceKind, path: Path, memory: int, seconds: int, forked: bool
         Unfit: the process ends otherwise than by a result or an error of the package.
     """
     if forked:
+        preload()
         reader = partial(_read_limited, kind, path, memory, seconds, forked_children())
         code, out, err = Forked(reader, {}).communicate()
     else:

@@ -1,6 +1,5 @@
 """Pictures and depth maps of users, and the numbers of their cameras."""
 
-import contextlib
 import functools
 import io
 import os
@@ -19,10 +18,9 @@ from generator.errors import InputError
 from generator.meshes.reading.inspection import check_pictures
 from generator.meshes.reading.textures import Pictures
 from generator.method.reference import read_image, refer
-from generator.sandbox.running import INSIDE
 from generator.scene import Intrinsics
 
-from ..judging import accepts, accepts_any, command
+from ..judging import accepts, accepts_any, command, reading
 from ..streams import hostile_png, spoiled
 from ..values import number, text, value
 from . import Run
@@ -71,10 +69,7 @@ def readers(raw: bytes, apart: bool) -> tuple[Callable[[], Any], ...]:
 
 
 def _reading(read: Callable[[bytes], Any], raw: bytes, apart: bool) -> None:
-    with contextlib.ExitStack() as stack:
-        if not apart:
-            os.environ[INSIDE] = "1"
-            stack.callback(os.environ.pop, INSIDE)
+    with reading(apart):
         read(raw)
 
 
