@@ -38,8 +38,7 @@ def forked_children() -> Iterator[None]:
 
     @contextlib.contextmanager
     def fork_child(limits: SandboxLimits) -> Iterator[Any]:
-        names: tuple[str, ...] = running._THREADS if limits.threads else ()
-        threads = dict.fromkeys(names, str(limits.threads))
+        threads = {str(name): str(limits.threads) for name in running._THREADS if limits.threads}
         process = Forked(_answer_request, threads)
         try:
             yield process
