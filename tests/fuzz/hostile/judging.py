@@ -46,11 +46,14 @@ def accepts_any(*calls: Callable[[], Any]) -> bool:
 def reading(apart: bool) -> Iterator[None]:
     """Read foreign files in child processes (``apart``), as users do, or in this process.
 
-    The same code runs in both; a child takes most of the time of a small case.
+    The same code runs in both; a child takes most of the time of a small case, though it is forked.
     """
     from generator.sandbox import running
 
-    with mock.patch.object(running, "is_inside", lambda: not apart):
+    from .forking import forked_children
+
+    inside = mock.patch.object(running, "is_inside", lambda: True)
+    with forked_children() if apart else inside:
         yield
 
 

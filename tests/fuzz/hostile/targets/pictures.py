@@ -80,7 +80,11 @@ def _bundled(raw: bytes) -> None:
 def _textured(raw: bytes) -> None:
     if reason := check_pictures([raw]):
         raise InputError(reason)
-    Pictures("the mesh").place(Image.open(io.BytesIO(raw)), np.ones(3))
+    try:
+        image = Image.open(io.BytesIO(raw))  # by trimesh, which takes any exception as no picture
+    except Exception as error:
+        raise InputError("no picture") from error
+    Pictures("the mesh").place(image, np.ones(3))
 
 
 def depths(rng: random.Random, folder: Path) -> Run:
