@@ -23,6 +23,8 @@ _COUNTS = (
 _PLACED = ("pos", "size", "quat", "euler", "mass", "friction", "rgba", "density", "margin")
 _BUILTIN = ("sphere", "hemisphere", "cone", "supersphere", "supertorus", "wedge", "plate")
 
+_MOST_TEXT = 2**26  # characters that meshes take
+
 
 def write_mjcf(rng: random.Random, folder: Path) -> Path:
     """Write a MJCF of sound parts and hostile ones; return its path."""
@@ -150,7 +152,8 @@ def _meshes(rng: random.Random, parts: Parts, folder: Path) -> None:
         own += f' scale="{scale} 1 1"'
     own += rng.choice(("", ' inertia="exact"', ' inertia="shell"', ' maxhullvert="4"'))
     many = rng.choice((1, 1, 30, 2000))
-    named = many if rng.random() < 0.3 else 1
+    several = rng.random() < 0.3 and many * len(own) < _MOST_TEXT
+    named = many if several else 1
     parts["asset"].append(_joined([f'<mesh name="g{k}" {own}/>' for k in range(named)]))
     free = rng.choice(("<freejoint/>", ""))
     parts["world"] += [
