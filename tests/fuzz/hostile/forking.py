@@ -111,9 +111,9 @@ class Forked:
             time.sleep(0.001)
         return code
 
-    def communicate(self) -> tuple[int, bytes, bytes]:
+    def communicate(self, timeout: float) -> tuple[int, bytes, bytes]:
         """Return the exit code and all that is written; errors are to fit into a pipe."""
         self.stdin.close()
         with self.stdout, self.stderr:
             out, err = self.stdout.read(), self.stderr.read()
-        return self.wait(), out, err
+        return self.wait(timeout), out, err

@@ -94,10 +94,10 @@ def _special(kind: str, text: str, found: re.Match[str]) -> WrittenNumber | None
     scaled = kind == "clock" and (
         _SCALE.search(words_before(text, found)) or text[found.end() :].startswith(" scale")
     )
-    return _blanked(found, "aside" if scaled else _ROLES[kind])
+    return _blank(found, "aside" if scaled else _ROLES[kind])
 
 
-def _blanked(found: re.Match[str], role: Role) -> WrittenNumber:
+def _blank(found: re.Match[str], role: Role) -> WrittenNumber:
     return WrittenNumber(found.group(), *found.span(), role=role, read=" " * len(found.group()))
 
 
@@ -105,10 +105,10 @@ def _ordinal(text: str, found: re.Match[str]) -> WrittenNumber:
     """Read "2nd", which the words take for "second"; the grammar knows no "7th"."""
     if 1 <= int(found.group()[:-2][:9]) <= max(fw.ORDINALS.values()):
         return WrittenNumber(found.group(), *found.span(), role="name")
-    return _blanked(found, "aside")
+    return _blank(found, "aside")
 
 
-def _labelled(text: str, found: re.Match[str]) -> WrittenNumber:
+def _label(text: str, found: re.Match[str]) -> WrittenNumber:
     """Read "Windows 11": the name stays, without its number."""
     said = found.group()
     name = said.rstrip("0123456789 -–")
@@ -139,17 +139,17 @@ def _range(text: str, found: re.Match[str]) -> WrittenNumber | None:
     if first == last or (joined in "-–—~" and not low[0].isdigit() and first > last):
         return None  # "twenty-five"
     if all(YEAR.fullmatch(bound) for bound in (low, high)):
-        return _blanked(found, "name")
+        return _blank(found, "name")
     sign = unit.strip(" -").lower()
     if re.match(SIGNS, sign) or words_before(text, found).endswith(tuple("$€£¥")):
-        return _blanked(found, "aside")
+        return _blank(found, "aside")
     least = min(first, last) if unit or min(first, last) >= 1 else max(first, last)
     read = (low if least == first else high).rjust(len(said) - len(unit)) + unit
     role: Role = "name" if AGE.match(text, found.end()) else "range"
     return WrittenNumber(said, *found.span(), least, sign, role, read)
 
 
-def _restated(text: str, found: re.Match[str]) -> WrittenNumber | None:
+def _restatement(text: str, found: re.Match[str]) -> WrittenNumber | None:
     """Read "twelve (12)" as one number."""
     value = _bound(found["once"])
     if value != _bound(found["again"]):
@@ -181,8 +181,8 @@ def _thousands(text: str, found: re.Match[str]) -> WrittenNumber:
 
 
 _READERS: Mapping[str, Callable[[str, re.Match[str]], WrittenNumber | None]] = MappingProxyType(
-    {"ordinal": _ordinal, "labelled": _labelled, "sum": _sum, "range": _range, "share": _share,
-     "restated": _restated, "least": _least, "thousands": _thousands}
+    {"ordinal": _ordinal, "labelled": _label, "sum": _sum, "range": _range, "share": _share,
+     "restated": _restatement, "least": _least, "thousands": _thousands}
 )  # fmt: skip
 
 

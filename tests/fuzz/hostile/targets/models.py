@@ -181,7 +181,7 @@ def _alone(kind: SourceKind, path: Path, memory: int, seconds: int, forked: bool
     if forked:
         preload()
         reader = partial(_read_limited, kind, path, memory, seconds, forked_children())
-        code, out, err = Forked(reader, {}).communicate()
+        code, out, err = Forked(reader, {}).communicate(100)
     else:
         given = kind, str(path), str(memory), str(seconds)
         program = f"from {__name__} import main; main()"
