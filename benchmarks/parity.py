@@ -7,7 +7,8 @@ PyBullet and Drake, SDF into Drake. It is watched for two seconds; then its flat
 on the table, which leans by 3 degrees more each second until the thing has slid by 2 mm. Engines
 that are not installed are named in the summary (pip install 'tabletopgen[engines]'). Writes
 ``parity.csv`` and ``parity.md``; the exit code is 1 if anything moves by more than 2 mm at rest, or
-slides at an angle more than 2 degrees from MuJoCo's. All is measured anew; ``--resume`` continues a run that was cut off.
+slides at an angle more than 2 degrees from MuJoCo's. All is measured anew; ``--resume`` continues a
+run that was cut off.
 """
 
 from __future__ import annotations
