@@ -59,31 +59,4 @@ _HOMES = {
     "verify": "folder",
 }
 
-__all__ = [
-    "BOUNDS",
-    "SCHEMA",
-    "Segments",
-    "check",
-    "check_name",
-    "copy",
-    "digest",
-    "discard",
-    "load",
-    "load_digest",
-    "load_fingerprint",
-    "load_kinds",
-    "load_picture",
-    "load_pictures",
-    "load_report",
-    "load_segments",
-    "load_verified",
-    "put_in_place",
-    "read_files",
-    "read_inside",
-    "save",
-    "steady",
-    "sweep",
-    "verify",
-]
-
 __getattr__, __dir__ = lazy_names(__name__, _HOMES)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
@@ -16,7 +15,7 @@ if TYPE_CHECKING:
 
     CompileModel = Callable[[GatheredModel, str], mujoco.MjModel]
 
-MOST_REFUSED = 20
+MAX_REFUSED = 20
 """Bodies of a file that are left out since MuJoCo refuses them; with more the file is refused."""
 
 
@@ -69,15 +68,17 @@ def compile_sound(
 
     Raises:
         InputError: MuJoCo refuses it for another reason, all its bodies, or more than
-            ``MOST_REFUSED`` of them.
+            ``MAX_REFUSED`` of them.
     """
     try:
         return compile_model(gathered, what)
-    except InputError as error:
+    except InputError:
         names, found = free_bodies(gathered), Refusals()
+        if len(names) < 2:
+            raise
         sound = _list_sound(range(len(names)), names, gathered, what, found, compile_model)
-        if not 0 < len(sound) < len(names) or len(found.outcomes) > MOST_REFUSED:
-            raise error
+        if not 0 < len(sound) < len(names) or len(found.outcomes) > MAX_REFUSED:
+            raise
     refusals.outcomes += found.outcomes
     refusals.first = refusals.first or found.first
     return compile_model(keep_bodies(gathered, sound), what)
@@ -93,19 +94,18 @@ def _list_sound(
 ) -> list[int]:
     """Return those of some bodies that compile, by halves; ``found`` collects the others.
 
-    No more than one body beyond ``MOST_REFUSED`` is looked for.
+    The search stops at one body beyond ``MAX_REFUSED``.
     """
-    if len(found.outcomes) > MOST_REFUSED or not which:
-        return []
-    kept = keep_bodies(gathered, which)
-    if len(which) == 1:
-        with found.catching(names[which[0]]):
-            compile_model(kept, what)
-            return [*which]
+    if len(found.outcomes) > MAX_REFUSED:
         return []
     if len(which) < len(names):  # all of them together are refused already
-        with contextlib.suppress(InputError):
-            compile_model(kept, what)
+        try:
+            compile_model(keep_bodies(gathered, which), what)
+        except InputError as error:
+            if len(which) == 1:
+                found.add(names[which[0]], error)
+                return []
+        else:
             return [*which]
     half = len(which) // 2
     return [

@@ -38,18 +38,4 @@ _HOMES = {
     "try_out": "running",
 }
 
-__all__ = [
-    "Composing",
-    "Generating",
-    "Job",
-    "Maker",
-    "Outcome",
-    "Summary",
-    "jobs_of",
-    "read_prompts",
-    "run",
-    "shared_budget",
-    "try_out",
-]
-
 __getattr__, __dir__ = lazy_names(__name__, _HOMES)

@@ -25,7 +25,6 @@ class Chain:
     """The chain at some joints. What it returns are views that the next ``move`` overwrites."""
 
     def __init__(self) -> None:
-
         self._model = _chain_model()
         self._data = data = new_data(self._model)
         self._jacobian = np.zeros((6, 7))

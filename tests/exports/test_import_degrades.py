@@ -22,7 +22,7 @@ from generator.imports.building import bodies
 from generator.imports.building import scene as scenes
 from generator.imports.foreign import ImportOutcome, Refusals
 from generator.imports.mjcf import compile_foreign, read_mjcf
-from generator.imports.mjcf_bodies import MOST_REFUSED, compile_sound
+from generator.imports.mjcf_bodies import MAX_REFUSED, compile_sound
 from generator.imports.mjcf_files import GatheredModel, gather
 from generator.meshes.reading.surface import ColoredSurface, read_surface, surface_of
 from generator.meshes.thickening import thicken
@@ -181,7 +181,7 @@ def test_a_body_that_mujoco_refuses_does_not_lose_the_others(tmp_path: Path) -> 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("bad", "kept"), [(3, True), (MOST_REFUSED, True), (400, False)])
+@pytest.mark.parametrize(("bad", "kept"), [(3, True), (MAX_REFUSED, True), (400, False)])
 def test_few_models_are_compiled_to_find_bodies_that_mujoco_refuses(
     bad: int, kept: bool, tmp_path: Path
 ) -> None:
