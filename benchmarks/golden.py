@@ -3,12 +3,13 @@
     python benchmarks/golden.py record before --pictures photos/*.png
     python benchmarks/golden.py compare before after
 
-A record holds bundles composed and generated from texts and pictures, edited, and made by a batch;
-digests of observations and rewards of environments under seeded actions; and a policy cloned for
-one round. Everything goes through the commands and Gymnasium's ids, so that one script records
-before and after modules move. Parts that are there are not recorded again. ``compare`` leaves out
-names of backends and versions of packages in a bundle's provenance, prints every other difference,
-and exits with 1 if there is one.
+A record holds bundles composed and generated from texts and pictures, edited, imported, and made by
+a batch; exports in every format; a static page; digests of observations and rewards of environments
+under seeded actions; and a policy cloned for one round. Everything goes through the commands and
+Gymnasium's ids, so that one script records before and after modules move. Existing parts are not
+recorded again. ``compare`` ignores backend names and package versions in a bundle's provenance,
+the scripts beside exports, and the page's own code. It prints every other difference and exits
+with 1 if there is one.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import os
 import re
 import subprocess
 import sys
+import zipfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -37,7 +39,17 @@ EDITS = (
 SCENES = ("office-desk", "kitchen-cutting", "workbench", "dining-fruit")
 MODES = ("state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state")
 STEPS = 200
-PARTS = ("environments", "cloning", "compose", "generate", "edits", "batch")
+FORMATS = ("mjcf", "urdf", "sdf", "glb", "usd", "usdz")
+IMPORTED = ("{0}-mjcf/scene.xml", "{0}.glb")
+"""Exports of a scene that are imported again."""
+PARTS = (
+    "environments", "cloning", "compose", "generate", "edits", "batch",
+    "exports", "imports", "page",
+)  # fmt: skip
+CODE = (".py", ".js", ".css", ".wasm", ".html", ".md", ".map")
+"""Files of exports and pages that belong to the program."""
+DATA = (".obj", ".png", ".safetensors", ".xml")
+"""Files of bundles and trainings that are recorded."""
 CLONING = (
     "cloning.rounds=1", "cloning.episodes=6", "cloning.steps=60", "cloning.last_steps=60",
 )  # fmt: skip
@@ -77,6 +89,9 @@ def bundle_jobs(
     for name, bundle, *change in EDITS[:maximum] if "edits" in parts else ():
         place = out / "edits" / name
         yield place, (*COMMAND, "edit", bundle, *change, "--out", str(place))
+    if "page" in parts:
+        place = out / "page"
+        yield place, (*COMMAND, "page", *SCENES[:2][:maximum], "--out", str(place))
     if "batch" in parts:
         place, prompts = out / "batch", out / "prompts.txt"
         prompts.write_text("\n".join(texts()[:BATCHED][:maximum]))
@@ -94,6 +109,23 @@ def record_bundles(jobs: Iterable[tuple[Path, tuple[str, ...]]], workers: int) -
 
     with ThreadPoolExecutor(workers) as pool:
         list(pool.map(make, jobs))
+
+
+def record_exports(out: Path, parts: Sequence[str], maximum: int) -> None:
+    """Export scenes in every format, and import some of the files again."""
+    exports = out / "exports"
+    for scene in SCENES[:maximum] if "exports" in parts else ():
+        if not list(exports.glob(f"{scene}-*.usdz")):
+            run(*COMMAND, "export", scene, "--to", *FORMATS, "--out", str(exports))
+            print(exports, scene, flush=True)
+    for scene in SCENES[:maximum] if "imports" in parts else ():
+        for number, pattern in enumerate(IMPORTED):
+            place = out / "imports" / f"{scene}-{number}"
+            for source in exports.glob(pattern.format(f"{scene}-" + 12 * "[0-9a-f]")):
+                if not place.exists():
+                    options = ("--allow-failed", "--name", scene, "--out", str(place))
+                    run(*COMMAND, "import", str(source), *options)
+                    print(place, flush=True)
 
 
 def record_environments(out: Path, modes: Sequence[str], scenes: Sequence[str], steps: int) -> None:
@@ -162,14 +194,27 @@ def facts(record: Path) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for path in sorted(p for p in record.rglob("*") if p.is_file()):
         place = Path(*(DIGEST.sub("", part) for part in path.relative_to(record).parts))
+        foreign = place.parts[0] in ("exports", "page")
         if path.name == "scene.json":
             found |= {f"{place}:{k}": v for k, v in _scene(path).items()}
         elif path.name == "environments.json":
             content = json.loads(path.read_text())
             found |= {f"{place}:{a}:{b}": v for a in content for b, v in content[a].items()}
-        elif path.suffix in (".obj", ".png", ".safetensors") or path.name == "scene.xml":
+        elif foreign and path.suffix == ".zip":
+            found |= {f"{place}:{name}": digest for name, digest in _zipped(path)}
+        elif path.suffix in CODE or (not foreign and path.suffix not in DATA):
+            continue
+        else:
             found[str(place)] = hashlib.sha256(path.read_bytes()).hexdigest()
     return found
+
+
+def _zipped(path: Path) -> Iterator[tuple[str, str]]:
+    """Yield the digests of the files in an archive."""
+    with zipfile.ZipFile(path) as archive:
+        for name in sorted(archive.namelist()):
+            if Path(name).suffix not in CODE and Path(name).name != "scene.json":
+                yield name, hashlib.sha256(archive.read(name)).hexdigest()
 
 
 def _scene(path: Path) -> dict[str, Any]:
@@ -217,6 +262,7 @@ def main() -> int:
         record_cloning(args.out / "cloning")
     pictures = sorted(map(str, args.pictures))
     record_bundles(bundle_jobs(args.out, args.parts, pictures, args.most), args.workers)
+    record_exports(args.out, args.parts, args.most)
     return 0
 
 
