@@ -42,12 +42,12 @@ from generator.backends.embedded.eye.weights import load_weights
 from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.backends.embedded.segmenter import SURE, looks_of, table_of
-from generator.catalogue import CATEGORIES
 from generator.errors import SceneError
 from generator.geometry import Camera, view_rotation
 from generator.language.naming import free_labels, weigh
 from research.eye.sample import Sample, worth_finding
 from research.eye.shards import ShardReader
+from tabletop_objects import CATEGORIES
 
 RIGHT, STRICT = 0.5, 0.75
 

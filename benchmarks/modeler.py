@@ -28,14 +28,14 @@ from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.plane.measure import sized_extent
 from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
-from generator.catalogue import CATEGORIES, build
-from generator.catalogue.surfaces.look import WOODS
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection
 from generator.render.raster import Item, place, render
 from generator.render.shading import Light
 from generator.scene import Detection, Instance, Mesh, Model, Reference, SizePrior, View
+from tabletop_objects import CATEGORIES, build
+from tabletop_objects.kit.surfaces import WOODS
 
 WIDTH, HEIGHT = 960, 720
 ACROSS = 0.9  # metres of table across the picture's middle
@@ -77,9 +77,9 @@ class ModelerCase:
 
 def ground() -> Item:
     """Return a wooden tabletop at height zero."""
-    from generator.catalogue.surfaces import textures
+    from tabletop_objects.kit import surfaces
 
-    tile = textures.wood(np.random.default_rng(5), WOODS["oak"], side=256, planks=5)
+    tile = surfaces.wood(np.random.default_rng(5), WOODS["oak"], side=256, planks=5)
     corners = np.array([[-0.8, -0.6, 0], [0.8, -0.6, 0], [0.8, 0.6, 0], [-0.8, 0.6, 0]])
     faces, uv = np.array([[0, 1, 2], [0, 2, 3]]), np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
     return Item(corners, faces, uv, tile, 0)

@@ -6,25 +6,14 @@ Each message says what was wrong, what exists instead, and what to do: ``choices
 
 from __future__ import annotations
 
-import difflib
 import math
 import numbers
-import unicodedata
-from collections.abc import Collection, Iterable
 
-
-class TabletopError(Exception):
-    """Base of every error the project raises on purpose; catch this to catch them all.
-
-    Its text is safe to print on a terminal: control characters in quoted text are escaped.
-    """
-
-    def __str__(self) -> str:
-        return escape(super().__str__())
-
-
-class InputError(TabletopError, ValueError):
-    """What the caller passed in cannot be used: a text, an image, a setting, an action."""
+from tabletop_objects.errors import InputError as InputError
+from tabletop_objects.errors import TabletopError as TabletopError
+from tabletop_objects.errors import choices as choices
+from tabletop_objects.errors import escape as escape
+from tabletop_objects.errors import require_known as require_known
 
 
 class BackendError(TabletopError, RuntimeError):
@@ -79,25 +68,6 @@ EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
 def exit_code(error: TabletopError) -> int:
     """Return the exit code of a command that failed with an error."""
     return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
-
-
-def choices(wrong: str, available: Iterable[str]) -> str:
-    """Return the tail of a message about an unknown name: the near match and what exists."""
-    names = sorted(available)
-    near = difflib.get_close_matches(wrong, names, n=1)
-    hint = f" Did you mean {near[0]!r}?" if near else ""
-    listed = ", ".join(names) if names else "nothing"
-    return f"{hint} Available: {listed}."
-
-
-def require_known(value: object, known: Collection[str], unknown: str) -> None:
-    """Check that a value is one of the names ``known``; ``unknown`` begins the message.
-
-    Raises:
-        InputError: it is none of them: "Unknown task 'Lif'. Did you mean 'Lift'? Available: ...".
-    """
-    if not isinstance(value, str) or value not in known:
-        raise InputError(f"{unknown} {value!r}." + choices(str(value), known))
 
 
 def require(
@@ -173,12 +143,3 @@ def _as_float(value: object) -> float:
         return float(value)  # type: ignore[arg-type]
     except OverflowError:
         return math.inf
-
-
-def escape(text: str) -> str:
-    """Return a text that may be foreign as a terminal can show it, without controls."""
-    return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
-
-
-def _is_shown(letter: str) -> bool:
-    return letter.isprintable() or letter == "\n" or unicodedata.category(letter) == "Zs"

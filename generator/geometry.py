@@ -9,9 +9,10 @@ import numpy as np
 from jaxtyping import Bool, Float, Real
 from numpy.typing import ArrayLike
 
+from tabletop_objects.values import VECTOR, freeze
+
 from .errors import InputError
-from .scene import ConvexPart, Mesh, View
-from .scene.arrays import VECTOR, freeze
+from .scene import View
 
 # ------------------------------------------------------------------------------------ rotations
 
@@ -66,28 +67,6 @@ def rotated_extent(extent: Float[np.ndarray, "3"], yaw: float) -> Float[np.ndarr
     """Return the world x, y extent of a box of ``extent`` turned by ``yaw``."""
     c, s = abs(np.cos(yaw)), abs(np.sin(yaw))
     return np.array([c * extent[0] + s * extent[1], s * extent[0] + c * extent[1]])
-
-
-# ----------------------------------------------------------------------------- canonical frame
-
-
-def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
-    """Normalise ``mesh`` to the canonical unit box.
-
-    Returns the mesh, and the ``center`` and ``extent`` it had: ``v_unit = (v - center) / extent``.
-    A flat mesh gets an extent of at least 1e-4 along its flat axis before dividing.
-    """
-    low, high = mesh.bounds
-    center, extent = (low + high) / 2, np.maximum(high - low, 1e-4)
-    vertices = np.clip((mesh.vertices - center) / extent, -0.5, 0.5)
-    return Mesh(vertices, mesh.faces, mesh.uv, mesh.texture, mesh.opacity), center, extent
-
-
-def parts_to_unit_box(
-    parts: tuple[ConvexPart, ...], center: Float[np.ndarray, "3"], extent: Float[np.ndarray, "3"]
-) -> tuple[ConvexPart, ...]:
-    """Carry convex parts into the canonical frame of ``to_unit_box``."""
-    return tuple(ConvexPart((p.vertices - center) / extent, p.kind, p.axis) for p in parts)
 
 
 # ------------------------------------------------------------------------------------- pixels

@@ -6,8 +6,8 @@ import numpy as np
 from scipy.spatial import ConvexHull
 from toy import corners, cube_mesh, ring_parts
 
-from generator.geometry import parts_to_unit_box, to_unit_box
 from generator.scene import ConvexPart, Mesh, Model, Physics, Placement, Provenance
+from tabletop_objects.values import parts_to_unit_box, to_unit_box
 
 TABLE_SIZE = np.array([1.2, 0.7, 0.74])
 MANUAL = Provenance("manual", seed=0)

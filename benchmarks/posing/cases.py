@@ -11,7 +11,6 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from generator.catalogue import CATEGORIES, build
 from generator.errors import InputError, SceneError
 from generator.evaluation.surfaces.symmetry import order
 from generator.geometry import Camera, mask_box, yaw_quaternion
@@ -19,6 +18,7 @@ from generator.render.raster import Item, place, render
 from generator.render.shading import Light
 from generator.scene import Instance, Model, Reference, View
 from research.eye.pictures import patterns
+from tabletop_objects import CATEGORIES, build
 
 from .distinct import DISTINCT, alike, window
 from .spoiling import Spoiling, blur, erode, occluder, punch, wrong_size

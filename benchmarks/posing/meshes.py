@@ -12,9 +12,9 @@ from jaxtyping import Float, UInt8
 from trimesh.resolvers import Resolver
 
 from generator.errors import InputError
-from generator.geometry import to_unit_box
 from generator.method.modeling import turn
 from generator.scene import Mesh, Model
+from tabletop_objects.values import to_unit_box
 
 ENDINGS = (".obj", ".glb", ".ply")
 MOST_BYTES, MOST_FACES = 100_000_000, 400_000

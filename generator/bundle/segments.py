@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 from jaxtyping import Bool, UInt8
 
+from tabletop_objects.values import freeze
+
 from ..errors import BundleError, InputError
 from ..io.reading import printable
 from ..scene import TABLE, Instance
-from ..scene.arrays import freeze
 from .contents import decode_indices
 from .encoding import one_line
 

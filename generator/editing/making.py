@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tabletop_objects import CATEGORIES
+from tabletop_objects.kit.styles import STYLES
+
 from ..backends import Backends
-from ..catalogue import CATEGORIES
-from ..catalogue.build.styles import STYLES
 from ..errors import InputError, choices
 from ..generation import Config
 from ..layout import build_models, natural_yaw

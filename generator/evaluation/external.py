@@ -29,9 +29,11 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
+from tabletop_objects.values import to_unit_box
+
 from ..bundle import BOUNDS, read_inside
 from ..errors import BundleError, InputError, choices
-from ..geometry import convex_outline, hull_points, quaternion_yaw, to_unit_box
+from ..geometry import convex_outline, hull_points, quaternion_yaw
 from ..io.reading import parse_object, printable
 from ..physics.inertia import body_mass
 from ..physics.parts import model_parts

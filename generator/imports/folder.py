@@ -23,7 +23,6 @@ from typing import Any, cast
 import numpy as np
 from jaxtyping import Float
 
-from ..catalogue import build_table
 from ..errors import BackendError, InputError
 from ..geometry import quaternion_matrix
 from ..io.reading import is_number, parse_object, printable
@@ -32,6 +31,7 @@ from ..meshes.reading.companions import companions, total_bytes
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface
 from ..sandbox import CpuBudget, SandboxError, SandboxLimits, call
 from ..scene import TABLE, ConvexPart, Mesh, Model, PlannedTable
+from ..tables import build_table
 from .foreign import ForeignBody, ForeignScene, Refusals, check_count, read_source
 
 POSES = "poses.json"

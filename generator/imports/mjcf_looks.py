@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float, UInt8
 
+from tabletop_objects.values import PICTURE, frozen_array
+
 from ..meshes.reading.textures import MOST_TEXTURE
-from ..scene.arrays import PICTURE, frozen_array
 
 if TYPE_CHECKING:
     import mujoco

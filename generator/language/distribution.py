@@ -49,7 +49,7 @@ class SceneDistribution:
     needs: Needs = ()
 
     def __post_init__(self) -> None:
-        from ..catalogue.build.styles import STYLES
+        from tabletop_objects.kit.styles import STYLES
 
         self._check("themes", themes_known())
         self._check("tables", get_args(OutlineKind))
@@ -127,6 +127,6 @@ def themes_known() -> tuple[str, ...]:
 
 def categories_known() -> tuple[str, ...]:
     """Return the key of every category that a planned object may have."""
-    from ..catalogue import CATEGORIES
+    from tabletop_objects import CATEGORIES
 
     return tuple(CATEGORIES)

@@ -7,9 +7,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..catalogue import CATEGORIES, cut_category, is_lit, open_category
+from tabletop_objects import CATEGORIES
+
 from ..errors import InputError
 from ..scene import GroupKind
+from .openings import cut_category, is_lit, open_category
 from .relations import body_size, fits, is_shallow
 from .sizing import largest_size
 from .syntax.phrases.tree import Noun

@@ -9,7 +9,8 @@ from typing import Literal
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ..scene.plan import PlannedObject
 from .parsing.vocabulary import SIZES
 from .planner import plan_scene

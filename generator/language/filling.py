@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
-from ..catalogue.registry import FURNISHING
-from ..catalogue.surfaces.look import SIZE_FACTORS
+from tabletop_objects import CATEGORIES
+from tabletop_objects.kit.surfaces import SIZE_FACTORS
+
 from ..errors import InputError, choices
 from ..scene import OutlineKind, PlannedGroup, PlannedObject, PlannedTable, Relation, RelationKind
 from . import relations
@@ -166,7 +166,7 @@ def furnish(
     extras: list[Thing] = [
         (key, None, None)
         for key, category in CATEGORIES.items()
-        if key in FURNISHING and theme in category.themes and key not in listed
+        if category.common and theme in category.themes and key not in listed
     ]
     own = count if not needs else max(count - len(needs), 1)
     objects = supply(fill((), found, (own, own), (), rng, extras), theme, needs, rng)

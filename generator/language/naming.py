@@ -8,7 +8,8 @@ import numpy as np
 from jaxtyping import Bool, Float
 from scipy.optimize import linear_sum_assignment
 
-from ..catalogue import CATEGORIES, Category, category
+from tabletop_objects import CATEGORIES, Category, find_category
+
 from ..errors import InputError
 from ..scene import Instance, SizePrior
 
@@ -31,7 +32,7 @@ _RARE = 1e-4  # probability that no category falls below
 def find_category(word: str) -> Category | None:
     """Return the catalogue's category for a word, or None if it has none."""
     try:
-        return category(word)
+        return find_category(word)
     except InputError:
         return None
 

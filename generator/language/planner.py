@@ -9,10 +9,11 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
-from ..catalogue.stand_ins import GENERIC, stand_in_size
+from tabletop_objects import CATEGORIES
+
 from ..errors import InputError
 from ..scene import TABLE, Density, PlannedGroup, PlannedObject, Relation, ScenePlan
+from ..stand_ins import GENERIC, stand_in_size
 from . import relations
 from .drafts import Draft, Grouping, Reading
 from .filling import fill, relate_by_habit

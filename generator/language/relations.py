@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import cast, get_args
 
-from ..catalogue import CATEGORIES
-from ..catalogue.stand_ins import FAMILIES, GENERIC, stand_in_size
+from tabletop_objects import CATEGORIES
+
 from ..errors import InputError
 from ..scene import TABLE, PlannedObject, Relation, RelationKind
+from ..stand_ins import FAMILIES, GENERIC, stand_in_size
 
 Extent = tuple[float, float, float]
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))

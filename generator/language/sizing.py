@@ -12,9 +12,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import CATEGORIES, cut_category, is_lit, open_category
+from tabletop_objects import CATEGORIES
+
 from ..scene import PlannedObject
 from . import relations
+from .openings import cut_category, is_lit, open_category
 
 Extent = tuple[float, float, float]
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ..scene import Model, PlannedObject, ScenePlan
 
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})

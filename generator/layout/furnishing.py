@@ -9,14 +9,15 @@ from functools import partial
 import numpy as np
 from jaxtyping import Float
 
-from .. import catalogue
-from ..catalogue.build.collision import resting_ball
-from ..catalogue.build.styles import STYLES
-from ..catalogue.holder import write_room
-from ..catalogue.stand_ins import build_stand_in
+import tabletop_objects as objects
+from tabletop_objects.kit.parts import resting_ball
+from tabletop_objects.kit.styles import STYLES
+from tabletop_objects.values import write_room
+
 from ..errors import SceneError
 from ..geometry import convex_outline
 from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, ScenePlan
+from ..stand_ins import build_stand_in
 from .footprint import footprint
 from .postures import pose, stand_up
 from .scoring import SIDES
@@ -83,7 +84,7 @@ def _put_in(
     names = [planned.name for planned in held]
     if "places" not in target.attributes:
         return _put_in_vessel(target, held, models)
-    kind = catalogue.CATEGORIES[target.category].holder
+    kind = objects.CATEGORIES[target.category].holder
     if kind is None:
         return {n: replace(stand_up(models[n], 1.0), parts=_FITTED) for n in names}
     standing = {n: stand_in_holder(models[n], kind) for n in names}
@@ -136,7 +137,7 @@ def _build(planned: PlannedObject, *, style: str, seed: int) -> Model:
     if planned.category == "generic":
         return build_stand_in(planned.family, planned.noun, seed, planned.attributes, planned.size)
     drawn = {"style": style} if style in STYLES else {}
-    model = catalogue.build(planned.category, seed, attributes={**drawn, **planned.attributes})
+    model = objects.build(planned.category, seed, attributes={**drawn, **planned.attributes})
     if planned.size is not None:
         factor = max(planned.size) / float(model.size.max())
         model = replace(model, size=model.size * factor)
@@ -208,7 +209,7 @@ def build_top(
     Raises:
         SceneError: no plausible table is large enough.
     """
-    return catalogue.build_table(table_size(plan, models, growth), seed)
+    return build_table(table_size(plan, models, growth), seed)
 
 
 def outline_of(table: Model) -> Float[np.ndarray, "k 2"]:

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue.build.collision import box_part
+from tabletop_objects.kit.parts import box_part
+
 from ..scene import Model
 from ..scene.turning import turn
 

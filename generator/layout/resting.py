@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from jaxtyping import Float
 
-from ..catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ..geometry import rotation_z
 from ..scene import TABLE, Density, Model, Placement, PlannedObject, ScenePlan, Slot
 from . import stacking

@@ -10,10 +10,10 @@ import numpy as np
 import trimesh
 from jaxtyping import Float
 
-from ..catalogue import Category
-from ..catalogue.matter import friction
+from tabletop_objects import Category
+from tabletop_objects.values import to_unit_box
+
 from ..errors import require
-from ..geometry import to_unit_box
 from ..language.naming import known_category
 from ..scene import Instance, Mesh, Model, Physics, SizePrior
 from .coloring import best_size, own_texture, painted_faces, painted_shape
@@ -142,7 +142,7 @@ def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category |
         return Physics(density=500.0, friction=0.6)
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED
     density = kind.mass / (share * float(np.prod(kind.size)))
-    return Physics(float(np.clip(density, 20.0, 8000.0)), kind.friction or friction(kind.key))
+    return Physics(float(np.clip(density, 20.0, 8000.0)), kind.sliding_friction)
 
 
 def metric(extent: Float[np.ndarray, "3"], size: SizePrior) -> Float[np.ndarray, "3"]:

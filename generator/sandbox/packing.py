@@ -55,7 +55,7 @@ def packed_parts(value: object) -> list[bytes | memoryview]:
 def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
     """Return the value that ``raw`` holds; its arrays are read-only views of ``raw``.
 
-    ``find_class`` returns the class that a name such as "generator.scene.model:Mesh" stands for, or
+    ``find_class`` returns the class that a name such as "tabletop_objects.values:Mesh" stands for, or
     raises ``ValueError`` if the class is not expected.
 
     Raises:

@@ -24,17 +24,16 @@ the *top view* u (right) is world +x and v (down) is world -y. *Texture coordina
 right and v upwards (Wavefront OBJ), so texture row 0 is v = 1.
 """
 
-from .arrays import frozen_array as frozen_array
+from tabletop_objects.values import ConvexPart as ConvexPart
+from tabletop_objects.values import Mesh as Mesh
+from tabletop_objects.values import Model as Model
+from tabletop_objects.values import PartKind as PartKind
+from tabletop_objects.values import Physics as Physics
+from tabletop_objects.values import Slot as Slot
+from tabletop_objects.values import frozen_array as frozen_array
+
 from .holding import held_relations as held_relations
 from .holding import hold_supports as hold_supports
-from .model import ConvexPart as ConvexPart
-from .model import Mesh as Mesh
-from .model import Model as Model
-from .model import PartKind as PartKind
-from .model import Physics as Physics
-from .model import Proportions as Proportions
-from .model import SizePrior as SizePrior
-from .model import Slot as Slot
 from .picture import USUAL_VIEW as USUAL_VIEW
 from .picture import Detection as Detection
 from .picture import Instance as Instance
@@ -68,3 +67,5 @@ from .result import Rotation as Rotation
 from .result import Scene as Scene
 from .result import Stacking as Stacking
 from .result import Table as Table
+from .sizes import Proportions as Proportions
+from .sizes import SizePrior as SizePrior

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
+from tabletop_objects.values import BOX, MASK, PICTURE, freeze, frozen_array
+
 from ..errors import InputError, require_number
-from .arrays import BOX, MASK, PICTURE, freeze, frozen_array
 from .plan import ScenePlan
 
 _LEAST_FOV = 0.01  # radians

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, get_args
 
+from tabletop_objects.values import VECTOR, frozen_array
+
 from ..errors import InputError, choices
-from .arrays import VECTOR, frozen_array
 
 TABLE = "table"
 """Name of the table, as an instance and as a support."""

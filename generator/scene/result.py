@@ -10,10 +10,10 @@ from typing import Any, Literal
 import numpy as np
 from jaxtyping import Float
 
+from tabletop_objects.values import FARTHEST, OUTLINE, SMALLEST, VECTOR, ConvexPart, Model, freeze
+
 from ..errors import InputError, choices
 from ..io.reading import printable
-from .arrays import FARTHEST, OUTLINE, SMALLEST, VECTOR, freeze
-from .model import ConvexPart, Model
 from .picture import USUAL_VIEW, View
 from .plan import TABLE, ScenePlan
 from .report import Report

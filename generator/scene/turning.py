@@ -8,8 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 from jaxtyping import Int
 
+from tabletop_objects.values import ConvexPart, Mesh, Model
+
 from ..errors import InputError, choices
-from .model import ConvexPart, Mesh, Model
 
 Steps = Sequence[tuple[str, int]]
 """Turns about the fixed axes "x", "y" or "z", in degrees, applied in order."""

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from generator.catalogue import build, build_table
 from generator.geometry import Camera, mask_box, yaw_quaternion
 from generator.render.picture import framing_camera
 from generator.render.raster import place, render
 from generator.scene import Detection, Instance, OutlineKind, PlannedTable, View
+from generator.tables import build_table
+from tabletop_objects import build
 
 UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 SIZES: dict[OutlineKind, tuple[float, float, float]] = {

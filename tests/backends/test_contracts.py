@@ -27,7 +27,6 @@ from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
 from generator.backends.embedded.reasoner import EmbeddedReasoner as EmbeddedReasoner
 from generator.backends.protocols import Encoder, Imager, PoseGuesser, Reasoner, Segmenter
 from generator.backends.select import PROTOCOLS
-from generator.catalogue import build, build_table
 from generator.errors import InputError
 from generator.geometry import mask_box
 from generator.method.extraction import extract
@@ -35,6 +34,8 @@ from generator.method.rotation import RotationConfig, estimate_rotations
 from generator.render.crop import in_reference, tight_box
 from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePrior, View
 from generator.scene.turning import quarter_turn
+from generator.tables import build_table
+from tabletop_objects import build
 
 REASONERS = ("embedded", "cloud")
 """They are imagers, too."""

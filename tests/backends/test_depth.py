@@ -11,10 +11,10 @@ from generator.backends.embedded.depth.measure import measure_solid, table_point
 from generator.backends.embedded.depth.plane import find_depth_plane
 from generator.backends.embedded.imager import EmbeddedImager
 from generator.backends.embedded.reasoner import EmbeddedReasoner
-from generator.catalogue import build
 from generator.errors import SceneError
 from generator.geometry import Camera, view_rotation
 from generator.scene import TABLE, Intrinsics, Rotation
+from tabletop_objects import build
 
 
 @pytest.mark.slow

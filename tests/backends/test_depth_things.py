@@ -11,12 +11,12 @@ from generator.backends.embedded.depth.things import confirm, height_above_floor
 from generator.backends.embedded.imager import EmbeddedImager
 from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.reasoner import EmbeddedReasoner
-from generator.catalogue import build
 from generator.geometry import mask_box
 from generator.meshes.pixels import mask_iou
 from generator.method.alignment import Alignment, align
 from generator.method.modeling import align_canonically
 from generator.scene import Detection, Model, Rotation
+from tabletop_objects import build
 
 
 @pytest.fixture(scope="module")

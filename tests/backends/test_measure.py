@@ -7,9 +7,9 @@ from painted import SIZES, Picture, paint
 from generator.backends.embedded.plane.measure import apparent_scale, usual_solid
 from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.backends.embedded.reasoner import EmbeddedReasoner
-from generator.catalogue import CATEGORIES, build
 from generator.geometry import mask_box
 from generator.scene import Instance, Reference
+from tabletop_objects import CATEGORIES, build
 
 THINGS = [
     ("mug", -0.3, 0.1, 0.0),

@@ -12,7 +12,6 @@ from generator.backends.embedded.drawing.completion import complete
 from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.shapes import choosing, solids
 from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
-from generator.catalogue import CATEGORIES, build
 from generator.errors import InputError
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, view_rotation, yaw_quaternion
 from generator.meshes.baking import sample
@@ -28,6 +27,7 @@ from generator.scene import (
     SizePrior,
     View,
 )
+from tabletop_objects import CATEGORIES, build
 
 VIEW = View(0.0, np.deg2rad(48), np.deg2rad(36))
 SIZE = 480, 640

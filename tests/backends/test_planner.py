@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from generator.catalogue import CATEGORIES
 from generator.errors import InputError
 from generator.language import relations, themes
 from generator.language.parsing.lexicon import category_of, singular, tokens
@@ -17,6 +16,7 @@ from generator.language.parsing.vocabulary import COLLECTIVES, SYNONYMS
 from generator.language.planner import plan_scene
 from generator.language.reading import MAX_CHARACTERS
 from generator.scene import OutlineKind, PlannedObject, Relation, ScenePlan
+from tabletop_objects import CATEGORIES
 
 
 def counted(plan: ScenePlan) -> Counter[str]:

@@ -13,11 +13,11 @@ from generator.backends.embedded.plane.outline import Outline, walk
 from generator.backends.embedded.plane.plane import TablePlane, fit_plane
 from generator.backends.embedded.tables.form import TableForm, corners_of
 from generator.backends.embedded.tables.likeness import find_strange, model_table, top_colors
-from generator.catalogue.build.outlines import ellipse, rectangle, rounded_polygon
 from generator.geometry import Camera, mask_box, ray_view, yaw_quaternion
 from generator.meshes.pixels import hull_corners, mask_iou
 from generator.render.raster import Rendered, place, render
 from generator.scene import Detection, Mesh, Model, Reference, SizePrior, View
+from tabletop_objects.kit.outlines import ellipse, rectangle, rounded_polygon
 
 VIEW = View(0.0, float(np.deg2rad(38.0)), float(np.deg2rad(36.0)))
 WIDTH, HEIGHT = 480, 360

@@ -3,8 +3,8 @@
 import os
 import zlib
 
-from generator.catalogue import CATEGORIES, build
 from generator.scene import Model
+from tabletop_objects import CATEGORIES, build
 
 SOME = [
     key

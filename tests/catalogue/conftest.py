@@ -3,7 +3,7 @@
 import pytest
 from built import SOME, Models
 
-from generator.catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
 
 
 @pytest.fixture(scope="session", params=sorted(CATEGORIES))

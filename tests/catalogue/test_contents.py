@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generator.catalogue import build
-from generator.catalogue.surfaces.contents import drink_color
-from generator.catalogue.surfaces.look import Look
+from tabletop_objects import build
+from tabletop_objects.kit.materials import drink_color
+from tabletop_objects.kit.surfaces import Look
 
 
 def look(state: str) -> Look:

@@ -7,10 +7,10 @@ import mujoco
 import pytest
 from toy import toy_object, toy_scene
 
-from generator.catalogue import CATEGORIES, build
-from generator.catalogue.tables import build_table
 from generator.physics.spec import scene_spec
 from generator.scene import PlannedTable
+from generator.tables import build_table
+from tabletop_objects import CATEGORIES, build
 
 KNOWN = json.loads((Path(__file__).parent / "known_frictions.json").read_text())["pairs"]
 FACTOR = 1.5

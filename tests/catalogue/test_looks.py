@@ -5,8 +5,8 @@ import pytest
 from built import Models
 from jaxtyping import Float
 
-from generator.catalogue import build
 from generator.scene import Model
+from tabletop_objects import build
 
 
 def appearance(model: Model) -> Float[np.ndarray, "n"]:

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from MATTER import ASSEMBLED, FRICTION, HOLLOW, MATERIALS, growth
 
-from generator.catalogue import CATEGORIES, build
-from generator.catalogue.matter import ASSEMBLED, FRICTION, HOLLOW, MATERIALS, growth
 from generator.physics.inertia import body_mass
 from generator.physics.parts import model_parts
+from tabletop_objects import CATEGORIES, build
 
 KNOWN = json.loads((Path(__file__).parent / "known_masses.json").read_text())["things"]
 VARIANTS = 8

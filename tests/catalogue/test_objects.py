@@ -5,11 +5,11 @@ import pytest
 from built import Models
 from solidity import fingerprint, is_closed, mass_of
 
-from generator.catalogue import CATEGORIES, build, category
-from generator.catalogue.build.solids import signed_volume
-from generator.catalogue.sheet import draw
 from generator.errors import InputError
+from generator.gallery import draw
 from generator.scene import Mesh, Model
+from tabletop_objects import CATEGORIES, build, find_category
+from tabletop_objects.kit.solids import signed_volume
 
 FAR = 2.2
 """How many times as large or small as usual one variant may be."""
@@ -149,11 +149,11 @@ def test_material_is_honoured():
 
 
 def test_words_find_their_category():
-    assert category("Coffee Mug").key == "mug"
-    assert category("rubik's cube").key == "puzzle_cube"
-    assert category("computer_mouse").key == "computer_mouse"
+    assert find_category("Coffee Mug").key == "mug"
+    assert find_category("rubik's cube").key == "puzzle_cube"
+    assert find_category("computer_mouse").key == "computer_mouse"
     with pytest.raises(InputError, match="Did you mean 'mug'"):
-        category("mugg")
+        find_category("mugg")
 
 
 def test_table_of_categories_cannot_be_changed():

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from built import Models
 
-from generator.catalogue import CATEGORIES, build
 from generator.scene import Model
+from tabletop_objects import CATEGORIES, build
 
 HOLLOW = (
     *("mug", "bowl", "teacup", "glass", "basket", "pan", "tray", "desk_tray", "pitcher", "ramekin"),

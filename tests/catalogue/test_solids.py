@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 from solidity import is_closed
 
-from generator.catalogue.build import outlines, solids
-from generator.catalogue.build.shape import mesh_of, pack, shape
-from generator.catalogue.surfaces import textures
 from generator.scene import Mesh
+from tabletop_objects.kit import outlines, solids, surfaces
+from tabletop_objects.kit.shapes import mesh_of, pack, shape
 
 
 def ring(path: np.ndarray) -> solids.Solid:
@@ -46,8 +45,8 @@ def test_turning_and_moving_keep_volume():
 
 
 def test_atlas_keeps_each_tile():
-    red, blue = textures.plain((200, 0, 0)), textures.plain((0, 0, 200))
-    stripes = textures.stripes([(0, 200, 0), (90, 90, 90)], 2)
+    red, blue = surfaces.plain((200, 0, 0)), surfaces.plain((0, 0, 200))
+    stripes = surfaces.stripes([(0, 200, 0), (90, 90, 90)], 2)
     boxes = [solids.box(1, 1, 1).move(x=2.0 * k) for k in range(3)]
     made = mesh_of(shape(zip(boxes, (red, blue, stripes), strict=True), ()))
     height, width = made.texture.shape[:2]

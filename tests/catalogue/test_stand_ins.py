@@ -7,8 +7,8 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
-from generator.catalogue.stand_ins import FAMILIES, GENERIC, build_stand_in, stand_in_size
 from generator.physics.parts import body_parts
+from generator.stand_ins import FAMILIES, GENERIC, build_stand_in, stand_in_size
 
 
 @pytest.mark.parametrize("family", FAMILIES)

@@ -5,11 +5,11 @@ import pytest
 from built import Models
 from solidity import fingerprint, is_closed, mass_of
 
-from generator.catalogue import CATEGORIES, build
-from generator.catalogue.build.solids import signed_volume
-from generator.catalogue.build.styles import STYLES, apply_style, flatten
 from generator.errors import InputError
 from generator.scene import Model
+from tabletop_objects import CATEGORIES, build
+from tabletop_objects.kit.solids import signed_volume
+from tabletop_objects.kit.styles import STYLES, apply_style, flatten
 
 
 def in_style(key: str, style: str, seed: int = 0) -> Model:
@@ -77,7 +77,7 @@ def test_flattened_tile_has_few_vivid_colours():
 
 
 def test_styled_leaves_the_plain_shape_alone():
-    from generator.catalogue.surfaces.look import Look
+    from tabletop_objects.kit.surfaces import Look
 
     made = CATEGORIES["mug"].shape(Look(np.random.default_rng(0), {}))
     assert apply_style(made, "") is made

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 from solidity import fingerprint, is_closed
 
-from generator.catalogue import build_table
-from generator.catalogue.tables import LEGS, OUTLINES, outline_of
 from generator.errors import InputError
 from generator.geometry import inside_margin
 from generator.scene import PlannedTable
+from generator.tables import LEGS, OUTLINES, build_table, outline_of
 
 
 @pytest.mark.slow

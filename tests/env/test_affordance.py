@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from toy import corners, ring_parts, toy_object, toy_scene
 
-from generator.catalogue import build
 from generator.geometry import yaw_quaternion
 from generator.scene import ConvexPart, Object, Pose
+from tabletop_objects import build
 from tabletopgen_env.affordance import (
     LEVEL,
     grasp_width,

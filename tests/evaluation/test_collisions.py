@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 from shapes import sphere_mesh
 from toy import cube_mesh, toy_object, toy_scene
 
-from generator.catalogue import build
 from generator.errors import InputError
 from generator.evaluation.surfaces.collisions import (
     Collisions,
@@ -23,6 +22,7 @@ from generator.evaluation.surfaces.shells import SurfaceShell, shells
 from generator.evaluation.surfaces.triangles import nearest_on_triangles, solid_angles
 from generator.geometry import yaw_quaternion
 from generator.scene import Mesh, Object, Placement, Pose
+from tabletop_objects import build
 
 UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 

@@ -7,9 +7,9 @@ import pytest
 from printed import box
 from shapes import cylinder_mesh, sphere_mesh
 
-from generator.catalogue import build
 from generator.evaluation.surfaces.symmetry import order, yaw_error
 from generator.scene import Mesh
+from tabletop_objects import build
 
 MUG = build("mug", 5)
 BOOK = build("book", 0)

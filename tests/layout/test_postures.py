@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from generator.catalogue import build
 from generator.composition import compose
 from generator.geometry import quaternion_matrix
 from generator.language.planner import plan_scene
 from generator.layout.postures import pose
+from tabletop_objects import build
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from generator.catalogue import CATEGORIES, build, cut_category, open_category
 from generator.composition import compose
+from generator.language.openings import cut_category, open_category
 from generator.language.planner import plan_scene
 from generator.language.sizing import grow_carriers
 from generator.layout import build_models, lay_out
@@ -20,6 +20,7 @@ from generator.layout.vessels.holding import head_up, stand_in_holder
 from generator.method.assembly import bring_to_rest
 from generator.physics.simulation import Simulation
 from generator.scene import PlannedObject, Provenance, Relation
+from tabletop_objects import CATEGORIES, build
 
 HOLDERS = [key for key, found in CATEGORIES.items() if found.holder is not None]
 

@@ -4,11 +4,11 @@ import dataclasses
 
 import numpy as np
 
-from generator.catalogue import build
 from generator.geometry import Camera, mask_box, yaw_quaternion
 from generator.method.rotation import RotationConfig
 from generator.render.raster import place, render
 from generator.scene import Instance, Mesh, Model, Reference, View
+from tabletop_objects import build
 
 SIZE = (640, 480)
 VIEW = View(azimuth=0.1, elevation=np.deg2rad(52.0), fov=np.deg2rad(38.0))

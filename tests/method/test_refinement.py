@@ -7,8 +7,6 @@ import pytest
 import torch
 from toy import cube_mesh
 
-from generator.catalogue import build
-from generator.catalogue.tables import build_table
 from generator.errors import InputError
 from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
 from generator.method.refinement import Refinement, RefinementConfig, outline_misfit, refine_scene
@@ -16,6 +14,8 @@ from generator.method.refinement.crowding import Crowd, make_crowd
 from generator.method.refinement.problem import make_links
 from generator.render.raster import place, render
 from generator.scene import ConvexPart, Instance, Model, Object, Placement, PlannedTable, Pose, View
+from generator.tables import build_table
+from tabletop_objects import build
 
 SIZE = (640, 480)
 VIEW = View(azimuth=0.1, elevation=np.deg2rad(45.0), fov=np.deg2rad(40.0))

@@ -6,13 +6,13 @@ import torch
 from posed import FAST, SIZE, VIEW, box, picture_of
 
 from generator.backends.embedded.encoder import EmbeddedEncoder
-from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import wrap
 from generator.method import rotation as dro
 from generator.method.rotation import RotationConfig
 from generator.render.soft import SampledSurface
 from generator.scene import TABLE, Mesh, Model, View
+from tabletop_objects import build
 
 
 def shown(key: str, yaw: float, pixel: tuple[int, int] = (320, 240), seed: int = 5):

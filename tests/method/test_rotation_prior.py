@@ -9,7 +9,6 @@ from toy import toy_object, toy_scene
 
 from generator import bundle
 from generator.backends.embedded.encoder import EmbeddedEncoder
-from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import rotation_z, wrap
 from generator.method import rotation as dro
@@ -17,6 +16,7 @@ from generator.method.rotation import RotationCandidate, prior
 from generator.physics.gate import judge
 from generator.scene import Model, Rotation
 from generator.threads import single_thread
+from tabletop_objects import build
 
 PLAIN = (0.16, 0.09, 0.06)
 YAW = 0.6

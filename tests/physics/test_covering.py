@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from toy import CUBE_FACES, corners
 
-from generator.catalogue import build
 from generator.physics.covering import TOLERANCE, covering, outside
 from generator.physics.parts import body_parts, on_base
 from generator.scene import ConvexPart
+from tabletop_objects import build
 
 SHARE = 0.02  # of the drawn surface, at most, that may stick out by up to a millimetre
 

@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 from shapes import UNIT, sphere_mesh
 from toy import cube_mesh
 
-from generator.catalogue import build
 from generator.errors import SceneError
 from generator.physics.inertia import (
     LEAST_GYRATION,
@@ -19,6 +18,7 @@ from generator.physics.inertia import (
 )
 from generator.physics.parts import model_parts
 from generator.scene import ConvexPart, Mesh, Physics
+from tabletop_objects import build
 
 SIDE = st.floats(0.01, 0.5)
 

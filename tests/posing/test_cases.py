@@ -12,12 +12,12 @@ from posing.distinct import DISTINCT, alike
 from posing.spoiling import HOLE, Spoiling, erode, occluder, punch, wrong_size
 from shapes import cylinder_mesh
 
-from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import yaw_quaternion
 from generator.render.raster import place, render
 from generator.render.shading import Light
 from generator.scene import Model, View
+from tabletop_objects import build
 
 VIEW = View(azimuth=0.0, elevation=np.deg2rad(40.0), fov=np.deg2rad(36.0))
 

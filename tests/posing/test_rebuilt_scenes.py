@@ -11,12 +11,12 @@ from posing.truth import Truth, azimuth_error, see, table_width, turned_about
 from shapes import cylinder_mesh
 from toy import toy_object, toy_scene
 
-from generator.catalogue import build
 from generator.composition import compose
 from generator.geometry import framing_camera, mask_box, quaternion_yaw, wrap, yaw_quaternion
 from generator.render.picture import render_scene, scene_items
 from generator.render.shading import Light
 from generator.scene import Instance, Mesh, View
+from tabletop_objects import build
 
 VIEW = View(azimuth=0.0, elevation=np.deg2rad(40.0), fov=np.deg2rad(36.0))
 

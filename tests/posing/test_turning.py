@@ -5,10 +5,10 @@ import pytest
 from posing.turning import best_turn, turn_cloud
 from shapes import cylinder_mesh
 
-from generator.catalogue import build
 from generator.evaluation.surfaces.symmetry import Cloud, cloud
 from generator.geometry import wrap
 from generator.scene import Mesh, Model
+from tabletop_objects import build
 
 
 def resampled(model: Model) -> Cloud:

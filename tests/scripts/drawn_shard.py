@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 from posing.truth import photograph
 
-from generator.catalogue import CATEGORIES
 from generator.composition import compose
 from research.eye.sample import BACKGROUND, OBJECT, TOP, Sample
 from research.eye.shards import ShardWriter
+from tabletop_objects import CATEGORIES
 
 
 def write_shard(path: Path) -> None:

@@ -15,7 +15,8 @@ import numpy as np
 import torch
 from jaxtyping import Float
 
-from ...catalogue import build
+from tabletop_objects import build
+
 from ...geometry import framing_camera, mask_box, yaw_quaternion
 from ...language.naming import find_kind
 from ...render.raster import place, render

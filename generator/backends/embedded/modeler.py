@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from ...catalogue import Category
-from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
+from tabletop_objects import Category
+from tabletop_objects.values import parts_to_unit_box, to_unit_box
+
+from ...geometry import rotation_z
 from ...language.naming import known_category
 from ...meshes import baking
 from ...meshes.normalising import metric

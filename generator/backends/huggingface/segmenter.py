@@ -9,7 +9,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from ...catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ...errors import SceneError, require
 from ...geometry import mask_box
 from ...meshes.pixels import mask_iou

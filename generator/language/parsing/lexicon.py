@@ -8,7 +8,8 @@ from collections.abc import Collection, Mapping
 from functools import cache
 from types import MappingProxyType
 
-from ...catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from .vocabulary import COLLECTIVES, PARTS, PLACES, SYNONYMS, TABLE_NOUNS
 
 IRREGULAR: Mapping[str, str] = MappingProxyType(

@@ -6,8 +6,8 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ...catalogue import is_lit
 from ..drafts import Draft, Group, assumed_relation
+from ..openings import is_lit
 from ..sizing import holds_things
 from ..syntax.phrases.tree import (
     Carry,

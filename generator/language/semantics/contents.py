@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...catalogue import CATEGORIES
-from ...catalogue.opening import LOOSE
+from tabletop_objects import CATEGORIES
+
 from ..drafts import Draft, Group
+from ..openings import LOOSE
 from ..parsing.lexicon import category_of, singular
 from ..parsing.vocabulary import PACKAGES, SUBSTANCES
 from ..relations import fits

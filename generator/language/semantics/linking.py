@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from ...catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
 

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ..drafts import Draft, Group
 
 _RANKS: Mapping[str, float] = {"tiny": -1.0, "small": 0.0, "medium": 1.0, "large": 2.0}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from ...catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ...scene import TABLE
 from ..drafts import Draft, Group
 from ..parsing.lexicon import singular

@@ -5,10 +5,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field, replace
 
-from ...catalogue import CATEGORIES
-from ...catalogue.opening import LOOSE
+from tabletop_objects import CATEGORIES
+
 from ...scene import TABLE
 from ..drafts import Draft, Group
+from ..openings import LOOSE
 from ..parsing.lexicon import singular
 from ..parsing.vocabulary import MEANT_WITH
 from ..syntax.phrases.tree import (

@@ -13,8 +13,8 @@ from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
 
-from ...catalogue.stand_ins import GENERIC
 from ...scene import PlannedObject
+from ...stand_ins import GENERIC
 from ..parsing.lexicon import category_of, singular
 from .speech import IRREGULAR
 

@@ -9,7 +9,8 @@ from functools import cache
 
 from rapidfuzz.distance import OSA
 
-from ...catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ..parsing import lexicon
 from ..parsing.vocabulary import COLORS, PLACES
 from ..syntax.text.words import Word

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from ...catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ...geometry import convex_outline, rotation_z
 from ...scene import PlannedGroup, PlannedObject, PlannedTable, Relation
 from ..footprint import BACK, DIRECTIONS, FRONT, LEFT, RIGHT, Footprint

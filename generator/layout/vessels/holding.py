@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Float
 
-from ...catalogue.holder import Extent, Holder
-from ...geometry import parts_to_unit_box, to_unit_box
+from tabletop_objects.values import Extent, Holder, parts_to_unit_box, to_unit_box
+
 from ...physics.parts import body_parts
 from ...scene import ConvexPart, Mesh, Model, Slot
 from ...scene.turning import Steps, turn

@@ -9,10 +9,10 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from generator.catalogue.registry import CATEGORIES
 from generator.geometry import inside_margin, rotation_z
 from generator.layout.stacking import surface
 from generator.scene import Model
+from tabletop_objects import CATEGORIES
 
 from .supply import KEYS, Supply
 

@@ -6,9 +6,8 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from generator.catalogue.surfaces import textures
-from generator.catalogue.surfaces.colors import COLORS, tint_color
-from generator.catalogue.surfaces.look import WOODS
+from tabletop_objects.kit import surfaces
+from tabletop_objects.kit.surfaces import COLORS, WOODS, tint_color
 
 Picture = UInt8[np.ndarray, "h w 3"]
 
@@ -33,24 +32,24 @@ def surface(rng: np.random.Generator) -> Picture:
     kind = int(rng.integers(6))
     if kind == 0:
         wood = WOODS[str(rng.choice(sorted(WOODS)))]
-        return textures.wood(rng, wood, side=256, planks=int(rng.integers(3, 8)))
+        return surfaces.wood(rng, wood, side=256, planks=int(rng.integers(3, 8)))
     if kind == 1:
         ground = muted_color(rng)
-        return textures.grid(tint_color(ground, 0.75), ground, 4, 4, 128, int(rng.integers(1, 4)))
+        return surfaces.grid(tint_color(ground, 0.75), ground, 4, 4, 128, int(rng.integers(1, 4)))
     if kind == 2:
         return carpet(rng)
     if kind == 3:
         return stone(rng)
     color = tint_color(muted_color(rng), 1.5) if kind == 4 else muted_color(rng)
-    return textures.speckles(rng, color, float(rng.uniform(2, 14)), 128)
+    return surfaces.speckles(rng, color, float(rng.uniform(2, 14)), 128)
 
 
 def stone(rng: np.random.Generator) -> Picture:
     """Return veined stone, from faint grey veins in white to bold ones of any colour."""
     if rng.random() < 0.4:
-        return textures.marble(rng, (225, 222, 216), (150, 145, 140), 128)
+        return surfaces.marble(rng, (225, 222, 216), (150, 145, 140), 128)
     ground = muted_color(rng) if rng.random() < 0.5 else tint_color(muted_color(rng), 1.6)
-    return textures.marble(rng, ground, muted_color(rng), 128)
+    return surfaces.marble(rng, ground, muted_color(rng), 128)
 
 
 def carpet(rng: np.random.Generator) -> Picture:
@@ -66,12 +65,12 @@ def cloth(rng: np.random.Generator) -> Picture:
     """Return a tablecloth or placemat."""
     kind = int(rng.integers(4))
     if kind == 0:
-        return textures.fabric(rng, any_color(rng), any_color(rng))
+        return surfaces.fabric(rng, any_color(rng), any_color(rng))
     if kind == 1:
-        return textures.fabric(rng, any_color(rng))
+        return surfaces.fabric(rng, any_color(rng))
     if kind == 2:
-        return textures.basketwork(rng, any_color(rng))
-    return textures.stripes([any_color(rng), any_color(rng)], int(rng.integers(2, 9)))
+        return surfaces.basketwork(rng, any_color(rng))
+    return surfaces.stripes([any_color(rng), any_color(rng)], int(rng.integers(2, 9)))
 
 
 def clutter(rng: np.random.Generator, side: int = 256, shapes: int = 60) -> Picture:

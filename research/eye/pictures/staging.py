@@ -9,9 +9,9 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from generator.catalogue.build.outlines import rectangle
 from generator.geometry import Camera, framing_camera, inside_margin, rotation_z
 from generator.scene import View
+from tabletop_objects.kit.outlines import rectangle
 
 from . import patterns
 from .arranging import Placed, arrange

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from generator.catalogue.build.outlines import ellipse, smooth
-from generator.catalogue.build.shape import Shape, mesh_of, shape
-from generator.catalogue.build.solids import Solid, block, cylinder, ellipsoid, lathe, prism
-from generator.catalogue.surfaces import textures
-from generator.geometry import to_unit_box
 from generator.scene import Model
+from tabletop_objects.kit import surfaces
+from tabletop_objects.kit.outlines import ellipse, smooth
+from tabletop_objects.kit.shapes import Shape, mesh_of, shape
+from tabletop_objects.kit.solids import Solid, block, cylinder, ellipsoid, lathe, prism
+from tabletop_objects.values import to_unit_box
 
 from . import patterns
 
@@ -27,16 +27,16 @@ def stranger(seed: int) -> Model:
     return Model("thing", "thing", unit, np.maximum(size, 0.004))
 
 
-def _tile(rng: np.random.Generator) -> textures.Tile:
+def _tile(rng: np.random.Generator) -> surfaces.Tile:
     kind = int(rng.integers(7))
     color = patterns.any_color(rng)
     if kind <= 2:
-        return textures.speckles(rng, color, float(rng.uniform(0, 8)))
+        return surfaces.speckles(rng, color, float(rng.uniform(0, 8)))
     if kind == 3:
-        return textures.brushed_metal(rng, color)
+        return surfaces.brushed_metal(rng, color)
     if kind == 4:
         return patterns.cloth(rng)
-    return patterns.clutter(rng, 128, 24) if kind == 5 else textures.wood(rng, color)
+    return patterns.clutter(rng, 128, 24) if kind == 5 else surfaces.wood(rng, color)
 
 
 def _lathe(rng: np.random.Generator) -> list[Solid]:

@@ -9,14 +9,13 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
-from generator.catalogue.build.solids import box
-from generator.catalogue.build.styles import STYLES
-from generator.catalogue.registry import CATEGORIES, build
-from generator.catalogue.surfaces.colors import COLORS
-from generator.catalogue.surfaces.look import METALS, WOODS
-from generator.catalogue.tables import LEGS, OUTLINES, build_table
 from generator.geometry import convex_outline
 from generator.scene import Mesh, Model, PlannedTable
+from generator.tables import LEGS, OUTLINES, build_table
+from tabletop_objects import CATEGORIES, build
+from tabletop_objects.kit.solids import box
+from tabletop_objects.kit.styles import STYLES
+from tabletop_objects.kit.surfaces import COLORS, METALS, WOODS
 
 from ..sample import UNKNOWN, UNNAMED
 from ..vocabulary import VOCABULARY

@@ -8,13 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ....catalogue.stand_ins import GENERIC, stand_in_size
 from ....errors import InputError
 from ....language.relations import check_relations
 from ....language.sizing import grow_carriers
 from ....language.words.dictionary import classify, warn_of_stand_ins
 from ....language.words.foreign import is_in_other_script
 from ....scene import TABLE, PlannedGroup, PlannedObject, PlannedTable, Relation, ScenePlan
+from ....stand_ins import GENERIC, stand_in_size
 from ..server.answers import GroupAnswer, PlanAnswer, RelationAnswer, ThingAnswer
 from ..server.reading import Wrong
 

@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ....catalogue import CATEGORIES, build
+from tabletop_objects import CATEGORIES, build
+
 from ....geometry import hull_points, mask_box, rotation_z
 from ....scene import Instance
 from .plane import TablePlane

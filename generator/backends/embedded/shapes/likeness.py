@@ -16,8 +16,10 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from ....catalogue import Category, build
-from ....geometry import hull_points, parts_to_unit_box, rotation_z, to_unit_box
+from tabletop_objects import Category, build
+from tabletop_objects.values import parts_to_unit_box, to_unit_box
+
+from ....geometry import hull_points, rotation_z
 from ....meshes import baking
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection

@@ -14,12 +14,13 @@ import numpy as np
 import shapely
 from jaxtyping import Float
 
-from ....catalogue.build.collision import hull_part
-from ....catalogue.build.outlines import ellipse, rectangle
-from ....catalogue.build.shape import mesh_of, shape
-from ....catalogue.build.solids import loft, prism
-from ....catalogue.surfaces import textures
-from ....geometry import parts_to_unit_box, to_unit_box
+from tabletop_objects.kit import surfaces
+from tabletop_objects.kit.outlines import ellipse, rectangle
+from tabletop_objects.kit.parts import hull_part
+from tabletop_objects.kit.shapes import mesh_of, shape
+from tabletop_objects.kit.solids import loft, prism
+from tabletop_objects.values import parts_to_unit_box, to_unit_box
+
 from ....scene import TABLE, Model, Physics
 
 LegStyle = Literal["posts", "sled", "trestle", "pedestal"]
@@ -125,7 +126,7 @@ class TableForm:
     def build(self) -> Model:
         """Return the canonical model, plain grey, with a convex part a piece."""
         top = prism(self.outline, self.height - self.thickness, self.height)
-        grey = textures.plain((200, 200, 200))
+        grey = surfaces.plain((200, 200, 200))
         solids, parts = [(top, grey)], [hull_part(_thin(self.outline, top.bounds[:, 2]))]
         for ring in self.pieces():
             foot = ring[0, :, :2]

@@ -14,7 +14,8 @@ import shapely
 from jaxtyping import Bool, Float, Int
 from scipy import ndimage
 
-from ....catalogue.build.outlines import ellipse, rectangle, rounded_polygon
+from tabletop_objects.kit.outlines import ellipse, rectangle, rounded_polygon
+
 from ....meshes import baking
 from ....meshes.projection import Projection
 from ....meshes.unshading import estimate_shading

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from ....catalogue import CATEGORIES, open_category
+from tabletop_objects import CATEGORIES
+
+from ...openings import open_category
 from ...parsing.vocabulary import STYLES
 from ...relations import fits
 from ...words.speech import is_finite

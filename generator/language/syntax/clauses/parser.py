@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ....catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
     Arranged,

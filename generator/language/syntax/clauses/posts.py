@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ....catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ...parsing.vocabulary import COLORS
 from ...words.speech import is_verb
 from ..phrases.introductions import is_describing

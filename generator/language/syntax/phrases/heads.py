@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ....catalogue import CATEGORIES
+from tabletop_objects import CATEGORIES
+
 from ...parsing import lexicon
 from ...parsing.vocabulary import (
     COLORS,

@@ -1,1 +1,0 @@
-"""Building blocks: solids, outlines, shapes, styles, collision parts, materials."""

@@ -1,1 +1,0 @@
-"""Appearance: colours, textures, glazes, prints."""

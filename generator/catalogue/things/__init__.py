@@ -1,1 +1,0 @@
-"""The things, a folder for each part of a home."""

@@ -1,1 +1,0 @@
-"""Papers, certificates, coins and notes."""

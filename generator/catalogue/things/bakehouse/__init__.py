@@ -1,1 +1,0 @@
-"""Loaves, buns, pastries, cakes and biscuits."""

@@ -1,1 +1,0 @@
-"""What drinks are made and served with."""

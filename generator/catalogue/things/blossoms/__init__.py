@@ -1,1 +1,0 @@
-"""Garden and meadow flowers by the stem, sprigs, petals."""

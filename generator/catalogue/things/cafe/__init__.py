@@ -1,1 +1,0 @@
-"""Coffee gear, small morsels by the piece, and things for a fire."""

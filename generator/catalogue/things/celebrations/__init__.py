@@ -1,1 +1,0 @@
-"""Garlands, trimmings, party things, collectors' cards."""

@@ -1,1 +1,0 @@
-"""Of worship: holy books, altar things, statues, lamps, beads."""

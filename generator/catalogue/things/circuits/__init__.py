@@ -1,1 +1,0 @@
-"""Boards, electronic parts and components."""

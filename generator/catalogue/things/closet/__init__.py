@@ -1,1 +1,0 @@
-"""Clothes and what goes with them: underwear, hats, bags, laces, buckles."""

@@ -1,1 +1,0 @@
-"""What people collect and decorate with: figures, models, curios, toys, fantasy."""

@@ -1,1 +1,0 @@
-"""House plants by their kind, in pots."""

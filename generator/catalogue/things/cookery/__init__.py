@@ -1,1 +1,0 @@
-"""Tools, tableware and machines of a kitchen beyond the everyday ones."""

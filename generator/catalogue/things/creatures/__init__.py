@@ -1,1 +1,0 @@
-"""Small animals, as models or alive: insects, snails, worms."""

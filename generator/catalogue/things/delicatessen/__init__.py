@@ -1,1 +1,0 @@
-"""Cheese, seafood, roasts and snacks from far and near."""

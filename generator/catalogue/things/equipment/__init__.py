@@ -1,1 +1,0 @@
-"""Robots and boards for their tests, what films and records, props."""

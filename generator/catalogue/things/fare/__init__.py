@@ -1,1 +1,0 @@
-"""Bread, sweets, meat, seafood and dishes ready to eat."""

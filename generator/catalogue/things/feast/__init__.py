@@ -1,1 +1,0 @@
-"""Sweets, street food and dishes from many kitchens."""

@@ -1,1 +1,0 @@
-"""What feasts and parties bring to the table."""

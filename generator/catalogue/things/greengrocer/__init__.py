@@ -1,1 +1,0 @@
-"""Fruit, vegetables, herbs and spices that a greengrocer sells besides the common ones."""

@@ -1,1 +1,0 @@
-"""Packed groceries, and the things on a shop's counter."""

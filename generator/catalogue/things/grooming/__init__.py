@@ -1,1 +1,0 @@
-"""What one washes, shaves, combs and makes up with."""

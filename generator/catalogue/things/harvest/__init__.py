@@ -1,1 +1,0 @@
-"""Fruit, vegetables, herbs and nuts by the piece."""

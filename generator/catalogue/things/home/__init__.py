@@ -1,1 +1,0 @@
-"""Decoration and household."""

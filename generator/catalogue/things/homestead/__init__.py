@@ -1,1 +1,0 @@
-"""What is fixed to a house, cleans it, or stands in its garden."""

@@ -1,1 +1,0 @@
-"""Small iron things and power tools: fixings, catches, plugs, saws, sanders."""

@@ -1,1 +1,0 @@
-"""Things to cook and to eat with."""

@@ -1,1 +1,0 @@
-"""Laboratory and clinic."""

@@ -1,1 +1,0 @@
-"""Packed food: tins, jars, bags, boxes and sauces."""

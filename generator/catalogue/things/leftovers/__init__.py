@@ -1,1 +1,0 @@
-"""What is thrown away: wrappers, peels, ends and scraps."""

@@ -1,1 +1,0 @@
-"""Games, toys, books and maps."""

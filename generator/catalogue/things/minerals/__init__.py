@@ -1,1 +1,0 @@
-"""Out of the ground: cut gems, rough stones, ores, fossils."""

@@ -1,1 +1,0 @@
-"""What museums and antique shops show: stones, vessels, arms, old machines."""

@@ -1,1 +1,0 @@
-"""Instruments, and what belongs to music."""

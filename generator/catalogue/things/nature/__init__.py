@@ -1,1 +1,0 @@
-"""Flowers, finds from outdoors, and what a garden needs."""

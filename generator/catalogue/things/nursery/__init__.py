@@ -1,1 +1,0 @@
-"""What children and babies play with and use."""

@@ -1,1 +1,0 @@
-"""Weddings, Easter, picnics and the bar: signs, cards, favours, hampers, spouts."""

@@ -1,1 +1,0 @@
-"""For the music room: strings, winds, drums and what belongs to them."""

@@ -1,1 +1,0 @@
-"""What stands about to look at."""

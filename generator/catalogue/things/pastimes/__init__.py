@@ -1,1 +1,0 @@
-"""What people make and play with: folded paper, crafts, sports, bicycles, fishing, science toys."""

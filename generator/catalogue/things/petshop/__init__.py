@@ -1,1 +1,0 @@
-"""Small pets, and what their keepers buy for them."""

@@ -1,1 +1,0 @@
-"""For measuring and showing nature: instruments, models, laboratory machines."""

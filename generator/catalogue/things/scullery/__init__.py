@@ -1,1 +1,0 @@
-"""Kitchen machines and hand tools for one job each."""

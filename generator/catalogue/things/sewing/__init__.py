@@ -1,1 +1,0 @@
-"""What one sews, knits and weaves with, and cloths."""

@@ -1,1 +1,0 @@
-"""Geometric bodies: polyhedra, round and open shapes, slabs and tiles."""

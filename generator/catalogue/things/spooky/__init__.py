@@ -1,1 +1,0 @@
-"""Halloween's props and creatures."""

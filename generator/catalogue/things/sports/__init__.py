@@ -1,1 +1,0 @@
-"""Balls and gear of sports."""

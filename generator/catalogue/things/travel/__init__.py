@@ -1,1 +1,0 @@
-"""What goes along on a journey."""

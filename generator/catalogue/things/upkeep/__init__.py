@@ -1,1 +1,0 @@
-"""What pets and households need."""

@@ -1,1 +1,0 @@
-"""For the sick and for teeth: tests, probes, trays, models, aids."""

@@ -1,1 +1,0 @@
-"""Clothes, jewellery, gifts and things of the bathroom."""

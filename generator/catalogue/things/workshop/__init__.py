@@ -1,1 +1,0 @@
-"""What workshops and electronics benches hold besides the usual tools."""

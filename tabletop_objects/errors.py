@@ -1,0 +1,49 @@
+"""Errors of bad input, below the base class of all errors of the project."""
+
+from __future__ import annotations
+
+import difflib
+import unicodedata
+from collections.abc import Collection, Iterable
+
+
+class TabletopError(Exception):
+    """Base of every error the project raises on purpose; catch this to catch them all.
+
+    Its text is safe to print on a terminal: control characters in quoted text are escaped.
+    """
+
+    def __str__(self) -> str:
+        return escape(super().__str__())
+
+
+class InputError(TabletopError, ValueError):
+    """What the caller passed in cannot be used: a text, an image, a setting, an action."""
+
+
+def choices(wrong: str, available: Iterable[str]) -> str:
+    """Return the tail of a message about an unknown name: the near match and what exists."""
+    names = sorted(available)
+    near = difflib.get_close_matches(wrong, names, n=1)
+    hint = f" Did you mean {near[0]!r}?" if near else ""
+    listed = ", ".join(names) if names else "nothing"
+    return f"{hint} Available: {listed}."
+
+
+def require_known(value: object, known: Collection[str], unknown: str) -> None:
+    """Check that a value is one of the names ``known``; ``unknown`` begins the message.
+
+    Raises:
+        InputError: it is none of them: "Unknown task 'Lif'. Did you mean 'Lift'? Available: ...".
+    """
+    if not isinstance(value, str) or value not in known:
+        raise InputError(f"{unknown} {value!r}." + choices(str(value), known))
+
+
+def escape(text: str) -> str:
+    """Return a text that may be foreign as a terminal can show it, without controls."""
+    return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
+
+
+def _is_shown(letter: str) -> bool:
+    return letter.isprintable() or letter == "\n" or unicodedata.category(letter) == "Zs"

@@ -1,0 +1,68 @@
+"""Write ``index.json``: ``python -m tabletop_objects.index``.
+
+The index holds the facts of every category. A category keeps its rank, on which random draws and
+the choice between equal aliases depend; new ones are appended in the order of their keys.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import sys
+from pathlib import Path
+
+from . import INDEX, OBJECTS, declared
+from .kit.shapes import Category
+
+FACTS = tuple(f for f in dataclasses.fields(Category) if f.name not in ("key", "shape", "_"))
+
+
+def write_index(path: Path = INDEX) -> int:
+    """Write the index of all modules under ``objects``; return the number of categories."""
+    path.write_text(index_text(), encoding="utf-8")
+    return len(declarations())
+
+
+def declarations() -> dict[str, tuple[str, Category]]:
+    """Return every declared category by key, with its module relative to ``objects``.
+
+    Raises:
+        ValueError: two modules declare the same key, or a folder is not the first theme.
+    """
+    root = Path(__file__).with_name("objects")
+    found: dict[str, tuple[str, Category]] = {}
+    for path in sorted(root.rglob("*.py")):
+        if path.name == "__init__.py":
+            continue
+        module = ".".join(path.relative_to(root).with_suffix("").parts)
+        for key, category in declared(f"{OBJECTS}.{module}").items():
+            if key in found:
+                raise ValueError(f"{key} is declared in {found[key][0]} and {module}.")
+            if category.themes[:1] != (path.parent.name,):
+                raise ValueError(f"{key} in {module} has the first theme {category.themes[:1]}.")
+            found[key] = module, category
+    return found
+
+
+def index_text() -> str:
+    """Return the content of the index as the modules declare it now."""
+    found = declarations()
+    ranked = list(json.loads(INDEX.read_bytes())) if INDEX.exists() else []
+    keys = [k for k in ranked if k in found] + sorted(found.keys() - set(ranked))
+    rows = [f"{json.dumps(k)}: {json.dumps(_row(*found[k]), ensure_ascii=False)}" for k in keys]
+    return "{\n" + ",\n".join(rows) + "\n}\n"
+
+
+def _row(module: str, category: Category) -> dict[str, object]:
+    """Return the facts of a category that differ from their defaults."""
+    facts = {f.name: getattr(category, f.name) for f in FACTS}
+    facts = {f.name: facts[f.name] for f in FACTS if facts[f.name] != f.default}
+    if category.noun == category.key.replace("_", " "):
+        facts.pop("noun", None)
+    if category.holder is not None:
+        facts["holder"] = category.holder.stance, category.holder.room
+    return {"module": module, **facts}
+
+
+if __name__ == "__main__":
+    print(f"{write_index()} categories", file=sys.stderr)

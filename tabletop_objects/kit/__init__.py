@@ -1,0 +1,1 @@
+"""One vocabulary for drawing objects: outlines, solids, parts, surfaces, prints and shapes."""

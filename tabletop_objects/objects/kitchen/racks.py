@@ -1,0 +1,438 @@
+"""Racks (kitchen)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...kit import surfaces
+from ...kit.materials import glaze_tile
+from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of, open_vessel, ring_parts
+from ...kit.primitives import facing, limb, side_view, vessel
+from ...kit.shapes import Shape, category, shape
+from ...kit.solids import (
+    Solid,
+    block,
+    box,
+    cylinder,
+    ellipsoid,
+    join,
+    lathe,
+    loft,
+    prism,
+    torus,
+    tube,
+)
+from ...kit.surfaces import Look, tint_color
+from ...values import ConvexPart, Extent, Holder, Slot, read_room
+
+
+@category("cone_holder", size=(0.192, 0.081, 0.142), mass=0.3, material="wood",
+          aliases=("cone stand", "ice cream cone stand", "ice cream cone holder", "cone rack"),
+          themes=("kitchen",), roles=("tall",), colors=("wooden",))  # fmt: skip
+def cone_holder(look: Look) -> Shape:
+    """A stand with round holes that holds ice cream cones, two cones in it."""
+    k = look.between(0.94, 1.06)
+    color = look.color("wooden", "clear", "white", "silver")
+    top = block(0.19, 0.07, 0.008, 0.01, 0.001).move(z=0.11)
+    legs = [block(0.008, 0.07, 0.112, 0.002).move(x=s * 0.09) for s in (-1, 1)]
+    foot = block(0.19, 0.08, 0.008, 0.01, 0.001)
+    rings = [torus(0.021, 0.003, 24, 6).move(x=x, z=0.119) for x in (-0.055, 0, 0.055)]
+    cones = [cylinder(0.003, 0.1, 20, top=0.023).move(x=x, z=0.04) for x in (-0.055, 0.055)]
+    hole = cylinder(0.019, 0.001, 20).move(0, 0, 0.1178)
+    net = surfaces.grid((176, 116, 56), (222, 166, 96), 8, 10, width=2)
+    return shape([(join([top, *legs, foot]), look.surface(color, "wood")),
+                  (join(rings), surfaces.plain(tint_color(color, 0.8))), (join(cones), net),
+                  (hole, surfaces.plain((50, 44, 40)))],
+                 [hull_of(top), hull_of(foot), *(hull_of(s) for s in legs), hull_of(*cones)]
+                 ).scale(k)  # fmt: skip
+
+
+@category("trivet", size=(0.182, 0.182, 0.0135), mass=0.4, material="wood", assembled=True,
+          aliases=("pot stand", "hot pad", "hot plate stand", "pan stand"), themes=("kitchen",),
+          roles=("support", "flat"), colors=("black", "wooden"), state="lying flat")  # fmt: skip
+def trivet(look: Look) -> Shape:
+    """A trivet to put hot pots on: a lattice of bars, or a ring with spokes."""
+    x, h = look.between(0.16, 0.2), look.between(0.012, 0.016)
+    color = look.color("black", "wooden", "silver", "red", "tan", "teal")
+    skin = look.surface(color, look.pick(["wood", "metal"]))
+    if look.chance(0.5):
+        bars = [box(x, 0.012, 0.5 * h).move(y=(k / 5 - 0.5) * 0.94 * x, z=0.5 * h)
+                for k in range(6)]  # fmt: skip
+        bars += [box(0.012, x, 0.55 * h).move(x=(k / 3 - 0.5) * 0.94 * x) for k in range(4)]
+        return shape([(join(bars), skin)], [box_part(x, x, h)])
+    rings = [lathe([(k * x - 0.006, 0.3 * h), (k * x + 0.006, 0.3 * h), (k * x + 0.006, h),
+                    (k * x - 0.006, h)], 36, loop=True) for k in (0.18, 0.335, 0.49)]  # fmt: skip
+    spokes = [box(0.98 * x, 0.01, 0.6 * h).move(z=0.3 * h).turn(2, k * np.pi / 3) for k in range(3)]
+    feet = [cylinder(0.008, 0.6 * h, 12).move(0.44 * x * np.cos(a), 0.44 * x * np.sin(a))
+            for a in np.arange(6) * np.pi / 3]  # fmt: skip
+    return shape([(join([*rings, *spokes, *feet]), skin)], [cylinder_part(0.49 * x, h)])
+
+
+@category("knife_block", size=(0.108, 0.188, 0.278), mass=2.2, material="wood", assembled=True,
+          aliases=("knife holder", "block of knives", "knife set", "knife stand"),
+          themes=("kitchen",), roles=("tall", "big"), colors=("wooden",),
+          opened="empty_knife_block")  # fmt: skip
+def knife_block(look: Look) -> Shape:
+    """A slanted wooden block with knife handles sticking out."""
+    x, y, h = look.between(0.1, 0.12), look.between(0.13, 0.15), look.between(0.2, 0.23)
+    color = look.color("wooden", "brown", "black", "tan", "white")
+    skin = look.surface(color, "wood")
+    side = np.array([(-0.5 * y, 0), (0.5 * y, 0), (0.62 * y, 0.62 * h), (0.02 * y, h),
+                     (-0.28 * y, 0.86 * h)])  # fmt: skip
+    body = prism(side, -x / 2, x / 2).turn(0, np.pi / 2).turn(2, np.pi / 2)
+    dark = look.surface(look.own_color("black", "black", "charcoal", "brown", "silver"), "plastic")
+    grips, studs = [], []
+    for u, long in ((0.24, 0.11), (0.5, 0.1), (0.76, 0.09)):
+        for j in (-1, 0, 1):
+            at = np.array([0.02, 1.0]) * (1 - u) + np.array([0.62, 0.62]) * u
+            grip = block(0.019, 0.014, long, 0.006, 0.003).turn(0, -0.55)
+            spot = (j * 0.3 * x, at[0] * y, at[1] * h - 0.012)
+            grips.append(grip.move(*spot))
+            stud = cylinder(0.0025, 0.02, 8).turn(1, np.pi / 2).move(x=-0.01)
+            studs.append(stud.move(spot[0], spot[1] + 0.03, spot[2] + 0.045))
+    sharp = [hull_of(*grips[3 * k : 3 * k + 3]) for k in range(3)]
+    return shape(
+        [(body, skin), (join(grips), dark), (join(studs), surfaces.plain((200, 196, 186)))],
+        [hull_of(body), *sharp],
+    )
+
+
+@category("cooling_rack", size=(0.372, 0.258, 0.028), mass=0.4, material="metal", assembled=True,
+          aliases=("wire rack", "cake rack", "baking rack", "cake cooling rack"),
+          themes=("kitchen",), roles=("support", "flat", "big"), colors=("silver",))  # fmt: skip
+def cooling_rack(look: Look) -> Shape:
+    """A wire rack on four short feet."""
+    x, y, h = look.between(0.34, 0.4), look.between(0.23, 0.27), look.between(0.022, 0.03)
+    color = look.color("silver", "silver", "black", "copper")
+    skin = look.surface(color, "metal")
+    rods = [tube([(-x / 2, s * y / 2, h), (x / 2, s * y / 2, h)], 0.003, 6) for s in (-1, 1)]
+    rods += [tube([(s * x / 2, -y / 2, h), (s * x / 2, y / 2, h)], 0.003, 6) for s in (-1, 1)]
+    rods += [tube([(u * x, -y / 2, h), (u * x, y / 2, h)], 0.0018, 6)
+             for u in np.linspace(-0.5, 0.5, 18)[1:-1]]  # fmt: skip
+    rods += [tube([(-x / 2, u * y, h - 0.003), (x / 2, u * y, h - 0.003)], 0.0024, 6)
+             for u in (-0.25, 0.25)]  # fmt: skip
+    feet = [tube([(a * 0.46 * x, b * 0.46 * y, h), (a * 0.47 * x, b * 0.47 * y, 0)], 0.003, 6)
+            for a in (-1, 1) for b in (-1, 1)]  # fmt: skip
+    return shape([(join([*rods, *feet]), skin)],
+                 [box_part(x, y, 0.005, (0, 0, h - 0.003)),
+                  *(box_part(0.01, 0.01, h, (a * 0.465 * x, b * 0.465 * y, 0))
+                    for a in (-1, 1) for b in (-1, 1))])  # fmt: skip
+
+
+@category("spice_rack", size=(0.28, 0.102, 0.21), mass=1.6, material="wood", assembled=True,
+          aliases=("spice shelf", "rack of spices", "spice holder"), themes=("kitchen",),
+          roles=("tall", "big"), colors=("wooden",))  # fmt: skip
+def spice_rack(look: Look) -> Shape:
+    """A small wooden rack of two steps with spice jars in it."""
+    x, y, h = look.between(0.26, 0.31), look.between(0.095, 0.11), look.between(0.2, 0.23)
+    color = look.color("wooden", "brown", "tan", "black", "white")
+    wood = look.surface(color, "wood")
+    ends = [box(0.01, y, h).move(x=s * (x / 2 - 0.005)) for s in (-1, 1)]
+    shelves = [box(x - 0.02, y, 0.008).move(z=z) for z in (0.004, 0.52 * h)]
+    bars = [box(x - 0.02, 0.005, 0.018).move(y=-y / 2 + 0.0025, z=z + 0.016)
+            for z in (0.004, 0.52 * h)]  # fmt: skip
+    back = box(x - 0.02, 0.005, h).move(y=y / 2 - 0.0025)
+    pieces = [(join([*ends, *shelves, *bars, back]), wood)]
+    tones = [(184, 60, 30), (206, 150, 40), (110, 76, 44), (84, 120, 56), (150, 40, 36)]
+    caps = []
+    for i, z in enumerate((0.012, 0.52 * h + 0.008)):
+        for k in range(5):
+            u = (k - 2) * 0.185 * x
+            jar = cylinder(0.02, 0.3 * h, 18).move(u, 0, z)
+            pieces.append((jar, surfaces.plain(tones[(k + 2 * i) % 5])))
+            caps.append(cylinder(0.019, 0.07 * h, 18).move(u, 0, z + 0.3 * h))
+    pieces.append((join(caps), surfaces.plain(look.own_color("black", "silver", "white"))))
+    return shape(pieces, [box_part(x, y, h)])
+
+
+@category("utensil_crock", size=(0.124, 0.124, 0.1625), mass=0.9, material="ceramic",
+          aliases=("utensil holder", "utensil crock", "utensil jar", "utensil pot",
+          "cutlery holder", "spoon holder", "kitchen utensil holder"), themes=("kitchen",),
+          roles=("container", "round", "tall"), colors=("white", "cream"))  # fmt: skip
+def utensil_crock(look: Look) -> Shape:
+    """A stoneware crock for wooden spoons and whisks, empty."""
+    r, h = look.between(0.058, 0.066), look.between(0.15, 0.175)
+    color = look.color("white", "cream", "sage", "navy", "terracotta", "charcoal")
+    side = [(0.92 * r, 0), (r, 0.12 * h), (0.98 * r, 0.85 * h), (r, h)]
+    body, parts = open_vessel(side, 0.005, 0.01)
+    return shape([(body, surfaces.fit(glaze_tile(look, color), 128, 128))], parts)
+
+
+def _rod(a: tuple[float, float, float], b: tuple[float, float, float], r: float) -> Solid:
+    return tube([a, b], r, 6)
+
+
+@category("dish_rack", size=(0.39, 0.3, 0.25), mass=2.2, material="metal", assembled=True,
+          aliases=("drying rack", "dish drainer", "draining rack", "plate rack",
+          "dish drying rack"), themes=("kitchen",), roles=("big",), colors=("silver", "black"),
+          opened="empty_dish_rack")  # fmt: skip
+def dish_rack(look: Look) -> Shape:
+    """A wire rack for dishes on its drip tray, with a few plates standing in it."""
+    x, y, h = look.between(0.34, 0.4), look.between(0.26, 0.3), look.between(0.1, 0.13)
+    color = look.color("silver", "black", "white", "silver", "copper", "sage")
+    wire, tray_tile = look.surface(color, "metal"), look.surface(
+        look.own_color("white", "black", "gray", "sky"), "plastic")  # fmt: skip
+    tray = block(x + 0.02, y + 0.02, 0.012, 0.02, 0.003)
+    r, rods = 0.0035, []
+    for z in (0.03, h):
+        for s in (-1, 1):
+            rods += [_rod((-x / 2, s * y / 2, z), (x / 2, s * y / 2, z), r),
+                     _rod((s * x / 2, -y / 2, z), (s * x / 2, y / 2, z), r)]  # fmt: skip
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            rods.append(_rod((sx * x / 2, sy * y / 2, 0.008), (sx * x / 2, sy * y / 2, h), r))
+    count = 9
+    for k in range(count):
+        u = (k / (count - 1) - 0.5) * 0.92 * x
+        rods.append(_rod((u, -y / 2, 0.03), (u, y / 2, 0.03), 0.0022))
+        rods += [_rod((u, v * y, 0.03), (u, v * y, 0.03 + 0.6 * h), 0.0022) for v in (-0.12, 0.28)]
+    pieces = [(tray, tray_tile), (join(rods), wire)]
+    glaze = look.surface(
+        look.own_color("white", "white", "cream", "sky", "teal", "pink"), "ceramic"
+    )
+    dishes = []
+    disc = lathe([(0, 0), (0.07, 0), (0.11, 0.014), (0.108, 0.018), (0.068, 0.005), (0, 0.005)], 28)
+    step = 0.92 * x / (count - 1)
+    for k in range(int(look.rng.integers(2, 5))):
+        plate = disc.turn(1, -np.pi / 2 + 0.12).move(x=-0.42 * x + (2 * k + 0.4) * step,
+                                                         y=0.08 * y, z=0.033 + 0.108)  # fmt: skip
+        dishes.append(plate)
+    pieces.append((join(dishes), glaze))
+    walls = frame_parts(x, y, h - 0.008, 0.008, 0.03)
+    up = [type(p)(p.vertices + np.array([0, 0, 0.008]), p.kind, p.axis) for p in walls]
+    return shape(pieces, [box_part(x + 0.02, y + 0.02, 0.012), *up, *(hull_of(d) for d in dishes)])
+
+
+@category("wine_rack", size=(0.288, 0.292, 0.204), mass=2.8, material="wood", assembled=True,
+          aliases=("wine holder", "wine stand", "bottle rack", "wine bottle rack",
+          "wine bottle holder"), themes=("kitchen", "dining"), roles=("big", "support"),
+          colors=("wooden", "black"), opened="empty_wine_rack")  # fmt: skip
+def wine_rack(look: Look) -> Shape:
+    """A rack for wine bottles lying down: of wood or wire, two rows, some bottles in it."""
+    pitch, y = look.between(0.1, 0.108), look.between(0.19, 0.22)
+    columns = look.pick([2, 3, 3])
+    x = columns * pitch
+    color = look.color("wooden", "brown", "black", "tan", "charcoal", "white")
+    wood = look.surface(color, "wood")
+    r, levels = 0.008, (0.022, 0.022 + pitch)
+    h = levels[1] + 0.065
+    posts, rails = [], []
+    for sy in (-1, 1):
+        posts += [box(0.018, 0.018, h).move((k - columns / 2) * pitch, sy * (y / 2 - 0.009))
+                  for k in range(columns + 1)]  # fmt: skip
+        for z in levels:
+            path = []
+            for k in range(columns):
+                middle = (k + 0.5 - columns / 2) * pitch
+                path += [(middle + 0.41 * pitch * np.cos(a), sy * (y / 2 - 0.009), z + 0.046 + 0.041
+                          * np.sin(a)) for a in np.linspace(np.pi, 2 * np.pi, 9)]  # fmt: skip
+            rails.append(tube(path, 0.5 * r, 6))
+    for s in (-1, 1):
+        rails += [_rod((s * x / 2, -y / 2 + 0.01, z), (s * x / 2, y / 2 - 0.01, z), r)
+                  for z in (0.03, h - 0.02)]  # fmt: skip
+    pieces = [(join(posts), wood), (join(rails), wood if look.chance(0.5) else
+                                      surfaces.brushed_metal(look.rng, (80, 82, 88)))]  # fmt: skip
+    bottle = vessel(0.0365, 0.29, 0.014, 0.18, 0.21, sides=18)
+    foil = cylinder(0.0152, 0.05, 14, bevel=0.001).move(z=0.242)
+    bottles = []
+    for k in range(columns):
+        for z in levels:
+            if (k == 0 and z == levels[0]) or look.chance(0.6):
+                at = ((k + 0.5 - columns / 2) * pitch, 0.5 * y + 0.015, z + 0.043)
+                hue = look.own_color("green", "maroon", "olive", "black")
+                skin = surfaces.plain(tint_color(hue, 0.6))
+                cap = surfaces.plain(look.own_color("crimson", "gold", "black", "silver"))
+                pieces += [(facing(bottle).move(*at), skin), (facing(foil).move(*at), cap)]
+                bottles.append(facing(bottle).move(*at))
+    frame = [box_part(0.018, y, h, ((k - columns / 2) * pitch, 0, 0)) for k in range(columns + 1)]
+    shelves = [box_part(x, y - 0.01, 0.006, (0, 0, z)) for z in levels]
+    return shape(pieces, [*frame, *shelves, *(hull_of(b) for b in bottles)])
+
+
+_PLAY = 0.003  # metres of room in a place beside the thing
+_Placed = tuple[float, float, float, float, float, float]  # sides of a box, and where it stands
+
+
+def read_request(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
+    """Return how many places are asked for, and for how large things."""
+    count = int(look.attributes.get("places", places))
+    return count, read_room(look.attributes.get("room"), room)
+
+
+def centres(count: int, pitch: float) -> list[float]:
+    """Return places in a row about 0."""
+    return [(k - (count - 1) / 2) * pitch for k in range(count)]
+
+
+def choose_slots(centres: list[float], count: int, z: float) -> list[Slot]:
+    """Return ``count`` of the places, spread over the row."""
+    which = np.linspace(0, len(centres) - 1, count).round().astype(int)
+    return [Slot(np.array([centres[k], 0.0, z])) for k in which]
+
+
+def _boards(boards: list[_Placed]) -> tuple[list[Solid], list[ConvexPart]]:
+    """Return boxes as solids and as collision parts."""
+    solids = [box(x, y, z).move(*at) for x, y, z, *at in boards]
+    return solids, [box_part(x, y, z, at) for x, y, z, *at in boards]
+
+
+def _wire(a: Extent, b: Extent, r: float = 0.0025) -> Solid:
+    return tube([a, b], r, 6)
+
+
+@category("empty_dish_rack", size=(0.28, 0.29, 0.168), mass=1.2, material="metal",
+          aliases=("empty plate rack",), themes=("kitchen",), roles=("big",),
+          colors=("silver", "black"), holder=Holder("edge", (0.1, 0.36, 0.3)))  # fmt: skip
+def empty_dish_rack(look: Look) -> Shape:
+    """A wire rack for dishes on its drip tray, empty: two rails carry what stands between pegs."""
+    count, (a, b, c) = read_request(look, 4, (0.024, 0.25, 0.25))
+    color = look.color("silver", "black", "white", "silver", "copper", "sage")
+    wire = look.surface(color, "metal")
+    tray_tile = look.surface(look.own_color("white", "black", "gray", "sky"), "plastic")
+    r = 0.003
+    pitch = max(a + _PLAY, 0.02) + 2 * r
+    cells = max(count, round(0.24 / pitch))
+    x, y = cells * pitch + 0.02, max(b + 0.02, 0.2)
+    rail, peg = 0.018 + 0.1 * b, 0.5 * c
+    high = rail + 0.55 * peg
+    tray = block(x + 0.02, y + 0.02, 0.012, 0.02, 0.003)
+    rods = [_wire((s * x / 2, t * y / 2, 0.008), (s * x / 2, t * y / 2, high))
+            for s in (-1, 1) for t in (-1, 1)]  # fmt: skip
+    for z in (rail, high):
+        for s in (-1, 1):
+            rods += [_wire((-x / 2, s * y / 2, z), (x / 2, s * y / 2, z)),
+                     _wire((s * x / 2, -y / 2, z), (s * x / 2, y / 2, z))]  # fmt: skip
+    for v in (-0.3 * b, 0.3 * b):
+        rods.append(_wire((-x / 2, v, rail), (x / 2, v, rail), r))
+        rods += [_wire((u, v, rail), (u, v, rail + peg), r) for u in centres(cells + 1, pitch)]
+    parts = [hull_of(tray), *map(hull_of, rods)]
+    slots = choose_slots(centres(cells, pitch), count, rail + r)
+    return shape([(tray, tray_tile), (join(rods), wire)], parts, slots=slots)
+
+
+@category("empty_wine_rack", size=(0.305, 0.16, 0.214), mass=1.4, material="wood",
+          aliases=("empty wine holder",), themes=("kitchen", "dining"), roles=("big",),
+          colors=("wooden", "black"), holder=Holder("side", (0.11, 0.38, 0.11)))  # fmt: skip
+def empty_wine_rack(look: Look) -> Shape:
+    """A wooden rack for bottles of wine lying down, empty."""
+    count, (a, b, c) = read_request(look, 4, (0.075, 0.31, 0.075))
+    wood = look.surface(look.color("wooden", "brown", "black", "tan", "charcoal"), "wood")
+    columns = max(2, min(3, count))
+    rows = max(-(-count // columns), 1 if columns == 3 else 2)
+    post, bar, pitch, level = 0.014, 0.012, a + 0.022, c + 0.026
+    x, h = columns * pitch + post, rows * level + bar
+    front, back = -0.06 * b, 0.36 * b
+    boards = [(post, 0.03, h, u, v, 0.0) for u in centres(columns + 1, pitch)
+              for v in (front, back)]  # fmt: skip
+    boards += [(x, 0.02, bar, 0.0, v, k * level + 0.012) for k in range(rows)
+               for v in (front, back)]  # fmt: skip
+    boards += [(post, back - front, bar, s * (x - post) / 2, (front + back) / 2, z)
+               for s in (-1, 1) for z in (0.012, h - bar)]  # fmt: skip
+    solids, parts = _boards(boards)
+    at = centres(columns, pitch)
+    slots = [Slot(np.array([at[k % columns], 0.0, k // columns * level + 0.012 + bar]))
+             for k in range(count)]  # fmt: skip
+    return shape([(join(solids), wood)], parts, slots=slots)
+
+
+@category("empty_knife_block", size=(0.127, 0.057, 0.155), mass=1.2, material="wood",
+          aliases=("empty knife holder",), themes=("kitchen",), roles=("tall",), colors=("wooden",),
+          holder=Holder("end", (0.04, 0.09, 0.38)))  # fmt: skip
+def empty_knife_block(look: Look) -> Shape:
+    """A wooden block with slots for knives, empty."""
+    count, (a, b, c) = read_request(look, 5, (0.014, 0.04, 0.25))
+    skin = look.surface(look.color("wooden", "brown", "black", "tan", "white"), "wood")
+    wall, floor, h = 0.007, 0.012, 0.62 * c
+    cells, pitch = max(count, 3), a + _PLAY + wall
+    x, y = cells * pitch + wall, b + _PLAY
+    boards = [(x, y + 2 * wall, floor, 0.0, 0.0, 0.0)]
+    boards += [(wall, y, h - floor, u, 0.0, floor) for u in centres(cells + 1, pitch)]
+    boards += [(x, wall, h - floor, 0.0, s * (y + wall) / 2, floor) for s in (-1, 1)]
+    solids, parts = _boards(boards)
+    slots = choose_slots(centres(cells, pitch), count, floor)
+    return shape([(join(solids), skin)], parts, slots=slots)
+
+
+@category("spoon_rest", size=(0.162, 0.0946, 0.0162), mass=0.2, material="ceramic",
+          aliases=("ladle rest",), themes=("kitchen",), roles=("flat",),
+          colors=("white",))  # fmt: skip
+def spoon_rest(look: Look) -> Shape:
+    """A spoon rest: a shallow glazed dish shaped like a big spoon."""
+    k, color = (look.between(0.88, 1.1), look.color("white", "sky", "red", "yellow", "teal",
+                                                    "cream", "gray"))  # fmt: skip
+    a = np.linspace(0.32, 2 * np.pi - 0.32, 26)
+    outline = np.concatenate([[(0.115, 0.022)], np.column_stack([0.056 * np.cos(a), 0.05
+                                                                 * np.sin(a)]),
+                              [(0.115, -0.022)]]) - [0.02, 0]  # fmt: skip
+
+    def ring(s: float, z: float) -> np.ndarray:
+        c = np.array([0.02, 0])
+        return np.column_stack([c + (outline - c) * s, np.full(len(outline), z)])
+
+    body = loft(
+        np.stack([ring(0.86, 0), ring(1.0, 0.016), ring(0.94, 0.017), ring(0.8, 0.006)]), outline
+    )
+    tile = (surfaces.spots(look.rng, color, tint_color(color, 0.7 if sum(color) > 380 else 1.4),
+                           0.03) if look.chance(0.5)
+            else look.surface(color, "ceramic"))  # fmt: skip
+    return shape([(body.scale(k, k, k), tile)], [hull_of(body.scale(k, k, 0.4 * k))])
+
+
+@category("taco_holder", size=(0.192, 0.0958, 0.0493), mass=0.15, material="metal",
+          aliases=("taco stand", "taco rack"), themes=("kitchen",), colors=("silver",))  # fmt: skip
+def taco_holder(look: Look) -> Shape:
+    """A taco holder: a wavy steel or coloured sheet with slots for three tacos."""
+    k, color = (look.between(0.88, 1.08), look.color("silver", "silver", "red", "yellow", "green",
+                                                     "wooden"))  # fmt: skip
+    x = np.linspace(-0.1, 0.1, 29)
+    z = 0.026 + 0.024 * np.cos(2 * np.pi * x / 0.0571)
+    top, low = np.column_stack([x, z + 0.0025]), np.column_stack([x, np.maximum(z - 0.001, 0)])
+    sheet = side_view(np.concatenate([low, top[::-1]]), 0.1)
+    parts = [hull_of(side_view(np.concatenate([low[i : i + 3], top[i : i + 3][::-1]]),
+                               0.1).scale(k, k, k)) for i in range(0, 27, 2)]  # fmt: skip
+    return shape([(sheet.scale(k, k, k), look.surface(color, "steel" if color[2] > 150
+                                                      else "plastic"))], parts)  # fmt: skip
+
+
+@category("tea_warmer", size=(0.133, 0.131, 0.054), mass=0.4, material="ceramic",
+          aliases=("teapot warmer", "teapot stand", "rechaud"), themes=("kitchen",),
+          roles=("round", "support"), colors=("white",))  # fmt: skip
+def tea_warmer(look: Look) -> Shape:
+    """A tea warmer: a pierced ring on which a pot stands, a tea light inside."""
+    k, color = look.between(0.88, 1.1), look.color("white", "black", "teal", "silver", "terracotta")
+    wall = lathe([(0.058, 0), (0.066, 0), (0.068, 0.05), (0.06, 0.056), (0.05, 0.056),
+                  (0.058, 0.046)], 34, loop=True)  # fmt: skip
+    floor, candle = (cylinder(0.06, 0.004, 30), lathe([(0, 0.004), (0.019, 0.004), (0.019, 0.018),
+                                                       (0, 0.018)], 18))  # fmt: skip
+    flame = ellipsoid(0.006, 0.006, 0.014, 8, 6).move(z=0.026)
+    holes = [facing(cylinder(0.009, 0.002, 14)).move(y=-0.0662, z=0.026).turn(2, a)
+             for a in np.arange(9) * 0.698]  # fmt: skip
+    made = [(join([wall, floor]), look.surface(color, "ceramic")),
+            (candle, surfaces.plain((246, 242, 230))), (flame, surfaces.plain((255, 190, 70))),
+            (join(holes), surfaces.plain((52, 40, 34)))]  # fmt: skip
+    made = [(s.scale(k, k, k), t) for s, t in made]
+    return shape(made, [*ring_parts([(0.062 * k, 0), (0.067 * k, 0.05 * k), (0.062 * k, 0.056 * k)],
+                                    [(0.05 * k, 0.056 * k), (0.057 * k, 0.0)], 12),
+                        hull_of(floor.scale(k, k, k))])  # fmt: skip
+
+
+@category("spoon_dish", size=(0.13, 0.107, 0.0183), mass=0.08, material="ceramic", hollow=True,
+          aliases=("teaspoon dish", "tea bag tidy", "teabag tidy", "tea bag holder", "tea bag rest",
+          "teaspoon rest", "teabag dish", "tea bag dish"), themes=("kitchen",),
+          roles=("container",), colors=("white",))  # fmt: skip
+def spoon_dish(look: Look) -> Shape:
+    """A tiny shallow dish for a teaspoon or a used tea bag, sometimes shaped like a teapot."""
+    k, color = (look.between(0.88, 1.12), look.color("white", "sky", "pink", "mint", "yellow",
+                                                     "teal"))  # fmt: skip
+    body, parts = open_vessel(
+        [(0.034 * k, 0), (0.044 * k, 0.006 * k), (0.052 * k, 0.016 * k)], 0.003, 0.003
+    )
+    tile = look.surface(color, "ceramic")
+    pieces = [(body, tile)]
+    if look.chance(0.6):
+        grip = torus(0.014 * k, 0.0035 * k, 18, 7).move(0.06 * k, 0, 0.012 * k)
+        spout = limb([(-0.046 * k, 0, 0.008 * k), (-0.062 * k, 0, 0.012 * k),
+                      (-0.072 * k, 0, 0.016 * k)], [0.008 * k, 0.006 * k, 0.004 * k],
+                     8)  # fmt: skip
+        pieces.append((join([grip, spout]), tile))
+    return shape(pieces, parts)

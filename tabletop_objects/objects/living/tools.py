@@ -1,0 +1,259 @@
+"""Tools (living)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...kit import prints, surfaces
+from ...kit.outlines import rectangle, smooth
+from ...kit.parts import box_part, hull_of, hull_part
+from ...kit.primitives import ball, rod, straight
+from ...kit.shapes import Pieces, Shape, category, put_down, shape
+from ...kit.solids import (
+    Solid,
+    box,
+    cylinder,
+    join,
+    lathe,
+    loft,
+    open_box,
+    prism,
+    sweep,
+    torus,
+    tube,
+)
+from ...kit.surfaces import Look, tint_color
+
+
+@category("watering_can", size=(0.235, 0.115, 0.18), mass=0.4, material="metal", hollow=True,
+          aliases=("garden can", "plant waterer", "small watering can"), themes=("living",),
+          roles=("tall",), colors=("green", "silver"))  # fmt: skip
+def watering_can(look: Look) -> Shape:
+    """A watering can: its spout with a rose to the left, a handle to the right and above."""
+    k = look.between(0.85, 1.1)
+    color = look.color("green", "teal", "silver", "copper", "red", "yellow", "sky", "white", "pink")
+    skin = look.surface(color, look.pick(["metal", "plastic"]))
+    r, h = 0.058 * k, 0.125 * k
+    body = lathe(
+        [(0, 0), (r, 0), (0.94 * r, h), (0.9 * r, h), (0.9 * r, 0.8 * h), (0, 0.8 * h)], 30
+    )
+    around = np.linspace(-np.pi / 2, np.pi / 2, 13)
+    half = 0.9 * r * np.column_stack([np.cos(around), np.sin(around)])
+    top = prism(half, h - 0.002, h + 0.001)
+    spout = tube([(-0.7 * r, 0, 0.16 * h), (-1.5 * r, 0, 0.7 * h), (-2.05 * r, 0, 1.12 * h)],
+                 [0.017 * k, 0.011 * k, 0.009 * k], 12)  # fmt: skip
+    way = np.arctan2(-0.55 * r, 0.42 * h)
+    rose = lathe([(0, 0), (0.008, 0), (0.023, 0.02), (0.021, 0.024), (0, 0.026)], 20).scale(k, k, k)
+    rose = rose.turn(1, way).move(-2.0 * r, 0, 1.09 * h)
+    brace = tube([(-0.85 * r, 0, 0.9 * h), (-1.62 * r, 0, 0.82 * h)], 0.004 * k, 7)
+    bail = sweep(smooth([(-0.55 * r, 0, 0.97 * h), (-0.2 * r, 0, 1.36 * h), (0.7 * r, 0, 1.4 * h),
+                         (1.5 * r, 0, 0.95 * h), (1.42 * r, 0, 0.4 * h), (0.93 * r, 0, 0.22 * h)],
+                        4), rectangle(0.013 * k, 0.008 * k, 0.003, 2))  # fmt: skip
+    rim = torus(0.94 * r, 0.003, 30, 6).move(z=h)
+    dark = surfaces.plain(tint_color(color, 0.75))
+    x = bail.vertices[:, 0]
+    return shape(
+        [(join([body, top, spout, brace]), skin), (join([rim, rose]), dark), (bail, skin)],
+        [hull_of(body), hull_of(spout), hull_of(rose),
+         hull_part(bail.vertices[(x < 0.75 * r)]), hull_part(bail.vertices[x > 0.6 * r])],
+    )  # fmt: skip
+
+
+@category("garden_trowel", size=(0.33, 0.082, 0.032), mass=0.2, material="metal", aliases=("trowel",
+          "hand trowel", "garden shovel", "small shovel", "hand shovel", "garden spade", "shovel",
+          "trowel set"), themes=("living",), colors=("green", "wooden"),
+          state="lying flat")  # fmt: skip
+def garden_trowel(look: Look) -> Shape:
+    """A garden trowel lying, its hollow blade to the left."""
+    k = look.between(0.9, 1.1)
+    color = look.color("green", "red", "wooden", "black", "orange", "teal", "yellow")
+    steel = surfaces.scratches(look.rng, (170, 174, 180), (196, 198, 202), 30)
+    t = np.linspace(0, 1, 9)
+    wide = 0.041 * k * np.array([0.06, 0.5, 0.78, 0.93, 1.0, 1.0, 0.96, 0.86, 0.6])
+    rings = []
+    for u, w in zip(t, wide, strict=True):
+        x = (-0.15 + 0.145 * u) * k
+        lane = np.linspace(-1, 1, 7)
+        bow = 0.017 * k * lane**2 * min(w / (0.02 * k), 1) + 0.004 * k * u
+        upper = np.column_stack([np.full(7, x), lane * w, bow + 0.0022])
+        lower = np.column_stack([np.full(7, x), lane[::-1] * w, bow[::-1]])
+        rings.append(np.concatenate([lower, upper]))
+    flat = np.concatenate([np.column_stack([np.linspace(1, -1, 7), np.zeros(7)]),
+                           np.column_stack([np.linspace(-1, 1, 7), np.full(7, 0.1)])])  # fmt: skip
+    scoop = loft(np.stack(rings), flat[::-1])
+    neck = tube(smooth([(-0.02 * k, 0, 0.007 * k), (0.02 * k, 0, 0.022 * k),
+                        (0.06 * k, 0, 0.016 * k)], 4), 0.0055 * k, 8)  # fmt: skip
+    grip = lathe([(0, 0), (0.011, 0), (0.0145, 0.03), (0.012, 0.08), (0.0155, 0.118), (0.009, 0.13),
+                  (0, 0.13)], 18).scale(k, k, k)  # fmt: skip
+    grip = grip.turn(1, np.pi / 2).move(x=0.05 * k, z=0.0155 * k)
+    return shape([(scoop, steel), (neck, steel), (grip, look.surface(color, "wood"))],
+                 [hull_of(scoop), hull_of(neck), hull_of(grip)])  # fmt: skip
+
+
+@category("seed_packet", size=(0.086, 0.122, 0.0042), mass=0.012, material="paper",
+          aliases=("packet of seeds", "seeds", "pack of seeds", "flower seeds", "bag of seeds",
+          "seed bag"), themes=("living",), roles=("flat",), colors=("green",),
+          state="lying flat")  # fmt: skip
+def seed_packet(look: Look) -> Shape:
+    """A paper packet of seeds lying flat, a flower or vegetable on its front."""
+    x, y = look.between(0.078, 0.095), look.between(0.11, 0.135)
+    color = look.color("green", "yellow", "red", "orange", "violet", "sky", "pink")
+    image = prints.canvas(96, 144, (248, 244, 230))
+    prints.fill(image, 0, 0, 1, 0.28, color)
+    word = look.pick(["SEEDS", "TOMATO", "BASIL", "POPPY", "CARROT", "SUNFLOWER"])
+    prints.write(image, word, 0.5, 0.2, 0.09, (250, 250, 246), bold=True)
+    prints.stroke(image, [(0.5, 0.94), (0.5, 0.55)], 0.02, (80, 130, 60))
+    prints.polygon(image, [(0.5, 0.82), (0.75, 0.7), (0.7, 0.84)], (96, 150, 70))
+    prints.polygon(image, [(0.5, 0.76), (0.25, 0.64), (0.3, 0.78)], (96, 150, 70))
+    for n in range(9):
+        a = 2 * np.pi * n / 9
+        prints.disc(image, 0.5 + 0.2 * np.cos(a), 0.52 + 0.133 * np.sin(a), 0.065, color)
+    prints.disc(image, 0.5, 0.52, 0.09, (110, 70, 40) if look.chance(0.5) else (246, 206, 80))
+    body = box(x, y, 0.0035)
+    flap = box(x, 0.014, 0.0008).move(y=y / 2 - 0.008, z=0.0034)
+    top = box(0.98 * x, 0.98 * y, 0.0004).move(z=0.0033)
+    side = surfaces.speckles(look.rng, (244, 240, 226), 4, 32)
+    return shape([(body, side), (top, image), (flap, surfaces.plain(tint_color(color, 0.85)))],
+                 [box_part(x, y, 0.0037)])  # fmt: skip
+
+
+STEEL = (150, 154, 160)
+
+
+def _hand_tool(look: Look, kind: str) -> Shape:
+    """A garden hand fork or rake lying, its tines to the left."""
+    color = look.color("green", "wooden", "red", "orange", "teal", "brown", "black")
+    handle = look.surface(color, look.pick(["wood", "plastic"]) if color[0] > 150 else "plastic")
+    steel = surfaces.brushed_metal(look.rng, STEEL)
+    grip = rod([(0.03, 0, 0.0135), (0.08, 0, 0.0135), (0.13, 0, 0.0135), (0.155, 0, 0.0135)],
+               [0.0115, 0.0135, 0.0125, 0.0105], 12)  # fmt: skip
+    neck = rod([(0.035, 0, 0.0135), (-0.01, 0, 0.017), (-0.045, 0, 0.012)], 0.005, 8)
+    if kind == "fork":
+        tines = [rod([(-0.04, 0.02 * n, 0.012), (-0.09, 0.021 * n, 0.006),
+                      (-0.135, 0.02 * n, 0.003)], [0.0042, 0.0038, 0.0012], 7)
+                 for n in (-1, 0, 1)]  # fmt: skip
+        bar = straight((-0.042, -0.022, 0.012), (-0.042, 0.022, 0.012), 0.0045)
+    else:
+        tines = [rod([(-0.07, 0.015 * n, 0.024), (-0.1, 0.019 * n, 0.024), (-0.108, 0.02 * n, 0.0)],
+                     [0.003, 0.003, 0.0018], 7) for n in (-2, -1, 0, 1, 2)]  # fmt: skip
+        fan = [rod([(-0.04, 0, 0.012), (-0.055, 0.009 * n, 0.02), (-0.072, 0.015 * n, 0.024)],
+                   0.003, 7) for n in (-2, -1, 0, 1, 2)]  # fmt: skip
+        bar = join([straight((-0.07, -0.03, 0.024), (-0.07, 0.03, 0.024), 0.0035), *fan])
+    pieces: Pieces = [(grip, handle), (join([neck, bar, *tines]), steel)]
+    return put_down(pieces, grip, neck, join([bar, *tines]), factor=look.between(0.9, 1.12))
+
+
+@category("hand_fork", size=(0.29, 0.05, 0.027), mass=0.18, material="metal", assembled=True,
+          aliases=("garden fork", "weeding fork", "gardening fork", "garden hand fork", "dibber"),
+          themes=("living",), colors=("green", "wooden"), state="lying flat")  # fmt: skip
+def hand_fork(look: Look) -> Shape:
+    """A garden hand fork with three tines."""
+    return _hand_tool(look, "fork")
+
+
+@category("hand_rake", size=(0.265, 0.085, 0.027), mass=0.18, material="metal", assembled=True,
+          aliases=("rake", "garden rake", "cultivator", "mini rake", "zen rake", "small rake"),
+          themes=("living",), colors=("green",), state="lying flat")  # fmt: skip
+def hand_rake(look: Look) -> Shape:
+    """A small rake or cultivator with five tines."""
+    return _hand_tool(look, "rake")
+
+
+@category("secateurs", size=(0.197, 0.061, 0.015), mass=0.22, material="metal", assembled=True,
+          aliases=("pruning shears", "pruner", "garden shears", "garden scissors", "hand pruner",
+          "clippers", "garden clippers", "pair of secateurs", "pair of pruning shears"),
+          themes=("living",), colors=("red", "green"), state="lying flat")  # fmt: skip
+def secateurs(look: Look) -> Shape:
+    """Pruning shears lying flat, a little open: curved blades to the left, coloured grips."""
+    color = look.color("red", "orange", "green", "yellow", "black", "teal")
+    skin = surfaces.speckles(look.rng, color, 4)
+    blade = prism([(0.012, -0.008), (0.012, 0.008), (-0.004, 0.014), (-0.03, 0.016), (-0.06, 0.007),
+                   (-0.07, 0.001), (-0.04, -0.002), (-0.008, -0.006)], 0.007, 0.011)  # fmt: skip
+    hook = prism([(-0.012, -0.004), (-0.035, -0.005), (-0.056, 0.003), (-0.06, -0.001),
+                  (-0.042, -0.017), (-0.015, -0.02), (0.012, -0.012), (0.012, 0.008),
+                  (0.0, 0.008)], 0.003, 0.0068)  # fmt: skip
+    pin = cylinder(0.0085, 0.013, 16).move(z=0.002)
+    grips = [rod([(0.005, -s * 0.006, 0.0075), (0.04, s * 0.017, 0.0075), (0.08, s * 0.023, 0.0075),
+                  (0.125, s * 0.014, 0.0075)], [0.006, 0.0075, 0.0075, 0.006], 10)
+             for s in (-1, 1)]  # fmt: skip
+    steel = surfaces.brushed_metal(look.rng, (190, 194, 200))
+    coil = join(
+        [
+            cylinder(0.006, 0.002, 12)
+            .turn(0, np.pi / 2)
+            .move(0.035, 0.004 + 0.0035 * n - 0.006, 0.0075)
+            for n in range(4)
+        ]
+    )
+    pieces: Pieces = [(join([blade, pin, coil]), steel), (hook, surfaces.plain((70, 72, 78))),
+                      (join(grips), skin)]  # fmt: skip
+    return put_down(pieces, join([hook, blade, pin]), *grips, factor=look.between(0.9, 1.1))
+
+
+@category("plant_label", size=(0.126, 0.019, 0.0026), mass=0.003, material="plastic",
+          aliases=("plant marker", "plant tag", "garden marker", "garden label", "seedling label"),
+          themes=("living",), roles=("flat",), colors=("white", "wooden"),
+          state="lying flat")  # fmt: skip
+def plant_label(look: Look) -> Shape:
+    """A plant label lying flat: a pointed stake with a name."""
+    color = look.color("white", "wooden", "yellow", "green", "tan")
+    outline = np.array([(-0.06, 0), (-0.04, -0.009), (0.055, -0.009), (0.06, -0.005), (0.06, 0.005),
+                        (0.055, 0.009), (-0.04, 0.009)])  # fmt: skip
+    body = prism(outline, 0, 0.0022)
+    sign = prints.canvas(128, 24, color)
+    prints.write(sign, look.pick(["BASIL", "MINT", "TOMATO", "ROSE", "THYME", "PEAS"]), 0.5, 0.5,
+                 0.7, (40, 60, 40), bold=True)  # fmt: skip
+    face = box(0.075, 0.015, 0.0005).move(0.015, 0, 0.002)
+    return put_down([(body, look.surface(color, "plastic")), (face, sign)], body,
+                   factor=look.between(0.85, 1.25))  # fmt: skip
+
+
+@category("seed_tray", size=(0.18, 0.12, 0.085), mass=0.5, material="plastic",
+          aliases=("seedling tray", "tray of seedlings", "seedling pot", "propagator",
+          "starter tray", "coir pellet"), themes=("living",), colors=("black",))  # fmt: skip
+def seed_tray(look: Look) -> Shape:
+    """A tray of seedlings: six cells of soil, two leaves in each."""
+    color = look.color("black", "green", "brown", "terracotta", "charcoal")
+    x, y, h = look.between(0.16, 0.2), look.between(0.11, 0.13), 0.05
+    walls = open_box(x, y, h, 0.004, 0.004)
+    bars = [box(0.004, y - 0.008, h - 0.006).move((n - 1.5) * x / 3, 0, 0.003)
+            for n in (1, 2)]  # fmt: skip
+    bars.append(box(x - 0.008, 0.004, h - 0.006).move(0, 0, 0.003))
+    soil = box(x - 0.006, y - 0.006, h - 0.014).move(z=0.003)
+    shoots: list[Solid] = []
+    tops: list[Solid] = []
+    for i in (-1, 0, 1):
+        for j in (-1, 1):
+            tall = look.between(0.02, 0.04)
+            at = (i * x / 3, j * y / 4)
+            shoots.append(straight((*at, h - 0.014), (*at, h + tall - 0.01), 0.0015, 6))
+            turn = look.between(0, 3)
+            tops += [ball(0.024, 0.012, 0.003, (0.011, 0, 0), 10).turn(1, -0.4).turn(2, turn + a)
+                     .move(*at, h + tall - 0.012) for a in (0, np.pi)]  # fmt: skip
+    earth = surfaces.speckles(look.rng, (76, 56, 42), 26)
+    pieces: Pieces = [(join([*walls, *bars]), look.surface(color, "plastic")), (soil, earth),
+                      (join([*shoots, *tops]), surfaces.plain(look.own_color("green",
+                                                                             "lime")))]  # fmt: skip
+    return shape(pieces, [box_part(x, y, h), hull_of(join(tops))])
+
+
+@category("hose_nozzle", size=(0.155, 0.125, 0.04), mass=0.15, material="plastic",
+          aliases=("spray nozzle", "garden hose nozzle", "hose gun", "garden nozzle",
+          "hose sprayer", "sprinkler"), themes=("living",), colors=("green", "yellow"),
+          state="lying")  # fmt: skip
+def hose_nozzle(look: Look) -> Shape:
+    """A hose's spray gun lying on its side."""
+    color = look.color("green", "yellow", "blue", "orange", "red")
+    barrel = (
+        cylinder(0.014, 0.1, 18, top=0.018, bevel=0.002).turn(1, -np.pi / 2).move(0.03, 0, 0.02)
+    )
+    head = cylinder(0.02, 0.018, 20, bevel=0.002).turn(1, -np.pi / 2).move(-0.068, 0, 0.02)
+    grip = rod([(0.02, 0, 0.018), (0.045, 0.04, 0.017), (0.055, 0.085, 0.016)],
+               [0.014, 0.013, 0.014], 12)  # fmt: skip
+    joint = cylinder(0.012, 0.022, 16).turn(0, -np.pi / 2).move(0.057, 0.09, 0.015)
+    lever = rod([(-0.02, 0.012, 0.02), (0.005, 0.04, 0.018), (0.025, 0.07, 0.018)], 0.0055, 8)
+    skin = surfaces.speckles(look.rng, color, 4)
+    dark = surfaces.plain((52, 54, 58))
+    pieces: Pieces = [(join([barrel, grip]), skin), (join([head, joint, lever]), dark)]
+    return put_down(pieces, join([barrel, head]), join([grip, joint]), lever,
+                   factor=look.between(0.9, 1.1), foot=0.3)  # fmt: skip

@@ -1,0 +1,296 @@
+"""Values: a mesh, its convex parts, physics and size. Metres, kilograms, radians; z points up.
+
+*Canonical frame* of a model: its mesh fills the unit box ``[-0.5, 0.5]^3``; ``Model.size`` is its
+extent in metres. *Texture coordinates* have u to the right and v upwards, so row 0 of a texture is
+v = 1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from jaxtyping import Float, Int, UInt8
+
+from .errors import InputError
+
+FARTHEST = 1000.0
+"""No place, size or distance of a scene is larger, metres."""
+
+SMALLEST = 1e-6
+"""No extent of a thing is smaller, metres."""
+
+ArrayKind = tuple[type[np.generic], tuple[int | None, ...]]
+"""A type of numbers and a shape; None is any length."""
+
+VECTOR: ArrayKind = (np.float64, (3,))
+POINTS: ArrayKind = (np.float64, (None, 3))
+OUTLINE: ArrayKind = (np.float64, (None, 2))
+BOX: ArrayKind = (np.float64, (4,))
+MASK: ArrayKind = (np.bool_, (None, None))
+PICTURE: ArrayKind = (np.uint8, (None, None, 3))
+
+
+def frozen_array(
+    value: Any,
+    dtype: type[np.generic],
+    shape: tuple[int | None, ...],
+    what: str,
+    *,
+    maximum: float | None = None,
+) -> np.ndarray:
+    """Return a read-only copy of ``value`` with ``dtype``, checked for shape and finiteness.
+
+    What is such an array already, and a view of no other, needs no copy. ``None`` in ``shape``
+    accepts any length along that axis; ``maximum`` bounds the numbers' size.
+
+    Raises:
+        InputError: wrong number of axes or length, a NaN or infinity, or a number out of bounds.
+    """
+    array = value if _is_frozen(value, dtype) else np.array(value, dtype=dtype)
+    if array.shape != shape and not _fits(array.shape, shape):
+        wanted = "×".join("n" if n is None else str(n) for n in shape)
+        raise InputError(f"{what} must have shape {wanted}, got {array.shape}.")
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
+        raise InputError(f"{what} holds NaN or infinity; every number must be finite.")
+    if maximum is not None and array.size and np.abs(array).max() > maximum:
+        raise InputError(f"{what} holds numbers beyond {maximum:g}: at most that is simulated.")
+    array.setflags(write=False)
+    return array
+
+
+def _is_frozen(value: Any, dtype: type[np.generic]) -> bool:
+    return (
+        type(value) is np.ndarray
+        and value.dtype == dtype
+        and value.base is None
+        and not value.flags.writeable
+    )
+
+
+def _fits(have: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:
+    return len(have) == len(wanted) and all(
+        want is None or want == size for want, size in zip(wanted, have, strict=True)
+    )
+
+
+def freeze(instance: object, maximum: float | None = None, /, **kinds: ArrayKind) -> None:
+    """Make fields of a frozen dataclass read-only arrays of such kinds; see ``frozen_array``."""
+    for name, (dtype, shape) in kinds.items():
+        what = f"{type(instance).__name__}.{name}"
+        array = frozen_array(getattr(instance, name), dtype, shape, what, maximum=maximum)
+        object.__setattr__(instance, name, array)
+
+
+PartKind = Literal["hull", "box", "cylinder", "ellipsoid"]
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A textured triangle mesh. ``uv`` is per vertex (vertices repeat along seams).
+
+    Faces turn counter-clockwise seen from outside. ``opacity`` below 1 draws it as glass.
+    """
+
+    vertices: Float[np.ndarray, "n 3"]
+    faces: Int[np.ndarray, "m 3"]
+    uv: Float[np.ndarray, "n 2"]
+    texture: UInt8[np.ndarray, "th tw 3"]
+    opacity: float = 1.0
+
+    def __post_init__(self) -> None:
+        freeze(self, vertices=(np.float32, (None, 3)), faces=(np.int32, (None, 3)))
+        freeze(self, uv=(np.float32, (len(self.vertices), 2)), texture=PICTURE)
+        if not 0 <= self.opacity <= 1:
+            raise InputError(f"Mesh.opacity must be in [0, 1], got {self.opacity}.")
+        if not self.texture.size:
+            raise InputError("Mesh.texture needs at least one texel.")
+        if not len(self.vertices) or not len(self.faces):
+            raise InputError("A mesh needs at least one vertex and one face.")
+        if self.faces.min() < 0 or self.faces.max() >= len(self.vertices):
+            raise InputError(f"Mesh.faces must index its {len(self.vertices)} vertices.")
+
+    @cached_property
+    def bounds(self) -> Float[np.ndarray, "2 3"]:
+        """Lowest and highest corner."""
+        return np.stack([self.vertices.min(0), self.vertices.max(0)]).astype(np.float64)
+
+    @property
+    def extent(self) -> Float[np.ndarray, 3]:
+        """Size along each axis."""
+        return self.bounds[1] - self.bounds[0]
+
+    @property
+    def area(self) -> float:
+        """Surface area."""
+        a, b, c = self.vertices.astype(float)[self.faces].transpose(1, 0, 2)
+        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
+
+
+@dataclass(frozen=True, eq=False)
+class ConvexPart:
+    """One convex piece of a collision shape: the convex hull of ``vertices``.
+
+    ``kind`` "box", "cylinder" or "ellipsoid" says that the piece is that primitive, filling the
+    axis-aligned bounds of ``vertices`` (a cylinder runs along ``axis``: 0, 1 or 2). Collision then
+    uses the primitive wherever the object's scale keeps it one.
+    """
+
+    vertices: Float[np.ndarray, "n 3"]
+    kind: PartKind = "hull"
+    axis: Literal[0, 1, 2] = 2
+
+    def __post_init__(self) -> None:
+        freeze(self, FARTHEST, vertices=POINTS)
+        if len(self.vertices) < 4:
+            raise InputError(f"A convex part needs at least 4 points, got {len(self.vertices)}.")
+
+    @cached_property
+    def bounds(self) -> Float[np.ndarray, "2 3"]:
+        """Lowest and highest corner, read-only."""
+        corners = np.stack([self.vertices.min(0), self.vertices.max(0)])
+        corners.setflags(write=False)
+        return corners
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no bounds, which follow."""
+        return {"vertices": self.vertices, "kind": self.kind, "axis": self.axis}
+
+
+@dataclass(frozen=True, eq=False)
+class Slot:
+    """A place that a holder has for one thing.
+
+    ``at`` is where the middle of the thing's underside goes, in the holder's canonical frame;
+    ``yaw`` is the thing's turn to the holder's, radians; ``name`` is the thing, if that is decided.
+    """
+
+    at: Float[np.ndarray, 3]
+    yaw: float = 0.0
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        freeze(self, FARTHEST, at=(np.float64, (3,)))
+
+
+@dataclass(frozen=True)
+class Physics:
+    """What an object is made of. ``density`` in kg/m^3, ``friction`` the sliding coefficient.
+
+    ``shell`` None: mass is density times the mesh's volume. Otherwise the object is hollow with
+    walls ``shell`` metres thick: mass is density times surface area times ``shell``.
+    """
+
+    density: float = 600.0
+    friction: float = 0.6
+    shell: float | None = None
+
+    def __post_init__(self) -> None:
+        if not (0 < self.density < 3e4 and 0 < self.friction < 5):
+            raise InputError(f"Physics needs density in (0, 30000) and friction in (0, 5): {self}.")
+        if self.shell is not None and not 0 < self.shell < 1:
+            raise InputError(f"Physics.shell is a wall thickness in (0, 1) m, got {self.shell}.")
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A canonical 3D model m_i (Sec. 3.2): +z up, unit box.
+
+    ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
+    pieces in the canonical frame; without any, assembly decomposes the mesh. Things can be put into
+    a ``container``. ``orientation``, a rotation matrix whose columns are the model's axes in the
+    world, is how the modeler saw the thing in the picture, if it says: a hint that no bundle keeps.
+    Neither keeps it the ``slots``, which are the places for things in a holder. ``stand_in`` marks
+    a plain thing that only stands for what it is called.
+    """
+
+    name: str
+    label: str
+    mesh: Mesh
+    size: Float[np.ndarray, 3]
+    physics: Physics = Physics()
+    parts: tuple[ConvexPart, ...] = ()
+    category: str = "generic"
+    container: bool = False
+    orientation: Float[np.ndarray, "3 3"] | None = None
+    stand_in: bool = False
+    slots: tuple[Slot, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, FARTHEST, size=VECTOR)
+        if (self.size < SMALLEST).any():
+            raise InputError(f"Model.size must be metres, {SMALLEST:g} or more, got {self.size}.")
+        if not np.allclose(self.mesh.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3):
+            raise InputError(
+                f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, "
+                f"its bounds are {self.mesh.bounds.tolist()}. Use values.to_unit_box."
+            )
+        if self.orientation is not None:
+            freeze(self, orientation=(np.float64, (3, 3)))
+            seen = self.orientation
+            if not (np.allclose(seen @ seen.T, np.eye(3), atol=1e-6) and np.linalg.det(seen) > 0):
+                raise InputError(f"Model.orientation must be a rotation matrix, got {seen}.")
+
+
+def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, 3], Float[np.ndarray, 3]]:
+    """Normalise ``mesh`` to the canonical unit box.
+
+    Returns the mesh, and the ``center`` and ``extent`` it had: ``v_unit = (v - center) / extent``.
+    A flat mesh gets an extent of at least 1e-4 along its flat axis before dividing.
+    """
+    low, high = mesh.bounds
+    center, extent = (low + high) / 2, np.maximum(high - low, 1e-4)
+    vertices = np.clip((mesh.vertices - center) / extent, -0.5, 0.5)
+    return Mesh(vertices, mesh.faces, mesh.uv, mesh.texture, mesh.opacity), center, extent
+
+
+def parts_to_unit_box(
+    parts: tuple[ConvexPart, ...], center: Float[np.ndarray, 3], extent: Float[np.ndarray, 3]
+) -> tuple[ConvexPart, ...]:
+    """Carry convex parts into the canonical frame of ``to_unit_box``."""
+    return tuple(ConvexPart((p.vertices - center) / extent, p.kind, p.axis) for p in parts)
+
+
+Extent = tuple[float, float, float]
+
+Stance = Literal["edge", "end", "side"]
+"""On the edge as toast in its rack, on the end as a test tube, on the side as a bottle of wine."""
+
+
+@dataclass(frozen=True)
+class Holder:
+    """Places for things that stand side by side along a holder's x axis.
+
+    Attributes:
+        stance: how things stand in their places.
+        room: the largest thing it may be made for: across the row, along y, and up, metres.
+    """
+
+    stance: Stance
+    room: Extent
+
+    def stand(self, extent: Extent) -> Extent:
+        """Return the extent of a thing as it stands in its place: across, along and up, metres."""
+        narrow, middle, longest = sorted(extent)
+        if self.stance == "edge":
+            return narrow, longest, middle
+        return (narrow, middle, longest) if self.stance == "end" else (middle, longest, narrow)
+
+    def takes(self, extent: Extent) -> bool:
+        """Tell whether it may have a place for a thing of this extent (metres)."""
+        return all(a <= b for a, b in zip(self.stand(extent), self.room, strict=True))
+
+
+def write_room(extent: Extent) -> str:
+    """Return a room as the attribute "room" of what is built around it."""
+    return " ".join(f"{side:.4f}" for side in extent)
+
+
+def read_room(text: str | None, usual: Extent) -> Extent:
+    """Return the room that an attribute asks for, ``usual`` where there is none."""
+    if text is None:
+        return usual
+    across, along, up = (float(word) for word in text.split())
+    return across, along, up
