@@ -118,7 +118,7 @@ class Mesh:
         return np.stack([self.vertices.min(0), self.vertices.max(0)]).astype(np.float64)
 
     @property
-    def extent(self) -> Float[np.ndarray, 3]:
+    def extent(self) -> Float[np.ndarray, "3"]:
         """Size along each axis."""
         return self.bounds[1] - self.bounds[0]
 
@@ -167,7 +167,7 @@ class Slot:
     ``yaw`` is the thing's turn to the holder's, radians; ``name`` is the thing, if that is decided.
     """
 
-    at: Float[np.ndarray, 3]
+    at: Float[np.ndarray, "3"]
     yaw: float = 0.0
     name: str = ""
 
@@ -209,7 +209,7 @@ class Model:
     name: str
     label: str
     mesh: Mesh
-    size: Float[np.ndarray, 3]
+    size: Float[np.ndarray, "3"]
     physics: Physics = Physics()
     parts: tuple[ConvexPart, ...] = ()
     category: str = "generic"
@@ -234,7 +234,7 @@ class Model:
                 raise InputError(f"Model.orientation must be a rotation matrix, got {seen}.")
 
 
-def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, 3], Float[np.ndarray, 3]]:
+def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
     """Normalise ``mesh`` to the canonical unit box.
 
     Returns the mesh, and the ``center`` and ``extent`` it had: ``v_unit = (v - center) / extent``.
@@ -247,7 +247,7 @@ def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, 3], Float[np.ndarra
 
 
 def parts_to_unit_box(
-    parts: tuple[ConvexPart, ...], center: Float[np.ndarray, 3], extent: Float[np.ndarray, 3]
+    parts: tuple[ConvexPart, ...], center: Float[np.ndarray, "3"], extent: Float[np.ndarray, "3"]
 ) -> tuple[ConvexPart, ...]:
     """Carry convex parts into the canonical frame of ``to_unit_box``."""
     return tuple(ConvexPart((p.vertices - center) / extent, p.kind, p.axis) for p in parts)

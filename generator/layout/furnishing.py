@@ -18,6 +18,7 @@ from ..errors import SceneError
 from ..geometry import convex_outline
 from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, ScenePlan
 from ..stand_ins import build_stand_in
+from ..tables import build_table
 from .footprint import footprint
 from .postures import pose, stand_up
 from .scoring import SIDES

@@ -501,7 +501,7 @@ def model_of(category: Category, look: Look, size: Extent | None = None) -> Mode
                                                            for slot in made.slots))  # fmt: skip
 
 
-def _physics(category: Category, mesh: Mesh, extent: Float[np.ndarray, 3]) -> Physics:
+def _physics(category: Category, mesh: Mesh, extent: Float[np.ndarray, "3"]) -> Physics:
     """Return the material of a variant whose ``mesh`` is in metres and fills ``extent``."""
     share = float(np.prod(extent) / np.prod(category.size)) ** category.growth
     mass = category.mass * float(np.clip(share, *_VARIATION))

@@ -135,7 +135,7 @@ def _lanes(points: Float[np.ndarray, "k d"], closed: bool) -> tuple[np.ndarray, 
     return np.array(index), np.array(spans)
 
 
-def _along(points: Float[np.ndarray, "k d"]) -> Float[np.ndarray, k]:
+def _along(points: Float[np.ndarray, "k d"]) -> Float[np.ndarray, "k"]:
     """Return the arc length of each point of a polyline as a fraction of the whole."""
     lengths = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     return lengths / lengths[-1] if lengths[-1] > 0 else np.linspace(0, 1, len(points))
@@ -188,7 +188,7 @@ def loft(
     rings: Float[np.ndarray, "k m 3"],
     outline: Float[np.ndarray, "m 2"] | None = None,
     *,
-    v: Float[np.ndarray, rows] | None = None,
+    v: Float[np.ndarray, "rows"] | None = None,
     profile: Float[np.ndarray, "k d"] | None = None,
     loop: bool = False,
 ) -> Solid:

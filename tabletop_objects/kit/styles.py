@@ -101,7 +101,7 @@ def _refined_within(solid: Solid, edge: float, maximum: int) -> Solid:
     return solid
 
 
-def _weld(solid: Solid) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, n]]:
+def _weld(solid: Solid) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "n"]]:
     """Return the distinct positions of a solid's vertices and which of them each vertex has."""
     points, index = np.unique(solid.vertices.round(7) + 0.0, axis=0, return_inverse=True)
     return points, index.reshape(-1)
@@ -158,8 +158,8 @@ def _press_flat(solid: Solid) -> Solid:
 def _grow(
     part: ConvexPart,
     by: float,
-    low: Float[np.ndarray, 3],
-    high: Float[np.ndarray, 3],
+    low: Float[np.ndarray, "3"],
+    high: Float[np.ndarray, "3"],
 ) -> ConvexPart:
     """Return a part larger by ``by`` on each side, kept within a box."""
     first, last = part.bounds
@@ -198,7 +198,7 @@ def _facet(piece: Piece) -> Piece:
     return Piece(Solid(p.reshape(-1, 3), faces, uv), swatch)
 
 
-def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, m]]:
+def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
     """Return a coarser closed solid in the same box, and for each face the nearest old one."""
     import fast_simplification
     from scipy.spatial import KDTree
