@@ -17,7 +17,7 @@ import hashlib
 import importlib
 import json
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -97,9 +97,9 @@ def facts(category: Any) -> dict[str, object]:
     return {name: getattr(category, name) for name in names}
 
 
-def record(path: Path, workers: int) -> None:
-    """Write the digests of all categories, in their order."""
-    keys = list(library().CATEGORIES)
+def record(path: Path, workers: int, only: Sequence[str] = ()) -> None:
+    """Write the digests of all categories, or of some, in their order."""
+    keys = [key for key in library().CATEGORIES if not only or key in only]
     with ProcessPoolExecutor(workers) as pool:
         found = dict(pool.map(record_category, keys, chunksize=16))
     path.write_text(json.dumps(found, indent=0) + "\n")
@@ -125,13 +125,14 @@ def main() -> int:
     recording = commands.add_parser("record")
     recording.add_argument("out", type=Path)
     recording.add_argument("--workers", type=int, default=2)
+    recording.add_argument("--only", nargs="+", default=(), metavar="KEY", help="default: all")
     comparing = commands.add_parser("compare")
     comparing.add_argument("one", type=Path)
     comparing.add_argument("other", type=Path)
     args = parser.parse_args()
     if args.command == "compare":
         return int(compare(args.one, args.other) > 0)
-    record(args.out, args.workers)
+    record(args.out, args.workers, args.only)
     return 0
 
 

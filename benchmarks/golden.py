@@ -201,7 +201,7 @@ def facts(record: Path) -> dict[str, Any]:
             content = json.loads(path.read_text())
             found |= {f"{place}:{a}:{b}": v for a in content for b, v in content[a].items()}
         elif foreign and path.suffix == ".zip":
-            found |= {f"{place}:{name}": digest for name, digest in _zipped(path)}
+            found |= {f"{place}:{name}": digest for name, digest in _archive_digests(path)}
         elif path.suffix in CODE or (not foreign and path.suffix not in DATA):
             continue
         else:
@@ -209,7 +209,7 @@ def facts(record: Path) -> dict[str, Any]:
     return found
 
 
-def _zipped(path: Path) -> Iterator[tuple[str, str]]:
+def _archive_digests(path: Path) -> Iterator[tuple[str, str]]:
     """Yield the digests of the files in an archive."""
     with zipfile.ZipFile(path) as archive:
         for name in sorted(archive.namelist()):

@@ -35,7 +35,7 @@ from posing.tables import alone, command_line
 
 from generator.errors import InputError, TabletopError
 from generator.scene import Model
-from tabletop_objects import find_category
+from tabletop_objects import get_category
 
 HERE = Path(__file__).parent
 
@@ -78,7 +78,7 @@ def spoiling_of(args: argparse.Namespace) -> Spoiling:
 
 def draw_of(args: argparse.Namespace) -> Draw:
     """Return what the cases of the given flags are drawn from."""
-    only = tuple(find_category(word).key for word in args.only)
+    only = tuple(get_category(word).key for word in args.only)
     models = foreign(args.meshes, args.up, args.symmetric) if args.meshes else ()
     return Draw(args.split, args.seed, spoiling_of(args), only, models, symmetric=args.symmetric)
 
@@ -103,7 +103,7 @@ def stem(args: argparse.Namespace) -> str:
         return name
     if args.meshes:
         name += f"_{args.meshes.resolve().name}" + ("" if args.up == "auto" else args.up)
-    name += "".join(f"_{find_category(word).key}" for word in args.only)
+    name += "".join(f"_{get_category(word).key}" for word in args.only)
     name += "_symmetric" if args.symmetric else ""
     return name + spoiling_of(args).label()
 

@@ -1,4 +1,4 @@
-"""Draw the catalogue: ``python -m generator.catalogue.sheet OUT.png [category ...]``.
+"""Draw the catalogue: ``python -m generator.gallery OUT.png [category ...]``.
 
 ``docs/images/catalogue.png`` is made with ``--page``.
 """

@@ -13,9 +13,10 @@ from types import MappingProxyType
 import numpy as np
 
 from tabletop_objects import CATEGORIES
+from tabletop_objects.catalogue import model_of
 from tabletop_objects.kit import surfaces
 from tabletop_objects.kit.parts import box_part, cylinder_part, hull_of, resting_ball
-from tabletop_objects.kit.shapes import Category, Shape, model_of, shape
+from tabletop_objects.kit.shapes import Category, Shape, shape
 from tabletop_objects.kit.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from tabletop_objects.kit.surfaces import SIZE_FACTORS, Look, tint_color
 

@@ -11,7 +11,7 @@ import json
 import sys
 from pathlib import Path
 
-from . import INDEX, OBJECTS, declared
+from .catalogue import INDEX, OBJECTS, read_module
 from .kit.shapes import Category
 
 FACTS = tuple(f for f in dataclasses.fields(Category) if f.name not in ("key", "shape", "_"))
@@ -35,7 +35,7 @@ def declarations() -> dict[str, tuple[str, Category]]:
         if path.name == "__init__.py":
             continue
         module = ".".join(path.relative_to(root).with_suffix("").parts)
-        for key, category in declared(f"{OBJECTS}.{module}").items():
+        for key, category in read_module(f"{OBJECTS}.{module}").items():
             if key in found:
                 raise ValueError(f"{key} is declared in {found[key][0]} and {module}.")
             if category.themes[:1] != (path.parent.name,):

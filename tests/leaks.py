@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from types import TracebackType
 from typing import Any
 
-OURS = "generator."
+OURS = ("generator.", "tabletop_objects.")
 
 
 def chain(error: BaseException) -> Iterator[BaseException]:

@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from generator import geometry as g
 from generator.errors import InputError
 from generator.scene import ConvexPart, Mesh, View
+from tabletop_objects.values import parts_to_unit_box, to_unit_box
 
 ANGLE = st.floats(-10, 10)
 VIEW = st.builds(
@@ -86,9 +87,9 @@ def test_to_unit_box_is_undone_by_centre_and_extent() -> None:
     vertices = np.array([[1, 2, 3], [2, 2, 3], [1, 4, 3], [1, 2, 7]], float)
     mesh = Mesh(vertices, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], np.zeros((4, 2)),
                 np.zeros((1, 1, 3)))  # fmt: skip
-    unit, center, extent = g.to_unit_box(mesh)
+    unit, center, extent = to_unit_box(mesh)
     assert np.allclose(unit.vertices * extent + center, vertices, atol=1e-6)
-    (part,) = g.parts_to_unit_box((ConvexPart(vertices, "box"),), center, extent)
+    (part,) = parts_to_unit_box((ConvexPart(vertices, "box"),), center, extent)
     assert np.allclose(part.bounds, [[-0.5] * 3, [0.5] * 3])
 
 

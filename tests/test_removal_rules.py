@@ -4,7 +4,7 @@ import ast
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
-PACKAGES = ("generator", "tabletopgen_env", "assets_cache", "research")
+PACKAGES = ("tabletop_objects", "generator", "tabletopgen_env", "assets_cache", "research")
 REMOVING = {"rmtree", "unlink", "rmdir", "removedirs"}
 OF_OS = {"remove", "removedirs", "rmdir", "unlink"}
 

@@ -4,7 +4,7 @@ import ast
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
-PACKAGES = ("generator", "tabletopgen_env", "tabletopgen_web", "assets_cache")
+PACKAGES = ("tabletop_objects", "generator", "tabletopgen_env", "tabletopgen_web", "assets_cache")
 MOST = 10
 
 

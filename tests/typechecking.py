@@ -17,7 +17,7 @@ from typing import Any
 import beartype
 from jaxtyping import install_import_hook
 
-PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
+PACKAGES = ("tabletop_objects", "generator", "tabletopgen_env", "assets_cache")
 CONF = beartype.BeartypeConf(is_pep484_tower=True)  # an int is a float, as for type checkers
 ARRAYS = re.compile(r"\b(?:Float|Int|UInt|UInt8|UInt16|Int32|Int64|Bool|Shaped|Num|Real)\d*\[")
 

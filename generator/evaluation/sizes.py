@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from tabletop_objects import find_category
+from tabletop_objects import get_category
 from tabletop_objects.kit.surfaces import SIZE_FACTORS
 
 from ..errors import InputError
@@ -45,7 +45,7 @@ def _usual(scene: Scene, thing: Object) -> tuple[Float[np.ndarray, "3"], str] | 
     factor = next((SIZE_FACTORS[w] for w in words if w in SIZE_FACTORS), 1.0)
     for word in (thing.model.category, thing.label):
         try:
-            return factor * np.array(find_category(word).size), "catalogue"
+            return factor * np.array(get_category(word).size), "catalogue"
         except InputError:
             continue
     return None

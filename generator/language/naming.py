@@ -10,7 +10,6 @@ from scipy.optimize import linear_sum_assignment
 
 from tabletop_objects import CATEGORIES, Category, find_category
 
-from ..errors import InputError
 from ..scene import Instance, SizePrior
 
 _SURE = 0.55  # probability from which a thing gets its category's name
@@ -27,14 +26,6 @@ _MOST_UNLIKE = 5.0  # cost at most of a size and shape that a word does not have
 _NO_SIZE = 2.0  # and of those of a word, or a thing, that has none
 _LEFT_OUT = 6.0  # cost of a doubtful thing without a word
 _RARE = 1e-4  # probability that no category falls below
-
-
-def find_category(word: str) -> Category | None:
-    """Return the catalogue's category for a word, or None if it has none."""
-    try:
-        return find_category(word)
-    except InputError:
-        return None
 
 
 def find_kind(word: str) -> Category | None:

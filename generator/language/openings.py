@@ -66,9 +66,6 @@ def is_lit(category: str, vessel: str) -> bool:
 
 def open_category(category: str, noun: str = "", contents: str = "") -> str:
     """Return the category of a thing called ``noun`` where ``contents`` (a category) goes in it."""
-    return _MEANT.get((noun, contents), _opened(category))
-
-
-def _opened(category: str) -> str:
     known = CATEGORIES.get(category)
-    return known.opened if known is not None and known.opened else category
+    usual = known.opened if known is not None and known.opened else category
+    return _MEANT.get((noun, contents), usual)

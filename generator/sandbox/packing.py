@@ -55,8 +55,8 @@ def packed_parts(value: object) -> list[bytes | memoryview]:
 def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
     """Return the value that ``raw`` holds; its arrays are read-only views of ``raw``.
 
-    ``find_class`` returns the class that a name such as "tabletop_objects.values:Mesh" stands for, or
-    raises ``ValueError`` if the class is not expected.
+    ``find_class`` returns the class of a name such as "tabletop_objects.values:Mesh", or raises
+    ``ValueError`` if the class is not expected.
 
     Raises:
         ValueError: the bytes are no packed value.

@@ -15,20 +15,10 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import InputError, choices
-from ..values import (
-    ConvexPart,
-    Extent,
-    Holder,
-    Mesh,
-    Model,
-    Physics,
-    Slot,
-    parts_to_unit_box,
-    to_unit_box,
-)
+from ..values import ConvexPart, Extent, Holder, Mesh, Slot
 from .parts import above, box_part, hull_above, hull_part, open_vessel
-from .solids import Profile, Solid, signed_volume
-from .surfaces import SIZE_FACTORS, Look, Tile, plain
+from .solids import Profile, Solid
+from .surfaces import Look, Tile, plain
 
 ShapeFunction = Callable[[Look], "Shape"]
 """Draws one variant of a category."""
@@ -48,8 +38,6 @@ Handbook ranges are wood on wood 0.25-0.5, metal on wood 0.2-0.6, leather on woo
 values are from their upper ends. MuJoCo takes the larger coefficient of the two in contact.
 """
 
-_VARIATION = 0.5, 2.0  # a variant's mass relative to the nominal one
-_WALL_DENSITY = 2000.0  # kg/m^3; only its product with the wall's thickness counts
 
 MARGIN = 2
 """Pixels of each tile's rim repeated around it in the atlas, against bleeding."""
@@ -472,41 +460,3 @@ def _declaring(
 
 category = _declaring(Category)
 """Decorator that makes a category of a drawing function: its key, then ``Category``'s facts."""
-
-
-def model_of(category: Category, look: Look, size: Extent | None = None) -> Model:
-    """Draw one variant in its canonical frame, with the density that gives its mass.
-
-    ``size`` replaces the variant's extent and its attribute "size". Hollow objects are shells:
-    when scaled, their mass grows with the surface area, at constant wall thickness.
-    """
-    made = category.shape(look)
-    if style := look.attributes.get("style", ""):
-        from .styles import apply_style
-
-        made = apply_style(made, style)
-    if "edible" not in category.roles and (color := look.attributes.get("color", "")):
-        from .styles import show_color
-
-        made = show_color(made, color)
-    mesh = mesh_of(made)
-    unit, center, extent = to_unit_box(mesh)
-    words = look.attributes.get("size", "").lower().split()
-    factor = next((SIZE_FACTORS[w] for w in words if w in SIZE_FACTORS), 1.0)
-    return Model(name=category.key, label=category.noun, mesh=unit, size=extent * factor
-                 if size is None else np.array(size), physics=_physics(category, mesh, extent),
-                 parts=parts_to_unit_box(made.parts, center, extent), category=category.key,
-                 container=category.container, slots=tuple(replace(slot, at=(slot.at - center)
-                                                                   / extent)
-                                                           for slot in made.slots))  # fmt: skip
-
-
-def _physics(category: Category, mesh: Mesh, extent: Float[np.ndarray, "3"]) -> Physics:
-    """Return the material of a variant whose ``mesh`` is in metres and fills ``extent``."""
-    share = float(np.prod(extent) / np.prod(category.size)) ** category.growth
-    mass = category.mass * float(np.clip(share, *_VARIATION))
-    if category.hollow:
-        shell = mass / mesh.area / _WALL_DENSITY
-        return Physics(_WALL_DENSITY, category.sliding_friction, shell)
-    volume = signed_volume(mesh.vertices.astype(float), mesh.faces)
-    return Physics(float(np.clip(mass / volume, 5, 29000)), category.sliding_friction)

@@ -11,10 +11,10 @@ from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.eye.weights import load_weights
 from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.backends.embedded.segmenter import EmbeddedSegmenter
-from generator.language.naming import find_category
 from generator.language.planner import plan_scene
 from generator.meshes.pixels import mask_iou
 from generator.scene import TABLE
+from tabletop_objects import find_category
 
 
 def draw_with_truth(text: str, seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:

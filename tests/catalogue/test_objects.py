@@ -8,7 +8,7 @@ from solidity import fingerprint, is_closed, mass_of
 from generator.errors import InputError
 from generator.gallery import draw
 from generator.scene import Mesh, Model
-from tabletop_objects import CATEGORIES, build, find_category
+from tabletop_objects import CATEGORIES, build, get_category
 from tabletop_objects.kit.solids import signed_volume
 
 FAR = 2.2
@@ -149,11 +149,11 @@ def test_material_is_honoured():
 
 
 def test_words_find_their_category():
-    assert find_category("Coffee Mug").key == "mug"
-    assert find_category("rubik's cube").key == "puzzle_cube"
-    assert find_category("computer_mouse").key == "computer_mouse"
+    assert get_category("Coffee Mug").key == "mug"
+    assert get_category("rubik's cube").key == "puzzle_cube"
+    assert get_category("computer_mouse").key == "computer_mouse"
     with pytest.raises(InputError, match="Did you mean 'mug'"):
-        find_category("mugg")
+        get_category("mugg")
 
 
 def test_table_of_categories_cannot_be_changed():

@@ -16,7 +16,7 @@ from pathlib import Path
 from tabletopgen_web.frontend import static_folder
 
 ROOT = Path(__file__).parents[2]
-PACKAGES = ("generator", "tabletopgen_env", "tabletopgen_web", "assets_cache")
+PACKAGES = ("tabletop_objects", "generator", "tabletopgen_env", "tabletopgen_web", "assets_cache")
 BESIDE = ("pyproject.toml", "README.md", "LICENSE", "NOTICE")
 LONG = 240.0
 """Seconds after which a step is taken to hang."""

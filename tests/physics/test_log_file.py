@@ -137,7 +137,7 @@ def test_every_state_is_made_without_a_log_file() -> None:
              "generator/cli/machine/probes.py"}  # fmt: skip
     made = {
         path.relative_to(ROOT).as_posix()
-        for package in ("generator", "tabletopgen_env", "tabletopgen_web")
+        for package in ("tabletop_objects", "generator", "tabletopgen_env", "tabletopgen_web")
         for path in (ROOT / package).rglob("*.py")
         if re.search(r"\bMjData\(", path.read_text())
     }

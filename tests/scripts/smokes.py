@@ -107,6 +107,9 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--texts {out}/texts.json --cases 1 --route compose --out {out}",
         ("batch_compose.md",), prepare=_texts,
     ),
+    "benchmarks/catalogue_digests.py": Smoke(
+        "record {out}/digests.json --workers 1 --only mug knife", ("digests.json",)
+    ),
     "benchmarks/certificates.py": Smoke(
         "--bundles coffee-square --starts 1 --out {out}", _table("certificates"), codes=(0, 1)
     ),

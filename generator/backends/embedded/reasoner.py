@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tabletop_objects import find_category
+
 from ...geometry import mask_box
-from ...language.naming import find_category
 from ...language.planner import plan_scene
 from ...scene import (
     TABLE,

@@ -14,11 +14,11 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
+from tabletop_objects import find_category
 from tabletop_objects.values import parts_to_unit_box, to_unit_box
 
 from ...errors import BackendError, InputError, SceneError
 from ...geometry import quaternion_yaw
-from ...language.naming import find_category
 from ...meshes.coloring import best_size, own_texture, painted_faces
 from ...meshes.normalising import Normal, foreign_physics, repair_surface
 from ...meshes.reading.surface import ColoredSurface

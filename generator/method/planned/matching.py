@@ -10,7 +10,8 @@ import numpy as np
 from jaxtyping import Float, UInt8
 from scipy.optimize import linear_sum_assignment
 
-from ...language.naming import find_category
+from tabletop_objects import find_category
+
 from ...layout.resting import support_of
 from ...layout.scoring import SIDES
 from ...scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan

@@ -861,7 +861,8 @@ def egg_cooker(look: Look) -> Shape:
     return shape([(base, look.surface(color, "plastic")),
                   (join(eggs), surfaces.speckles(look.rng, (236, 208, 176), 6)),
                   (tray, surfaces.plain(EGG_COOKER_STEEL)),
-                  (join(hoop), surfaces.plain((206, 216, 220))), (knob, surfaces.plain(EGG_COOKER_INK)),
+                  (join(hoop), surfaces.plain((206, 216, 220))),
+                  (knob, surfaces.plain(EGG_COOKER_INK)),
                   (turn_knob(0.011, 0, -0.99 * r, 0.026), surfaces.plain((220, 70, 50)))],
                  [hull_of(base), hull_of(*eggs, knob)])  # fmt: skip
 

@@ -107,8 +107,8 @@ def _trim(image: Canvas, look: Look, land: RGB) -> None:
     """Add a margin, a title and a legend."""
     ink = look.own_color("crimson", "navy", "green", "charcoal", "orange")
     margin = tint_color(land, 1.6)
-    for box in ((0, 0, 1, 0.025), (0, 0.975, 1, 0.025), (0, 0, 0.018, 1), (0.982, 0, 0.018, 1)):
-        prints.fill(image, *box, margin)
+    for edge in ((0, 0, 1, 0.025), (0, 0.975, 1, 0.025), (0, 0, 0.018, 1), (0.982, 0, 0.018, 1)):
+        prints.fill(image, *edge, margin)
     x, y = look.pick([(0.03, 0.04), (0.72, 0.04), (0.03, 0.7), (0.72, 0.7)])
     prints.fill(image, x, y, 0.25, 0.26, margin)
     prints.fill(image, x, y, 0.25, 0.09, ink)

@@ -14,7 +14,7 @@ from generator.meshes.reading.surface import surface_of
 from generator.physics.inertia import body_mass, is_watertight
 from generator.render.shading import sample_texture
 from generator.scene import Mesh, SizePrior
-from tabletop_objects import find_category
+from tabletop_objects import get_category
 
 
 def read(*meshes: trimesh.Trimesh, **settings) -> Mesh:
@@ -219,9 +219,9 @@ def test_models_have_the_prior_s_size_and_weigh_as_their_kind_does():
     np.testing.assert_allclose(made.size, np.sort(made.size)[[2, 0, 1]])
     np.testing.assert_allclose(made.size[0] * made.size[1], 0.1 * 0.2, rtol=1e-6)
     assert (made.name, made.label, made.category) == ("book_1", "book", "book")
-    usual = np.array(find_category("book").size)
+    usual = np.array(get_category("book").size)
     weighed = body_mass(made.mesh, usual, made.physics, ())
-    assert weighed.mass == pytest.approx(find_category("book").mass, rel=0.01)
+    assert weighed.mass == pytest.approx(get_category("book").mass, rel=0.01)
     odd = foreign_model(mesh, instance("gizmo"), SizePrior("gizmo", np.ones(3)))
     assert odd.category == "generic" and not odd.container
 

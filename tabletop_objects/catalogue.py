@@ -1,0 +1,201 @@
+"""Look up, build and locate the categories of ``objects``, through their index."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+from jaxtyping import Float
+
+from .errors import InputError, choices
+from .kit.shapes import Category, Shape, mesh_of
+from .kit.solids import signed_volume
+from .kit.surfaces import SIZE_FACTORS, Look
+from .values import Extent, Holder, Mesh, Model, Physics, parts_to_unit_box, to_unit_box
+
+_VARIATION = 0.5, 2.0  # a variant's mass relative to the nominal one
+_WALL_DENSITY = 2000.0  # kg/m^3; only its product with the wall's thickness counts
+
+INDEX = Path(__file__).with_name("index.json")
+OBJECTS = f"{__package__}.objects"
+
+
+@cache
+def load_index() -> Mapping[str, Category]:
+    """Return every category by key, in the order of their ranks; drawing functions load later."""
+    return MappingProxyType(
+        {key: _read_row(key, dict(row)) for key, row in json.loads(INDEX.read_bytes()).items()}
+    )
+
+
+def _read_row(key: str, row: dict[str, object]) -> Category:
+    module = f"{OBJECTS}.{row.pop('module')}"
+    if holder := row.pop("holder", None):
+        row["holder"] = Holder(holder[0], tuple(holder[1]))  # type: ignore[index]
+    facts = {name: tuple(v) if isinstance(v, list) else v for name, v in row.items()}
+    return Category(key, _Deferred(module, key), **facts)  # type: ignore[arg-type]
+
+
+class _Deferred:
+    """A drawing function that imports its module when it is first called."""
+
+    def __init__(self, module: str, key: str) -> None:
+        self.module, self.key = module, key
+
+    def __call__(self, look: Look) -> Shape:
+        return self.load().shape(look)
+
+    def load(self) -> Category:
+        """Return the category as its module declares it."""
+        return read_module(self.module)[self.key]
+
+
+def read_module(module: str) -> Mapping[str, Category]:
+    """Return the categories that a module declares: decorated functions, then ``CATEGORIES``."""
+    content = vars(import_module(module))
+    drawn = [c for c in content.values() if isinstance(c, Category)]
+    own = [c for c in drawn if c.shape.__module__ == module]  # the others are imported
+    return {c.key: c for c in (*own, *content.get("CATEGORIES", ()))}
+
+
+def find_category(word: str) -> Category | None:
+    """Return the category with this key, noun or alias (singular, any case), or None."""
+    key = _names().get(word.lower().replace("_", " ").strip())
+    return None if key is None else load_index()[key]
+
+
+def get_category(word: str) -> Category:
+    """Return the category with this key, noun or alias (singular, any case).
+
+    Raises:
+        InputError: no category has that name.
+    """
+    category = find_category(word)
+    if category is None:
+        raise InputError(f"There is no object {word!r}." + choices(word, load_index()))
+    return category
+
+
+def categories(theme: str | None = None, role: str | None = None) -> tuple[Category, ...]:
+    """Return the categories of a theme ("kitchen") and with a role ("container"), by rank."""
+    return tuple(
+        c
+        for c in load_index().values()
+        if (theme is None or theme in c.themes) and (role is None or role in c.roles)
+    )
+
+
+def search(text: str, limit: int = 10) -> tuple[Category, ...]:
+    """Return the categories whose names match a text best, the best one first.
+
+    A whole name comes before a name that contains the text's words, and that before one that is
+    spelled similarly.
+    """
+    from rapidfuzz import fuzz, process
+
+    word = text.lower().replace("_", " ").strip()
+    names = _names()
+    scores: dict[str, float] = {}
+    for name, score, _ in process.extract(word, names.keys(), scorer=fuzz.WRatio, limit=6 * limit):
+        whole = 200.0 if name == word else 50.0 if set(word.split()) <= set(name.split()) else 0.0
+        key = names[name]
+        scores[key] = max(scores.get(key, 0.0), score + whole)
+    best = sorted((key for key in scores if scores[key] >= 70.0), key=lambda key: -scores[key])
+    return tuple(load_index()[key] for key in best[:limit])
+
+
+@cache
+def _names() -> Mapping[str, str]:
+    """Return every known name and the key it means; keys win over aliases, lower ranks over all."""
+    known = load_index().values()
+    names = {alias: c.key for c in reversed(tuple(known)) for alias in c.aliases}
+    names |= {name: c.key for c in known for name in (c.key.replace("_", " "), c.noun)}
+    return MappingProxyType(names)
+
+
+def build(
+    key: str,
+    seed: int,
+    *,
+    attributes: Mapping[str, str] = MappingProxyType({}),
+    size: Extent | None = None,
+) -> Model:
+    """Build one variant of a category as a canonical model.
+
+    Args:
+        key: a category's key, noun or alias.
+        seed: chooses proportions, colours and prints; the same seed gives the same bytes.
+        attributes: "color", "material" and "size" words that override the seed's choices, and
+            "style": "cartoon" or "low-poly" instead of the plain look.
+        size: the extent in metres, if fixed.
+
+    Raises:
+        InputError: no category has that name, or the style is unknown.
+    """
+    category = get_category(key)
+    digest = hashlib.sha256(category.key.encode()).digest()
+    rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, int.from_bytes(digest[:4], "big")])
+    return model_of(load_category(category), Look(rng, attributes), size)
+
+
+def load_category(category: Category) -> Category:
+    """Return a category of the index as its module declares it, with its drawing function."""
+    return category.shape.load() if isinstance(category.shape, _Deferred) else category
+
+
+def find_source(category: Category) -> tuple[Path, int]:
+    """Return the file that declares a category of the index, and the line (from 1)."""
+    draw = category.shape
+    if not isinstance(draw, _Deferred):
+        raise InputError(f"{category.key} is not from the index.")
+    path = Path(__file__).parent.joinpath(*draw.module.split(".")[1:]).with_suffix(".py")
+    marks = f'category("{category.key}",', f'Category("{category.key}",'
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if any(mark in line for mark in marks):
+            return path, number
+    raise InputError(f"{path} does not declare {category.key}; rebuild the index.")
+
+
+def model_of(category: Category, look: Look, size: Extent | None = None) -> Model:
+    """Draw one variant in its canonical frame, with the density that gives its mass.
+
+    ``size`` replaces the variant's extent and its attribute "size". Hollow objects are shells:
+    when scaled, their mass grows with the surface area, at constant wall thickness.
+    """
+    made = category.shape(look)
+    if style := look.attributes.get("style", ""):
+        from .kit.styles import apply_style
+
+        made = apply_style(made, style)
+    if "edible" not in category.roles and (color := look.attributes.get("color", "")):
+        from .kit.styles import show_color
+
+        made = show_color(made, color)
+    mesh = mesh_of(made)
+    unit, center, extent = to_unit_box(mesh)
+    words = look.attributes.get("size", "").lower().split()
+    factor = next((SIZE_FACTORS[w] for w in words if w in SIZE_FACTORS), 1.0)
+    return Model(name=category.key, label=category.noun, mesh=unit, size=extent * factor
+                 if size is None else np.array(size), physics=_physics(category, mesh, extent),
+                 parts=parts_to_unit_box(made.parts, center, extent), category=category.key,
+                 container=category.container, slots=tuple(replace(slot, at=(slot.at - center)
+                                                                   / extent)
+                                                           for slot in made.slots))  # fmt: skip
+
+
+def _physics(category: Category, mesh: Mesh, extent: Float[np.ndarray, "3"]) -> Physics:
+    """Return the material of a variant whose ``mesh`` is in metres and fills ``extent``."""
+    share = float(np.prod(extent) / np.prod(category.size)) ** category.growth
+    mass = category.mass * float(np.clip(share, *_VARIATION))
+    if category.hollow:
+        shell = mass / mesh.area / _WALL_DENSITY
+        return Physics(_WALL_DENSITY, category.sliding_friction, shell)
+    volume = signed_volume(mesh.vertices.astype(float), mesh.faces)
+    return Physics(float(np.clip(mass / volume, 5, 29000)), category.sliding_friction)
