@@ -29,7 +29,9 @@ def loaded_by(statement: str) -> list[str]:
     return done.stdout.split()
 
 
-@pytest.mark.parametrize("package", ["tabletop_objects", "generator", "tabletopgen_env", "assets_cache"])
+@pytest.mark.parametrize(
+    "package", ["tabletop_objects", "generator", "tabletopgen_env", "assets_cache"]
+)
 def test_import_is_light(package: str) -> None:
     assert "torch" not in loaded_by(f"import {package}")
 

@@ -334,7 +334,7 @@ def in_sizes(spread: float) -> Callable[[ShapeFunction], ShapeFunction]:
     return decorate
 
 
-def varied(sizes: float = 0.15, shades: float = 0.12) -> Callable[[ShapeFunction], ShapeFunction]:
+def vary(sizes: float = 0.15, shades: float = 0.12) -> Callable[[ShapeFunction], ShapeFunction]:
     """Make variants also differ in size and shade, by up to these shares."""
 
     def decorate(draw: ShapeFunction) -> ShapeFunction:

@@ -9,7 +9,7 @@ from ...kit.materials import glaze_tile
 from ...kit.outlines import arc, rectangle, smooth
 from ...kit.parts import box_part, cylinder_part, hull_of, hull_part, open_vessel
 from ...kit.primitives import ball, facing, limb, side_view, straight
-from ...kit.shapes import Shape, category, settle, shape, varied
+from ...kit.shapes import Shape, category, settle, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, sweep, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
 
@@ -183,7 +183,7 @@ def coffee_dripper(look: Look) -> Shape:
           aliases=("chemex coffee maker", "pour over carafe", "pour over coffee maker",
           "glass coffee maker"), themes=("coffee",), roles=("tall", "round"),
           colors=("wooden",))  # fmt: skip
-@varied()
+@vary()
 def chemex(look: Look) -> Shape:
     """A Chemex: an hourglass of glass with a wooden collar, coffee in its lower half."""
     k = look.between(0.92, 1.08)
@@ -253,7 +253,7 @@ def coffee_tamper(look: Look) -> Shape:
           aliases=("siphon", "coffee siphon", "vacuum brewer", "syphon coffee maker",
           "siphon coffee maker"), themes=("coffee",), roles=("tall",),
           colors=("black",))  # fmt: skip
-@varied()
+@vary()
 def siphon_brewer(look: Look) -> Shape:
     """A siphon brewer: two glass bulbs on a stand over a burner."""
     k = look.between(0.94, 1.06)

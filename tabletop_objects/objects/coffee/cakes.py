@@ -9,7 +9,7 @@ from ...kit.materials import skin
 from ...kit.outlines import arc
 from ...kit.parts import box_part, cylinder_part, hull_of
 from ...kit.primitives import ball, bent_rod, blade, lobe, scatter
-from ...kit.shapes import Category, Shape, category, settle, shape, varied
+from ...kit.shapes import Category, Shape, category, settle, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, tube
 from ...kit.surfaces import RGB, Look, speck, tint_color
 from ..breakfast.breads import crust
@@ -19,7 +19,7 @@ from .cookies import biscuit_slab
 @category("madeleine", size=(0.071, 0.0469, 0.0172), mass=0.025, material="food",
           aliases=("madeleine cake", "maamoul"), themes=("coffee", "tea"), roles=("edible",),
           state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def madeleine(look: Look) -> Shape:
     """A shell-shaped little sponge, its ribs up."""
     k = look.between(0.9, 1.1)
@@ -34,7 +34,7 @@ def madeleine(look: Look) -> Shape:
 @category("teacake", size=(0.0604, 0.0608, 0.0351), mass=0.03, material="food",
           aliases=("tea cake", "chocolate teacake", "marshmallow teacake", "chocolate kiss"),
           themes=("coffee", "tea"), roles=("edible", "round"), colors=("brown",))  # fmt: skip
-@varied()
+@vary()
 def teacake(look: Look) -> Shape:
     """A chocolate-covered dome of marshmallow on a biscuit."""
     r = look.between(0.027, 0.032)
@@ -66,7 +66,7 @@ CREAM: RGB = (250, 244, 230)
 @category("rum_baba", size=(0.0707, 0.0679, 0.0684), mass=0.08, material="food",
           aliases=("baba", "savarin"), themes=("coffee", "tea"),
           roles=("edible", "round"))  # fmt: skip
-@varied()
+@vary()
 def rum_baba(look: Look) -> Shape:
     """A soaked ring or cork of sponge with cream on it."""
     r, h = look.between(0.03, 0.036), look.between(0.036, 0.042)
@@ -178,7 +178,7 @@ def bundt_cake(look: Look) -> Shape:
           aliases=("victoria sponge cake", "sponge cake", "victoria sandwich", "layer cake",
           "jam sponge"), themes=("coffee", "tea"), roles=("edible", "round", "big"),
           colors=("red",))  # fmt: skip
-@varied()
+@vary()
 def victoria_sponge(look: Look) -> Shape:
     """Two sponges with jam and cream between, sugar on top."""
     r, h = look.between(0.085, 0.1), look.between(0.03, 0.036)
@@ -224,7 +224,7 @@ def cheesecake(look: Look) -> Shape:
 @category("christmas_pudding", size=(0.174, 0.174, 0.112), mass=0.6, material="food",
           aliases=("plum pudding", "xmas pudding", "figgy pudding", "sticky toffee pudding"),
           themes=("coffee", "tea"), roles=("edible", "round"))  # fmt: skip
-@varied()
+@vary()
 def christmas_pudding(look: Look) -> Shape:
     """A round dark fruit pudding with white sauce and holly, on a plate."""
     r = look.between(0.055, 0.065)

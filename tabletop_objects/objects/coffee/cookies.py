@@ -9,7 +9,7 @@ from ...kit.materials import skin
 from ...kit.outlines import ellipse, rectangle
 from ...kit.parts import box_part, cylinder_part, hull_of
 from ...kit.primitives import lobe
-from ...kit.shapes import Category, Shape, category, shape, varied
+from ...kit.shapes import Category, Shape, category, shape, vary
 from ...kit.solids import Solid, block, cylinder, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, speck, tint_color
 
@@ -54,7 +54,7 @@ def shortbread(look: Look) -> Shape:
 @category("biscotti", size=(0.112, 0.0204, 0.0163), mass=0.025, material="food",
           aliases=("biscotto", "cantuccini", "biscottis"), themes=("coffee", "tea"),
           roles=("edible",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def biscotti(look: Look) -> Shape:
     """A long crisp slice with almonds."""
     k = look.between(0.9, 1.1)
@@ -129,10 +129,10 @@ def macaron(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("flapjack", varied()(biscuit_slab((206, 150, 78), (238, 206, 140), 90, 5, (),
+    Category("flapjack", vary()(biscuit_slab((206, 150, 78), (238, 206, 140), 90, 5, (),
              (0.075, 0.05, 0.02))), size=(0.0755, 0.0504, 0.0201), mass=0.06, material="food",
              aliases=("oat flapjack", "nut bar"), themes=("coffee", "tea"), roles=("edible",)),
-    Category("crispy_square", varied()(biscuit_slab((240, 214, 156), (252, 238, 206), 90, 7, (),
+    Category("crispy_square", vary()(biscuit_slab((240, 214, 156), (252, 238, 206), 90, 7, (),
              (0.062, 0.062, 0.034))), size=(0.0616, 0.0616, 0.0338), mass=0.03, material="food",
              aliases=("rice crispy square", "rice krispie treat", "rice crispy treat",
              "rice krispie square", "crispy cake"), themes=("coffee", "tea"), roles=("edible",)),

@@ -9,7 +9,7 @@ from ...kit.materials import skin
 from ...kit.outlines import smooth
 from ...kit.parts import cylinder_part, hull_of, hull_part
 from ...kit.primitives import ball, bent_rod, lobe, pad, scatter
-from ...kit.shapes import Shape, category, settle, shape, varied
+from ...kit.shapes import Shape, category, settle, shape, vary
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, loft, torus, tube
 from ...kit.surfaces import RGB, Look, speck, tint_color
 from ..breakfast.breads import crust
@@ -40,7 +40,7 @@ def scone(look: Look) -> Shape:
 @category("brioche", size=(0.0817, 0.0817, 0.0688), mass=0.06, material="food",
           aliases=("brioche bun", "brioche roll", "brioches"), themes=("coffee", "tea"),
           roles=("edible", "round"), colors=("copper",))  # fmt: skip
-@varied()
+@vary()
 def brioche(look: Look) -> Shape:
     """A fluted bun with a small ball on top."""
     r, h = look.between(0.036, 0.042), look.between(0.06, 0.068)
@@ -74,7 +74,7 @@ def danish_pastry(look: Look) -> Shape:
 @category("hot_cross_bun", size=(0.0997, 0.0997, 0.0509), mass=0.07, material="food",
           aliases=("cross bun", "easter bun"), themes=("coffee", "tea"),
           roles=("edible", "round"))  # fmt: skip
-@varied()
+@vary()
 def hot_cross_bun(look: Look) -> Shape:
     """A glazed spiced bun with a pale cross."""
     r, h = look.between(0.042, 0.05), look.between(0.042, 0.05)
@@ -108,12 +108,14 @@ def turnover(look: Look) -> Shape:
 
 
 def edge(corners: np.ndarray, steps: int) -> np.ndarray:
+    """Return points along the sides of a polygon of ``corners``, ``steps`` to a side."""
     after = np.roll(corners, -1, 0)
     return np.concatenate([a + (b - a) * np.linspace(0, 1, steps, endpoint=False)[:, None]
                            for a, b in zip(corners, after, strict=True)])  # fmt: skip
 
 
 def stack(ring: np.ndarray, levels: list[tuple[float, float]]):
+    """Return the solid through ``ring`` scaled and raised by each (factor, z) of ``levels``."""
     return loft(np.stack([np.column_stack([ring * f, np.full(len(ring), z)]) for f, z in levels]),
                 ring)  # fmt: skip
 
@@ -167,7 +169,7 @@ def profiterole(look: Look) -> Shape:
 @category("palmier", size=(0.0942, 0.0845, 0.00964), mass=0.02, material="food",
           aliases=("elephant ear", "pig's ear pastry"), themes=("coffee", "tea"),
           roles=("edible", "flat"), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def palmier(look: Look) -> Shape:
     """A heart-shaped scroll of sugared puff pastry lying flat."""
     k = look.between(0.9, 1.15)
@@ -211,7 +213,7 @@ def baklava(look: Look) -> Shape:
 @category("kouign_amann", size=(0.0744, 0.0744, 0.045), mass=0.09, material="food",
           aliases=("kouign-amann", "puff pastry"), themes=("coffee", "tea"),
           roles=("edible",))  # fmt: skip
-@varied()
+@vary()
 def kouign_amann(look: Look) -> Shape:
     """A glazed pastry square caramelised at its folded corners."""
     x = look.between(0.07, 0.085)

@@ -120,6 +120,7 @@ def ice_bucket(look: Look) -> Shape:
 
 
 def metal(look: Look) -> surfaces.Tile:
+    """Return metal in the colour asked for, else silver, gold, copper or black."""
     return look.surface(look.color("silver", "silver", "gold", "copper", "black"), "metal")
 
 

@@ -13,6 +13,7 @@ from ..living.signs import sheet_of
 
 
 def menu_page(look: Look, color: RGB, wide: int, tall: int) -> surfaces.Tile:
+    """Return a menu's page: a title, a rule, nine lines of dishes with their prices."""
     image = prints.canvas(wide, tall, color)
     ink = readable_on(color)
     prints.write(image, look.pick(["MENU", "MENU", "BISTRO", "CAFE"]), 0.5, 0.12, 0.1, ink,

@@ -8,7 +8,7 @@ from ...kit import surfaces
 from ...kit.materials import skin
 from ...kit.parts import box_part, cylinder_part, hull_of, hull_part
 from ...kit.primitives import lobe
-from ...kit.shapes import Shape, category, settle, shape, varied
+from ...kit.shapes import Shape, category, settle, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, tube
 from ...kit.surfaces import RGB, Look, speck, tint_color
 
@@ -16,7 +16,7 @@ from ...kit.surfaces import RGB, Look, speck, tint_color
 @category("jalebi", size=(0.0748, 0.0611, 0.012), mass=0.02, material="food",
           aliases=("jilebi", "zalabia", "jalebis"), themes=("dining",), roles=("edible", "flat"),
           state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def jalebi(look: Look) -> Shape:
     """Jalebi: a loose syrupy spiral, bright orange."""
     r = look.between(0.032, 0.04)

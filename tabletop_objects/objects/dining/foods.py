@@ -9,7 +9,7 @@ from ...kit.materials import glaze_tile, skin
 from ...kit.outlines import arc, rectangle
 from ...kit.parts import cylinder_part, flat_foot, hull_above, hull_of, open_vessel
 from ...kit.primitives import ball, bent_rod, crockery, lobe, scatter
-from ...kit.shapes import Pieces, Shape, category, serve, settle, shape, varied
+from ...kit.shapes import Pieces, Shape, category, serve, settle, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, speck, tint_color
 from ..coffee.cakes import _wedge
@@ -38,7 +38,7 @@ def _unit(p: np.ndarray) -> np.ndarray:
 @category("borek", size=(0.115, 0.12, 0.0194), mass=0.15, material="food",
           aliases=("burek", "bourekas", "spinach pie spiral", "filo pastry coil"),
           themes=("dining",), roles=("edible", "flat"), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def borek(look: Look) -> Shape:
     """A spiral of filled filo pastry."""
     r = look.between(0.055, 0.07)

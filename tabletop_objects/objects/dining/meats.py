@@ -9,7 +9,7 @@ from ...kit.materials import skin
 from ...kit.outlines import smooth
 from ...kit.parts import hull_of
 from ...kit.primitives import crockery, limb
-from ...kit.shapes import Shape, category, serve, settle, shape, varied
+from ...kit.shapes import Shape, category, serve, settle, shape, vary
 from ...kit.solids import block, cylinder, ellipsoid, join, lathe, loft, prism, tube
 from ...kit.surfaces import RGB, Look, speck, tint_color
 
@@ -138,7 +138,7 @@ def chicken_nugget(look: Look) -> Shape:
 @category("kebab", size=(0.223, 0.0321, 0.0282), mass=0.12, material="food", aliases=("shish kebab",
           "kabob", "meat skewer", "yakitori", "grilled skewer", "shashlik", "chicken skewer"),
           themes=("dining",), roles=("edible",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def kebab(look: Look) -> Shape:
     """A skewer of grilled meat, pepper and onion lying."""
     long = look.between(0.21, 0.25)

@@ -8,7 +8,7 @@ from ...kit import surfaces
 from ...kit.outlines import smooth
 from ...kit.parts import hull_above, hull_of
 from ...kit.primitives import blade, limb, lobe
-from ...kit.shapes import Shape, category, settle, shape, varied
+from ...kit.shapes import Shape, category, settle, shape, vary
 from ...kit.solids import Solid, ellipsoid, join, lathe, loft
 from ...kit.surfaces import Look, tint_color
 
@@ -114,7 +114,7 @@ def crab(look: Look) -> Shape:
 @category("oyster", size=(0.0878, 0.0551, 0.0177), mass=0.06, material="food",
           aliases=("oyster shell", "raw oyster"), themes=("dining",), roles=("edible",),
           state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def oyster(look: Look) -> Shape:
     """Half an oyster shell with the oyster in it, lying."""
     k = look.between(0.9, 1.15)

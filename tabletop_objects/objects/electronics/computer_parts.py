@@ -9,7 +9,7 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.outlines import ellipse
 from ...kit.parts import box_part, hull_of
-from ...kit.shapes import Category, Shape, category, shape, varied
+from ...kit.shapes import Category, Shape, category, shape, vary
 from ...kit.solids import block, box, cylinder, join, lathe, prism
 from ...kit.surfaces import RGB, Look, tint_color
 
@@ -153,7 +153,7 @@ def cpu(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("ram_stick",
-             varied(0.04)(_stick(0.133, 0.03, 8, ("green", "black", "green", "blue"), ())),
+             vary(0.04)(_stick(0.133, 0.03, 8, ("green", "black", "green", "blue"), ())),
              size=(0.134, 0.0303, 0.0037), mass=0.03, material="plastic", aliases=("ram",
              "memory module", "ram module", "ram memory", "memory chip", "ram card"),
              themes=("electronics",), roles=("flat",), colors=("green",)),

@@ -8,7 +8,7 @@ from ...kit import prints, surfaces
 from ...kit.outlines import rectangle, smooth
 from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of, open_vessel
 from ...kit.primitives import ball
-from ...kit.shapes import Category, Shape, category, shape, varied
+from ...kit.shapes import Category, Shape, category, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, loft, prism, tube
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
 from ..workbench.boxes import case
@@ -180,7 +180,7 @@ PALE: RGB = (246, 244, 238)
           aliases=("microwave meal", "tv dinner", "frozen dinner", "microwave dinner",
           "frozen meal"), themes=("kitchen",), roles=("flat",), colors=("green",),
           state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def ready_meal(look: Look) -> Shape:
     """A ready meal: a black tray with food in parts under a printed sleeve."""
     k = look.between(0.95, 1.06)

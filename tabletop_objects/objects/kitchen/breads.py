@@ -18,7 +18,7 @@ from ...kit.shapes import (
     put_down,
     settle,
     shape,
-    varied,
+    vary,
 )
 from ...kit.solids import block, box, ellipsoid, join, prism
 from ...kit.surfaces import Look, tint_color
@@ -45,6 +45,7 @@ def crouton(look: Look) -> Shape:
           roles=("flat", "edible"), colors=("cream",))  # fmt: skip
 @from_pieces()
 def matzo(look: Look) -> Pieces:
+    """A thin square sheet of matzo with rows of scorched dots."""
     color = look.color("cream", "beige")
     image = surfaces.spots(look.rng, color, (150, 104, 60), 0.06).copy()
     for k in range(1, 10):
@@ -56,7 +57,7 @@ def matzo(look: Look) -> Pieces:
 @category("hot_dog_bun", size=(0.153, 0.0811, 0.0391), mass=0.05, material="food",
           aliases=("hotdog bun", "finger roll", "brioche hot dog bun", "sub roll", "hot dog roll"),
           themes=("kitchen", "dining"), roles=("edible",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def hot_dog_bun(look: Look) -> Shape:
     """A long soft roll split along its top."""
     k = look.between(0.92, 1.08)

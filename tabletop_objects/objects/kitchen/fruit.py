@@ -21,7 +21,7 @@ from ...kit.parts import (
     ring_parts,
 )
 from ...kit.primitives import bent_rod, blade, lobe, press_flat
-from ...kit.shapes import Category, Shape, category, settle, shape, varied
+from ...kit.shapes import Category, Shape, category, settle, shape, vary
 from ...kit.solids import Solid, cylinder, ellipsoid, join, lathe, loft, prism, sweep, tube
 from ...kit.surfaces import RGB, Look, Tile, streaks, tint_color
 
@@ -605,7 +605,7 @@ def papaya(look: Look) -> Shape:
 @category("dragon_fruit", size=(0.14, 0.113, 0.0763), mass=0.35, material="food",
           aliases=("dragonfruit", "pitaya", "pitahaya"), themes=("kitchen", "food"),
           roles=("edible",), colors=("magenta",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def dragon_fruit(look: Look) -> Shape:
     """A dragon fruit lying, its pink skin with green-tipped scales."""
     k = look.between(0.9, 1.12)

@@ -9,7 +9,7 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.parts import box_part, cylinder_part, hull_of, open_vessel
 from ...kit.primitives import facing, limb, straight
-from ...kit.shapes import Category, Shape, category, settle, shape, varied
+from ...kit.shapes import Category, Shape, category, settle, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, join, lathe, loft, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
 
@@ -60,7 +60,7 @@ def tabletop_grill(look: Look) -> Shape:
           assembled=True,
           aliases=("disposable bbq", "instant barbecue", "foil barbecue", "disposable grill"),
           themes=("kitchen",), roles=("big", "flat"), colors=("silver",))  # fmt: skip
-@varied()
+@vary()
 def disposable_barbecue(look: Look) -> Shape:
     """A disposable barbecue: a foil tray of charcoal under a wire grid."""
     k = look.between(0.94, 1.06)
@@ -86,7 +86,7 @@ def disposable_barbecue(look: Look) -> Shape:
 @category("chimney_starter", size=(0.241, 0.162, 0.202), mass=1.2, material="metal", hollow=True,
           aliases=("charcoal chimney", "charcoal starter"), themes=("kitchen",), roles=("tall",),
           colors=("silver",))  # fmt: skip
-@varied()
+@vary()
 def chimney_starter(look: Look) -> Shape:
     """A chimney starter: a steel can with holes, a handle and coals on top."""
     k = look.between(0.92, 1.06)
@@ -127,7 +127,7 @@ def cube(form: tuple[float, float, float], palette: tuple[str, ...], spot: float
 @category("charcoal_briquette", size=(0.0524, 0.0524, 0.0302), mass=0.03, material="wood",
           aliases=("briquette", "lump of coal", "piece of coal", "lump of charcoal",
           "barbecue charcoal", "charcoal"), themes=("kitchen",), colors=("black",))  # fmt: skip
-@varied()
+@vary()
 def charcoal_briquette(look: Look) -> Shape:
     """A pillow-shaped briquette of charcoal."""
     k = look.between(0.9, 1.1)

@@ -9,7 +9,7 @@ import numpy as np
 from ...kit import surfaces
 from ...kit.outlines import smooth
 from ...kit.primitives import blade, limb, straight
-from ...kit.shapes import Category, Shape, category, keep_still, settle, varied
+from ...kit.shapes import Category, Shape, category, keep_still, settle, vary
 from ...kit.solids import Solid, ellipsoid, join, tube
 from ...kit.surfaces import Look, tint_color
 from ..living.leaves import bundle
@@ -75,7 +75,7 @@ def _bunch(look: Look, kind: str) -> Shape:
 @category("basil", size=(0.151, 0.125, 0.0142), mass=0.03, material="food",
           aliases=("bunch of basil", "basil leaf", "fresh basil"), themes=("kitchen", "food"),
           roles=("edible",), colors=("green",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def basil(look: Look) -> Shape:
     """A bunch of basil: broad leaves."""
     return _bunch(look, "basil")

@@ -8,7 +8,7 @@ from ...kit import prints, surfaces
 from ...kit.outlines import smooth
 from ...kit.parts import box_part, cylinder_part, hull_of
 from ...kit.primitives import facing, side_view
-from ...kit.shapes import Category, Shape, category, shape, varied
+from ...kit.shapes import Category, Shape, category, shape, vary
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
 from .appliances import metal
@@ -86,7 +86,7 @@ def coffee_machine(look: Look) -> Shape:
 @category("pasta_machine", size=(0.27, 0.175, 0.157), mass=2.5, material="device",
           aliases=("pasta maker", "pasta roller", "noodle maker"), themes=("kitchen",),
           roles=("big",), colors=("silver",))  # fmt: skip
-@varied()
+@vary()
 def pasta_machine(look: Look) -> Shape:
     """A pasta machine: chrome cheeks and rollers, a dial, a crank, a sheet of dough coming out."""
     k, color = look.between(0.9, 1.06), look.color("silver", "silver", "red", "black")

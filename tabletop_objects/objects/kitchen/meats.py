@@ -9,7 +9,7 @@ from ...kit.materials import skin
 from ...kit.outlines import smooth
 from ...kit.parts import box_part, hull_of
 from ...kit.primitives import bent_rod, limb, straight
-from ...kit.shapes import Shape, category, settle, shape, varied
+from ...kit.shapes import Shape, category, settle, shape, vary
 from ...kit.solids import (
     Solid,
     block,
@@ -81,7 +81,7 @@ def meatloaf(look: Look) -> Shape:
           aliases=("pork chop", "cutlet", "lamb cutlet", "chop", "veal chop"),
           themes=("kitchen", "dining"), roles=("edible", "flat"), colors=("brown",),
           state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def lamb_chop(look: Look) -> Shape:
     """A grilled chop: meat, a rim of fat, the bone sticking out."""
     k = look.between(0.9, 1.1)
@@ -123,7 +123,7 @@ def chicken_breast(look: Look) -> Shape:
           aliases=("kofta kebab", "seekh kebab", "kofte", "kafta", "adana kebab"),
           themes=("kitchen", "dining"), roles=("edible",), colors=("brown",),
           state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def kofta(look: Look) -> Shape:
     """Kofta: minced meat pressed round a flat skewer."""
     k = look.between(0.92, 1.08)
@@ -138,6 +138,7 @@ def kofta(look: Look) -> Shape:
 
 
 def dome(ring: np.ndarray, h: float) -> Solid:
+    """Return a body over the outline ``ring`` that is domed up to the height ``h``."""
     levels = [(1.0, 0), (0.97, 0.25 * h), (0.85, 0.6 * h), (0.55, 0.92 * h), (0.15, h)]
     return loft(np.stack([np.column_stack([ring * f, np.full(len(ring), z)]) for f, z in levels]),
                 ring)  # fmt: skip

@@ -9,7 +9,7 @@ from ...kit.materials import skin
 from ...kit.outlines import ellipse, smooth
 from ...kit.parts import box_part, hull_above, hull_of
 from ...kit.primitives import ball, bent_rod, blade, limb, lobe, side_view
-from ...kit.shapes import Category, Shape, at_rest, category, settle, shape, varied
+from ...kit.shapes import Category, Shape, at_rest, category, settle, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
 from ..dining.seafood import claw, lobster
@@ -61,7 +61,7 @@ def crayfish(look: Look) -> Shape:
           aliases=("fish stick", "fishfinger", "potato croquette", "croquette", "mozzarella stick"),
           themes=("kitchen", "dining"), roles=("edible",), colors=("amber",),
           state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def fish_finger(look: Look) -> Shape:
     """A breaded finger of fish."""
     k = look.between(0.92, 1.08)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.primitives import bent_rod, scatter
-from ...kit.shapes import Category, Shape, category, settle, varied
+from ...kit.shapes import Category, Shape, category, settle, vary
 from ...kit.solids import ellipsoid, lathe, prism, torus
 from ...kit.surfaces import RGB, Look, tint_color
 from .nuts import Heap, heap
@@ -45,7 +45,7 @@ def rough_ball(
 @category("vada", size=(0.0773, 0.0773, 0.0215), mass=0.05, material="food",
           aliases=("medu vada", "vadai", "vada fritter", "vadas"), themes=("kitchen", "dining"),
           roles=("edible", "round"), colors=("copper",))  # fmt: skip
-@varied()
+@vary()
 def vada(look: Look) -> Shape:
     """Vada: a fried savoury ring."""
     r, t = look.between(0.023, 0.026), look.between(0.013, 0.015)

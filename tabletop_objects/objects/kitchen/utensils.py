@@ -19,7 +19,7 @@ from ...kit.parts import (
     ring_parts,
 )
 from ...kit.primitives import ball, bent_rod, limb, lobe, straight
-from ...kit.shapes import Category, Pieces, Shape, category, keep_still, settle, shape, varied
+from ...kit.shapes import Category, Pieces, Shape, category, keep_still, settle, shape, vary
 from ...kit.solids import (
     Solid,
     block,
@@ -79,7 +79,7 @@ def meat_claw(look: Look) -> Shape:
 @category("corn_holder", size=(0.0704, 0.0243, 0.0172), mass=0.008, material="metal",
           assembled=True, aliases=("corn skewer", "corn fork", "corn cob holder"),
           themes=("kitchen",), colors=("yellow",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def corn_holder(look: Look) -> Shape:
     """A holder for corn: a tiny yellow cob with two pins, lying."""
     k = look.between(0.95, 1.2)

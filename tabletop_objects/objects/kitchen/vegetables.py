@@ -37,6 +37,7 @@ def tomato(look: Look) -> Shape:
 
 
 def root(look: Look, length: float, radii: list[float]) -> Solid:
+    """Return a slightly bent round body lying along x, ``radii`` spaced evenly along it."""
     bend = look.between(-0.008, 0.008)
     t = np.linspace(-1, 1, len(radii))
     radius = max(radii)

@@ -406,6 +406,7 @@ WHITE = surfaces.plain((242, 242, 240))
           colors=("wooden",))  # fmt: skip
 @from_pieces()
 def plant_press(look: Look) -> Pieces:
+    """A plant press: paper between two boards, slats across the upper one, two straps round it."""
     tile = wood(look, "wooden", "beige")
     boards = [at_box(0.22, 0.16, 0.01, (0, 0, z)) for z in (0, 0.045)]
     paper = at_box(0.21, 0.15, 0.036, (0, 0, 0.0095))
@@ -471,6 +472,7 @@ def kipps_apparatus(look: Look) -> Pieces:
           aliases=("pellet",), themes=("lab",), colors=("gray",))  # fmt: skip
 @from_pieces(foot=0.08, bodies=1)
 def owl_pellet(look: Look) -> Pieces:
+    """A furry lump with four bits of white bone showing on top."""
     color = look.color("gray", "charcoal", "brown")
     body = ball(0.055, 0.028, 0.026, (0, 0, 0.011), 18)
     bits = [rod([(x, y, 0.019), (x + 0.01, y + 0.006, 0.0235)], 0.0009, 5) for x,

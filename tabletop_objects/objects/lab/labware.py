@@ -28,7 +28,7 @@ from ...kit.shapes import (
     keep_still,
     put_down,
     shape,
-    varied,
+    vary,
 )
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, open_box, prism, torus, tube
 from ...kit.surfaces import RGB, Look, plain, tint_color
@@ -247,7 +247,7 @@ def glass_rod(look: Look) -> Shape:
 @category("empty_beaker", size=(0.0827, 0.0827, 0.1025), mass=0.12, material="glass",
           aliases=("open beaker",), themes=("lab",), roles=("container", "round"),
           colors=("clear",))  # fmt: skip
-@varied()
+@vary()
 def empty_beaker(look: Look) -> Shape:
     """A glass beaker with a scale and nothing in it."""
     r, h = look.between(0.036, 0.042), look.between(0.095, 0.11)
@@ -521,6 +521,7 @@ def desiccator(look: Look) -> Pieces:
           roles=("container",), colors=("white",))  # fmt: skip
 @from_pieces()
 def reagent_reservoir(look: Look) -> Pieces:
+    """A long shallow trough of plastic, open above."""
     tile = plastic(look, "white", "clear")
     sides = [at_box(0.13, 0.004, 0.025, (0, s * 0.02, 0)) for s in (-1, 1)] + [
         at_box(0.004, 0.044, 0.025, (s * 0.063, 0, 0)) for s in (-1, 1)
@@ -532,9 +533,10 @@ def reagent_reservoir(look: Look) -> Pieces:
 @category("microscope_slide", size=(0.076, 0.026, 0.0012), mass=0.005, material="glass",
           aliases=("glass slide", "specimen slide", "haemocytometer", "counting chamber",
           "prepared slide"), themes=("lab",), roles=("flat",), colors=("pink",))  # fmt: skip
-@varied(0.08)
+@vary(0.08)
 @from_pieces()
 def microscope_slide(look: Look) -> Pieces:
+    """A glass slide: a white end to the left, stained blots in a pale field in the middle."""
     color = look.color("pink", "purple", "clear", "sky")
     image = prints.canvas(96, 32, (216, 230, 234))
     prints.fill(image, 0, 0, 0.2, 1, (244, 244, 242))
@@ -549,9 +551,10 @@ def microscope_slide(look: Look) -> Pieces:
 @category("cover_slip", size=(0.022, 0.022, 0.0008), mass=0.0003, material="glass",
           aliases=("coverslip", "cover glass", "cover slide"), themes=("lab",), roles=("flat",),
           colors=("clear",))  # fmt: skip
-@varied(0.08)
+@vary(0.08)
 @from_pieces()
 def cover_slip(look: Look) -> Pieces:
+    """A very thin square of clear glass."""
     return [(at_box(0.022, 0.022, 0.0008), surfaces.plain(tint_color(look.color("clear", spread=4),
                                                                      1.2)))]  # fmt: skip
 
@@ -561,6 +564,7 @@ def cover_slip(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.3)
 def pipette_tip(look: Look) -> Pieces:
+    """A pipette tip lying: a collar to the left, tapering to a point at the right."""
     return [(spindle((-0.025, 0.0034), (-0.018, 0.0034), (-0.012, 0.0029), (0.025, 0.0005),
                      z=0.0034), plastic(look, "yellow", "sky", "clear", "white"))]  # fmt: skip
 
@@ -614,6 +618,7 @@ def _wells(rows: int, columns: int) -> Drawing:
           colors=("clear",))  # fmt: skip
 @from_pieces(bodies=2)
 def pcr_strip(look: Look) -> Pieces:
+    """A strip of eight small capped tubes standing in a low coloured rack."""
     tile = surfaces.plain(tint_color(look.color("clear", "sky", "white"), 1.1))
     tubes = [spindle((-0.0075, 0.0028), (0.003, 0.0026), (0.0095, 0.001),
                      z=0).turn(1, np.pi / 2).move((k - 3.5) * 0.009, 0, 0.0095)

@@ -7,7 +7,7 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.materials import dye, plastic, shine, wood
 from ...kit.primitives import at_block, at_box, ball, disc, pad, plate, rod, spindle, straight
-from ...kit.shapes import Category, Drawing, Pieces, category, from_pieces, varied
+from ...kit.shapes import Category, Drawing, Pieces, category, from_pieces, vary
 from ...kit.solids import join, lathe, torus, tube
 from ...kit.surfaces import Look, tint_color
 
@@ -35,6 +35,7 @@ def otoscope(look: Look) -> Pieces:
           themes=("lab",), roles=("flat",), colors=("beige",))  # fmt: skip
 @from_pieces()
 def tongue_depressor(look: Look) -> Pieces:
+    """A flat wooden stick with rounded ends."""
     return [(at_block(0.15, 0.018, 0.0016, 0.0088), wood(look, "beige", "cream", "tan"))]
 
 
@@ -90,9 +91,10 @@ def _cassette(kind: str) -> Drawing:
 @category("test_strip", size=(0.075, 0.0075, 0.0009), mass=0.001, material="plastic",
           aliases=("ph strip", "litmus paper", "urine test strip", "glucose strip", "ph paper",
           "indicator paper"), themes=("lab",), roles=("flat",), colors=("yellow",))  # fmt: skip
-@varied(0.08)
+@vary(0.08)
 @from_pieces()
 def test_strip(look: Look) -> Pieces:
+    """A narrow white strip with four coloured fields in its left half."""
     image = prints.canvas(160, 16, (246, 244, 236))
     for k, name in enumerate(("yellow", "orange", "green", "teal")):
         prints.fill(image, 0.04 + 0.12 * k, 0, 0.1, 1, look.own_color(name))
@@ -104,6 +106,7 @@ def test_strip(look: Look) -> Pieces:
           colors=("beige",))  # fmt: skip
 @from_pieces(foot=0.1)
 def hearing_aid(look: Look) -> Pieces:
+    """A hearing aid lying: a curved case, a thin pale tube, a bud at its end."""
     tile = plastic(look, "beige", "gray", "silver", "brown")
     body = rod([(-0.014, -0.006, 0.006), (-0.006, 0.008, 0.006), (0.008, 0.008, 0.006),
                 (0.014, -0.002, 0.006)], [0.0045, 0.006, 0.006, 0.0035], 12)  # fmt: skip
@@ -197,6 +200,7 @@ def nebuliser(look: Look) -> Pieces:
           themes=("lab",), colors=("amber",))  # fmt: skip
 @from_pieces(foot=0.1)
 def ampoule(look: Look) -> Pieces:
+    """A glass ampoule lying: a body with a white and blue band, a neck, a narrow tip."""
     color = look.color("amber", "clear", "brown", "sky")
     body = spindle((-0.03, 0.0035), (-0.028, 0.0056), (0.008, 0.0056), (0.013, 0.0026),
                    (0.016, 0.0032), (0.026, 0.0028), (0.031, 0.0008), z=0.0056)  # fmt: skip
@@ -232,6 +236,7 @@ def prosthetic_hand(look: Look) -> Pieces:
           aliases=("heart pacemaker",), themes=("lab",), colors=("silver",))  # fmt: skip
 @from_pieces()
 def pacemaker(look: Look) -> Pieces:
+    """A flat rounded metal case with a pale head and a thin lead winding over the table."""
     steel = shine(look, "silver", "gray")
     body = at_block(0.048, 0.042, 0.008, 0.019)
     head = at_block(0.04, 0.014, 0.0085, 0.006, (0, 0.024, 0))
@@ -246,6 +251,7 @@ def pacemaker(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.05)
 def speculum(look: Look) -> Pieces:
+    """A speculum of steel or clear plastic lying: two tapered bills, a bent handle, a screw."""
     tile = shine(look, "silver", "gray") if look.chance(0.6) else surfaces.plain((206, 224, 230))
     bills = [rod([(-0.02, 0, 0.02 + s * 0.004), (0.04, 0, 0.02 + s * 0.008),
                   (0.09, 0, 0.02 + s * 0.003)], [0.018, 0.014, 0.007], 12)
@@ -283,6 +289,7 @@ PILL_CUTTER_WHITE = surfaces.plain((244, 243, 240))
           colors=("clear",))  # fmt: skip
 @from_pieces(foot=0.06)
 def spacer_device(look: Look) -> Pieces:
+    """A clear inhaler chamber lying: a coloured end to the left, a ring near its mouthpiece."""
     body = spindle(
         (-0.07, 0.02), (-0.06, 0.028), (0.05, 0.028), (0.065, 0.018), (0.085, 0.014), z=0.028
     )
@@ -298,6 +305,7 @@ def spacer_device(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=(0, 2, 3))
 def tourniquet(look: Look) -> Pieces:
+    """A strap in a ring on its edge, its tail to the right; a black stick and buckle in front."""
     color = look.color("black", "orange", "blue", "red")
     loop = lathe([(0.045, 0), (0.047, 0), (0.047, 0.036), (0.045, 0.036)], 40, loop=True)
     tail = at_box(0.12, 0.0025, 0.036, (0.06, -0.046, 0)).turn(2, 0.04)
@@ -365,6 +373,7 @@ def jade_roller(look: Look) -> Pieces:
           colors=("pink",))  # fmt: skip
 @from_pieces()
 def toe_separator(look: Look) -> Pieces:
+    """A soft bar with five rounded teeth to the back."""
     tile = plastic(look, "pink", "purple", "mint", "yellow")
     bar = at_block(0.085, 0.014, 0.018, 0.006)
     posts = [
@@ -378,6 +387,7 @@ def toe_separator(look: Look) -> Pieces:
           colors=("sky",))  # fmt: skip
 @from_pieces()
 def pill_cutter(look: Look) -> Pieces:
+    """A small rounded box, its lid tilted up over a steel blade, a pale wedge and a tablet."""
     tile = plastic(look, "sky", "clear", "pink", "green", "white")
     low, high = (at_block(0.075, 0.045, 0.016, 0.01),
                  at_block(0.075, 0.045, 0.01, 0.01).turn(0, 0.6).move(0, 0.008, 0.03))  # fmt: skip
@@ -408,7 +418,7 @@ def false_eyelashes(look: Look) -> Pieces:
 
 
 CATEGORIES = (
-    Category("covid_test", varied(0.08)(from_pieces()(_cassette("cassette"))),
+    Category("covid_test", vary(0.08)(from_pieces()(_cassette("cassette"))),
              size=(0.07, 0.02, 0.0053), mass=0.006, material="plastic",
              aliases=("lateral flow test", "rapid test", "antigen test", "covid test kit",
              "test cassette", "rapid antigen test"), themes=("lab",), roles=("flat",),

@@ -8,7 +8,7 @@ from ...kit import surfaces
 from ...kit.materials import dye, shine
 from ...kit.parts import hull_of, resting_ball
 from ...kit.primitives import at_block, ball, disc, rod, standing, straight
-from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, shape, varied
+from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, shape, vary
 from ...kit.solids import ellipsoid, join, torus, tube
 from ...kit.surfaces import Look, tint_color
 from ...values import ConvexPart
@@ -48,6 +48,7 @@ BLACK = surfaces.plain((34, 34, 37))
           themes=("lab",), colors=("pink",))  # fmt: skip
 @from_pieces(bodies=5)
 def brain_model(look: Look) -> Pieces:
+    """A brain of two folded halves with a striped cerebellum, its stem on a round black foot."""
     color = look.color("pink", "beige", "coral")
     pieces: Pieces = []
 
@@ -71,9 +72,10 @@ def brain_model(look: Look) -> Pieces:
 
 @category("eye_model", size=(0.1, 0.125, 0.138), mass=0.3, material="plastic",
           aliases=("model eye", "eyeball model"), themes=("lab",), colors=("blue",))  # fmt: skip
-@varied()
+@vary()
 @from_pieces(bodies=2)
 def eye_model(look: Look) -> Pieces:
+    """A white eyeball on a black foot: a coloured iris, a pupil, red veins, a nerve behind."""
     iris = look.color("blue", "green", "brown", "gray")
     foot = standing((0.04, 0), (0.038, 0.008), (0.008, 0.016), (0.008, 0.04))
     globe = ball(0.1, 0.1, 0.1, (0, 0, 0.088), 30)

@@ -9,7 +9,7 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.parts import box_part, hull_of
 from ...kit.primitives import at_block, at_box
-from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, shape, varied
+from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, shape, vary
 from ...kit.solids import block, box, cylinder, join
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
 
@@ -199,7 +199,7 @@ CATEGORIES = (
              "magic deck", "pack of pokemon cards", "booster pack"), themes=("living",),
              colors=("yellow",)),
     Category("bingo_card",
-             varied(0.08)(card(0.14, 0.165, _bingo, ("red", "blue", "green", "purple"))),
+             vary(0.08)(card(0.14, 0.165, _bingo, ("red", "blue", "green", "purple"))),
              size=(0.139, 0.163, 0.0015), mass=0.006, material="paper",
              aliases=("bingo ticket", "bingo sheet", "lotto card"), themes=("living",),
              roles=("flat",), colors=("red", "blue"), state="lying flat"),

@@ -448,6 +448,7 @@ def _table_flag_flag() -> Drawing:
           colors=("brown",))  # fmt: skip
 @from_pieces(foot=0.1)
 def pirate_flag(look: Look) -> Pieces:
+    """A pirate flag lying: a white skull and crossed bones on black, its pole to the left."""
     image = prints.canvas(96, 64, (26, 26, 28))
     prints.disc(image, 0.5, 0.4, 0.2, (244, 242, 236))
     prints.fill(image, 0.43, 0.5, 0.14, 0.16, (244, 242, 236))

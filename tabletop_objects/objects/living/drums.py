@@ -41,6 +41,7 @@ def _shell(profile: list[tuple[float, float]], *palette: str) -> Drawing:
           roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces(bodies=3)
 def bongos(look: Look) -> Pieces:
+    """Two drums, a smaller and a larger, joined by a bar: hide heads, metal hoops and rods."""
     tile = wood(look, "brown", "wooden", "red", "maroon")
     pieces: Pieces = []
     rims, heads = [], []

@@ -491,6 +491,7 @@ def walkman(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(bodies=1)
 def mp3_player(look: Look) -> Pieces:
+    """A music player lying: a rounded slab with a screen and a round wheel below it."""
     shell = plastic(look, "white", "silver", "black", "pink", "blue", "green")
     body = at_block(0.052, 0.092, 0.009, 0.007)
     face = surfaces.fit(prints.apps(look.rng), 64, 64)

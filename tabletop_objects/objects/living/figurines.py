@@ -33,7 +33,7 @@ from ...kit.shapes import (
     from_pieces,
     put_down,
     shape,
-    varied,
+    vary,
 )
 from ...kit.solids import (
     Solid,
@@ -66,7 +66,7 @@ def person(x: float, y: float, h: float, z: float = 0.0) -> tuple[Solid, Solid]:
           aliases=("nativity scene", "nativity", "christmas crib", "creche", "nativity figures",
           "manger scene", "creches"), themes=("living",), roles=("big",),
           colors=("wooden",))  # fmt: skip
-@varied()
+@vary()
 def nativity_set(look: Look) -> Shape:
     """A stable with a star, Mary, Joseph, a king and the crib."""
     k = look.between(0.92, 1.08)
@@ -106,7 +106,7 @@ def nativity_set(look: Look) -> Shape:
           assembled=True, aliases=("bride and groom cake topper", "wedding cake topper",
           "bride and groom", "bride and groom figurine", "bride and groom topper"),
           themes=("living",), colors=("white",))  # fmt: skip
-@varied()
+@vary()
 def cake_topper(look: Look) -> Shape:
     """A bride and groom standing on a small white base."""
     k = look.between(0.9, 1.1)
@@ -190,6 +190,7 @@ def buddha_statue(look: Look) -> Pieces:
           colors=("gray",))  # fmt: skip
 @from_pieces(bodies=4)
 def buddha_head(look: Look) -> Pieces:
+    """A head with long ears, rows of curls and closed eyes, on a neck and a base."""
     tile = _cast(look, "gray", "gold", "bronze", "cream", "charcoal")
     base = at_block(0.08, 0.07, 0.02, 0.01)
     neck = standing((0.03, 0.02), (0.026, 0.05))

@@ -9,7 +9,7 @@ from ...kit.materials import glaze_tile
 from ...kit.outlines import smooth
 from ...kit.parts import hull_above, hull_of, hull_part, ring_parts
 from ...kit.primitives import ball, drum, limb, lobe, plate, rod, standing
-from ...kit.shapes import Pieces, Shape, category, put_down, shape, varied
+from ...kit.shapes import Pieces, Shape, category, put_down, shape, vary
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import Look, plain, readable_on, tint_color
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look, plain, readable_on, tint_color
 @category("santa_hat", size=(0.238, 0.207, 0.166), mass=0.06, material="fabric", hollow=True,
           aliases=("santa's hat", "christmas hat", "father christmas hat", "santa claus hat"),
           themes=("living",), colors=("red",))  # fmt: skip
-@varied()
+@vary()
 def santa_hat(look: Look) -> Shape:
     """A red cap with a white fur brim, its tip fallen over, a bobble."""
     k = look.between(0.92, 1.08)

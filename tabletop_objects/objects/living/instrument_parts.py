@@ -63,6 +63,7 @@ def metronome(look: Look) -> Shape:
           state="lying")  # fmt: skip
 @from_pieces()
 def capo(look: Look) -> Pieces:
+    """A capo lying: two bars with a soft pad between them and two curved arms."""
     tile = metal(look, "black", "silver", "gold", "red")
     bar = at_block(0.07, 0.012, 0.008, 0.003, (0.01, 0.02, 0.004))
     under = at_block(0.055, 0.012, 0.007, 0.003, (0.012, -0.012, 0.004))
@@ -78,6 +79,7 @@ def capo(look: Look) -> Pieces:
           colors=("amber",))  # fmt: skip
 @from_pieces()
 def rosin(look: Look) -> Pieces:
+    """A round cake of rosin on a square pad of cloth."""
     cloth = dye(look, "navy", "maroon", "green")
     pad = at_block(0.06, 0.06, 0.01, 0.012)
     cake = disc(0.024, 0.014, (0, 0, 0.009))
@@ -115,6 +117,7 @@ def guitar_tuner(look: Look) -> Pieces:
           roles=("flat",), colors=("beige",), state="lying")  # fmt: skip
 @from_pieces()
 def clarinet_reed(look: Look) -> Pieces:
+    """A flat strip of cane lying, thinner towards its right end."""
     tile = wood(look, "beige", "cream", "tan")
     body = at_block(0.067, 0.013, 0.003, 0.003).bend(
         lambda p: p * np.column_stack([np.ones((len(p), 2)), np.clip(0.75 - 11 * p[:, 0], 0.2,
@@ -193,6 +196,7 @@ def amplifier(look: Look) -> Pieces:
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(foot=0.15)
 def baton(look: Look) -> Pieces:
+    """A conductor's baton lying: a rounded wooden grip to the left, a thin tapered stick."""
     grip = spindle((-0.16, 0.004), (-0.155, 0.008), (-0.14, 0.009), (-0.12, 0.004), z=0.0085)
     stick = spindle((-0.122, 0.0022), (0.19, 0.0012), z=0.0085).turn(1, 0.022).move(z=0.0)
     rest = ball(0.02, 0.02, 0.017, (-0.145, 0, 0.0085), 12)
@@ -228,6 +232,7 @@ def mouthpiece(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def trumpet_mute(look: Look) -> Pieces:
+    """A metal cone standing on its wide end, three strips of cork near its narrow top."""
     tile = metal(look, "silver", "gold", "red", "black")
     cone = lathe([(0, 0), (0.06, 0), (0.06, 0.008), (0.05, 0.02), (0.02, 0.11), (0.02, 0.13),
                   (0, 0.13)], 28)  # fmt: skip

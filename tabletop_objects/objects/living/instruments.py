@@ -198,6 +198,7 @@ def ukulele(look: Look) -> Shape:
           aliases=("cow bell", "agogo bell"), themes=("living",), colors=("black",))  # fmt: skip
 @from_pieces()
 def cowbell(look: Look) -> Pieces:
+    """A four-sided metal bell standing on its wider mouth, a loop on top."""
     tile = metal(look, "black", "silver", "copper", "brass")
     body = at_box(0.06, 0.035, 0.11).bend(
         lambda p: p * np.column_stack([1.25 - 4.5 * p[:, 2], 1.25 - 4.5 * p[:, 2],
@@ -211,6 +212,7 @@ def cowbell(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.04, bodies=2)
 def castanets(look: Look) -> Pieces:
+    """Two wooden shells, one lying on the other and slightly ajar, with a red cord."""
     tile = wood(look, "black", "brown", "maroon", "wooden")
     shells = [ball(0.062, 0.07, 0.026, (0, 0, 0.01), 20),
               ball(0.062, 0.07, 0.02, (0, 0, 0), 20).turn(0, 0.22).move(z=0.028)]  # fmt: skip
@@ -308,6 +310,7 @@ def _bellows(sides: int | None, wide: float) -> Drawing:
           roles=("flat", "big"), colors=("sky", "red"))  # fmt: skip
 @from_pieces(bodies=2)
 def melodica(look: Look) -> Pieces:
+    """A rounded case with white and black keys on top and a mouthpiece to the left."""
     tile = plastic(look, "sky", "red", "pink", "black", "green")
     body = at_block(0.34, 0.075, 0.035, 0.015)
     keys = [at_box(0.0135, 0.05, 0.006, (-0.14 + 0.0148 * k, -0.012, 0.034)) for k in range(19)]
@@ -352,6 +355,7 @@ def bagpipes(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.08, bodies=1)
 def didgeridoo(look: Look) -> Pieces:
+    """A long tube lying, ringed with painted bands and flared towards its right end."""
     color = look.color("brown", "terracotta", "wooden")
     bands = surfaces.stripes(
         [color, (226, 206, 160), color, color, (70, 36, 26), color, (196, 120, 60)], 3
@@ -367,6 +371,7 @@ def didgeridoo(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.06, bodies=1)
 def vuvuzela(look: Look) -> Pieces:
+    """A long plastic horn lying, its mouthpiece to the left and its bell to the right."""
     tile = plastic(look, "red", "yellow", "green", "blue", "orange")
     horn = spindle((-0.26, 0.012), (-0.25, 0.008), (-0.1, 0.011), (0.12, 0.02), (0.22, 0.034),
                   (0.27, 0.052), z=0.05)  # fmt: skip
@@ -379,6 +384,7 @@ def vuvuzela(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.1)
 def jaw_harp(look: Look) -> Pieces:
+    """A jaw harp lying: a looped frame with two long arms, a thin tongue bent up at its tip."""
     tile = metal(look, "silver", "brass", "charcoal")
     way = [(0.06, 0.006), (0.0, 0.009), (-0.03, 0.02), (-0.05, 0.0), (-0.03, -0.02), (0.0, -0.009),
            (0.06, -0.006)]  # fmt: skip
@@ -391,6 +397,7 @@ def jaw_harp(look: Look) -> Pieces:
           themes=("living",), roles=("tall", "big"), colors=("brown",))  # fmt: skip
 @from_pieces()
 def theremin(look: Look) -> Pieces:
+    """A wooden case with four knobs, an upright rod to the right and a flat loop to the left."""
     tile = wood(look, "brown", "wooden", "black")
     body = at_block(0.22, 0.11, 0.06, 0.012)
     rodded = straight((0.095, 0, 0.055), (0.095, 0, 0.28), 0.0035, 8)
@@ -739,6 +746,7 @@ def pan_pipes(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.05, bodies=2)
 def ocarina(look: Look) -> Pieces:
+    """A glazed egg-shaped ocarina lying, seven holes on top and a mouthpiece at the back."""
     color = look.color("blue", "teal", "terracotta", "brown", "green")
     tile = surfaces.gradient(tuple(0.75 * c for c in color), color, look.rng)  # type: ignore[arg-type]
     body = ball(0.11, 0.065, 0.045, (0, 0, 0.021), 22).bend(

@@ -23,7 +23,7 @@ from ...kit.primitives import (
     standing_plate,
     straight,
 )
-from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, varied
+from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, vary
 from ...kit.solids import box, join, lathe, torus, tube
 from ...kit.surfaces import RGB, Look, Tile, tint_color
 
@@ -33,6 +33,7 @@ from ...kit.surfaces import RGB, Look, Tile, tint_color
           "lighthouse figurine"), themes=("living",), roles=("tall",), colors=("red",))  # fmt: skip
 @from_pieces()
 def model_lighthouse(look: Look) -> Pieces:
+    """A lighthouse on a rock: a tapered striped tower, a deck, a lit room, a pointed roof."""
     color: RGB = look.color("red", "navy", "white")
     rock = standing((0.045, 0), (0.04, 0.012), (0.03, 0.02), sides=9)
     body = disc(0.024, 0.12, (0, 0, 0.018), top=0.015)
@@ -48,6 +49,7 @@ def model_lighthouse(look: Look) -> Pieces:
           roles=("tall",), colors=("white",))  # fmt: skip
 @from_pieces()
 def model_windmill(look: Look) -> Pieces:
+    """A windmill on a green base: an eight-sided tower, a pointed cap, four sails, a door."""
     wall = plastic(look, "white", "cream", "brown", "beige")
     roof = dye(look, "terracotta", "brown", "charcoal")
     body = disc(0.035, 0.11, (0, 0, 0.006), top=0.022, sides=8)
@@ -252,7 +254,7 @@ def toy_theatre(look: Look) -> Pieces:
 @category("zen_garden", size=(0.245, 0.184, 0.0368), mass=0.8, material="wood",
           aliases=("sand garden", "mini zen garden", "desktop zen garden", "japanese garden"),
           themes=("living",), roles=("flat", "big"), colors=("brown",))  # fmt: skip
-@varied()
+@vary()
 @from_pieces(bodies=5)
 def zen_garden(look: Look) -> Pieces:
     """A tray of raked sand with three stones and a little rake."""

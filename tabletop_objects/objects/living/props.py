@@ -17,7 +17,7 @@ from ...kit.shapes import (
     put_down,
     settle,
     shape,
-    varied,
+    vary,
 )
 from ...kit.solids import (
     Solid,
@@ -38,7 +38,7 @@ from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
 @category("devil_horns", size=(0.151, 0.181, 0.0298), mass=0.04, material="plastic", assembled=True,
           aliases=("horned headband", "devil horn headband", "devil headband"), themes=("living",),
           colors=("red",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def devil_horns(look: Look) -> Shape:
     """A headband lying with two red horns."""
     k = look.between(0.94, 1.06)
@@ -57,7 +57,7 @@ def devil_horns(look: Look) -> Shape:
 @category("eye_patch", size=(0.162, 0.154, 0.00524), mass=0.008, material="fabric", assembled=True,
           aliases=("pirate eye patch", "eyepatch", "eye patch for pirate"), themes=("living",),
           roles=("flat",), colors=("black",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def eye_patch(look: Look) -> Shape:
     """A black eye patch lying with its elastic; a skull or plain."""
     k = look.between(0.94, 1.08)
@@ -600,7 +600,7 @@ def mummy(look: Look) -> Shape:
 @category("severed_hand", size=(0.113, 0.174, 0.0351), mass=0.15, material="plastic",
           aliases=("fake hand", "zombie hand", "mannequin hand", "rubber hand", "plastic hand",
           "hand prop"), themes=("living",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def severed_hand(look: Look) -> Shape:
     """A cut-off hand lying palm down, spread fingers, a red stump."""
     k = look.between(0.85, 1.05)
@@ -628,7 +628,7 @@ def severed_hand(look: Look) -> Shape:
 @category("severed_finger", size=(0.0772, 0.0207, 0.0199), mass=0.012, material="plastic",
           aliases=("fake finger", "rubber finger", "zombie finger", "plastic finger"),
           themes=("living",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def severed_finger(look: Look) -> Shape:
     """A cut-off finger lying, with its nail and a red end."""
     k = look.between(0.9, 1.15)

@@ -32,7 +32,7 @@ from ...kit.shapes import (
     from_pieces,
     put_down,
     shape,
-    varied,
+    vary,
 )
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
@@ -274,6 +274,7 @@ def puja_thali(look: Look) -> Pieces:
           colors=("gold",), state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def ankh(look: Look) -> Pieces:
+    """An ankh lying: a metal cross whose upper arm is a loop."""
     tile = metal(look, "gold", "silver", "bronze")
     a = np.linspace(-1.2, 2 * np.pi - 1.94, 26)
     ring = tube(
@@ -302,6 +303,7 @@ def pentacle(look: Look) -> Pieces:
           colors=("ivory",))  # fmt: skip
 @from_pieces()
 def communion_wafer(look: Look) -> Pieces:
+    """A thin round wafer marked with a cross."""
     color = look.color("ivory", "cream")
     top = surfaces.plain(color).repeat(8, 0).repeat(8, 1)
     dark = tuple(0.9 * c for c in color)
@@ -469,7 +471,7 @@ def book_rest(look: Look) -> Pieces:
           assembled=True,
           aliases=("prayer flag", "string of prayer flags", "tibetan flags", "pennant garland"),
           themes=("living",), roles=("flat", "big"), colors=("blue",), state="lying")  # fmt: skip
-@varied(0.2)
+@vary(0.2)
 @from_pieces()
 def prayer_flags(look: Look) -> Pieces:
     """Five small flags on a cord, lying in a row."""
@@ -488,6 +490,7 @@ def prayer_flags(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces()
 def palm_cross(look: Look) -> Pieces:
+    """A cross of two strips of palm leaf lying, a square knot where they meet."""
     color = look.color("sage", "olive", "mustard")
     tile = surfaces.scratches(look.rng, color, tuple(0.8 * c for c in color))  # type: ignore[arg-type]
     return [(at_box(0.012, 0.13, 0.003), tile), (at_box(0.075, 0.012, 0.003, (0, 0.025, 0.002)),
@@ -498,9 +501,10 @@ def palm_cross(look: Look) -> Pieces:
 @category("prayer_shawl", size=(0.24, 0.205, 0.031), mass=0.3, material="fabric",
           aliases=("tallit", "tallis", "folded tallit"), themes=("living",),
           colors=("white",))  # fmt: skip
-@varied()
+@vary()
 @from_pieces()
 def prayer_shawl(look: Look) -> Pieces:
+    """A folded pale shawl with dark blue stripes and tassels at its front corners."""
     color = look.color("white", "ivory", "cream")
     stripe = surfaces.stripes([color, color, (40, 52, 104), color, (40, 52, 104), color, color], 2,
                               upright=True)  # fmt: skip

@@ -18,6 +18,7 @@ from ...kit.surfaces import Look, plain, tint_color
           "rifle cartridge"), themes=("living",), colors=("brass",))  # fmt: skip
 @from_pieces()
 def bullet_casing(look: Look) -> Pieces:
+    """An empty brass cartridge case standing: a rim at its foot, a narrower open neck."""
     brass = metal(look, "brass", "gold", "copper")
     body = lathe([(0, 0), (0.006, 0), (0.006, 0.002), (0.0052, 0.003), (0.0058, 0.004),
                   (0.0056, 0.036), (0.0042, 0.042), (0.0042, 0.05), (0.0036, 0.05), (0.0036, 0.03),

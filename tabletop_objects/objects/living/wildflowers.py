@@ -6,7 +6,7 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.primitives import ball, rod
-from ...kit.shapes import Category, Pieces, varied
+from ...kit.shapes import Category, Pieces, vary
 from ...kit.solids import ellipsoid, join, lathe
 from ...kit.surfaces import RGB, Look
 from .flowers import cluster, corolla, layered_head, on_stem, open_head, spike
@@ -60,7 +60,7 @@ CATEGORIES = (
              size=(0.2, 0.0699, 0.0346), mass=0.008, material="food", assembled=True,
              aliases=("poppies", "red poppy", "poppy flower", "remembrance poppy"),
              themes=("living",), colors=("red", "red"), state="lying flat"),
-    Category("dandelion", varied()(on_stem(_DANDELION, ("yellow", "gold"), 0.16, leaves=1, nod=0.9,
+    Category("dandelion", vary()(on_stem(_DANDELION, ("yellow", "gold"), 0.16, leaves=1, nod=0.9,
              leaf=(0.06, 0.014))), size=(0.169, 0.0495, 0.0328), mass=0.006, material="food",
              assembled=True, aliases=("dandelion flower",), themes=("living",),
              colors=("yellow", "gold"), state="lying flat"),
@@ -68,16 +68,16 @@ CATEGORIES = (
              leaf=(0.06, 0.006)), size=(0.188, 0.0558, 0.0343), mass=0.006, material="food",
              assembled=True, aliases=("knapweed", "bachelor's button"), themes=("living",),
              colors=("blue", "indigo"), state="lying flat"),
-    Category("edelweiss", varied()(on_stem(_EDELWEISS, ("white", "ivory"), 0.12, leaves=2, nod=1.05,
+    Category("edelweiss", vary()(on_stem(_EDELWEISS, ("white", "ivory"), 0.12, leaves=2, nod=1.05,
              leaf=(0.04, 0.008))), size=(0.163, 0.0543, 0.0266), mass=0.006, material="food",
              assembled=True, aliases=("edelweiss flower",), themes=("living",),
              colors=("white", "ivory"), state="lying flat"),
-    Category("primrose", varied()(on_stem(open_head(5, 0.02, 0.018, 0.1, 0.004, (240, 180, 40),
+    Category("primrose", vary()(on_stem(open_head(5, 0.02, 0.018, 0.1, 0.004, (240, 180, 40),
              (246, 214, 80)), ("yellow", "pink", "purple", "white"), 0.12, leaves=2, nod=1.1,
              leaf=(0.06, 0.028))), size=(0.159, 0.0487, 0.0199), mass=0.006, material="food",
              assembled=True, aliases=("primula", "buttercup", "cowslip", "oxlip"),
              themes=("living",), colors=("yellow", "pink"), state="lying flat"),
-    Category("forget_me_not", varied()(on_stem(cluster(18, 0.015, 0.012, (250, 220, 80)), ("sky",
+    Category("forget_me_not", vary()(on_stem(cluster(18, 0.015, 0.012, (250, 220, 80)), ("sky",
              "sky", "blue"), 0.12, leaves=2, nod=0.4, leaf=(0.04, 0.01))),
              size=(0.166, 0.0406, 0.0377), mass=0.004, material="food", assembled=True,
              aliases=("forget-me-not", "statice", "statice bunch", "baby's breath", "gypsophila"),
@@ -87,12 +87,12 @@ CATEGORIES = (
              mass=0.02, material="food", assembled=True,
              aliases=("foxglove flower", "penstemon", "snapdragon"), themes=("living",),
              colors=("purple", "pink"), state="lying flat"),
-    Category("bluebell", varied()(on_stem(spike(10, 0.07, 0.018, 0.009, 2.5, one_side=True),
+    Category("bluebell", vary()(on_stem(spike(10, 0.07, 0.018, 0.009, 2.5, one_side=True),
              ("indigo", "blue", "violet"), 0.15, leaves=2, nod=0.2, leaf=_BLADE)),
              size=(0.232, 0.0562, 0.0327), mass=0.006, material="food", assembled=True,
              aliases=("bluebell flower", "harebell", "lily of the valley"), themes=("living",),
              colors=("indigo", "blue"), state="lying flat"),
-    Category("snowdrop", varied()(on_stem(snowdrop, ("white", "white", "ivory"), 0.11, leaves=2,
+    Category("snowdrop", vary()(on_stem(snowdrop, ("white", "white", "ivory"), 0.11, leaves=2,
              nod=-0.5, leaf=(0.07, 0.006))), size=(0.168, 0.0398, 0.0234), mass=0.003,
              material="food", assembled=True, aliases=("snowdrop flower",), themes=("living",),
              colors=("white", "white"), state="lying flat"),

@@ -10,7 +10,7 @@ from ...kit.materials import dye, glaze_tile
 from ...kit.parts import box_part, hull_part
 from ...kit.primitives import at_box, side_view, spread
 from ...kit.prints import Canvas
-from ...kit.shapes import Category, Drawing, Pieces, Shape, category, from_pieces, shape, varied
+from ...kit.shapes import Category, Drawing, Pieces, Shape, category, from_pieces, shape, vary
 from ...kit.solids import block, box, join, torus
 from ...kit.surfaces import RGB, Look, Tile, tint_color
 
@@ -18,9 +18,10 @@ from ...kit.surfaces import RGB, Look, Tile, tint_color
 @category("memo_pad", size=(0.1, 0.145, 0.0088), mass=0.09, material="paper",
           aliases=("memo block", "reporter pad", "jotter pad"), themes=("office",), roles=("flat",),
           colors=("yellow",), state="lying flat")  # fmt: skip
-@varied(0.08)
+@vary(0.08)
 @from_pieces(spread=0.06)
 def memo_pad(look: Look) -> Pieces:
+    """A pad lying: a lined top sheet with three lines of writing, a coloured band at its head."""
     pad = at_box(0.1, 0.145, 0.008)
     page = prints.canvas(96, 144, (252, 246, 214))
     for k in range(11):

@@ -11,7 +11,7 @@ from ...kit import prints, surfaces
 from ...kit.outlines import ellipse, smooth
 from ...kit.parts import box_part, cylinder_part, hull_of, hull_part
 from ...kit.primitives import facing, lay_down
-from ...kit.shapes import Shape, category, shape, varied
+from ...kit.shapes import Shape, category, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, join, lathe, loft, torus, tube
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
 
@@ -375,7 +375,7 @@ def tablet(look: Look) -> Shape:
 @category("floppy_disk", size=(0.09, 0.094, 0.0037), mass=0.02, material="plastic",
           aliases=("floppy", "diskette", "floppy disc"), themes=("office",), roles=("flat",),
           colors=("black", "blue"))  # fmt: skip
-@varied()
+@vary()
 def floppy_disk(look: Look) -> Shape:
     """A 3.5 inch floppy disk lying."""
     k = look.between(0.98, 1.02)

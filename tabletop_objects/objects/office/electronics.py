@@ -581,6 +581,7 @@ BLACK = surfaces.plain((34, 34, 37))
           "bluetooth adapter"), themes=("office",), colors=("black",))  # fmt: skip
 @from_pieces()
 def headset_receiver(look: Look) -> Pieces:
+    """A flat rounded box with an upright aerial and a green lamp."""
     tile = plastic(look, "black", "charcoal", "white")
     body = at_block(0.09, 0.06, 0.02, 0.008)
     mast = straight((0.032, 0.02, 0.016), (0.032, 0.03, 0.1), 0.0035, 8)

@@ -35,6 +35,7 @@ def _coil(scale: float) -> Solid:
 @at_rest
 @from_pieces(foot=0.06)
 def ammonite(look: Look) -> Pieces:
+    """A ribbed spiral shell of stone."""
     coil = _coil(1.0)
     return [(coil.move(z=-float(coil.bounds[0, 2])), _skin(look, *STONE))]
 
@@ -110,6 +111,7 @@ def _fang(bend: float, r: float) -> Drawing:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.15)
 def belemnite(look: Look) -> Pieces:
+    """A smooth stone bullet lying, blunt to the left and pointed to the right."""
     return [(spindle((-0.04, 0.005), (-0.038, 0.0062), (0.01, 0.0066), (0.032, 0.0035),
                     (0.041, 0.0006), sides=14), _skin(look, "brown", "amber", "gray"))]  # fmt: skip
 

@@ -19,7 +19,7 @@ from ...kit.primitives import (
     standing,
     straight,
 )
-from ...kit.shapes import Category, Drawing, Pieces, category, from_pieces, varied
+from ...kit.shapes import Category, Drawing, Pieces, category, from_pieces, vary
 from ...kit.solids import join, lathe, torus, tube
 from ...kit.surfaces import Look, tint_color
 
@@ -66,6 +66,7 @@ def weather_vane(look: Look) -> Pieces:
           colors=("bronze",))  # fmt: skip
 @from_pieces(bodies=2)
 def sundial(look: Look) -> Pieces:
+    """A round dial with hour lines and figures on a turned foot, a three-cornered fin on it."""
     color = look.color("bronze", "gray", "brass", "beige", "copper")
     image = prints.canvas(128, 128, color)
     dark = tint_color(color, 0.45)
@@ -255,6 +256,7 @@ def newton_meter(look: Look) -> Pieces:
           "plasma ball"), themes=("office",), roles=("tall",), colors=("navy",))  # fmt: skip
 @from_pieces()
 def van_de_graaff_generator(look: Look) -> Pieces:
+    """A shiny dome on a pale column with a belt, over a box with a black knob."""
     dome = ball(0.16, 0.16, 0.14, (0, 0, 0.31), 28)
     column = standing((0.026, 0.06), (0.026, 0.25))
     base = at_block(0.14, 0.12, 0.06, 0.012)
@@ -269,7 +271,7 @@ def van_de_graaff_generator(look: Look) -> Pieces:
 @category("radiometer", size=(0.082, 0.082, 0.135), mass=0.1, material="glass",
           aliases=("light mill", "crookes radiometer", "solar radiometer"), themes=("office",),
           colors=("clear",))  # fmt: skip
-@varied(0.08)
+@vary(0.08)
 @from_pieces()
 def radiometer(look: Look) -> Pieces:
     """A light mill: a glass bulb on a foot with four vanes inside, seen as a cage."""
@@ -317,6 +319,7 @@ def seismograph(look: Look) -> Pieces:
           colors=("yellow",))  # fmt: skip
 @from_pieces()
 def trundle_wheel(look: Look) -> Pieces:
+    """A measuring wheel lying: a spoked wheel, a long stick to the right, a black grip."""
     wheel = torus(0.11, 0.008, 40, 8).move(z=0.008)
     spokes = [straight((0.11 * np.cos(a), 0.11 * np.sin(a), 0.008),
                        (-0.11 * np.cos(a), -0.11 * np.sin(a), 0.008), 0.004, 6)

@@ -9,7 +9,7 @@ from ...kit.materials import DARK, dye, plastic, shine, steel
 from ...kit.outlines import rectangle, smooth
 from ...kit.parts import box_part, hull_of
 from ...kit.primitives import at_block, at_box, disc, drum, facing, rod, side_view
-from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape, varied
+from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape, vary
 from ...kit.solids import block, box, cylinder, join, lathe, loft, sweep
 from ...kit.surfaces import RGB, Look, plain, tint_color
 
@@ -67,7 +67,7 @@ def coin_sorter(look: Look) -> Pieces:
           aliases=("queue ticket dispenser", "take a number dispenser", "number dispenser",
           "queue number dispenser"), themes=("office",), roles=("tall",),
           colors=("red",))  # fmt: skip
-@varied()
+@vary()
 def ticket_dispenser(look: Look) -> Shape:
     """A rounded dispenser of queue tickets on a foot, a numbered ticket hanging out."""
     k = look.between(0.94, 1.06)

@@ -82,6 +82,7 @@ def _cubes(palette: tuple[str, ...]) -> Drawing:
 @at_rest
 @from_pieces(foot=0.15)
 def stalactite(look: Look) -> Pieces:
+    """A dripstone lying: an uneven stone cone, thin to the left and thick to the right."""
     color = look.color("cream", "tan", "beige")
     body = spindle((-0.07, 0.003), (-0.05, 0.006), (-0.02, 0.0095), (0.01, 0.0105), (0.03, 0.015),
                   (0.06, 0.019), (0.066, 0.017), sides=14)  # fmt: skip
@@ -93,6 +94,7 @@ def stalactite(look: Look) -> Pieces:
           colors=("brown",), state="lying")  # fmt: skip
 @from_pieces(foot=0.12)
 def petrified_wood(look: Look) -> Pieces:
+    """A short log of stone lying: dark mottled bark, rings on its ends."""
     color = look.color("brown", "terracotta", "tan")
     body = spindle((-0.04, 0.028), (0.04, 0.026), sides=11)
     rings = np.zeros((64, 64, 3))

@@ -20,7 +20,7 @@ from ...kit.shapes import (
     from_pieces,
     put_down,
     shape,
-    varied,
+    vary,
 )
 from ...kit.solids import block, box, cylinder, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
@@ -250,7 +250,7 @@ def _floor(look: Look, image: prints.Canvas, accent: RGB) -> None:
 @category("blueprint", size=(0.38, 0.27, 0.032), mass=0.05, material="paper",
           aliases=("building plan", "architect plan", "technical drawing", "construction plan"),
           themes=("office",), roles=("flat",), colors=("blue",), state="lying flat")  # fmt: skip
-@varied(0.08)
+@vary(0.08)
 @from_pieces(spread=0.06)
 def blueprint(look: Look) -> Pieces:
     """A plan half rolled up."""
@@ -651,12 +651,12 @@ def crumpled_paper(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("star_chart",
-             varied(0.08)(from_pieces(spread=0.06)(paper(0.28, 0.28, _stars, "navy"))),
+             vary(0.08)(from_pieces(spread=0.06)(paper(0.28, 0.28, _stars, "navy"))),
              size=(0.28, 0.28, 0.0011), mass=0.008, material="paper",
              aliases=("star map", "sky map", "constellation chart", "constellation map"),
              themes=("office",), roles=("flat",), colors=("navy",), state="lying flat"),
     Category("telegram",
-             varied(0.08)(from_pieces(spread=0.06)(paper(0.2, 0.13, _telegram, "beige", "cream"))),
+             vary(0.08)(from_pieces(spread=0.06)(paper(0.2, 0.13, _telegram, "beige", "cream"))),
              size=(0.2, 0.13, 0.0011), mass=0.003, material="paper", aliases=("telegraph message",),
              themes=("office",), roles=("flat",), colors=("beige",), state="lying flat"),
     Category("ransom_note", from_pieces(spread=0.06)(paper(0.17, 0.2, _ransom, "white", "cream")),
@@ -671,12 +671,12 @@ CATEGORIES = (
              size=(0.24, 0.3, 0.0011), mass=0.01, material="paper",
              aliases=("x ray film", "x ray", "xray", "x ray image", "x-ray film", "x-ray"),
              themes=("office",), roles=("flat",), colors=("charcoal",), state="lying flat"),
-    Category("eye_chart", varied(0.08)(from_pieces(spread=0.06)(paper(0.2, 0.29, _chart, "white"))),
+    Category("eye_chart", vary(0.08)(from_pieces(spread=0.06)(paper(0.2, 0.29, _chart, "white"))),
              size=(0.2, 0.29, 0.0011), mass=0.006, material="paper",
              aliases=("eye test chart", "snellen chart", "vision chart"), themes=("office",),
              roles=("flat",), colors=("white",), state="lying flat"),
     Category("colour_chart",
-             varied(0.08)(from_pieces(spread=0.06)(paper(0.21, 0.16, _swatch, "white"))),
+             vary(0.08)(from_pieces(spread=0.06)(paper(0.21, 0.16, _swatch, "white"))),
              size=(0.21, 0.16, 0.0011), mass=0.006, material="paper", aliases=("color chart",
              "paint chart", "colour card", "color swatch", "colour swatch", "paint swatch",
              "colour sample card", "periodic table"), themes=("office",), roles=("flat",),
@@ -697,7 +697,7 @@ CATEGORIES = (
              "signed contract", "legal document", "rental agreement", "last will", "testament"),
              themes=("office",), roles=("flat",), colors=("white",), state="lying flat"),
     Category("official_letter",
-             varied(0.08)(from_pieces(spread=0.06)(paper(*A4, _letterhead, "white", "ivory"))),
+             vary(0.08)(from_pieces(spread=0.06)(paper(*A4, _letterhead, "white", "ivory"))),
              size=(0.21, 0.297, 0.0011), mass=0.005, material="paper", aliases=("business letter",
              "prescription", "memo", "memorandum", "cover letter", "iou", "prescription note",
              "printed letter"), themes=("office",), roles=("flat",), colors=("white",),

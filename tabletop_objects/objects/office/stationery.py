@@ -69,6 +69,7 @@ def plastic_sleeve(look: Look) -> Pieces:
           roles=("flat",), colors=("gold",))  # fmt: skip
 @from_pieces()
 def pen_nib(look: Look) -> Pieces:
+    """A metal nib lying, its point to the right, with a dark slit and a small hole."""
     steel = metal(look, "gold", "silver", "bronze")
     body = plate([(-0.016, -0.0035), (0.0, -0.0042), (0.018, -0.0002), (0.018, 0.0002),
                   (0.0, 0.0042), (-0.016, 0.0035)], 0.0016)  # fmt: skip
@@ -97,6 +98,7 @@ def blotter(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces(foot=0.1, bodies=1)
 def pencil_grip(look: Look) -> Pieces:
+    """A short plastic sleeve lying, narrower in the middle, a dark hole at its right end."""
     return [(spindle((-0.02, 0.0058), (-0.016, 0.0075), (0.0, 0.0062), (0.016, 0.0075),
                      (0.02, 0.0058), sides=12, z=0.0073), plastic(look, *PAINTS)),
             (spindle((0.0199, 0.0036), (0.0205, 0.0036), z=0.0073), BLACK)]  # fmt: skip
@@ -126,6 +128,7 @@ def staple_remover(look: Look) -> Pieces:
           "card of needles"), themes=("office",), roles=("flat",), colors=("sky",))  # fmt: skip
 @from_pieces(bodies=1)
 def safety_pin_card(look: Look) -> Pieces:
+    """A card headed PINS with six metal pins in a column."""
     card = at_box(0.07, 0.1, 0.0014)
     image = prints.canvas(64, 92, look.color("sky", "cream", "pink", "yellow"))
     prints.write(image, "PINS", 0.5, 0.12, 0.1, (40, 40, 60), True)

@@ -9,7 +9,7 @@ from ...kit.materials import PAINTS, dye, metal, plastic, shine, wood
 from ...kit.outlines import arc, smooth
 from ...kit.parts import hull_of
 from ...kit.primitives import at_block, at_box, disc, limb, plate, rod, spindle, standing, straight
-from ...kit.shapes import Pieces, Shape, at_rest, category, from_pieces, shape, varied
+from ...kit.shapes import Pieces, Shape, at_rest, category, from_pieces, shape, vary
 from ...kit.solids import block, box, cylinder, join, lathe, torus
 from ...kit.surfaces import Look, tint_color
 
@@ -48,6 +48,7 @@ def watercolour_set(look: Look) -> Pieces:
           "shape template"), themes=("office",), roles=("flat",), colors=("green",))  # fmt: skip
 @from_pieces()
 def stencil(look: Look) -> Pieces:
+    """A thin coloured sheet with pale cut-outs: letters, or circles above rectangles."""
     color = look.color("green", "blue", "orange", "yellow", "beige")
     image = prints.canvas(144, 96, color)
     hole = (246, 244, 238)
@@ -91,6 +92,7 @@ def silkscreen(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.1, bodies=3)
 def airbrush(look: Look) -> Pieces:
+    """An airbrush lying: a slim metal body, a cup on top, a lever, a valve, a black hose."""
     steel = metal(look, "silver", "gold", "gray")
     z = 0.012
     body = spindle((-0.08, 0.0055), (-0.075, 0.0085), (-0.02, 0.0085), (0.03, 0.0075),
@@ -185,6 +187,7 @@ def french_curve(look: Look) -> Pieces:
           colors=("wooden",))  # fmt: skip
 @from_pieces()
 def t_square(look: Look) -> Pieces:
+    """A wooden T-square lying: a head to the left, a long blade with a scale to the right."""
     tile = wood(look, "wooden", "tan", "beige")
     blade = at_box(0.4, 0.04, 0.003, (0.02, 0, 0.004))
     head = at_box(0.03, 0.2, 0.008, (-0.185, 0, 0))
@@ -227,6 +230,7 @@ def geometry_set(look: Look) -> Pieces:
           aliases=("drawing pantograph",), themes=("office",), colors=("wooden",))  # fmt: skip
 @from_pieces()
 def pantograph(look: Look) -> Pieces:
+    """A pantograph lying: two long wooden bars, two short ones between them, metal pins."""
     tile = wood(look, "wooden", "tan", "beige")
     a, b, c, d, e = (-0.14, -0.06), (0.0, 0.09), (0.12, -0.06), (-0.07, 0.015), (0.06, 0.015)
     bars = [straight((*p, 0.006), (*q, 0.006), 0.006, 4) for p,
@@ -238,7 +242,7 @@ def pantograph(look: Look) -> Pieces:
 @category("slide_rule", size=(0.3, 0.042, 0.0098), mass=0.08, material="wood",
           aliases=("sliding ruler", "calculating ruler"), themes=("office",),
           colors=("cream",))  # fmt: skip
-@varied(0.08)
+@vary(0.08)
 @from_pieces(bodies=4)
 def slide_rule(look: Look) -> Pieces:
     """A slide rule: a body with scales, a slide drawn out a little, a cursor."""

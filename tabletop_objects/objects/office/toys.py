@@ -86,6 +86,7 @@ def planet_model(look: Look) -> Pieces:
           colors=("brown",))  # fmt: skip
 @from_pieces(bodies=2)
 def volcano_model(look: Look) -> Pieces:
+    """A fluted rock cone on a square base, lava in its crater and in four streams down it."""
     color = look.color("brown", "charcoal", "terracotta")
     rock = standing((0.09, 0.008), (0.075, 0.025), (0.05, 0.07), (0.03, 0.115), (0.018, 0.115),
                     (0.012, 0.1), sides=18)  # fmt: skip

@@ -8,7 +8,7 @@ from ...kit import prints, surfaces
 from ...kit.outlines import ellipse
 from ...kit.parts import cylinder_part, flat_foot, hull_of, resting_ball, ring_parts
 from ...kit.primitives import at_box, pad, press_flat
-from ...kit.shapes import Shape, category, put_down, shape, varied
+from ...kit.shapes import Shape, category, put_down, shape, vary
 from ...kit.solids import Solid, box, cylinder, ellipsoid, join, lathe, tube
 from ...kit.surfaces import RGB, Look, Tile, plain, tint_color
 
@@ -184,7 +184,7 @@ def rugby_ball(look: Look) -> Shape:
 @category("hockey_puck", size=(0.076, 0.076, 0.0254), mass=0.16, material="rubber",
           aliases=("puck", "ice hockey puck"), themes=("sports",), roles=("round", "flat"),
           colors=("black",))  # fmt: skip
-@varied()
+@vary()
 def hockey_puck(look: Look) -> Shape:
     """A hard rubber puck."""
     k = look.between(0.96, 1.04)

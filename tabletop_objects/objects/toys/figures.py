@@ -116,6 +116,7 @@ def mr_potato_head(look: Look) -> Pieces:
           "tamagotchi pet"), themes=("toys",), colors=("purple",))  # fmt: skip
 @from_pieces(bodies=3)
 def furby(look: Look) -> Pieces:
+    """A furry creature with pointed ears, big round eyes, a yellow beak, a pale belly and feet."""
     color = look.color("purple", "teal", "orange", "pink", "gray", "sky")
     fur = surfaces.scratches(look.rng, color, tint_color(color, 1.3), 160)
     body = standing((0.04, 0), (0.052, 0.02), (0.05, 0.06), (0.036, 0.1), (0.012, 0.115))

@@ -29,6 +29,7 @@ from ...kit.surfaces import Look, plain, tint_color
           "model chapel"), themes=("toys",), roles=("tall",), colors=("white",))  # fmt: skip
 @from_pieces()
 def church_model(look: Look) -> Pieces:
+    """A church: a nave with a gabled roof, a tower with a spire and a gold cross in front."""
     wall = plastic(look, "white", "cream", "beige", "gray")
     roof, dark = dye(look, "terracotta", "charcoal", "teal"), surfaces.plain((54, 60, 84))
     nave = at_box(0.06, 0.1, 0.055, (0, 0.02, 0.006))
@@ -56,6 +57,7 @@ def _onion(x: float, y: float, z: float, r: float) -> Solid:
           colors=("white",))  # fmt: skip
 @from_pieces()
 def mosque_model(look: Look) -> Pieces:
+    """A mosque: a hall with an onion dome on a drum, two minarets in front, three doors."""
     wall, gold = plastic(look, "white", "cream", "beige"), dye(look, "gold", "teal", "blue")
     hall = at_box(0.1, 0.08, 0.05, (0, 0, 0.006))
     drum = disc(0.032, 0.016, (0, 0, 0.056))
@@ -94,6 +96,7 @@ def temple_model(look: Look) -> Pieces:
           roles=("tall",), colors=("red",))  # fmt: skip
 @from_pieces()
 def pagoda(look: Look) -> Pieces:
+    """A pagoda of four storeys, each smaller and under a wide roof, with a gold spike on top."""
     red, roof = plastic(look, "red", "maroon", "brown"), dye(look, "charcoal", "teal", "green")
     pieces: Pieces = [(at_box(0.12, 0.12, 0.01), dye(look, "gray"))]
     for k in range(4):

@@ -20,6 +20,7 @@ from ..vanity.jewelry import gold
           themes=("toys",), roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces(foot=0.12, bodies=1)
 def magic_wand(look: Look) -> Pieces:
+    """A wooden wand lying: a turned grip with two metal bands to the left, a tapered shaft."""
     tile = wood(look, "brown", "wooden", "black", "maroon")
     body = spindle((-0.15, 0.004), (-0.145, 0.009), (-0.135, 0.006), (-0.12, 0.0085),
                    (-0.1, 0.0065), (-0.085, 0.0095), (-0.075, 0.0055), (0.15, 0.0022),
@@ -52,6 +53,7 @@ def wizard_staff(look: Look) -> Pieces:
           themes=("toys",), roles=("big",), colors=("gold",))  # fmt: skip
 @from_pieces(foot=0.05)
 def sceptre(look: Look) -> Pieces:
+    """A metal sceptre lying: a turned rod, a coloured ball in two rings, a cross at its end."""
     gold = metal(look, "gold", "gold", "silver")
     z = 0.03
     body = spindle((-0.2, 0.012), (-0.19, 0.016), (-0.18, 0.007), (-0.05, 0.0075), (-0.04, 0.014),

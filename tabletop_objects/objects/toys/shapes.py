@@ -39,6 +39,7 @@ def paint(
 
 
 def same(*solids: Solid) -> Made:
+    """Return solids both as what is drawn and as what collides."""
     return list(solids), list(solids)
 
 

@@ -23,7 +23,7 @@ from ...kit.primitives import (
     straight,
 )
 from ...kit.prints import word_plate
-from ...kit.shapes import Pieces, Shape, at_rest, category, from_pieces, put_down, shape, varied
+from ...kit.shapes import Pieces, Shape, at_rest, category, from_pieces, put_down, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, Tile, plain, readable_on, tint_color
 from ..sports.balls import football_skin, seam
@@ -56,7 +56,7 @@ def fidget_cube(look: Look) -> Pieces:
 @category("pop_it", size=(0.128, 0.128, 0.011), mass=0.06, material="plastic",
           aliases=("popit", "pop it toy", "pop-it", "bubble popper", "push pop toy"),
           themes=("toys",), roles=("flat",), colors=("red", "blue"))  # fmt: skip
-@varied()
+@vary()
 @from_pieces(bodies=(0, 2, 4, 6, 8, 10))
 def pop_it(look: Look) -> Pieces:
     """A silicone mat with rows of bubbles in rainbow colours."""
@@ -76,7 +76,7 @@ def pop_it(look: Look) -> Pieces:
 @category("magic_8_ball", size=(0.1, 0.1, 0.1), mass=0.35, material="plastic", hollow=True,
           aliases=("magic eight ball", "8 ball", "fortune ball"), themes=("toys",),
           roles=("round",), colors=("black",))  # fmt: skip
-@varied()
+@vary()
 @from_pieces(foot=0.06, bodies=1)
 def magic_8_ball(look: Look) -> Pieces:
     """A black ball with an 8 in a white disc, upright on its flat window."""
@@ -200,6 +200,7 @@ TOY_KITCHEN_WHITE = surfaces.plain((244, 242, 238))
           themes=("toys",), roles=("tall",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=3)
 def pez_dispenser(look: Look) -> Pieces:
+    """A sweet dispenser: a coloured stem on a foot, a round head with black ears and eyes."""
     color = look.color("red", "blue", "yellow", "green", "purple")
     stem = at_block(0.022, 0.013, 0.08, 0.003, (0, 0, 0.005))
     foot = at_block(0.03, 0.028, 0.006, 0.006)

@@ -181,6 +181,7 @@ def _catapult(sling: bool) -> Drawing:
           roles=("big",), colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.08, bodies=1)
 def lightsaber(look: Look) -> Pieces:
+    """A lightsaber's hilt lying: a ribbed metal grip, a switch, a coloured light at its end."""
     steel = metal(look, "silver", "gray", "black")
     z = 0.021
     body = spindle((-0.13, 0.016), (-0.125, 0.02), (-0.06, 0.02), (-0.055, 0.016), (0.0, 0.017),

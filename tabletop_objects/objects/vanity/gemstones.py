@@ -9,7 +9,7 @@ import numpy as np
 from ...kit import surfaces
 from ...kit.outlines import ellipse, lift
 from ...kit.primitives import ball, hull_solid
-from ...kit.shapes import Category, Drawing, Pieces, at_rest, category, from_pieces, varied
+from ...kit.shapes import Category, Drawing, Pieces, at_rest, category, from_pieces, vary
 from ...kit.solids import Solid
 from ...kit.surfaces import RGB, Look, tint_color
 
@@ -128,6 +128,7 @@ def _tumbled_stone(colors: tuple[str, ...], vein: float | None, size: float = 0.
           state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def pearl(look: Look) -> Pieces:
+    """A single round pearl, paler towards its top."""
     color = look.color("ivory", "white", "cream", "pink")
     return [(ball(0.012, 0.012, 0.012, (0, 0, 0.0057), 20),
              surfaces.gradient(tint_color(color, 0.9), tint_color(color, 1.3),
@@ -140,11 +141,11 @@ CATEGORIES = (
              material="stone", aliases=("gem", "cut gem", "cut gemstone", "precious stone", "jewel",
              "faceted gem", "cut stone", "cut crystal"), themes=("vanity",),
              colors=("red", "green"), state="lying"),
-    Category("diamond", varied()(from_pieces()(_cut(0, colors=("clear",)))),
+    Category("diamond", vary()(from_pieces()(_cut(0, colors=("clear",)))),
              size=(0.0108, 0.018, 0.0103), mass=0.004, material="stone",
              aliases=("cut diamond", "brilliant", "rhinestone", "zircon"), themes=("vanity",),
              colors=("clear",), state="lying"),
-    Category("ruby", varied()(from_pieces()(_cut(2, 1, colors=("crimson",)))),
+    Category("ruby", vary()(from_pieces()(_cut(2, 1, colors=("crimson",)))),
              size=(0.0108, 0.018, 0.0103), mass=0.004, material="stone",
              aliases=("cut ruby", "spinel"), themes=("vanity",), colors=("crimson",),
              state="lying"),

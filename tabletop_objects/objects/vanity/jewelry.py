@@ -34,6 +34,7 @@ from ...kit.surfaces import Look, readable_on, tint_color
           colors=("brown",))  # fmt: skip
 @from_pieces(bodies=1)
 def drawstring_pouch(look: Look) -> Pieces:
+    """A plump pouch tied shut below its mouth, two ends of cord hanging to the right."""
     color = look.color("brown", "tan", "maroon", "black", "purple")
     body = standing((0.03, 0), (0.042, 0.01), (0.043, 0.03), (0.03, 0.052), (0.012, 0.062),
                     (0.022, 0.078), sides=20)  # fmt: skip
@@ -288,6 +289,7 @@ GEMS = ("red", "blue", "green", "purple", "teal", "white", "pink", "amber")
 
 
 def gold(look: Look, color: tuple[float, float, float]) -> surfaces.Tile:
+    """Return the brushed metal of a piece of jewellery in ``color``."""
     return surfaces.brushed_metal(look.rng, color)
 
 

@@ -36,6 +36,7 @@ def steering_wheel(look: Look) -> Pieces:
           roles=("flat", "big"), colors=("silver",))  # fmt: skip
 @from_pieces(bodies=1)
 def hubcap(look: Look) -> Pieces:
+    """A domed metal wheel cover lying: eight dark oval slots round a badge."""
     steel = metal(look, "silver", "silver", "gray", "black")
     face = standing((0.165, 0), (0.17, 0.004), (0.165, 0.016), (0.13, 0.022), (0.05, 0.026),
                     (0.03, 0.03), sides=40)  # fmt: skip
@@ -93,6 +94,7 @@ def rear_view_mirror(look: Look) -> Pieces:
           roles=("big",), colors=("black",))  # fmt: skip
 @from_pieces()
 def wiper_blade(look: Look) -> Pieces:
+    """A wiper blade standing on its rubber edge: a spine, a bowed arm, a clip in the middle."""
     rubber = at_box(0.44, 0.007, 0.012)
     spine = at_block(0.4, 0.011, 0.007, 0.003, (0, 0, 0.011))
     arms = rod([(-0.18, 0, 0.016), (-0.08, 0, 0.03), (0, 0, 0.034), (0.08, 0, 0.03),
@@ -172,6 +174,7 @@ DIPSTICK_BLACK = surfaces.plain((34, 34, 37))
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def filler_cap(look: Look) -> Pieces:
+    """A round cap with ribs round its side and a bar to grip across its top."""
     body = disc(0.03, 0.022)
     ribs = [at_box(0.003, 0.004, 0.02, (0.03 * np.cos(a), 0.03 * np.sin(a), 0.001))
             for a in np.arange(18) * 0.349]  # fmt: skip
@@ -185,6 +188,7 @@ def filler_cap(look: Look) -> Pieces:
           colors=("yellow",))  # fmt: skip
 @from_pieces()
 def dipstick(look: Look) -> Pieces:
+    """A dipstick lying: a ring to the right, a thin wire, a flat tip with two marks."""
     wire = rod([(-0.2, 0, 0.002), (0.1, 0, 0.002), (0.15, 0, 0.003)], 0.0018, 6)
     blade = at_box(0.06, 0.006, 0.0022, (-0.2, 0, 0))
     marks = [at_box(0.0015, 0.006, 0.0006, (x, 0, 0.0021)) for x in (-0.215, -0.19)]
@@ -220,6 +224,7 @@ def engine_oil(look: Look) -> Pieces:
           aliases=("air horn",), themes=("workbench",), colors=("black", "red"))  # fmt: skip
 @from_pieces(bodies=2)
 def car_horn(look: Look) -> Pieces:
+    """A round car horn lying: slits on its face, two shiny rings, a flared bell to the right."""
     tile = metal(look, "black", "red", "silver")
     body = disc(0.045, 0.03)
     ring = [torus(0.045, 0.004, 30, 6).move(z=z) for z in (0.005, 0.026)]
@@ -235,6 +240,7 @@ def car_horn(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces()
 def car_fuse(look: Look) -> Pieces:
+    """A blade fuse lying: a coloured body with two flat metal legs to the front."""
     body = at_block(0.019, 0.005, 0.012, 0.0015, (0, 0, 0)).turn(0, np.pi / 2).move(z=0.0025)
     body = body.move(z=-float(body.bounds[0, 2]))
     y = float(body.bounds[0, 1])
@@ -310,6 +316,7 @@ def fuzzy_dice(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=1)
 def key_fob(look: Look) -> Pieces:
+    """A car key lying: a rounded case with three buttons, a ring to the left, a metal blade."""
     shell = plastic(look, "black", "charcoal", "silver")
     body = at_block(0.07, 0.036, 0.014, 0.014)
     keys = [at_block(0.012, 0.02, 0.002, 0.004, (x, 0, 0.0135)) for x in (-0.012, 0.004, 0.02)]
@@ -324,6 +331,7 @@ def key_fob(look: Look) -> Pieces:
           themes=("workbench",), roles=("flat",), colors=("black",))  # fmt: skip
 @from_pieces()
 def seat_belt_buckle(look: Look) -> Pieces:
+    """A black buckle with a red button, a metal tongue beside it, a belt running out both ways."""
     webbing = cloth(look, "black", "charcoal", "red", "beige")
     belt = [at_box(0.12, 0.046, 0.003, (-0.1, 0, 0.006)), at_box(0.12, 0.046, 0.003,
                                                                  (0.115, 0, 0.006))]  # fmt: skip

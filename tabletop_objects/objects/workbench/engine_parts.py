@@ -96,6 +96,7 @@ def piston(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces()
 def connecting_rod(look: Look) -> Pieces:
+    """A connecting rod lying: a big ring to the left, a small one to the right, a tapered beam."""
     steel = metal(look, "silver", "gray", "charcoal")
     big = lathe([(0.02, 0), (0.032, 0), (0.032, 0.018), (0.02, 0.018)], 28, loop=True).move(x=-0.06)
     small = lathe([(0.01, 0), (0.018, 0), (0.018, 0.018), (0.01, 0.018)], 24, loop=True).move(
@@ -139,6 +140,7 @@ def crankshaft(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.05)
 def camshaft(look: Look) -> Pieces:
+    """A camshaft lying: a bright shaft, eight cams turned various ways, a disc at the right."""
     steel = metal(look, "silver", "gray", "charcoal")
     shaft = spindle((-0.18, 0.009), (0.18, 0.009), z=0.022)
     lobe = np.concatenate(
@@ -158,6 +160,7 @@ def camshaft(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def cylinder_head(look: Look) -> Pieces:
+    """A metal block with hexagon bolts and four dark plugs on top, four dark ports in front."""
     steel = metal(look, "silver", "gray")
     body = at_box(0.34, 0.16, 0.07)
     deck = at_box(0.32, 0.06, 0.02, (0, 0, 0.07))
@@ -228,6 +231,7 @@ def turbocharger(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=2)
 def flywheel(look: Look) -> Pieces:
+    """A metal disc lying, toothed round its rim, six small dark holes round a wide one."""
     n = 60
     a = np.arange(2 * n) * np.pi / n
     r = np.where(np.arange(2 * n) % 2, 0.125, 0.13)
@@ -244,6 +248,7 @@ def flywheel(look: Look) -> Pieces:
           aliases=("coil pack",), themes=("workbench",), colors=("black",))  # fmt: skip
 @from_pieces(foot=0.05)
 def ignition_coil(look: Look) -> Pieces:
+    """An ignition coil lying: a round stem to the left, a box with a lug and a plug."""
     body = at_block(0.04, 0.03, 0.03, 0.005, (0.06, 0, 0))
     stem = spindle((-0.09, 0.009), (-0.085, 0.012), (0.0, 0.012), (0.045, 0.01), z=0.0145)
     plug = at_block(0.02, 0.024, 0.02, 0.003, (0.088, 0, 0.004))
@@ -274,6 +279,7 @@ def gasket(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.06)
 def catalytic_converter(look: Look) -> Pieces:
+    """An oval metal drum lying, three bands round it, a pipe with a flange at either end."""
     steel = metal(look, "silver", "gray", "bronze")
     body = spindle((-0.15, 0.024), (-0.11, 0.024), (-0.08, 0.05), (0.08, 0.05), (0.11, 0.024),
                    (0.15, 0.024), z=0.05).scale(1, 1.3, 1)  # fmt: skip
@@ -308,6 +314,7 @@ def alternator(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=4)
 def water_pump(look: Look) -> Pieces:
+    """A round metal body on a flange, a grooved pulley above it, a pipe out to the right."""
     steel = metal(look, "silver", "gray", "bronze")
     body = disc(0.045, 0.04, (0, 0, 0.0))
     flange = at_block(0.12, 0.06, 0.012, 0.02)

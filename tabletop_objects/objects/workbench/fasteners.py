@@ -9,7 +9,7 @@ from ...kit.materials import metal, plastic, shine
 from ...kit.outlines import arc
 from ...kit.parts import cylinder_part, flat_foot, hull_of, ring_parts
 from ...kit.primitives import at_block, at_box, disc, lay_down, spindle, standing, straight
-from ...kit.shapes import Pieces, Shape, category, from_pieces, shape, varied
+from ...kit.shapes import Pieces, Shape, category, from_pieces, shape, vary
 from ...kit.solids import box, cylinder, join, lathe, torus, tube
 from ...kit.surfaces import Look, tint_color
 
@@ -44,6 +44,7 @@ HOSE_CLIP_BLACK = surfaces.plain((34, 34, 37))
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def rivet(look: Look) -> Pieces:
+    """A rivet standing on its head, the shank up."""
     steel = metal(look, "silver", "copper", "gray")
     return [(standing((0.0048, 0), (0.0052, 0.0012), (0.0035, 0.003), (0.0022, 0.0034),
                       (0.0022, 0.016)), steel)]  # fmt: skip
@@ -67,6 +68,7 @@ def wall_plug(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(foot=0.1, bodies=2)
 def screw_eye(look: Look) -> Pieces:
+    """A screw eye lying: a ring to the left, a threaded shank and a point to the right."""
     steel = metal(look, "silver", "gold", "brass")
     ring = torus(0.0075, 0.0017, 22, 7).move(-0.008, 0, 0.0018)
     shank = spindle((0.0, 0.0017), (0.018, 0.0017), (0.024, 0.0004), z=0.0018)
@@ -106,7 +108,7 @@ def staple(look: Look) -> Pieces:
 @category("staple_strip", size=(0.05, 0.0126, 0.0064), mass=0.004, material="metal",
           aliases=("strip of staples", "staples", "box of staples"), themes=("workbench",),
           colors=("silver",), state="lying")  # fmt: skip
-@varied()
+@vary()
 @from_pieces()
 def staple_strip(look: Look) -> Pieces:
     """A strip of staples, legs down."""
@@ -119,9 +121,10 @@ def staple_strip(look: Look) -> Pieces:
 @category("hose_clip", size=(0.0403, 0.0507, 0.0101), mass=0.015, material="metal",
           aliases=("jubilee clip", "hose clamp", "pipe clip", "worm clip"), themes=("workbench",),
           colors=("silver",), state="lying")  # fmt: skip
-@varied()
+@vary()
 @from_pieces(bodies=2)
 def hose_clip(look: Look) -> Pieces:
+    """A metal band in a ring lying flat, a box and a screw at its back, slots in its front."""
     steel = metal(look, "silver", "silver", "gray")
     band = lathe([(0.019, 0), (0.02, 0), (0.02, 0.009), (0.019, 0.009)], 36, loop=True)
     box = at_block(0.014, 0.01, 0.01, 0.002, (0, 0.022, 0))
@@ -138,6 +141,7 @@ def hose_clip(look: Look) -> Pieces:
           themes=("workbench",), colors=("brass",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def standoff(look: Look) -> Pieces:
+    """A hexagonal metal spacer lying, a thin stud to the right, a dark hole at the left."""
     steel = metal(look, "brass", "silver", "gold")
     return [(spindle((-0.008, 0.0032), (0.008, 0.0032), sides=6, z=0.0028), steel),
             (spindle((0.008, 0.0016), (0.014, 0.0016), sides=10, z=0.0028), steel),
@@ -152,6 +156,7 @@ VELCRO_STRAP_BLACK = surfaces.plain((34, 34, 37))
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def cable_clip(look: Look) -> Pieces:
+    """A small plastic block with an arch on top, an upright metal nail to the right."""
     tile = plastic(look, "white", "black", "gray")
     body = at_block(0.016, 0.01, 0.008, 0.002)
     loop = (tube([(*p, 0.0) for p in arc((0, 0), 0.006, 0, np.pi, 10)], 0.0022,
@@ -167,6 +172,7 @@ def cable_clip(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces()
 def grommet(look: Look) -> Pieces:
+    """A soft ring lying, a groove round its outside."""
     tile = plastic(look, "black", "gray", "white", "charcoal")
     body = lathe([(0.008, 0), (0.015, 0), (0.016, 0.003), (0.013, 0.004), (0.013, 0.007),
                   (0.016, 0.008), (0.015, 0.011), (0.008, 0.011)], 28, loop=True)  # fmt: skip

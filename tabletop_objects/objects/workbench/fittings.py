@@ -58,6 +58,7 @@ BLACK = surfaces.plain((34, 34, 37))
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(bodies=3)
 def hasp(look: Look) -> Pieces:
+    """A hasp lying: a plate with four screw holes, a hinge, a slotted flap over a staple."""
     steel = metal(look, "silver", "black", "brass")
     left = at_block(0.035, 0.034, 0.002, 0.003, (-0.045, 0, 0))
     flap = at_block(0.075, 0.03, 0.003, 0.008, (0.014, 0, 0.002))
@@ -76,6 +77,7 @@ def hasp(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.08)
 def turnbuckle(look: Look) -> Pieces:
+    """A turnbuckle lying: two bars between end blocks, a bolt with an eye at either end."""
     steel = metal(look, "silver", "gray")
     frame = [
         straight((-0.035, s * 0.009, 0.007), (0.035, s * 0.009, 0.007), 0.003, 8) for s in (-1, 1)
@@ -137,6 +139,7 @@ def door_handle(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def drawer_pull(look: Look) -> Pieces:
+    """A bowed metal bar that rises from two round feet."""
     steel = metal(look, "silver", "brass", "black", "gold")
     bar = rod([(-0.055, 0, 0.0), (-0.053, 0, 0.02), (-0.035, 0, 0.028), (0.035, 0, 0.028),
                (0.053, 0, 0.02), (0.055, 0, 0.0)], 0.0055, 10, 5)  # fmt: skip
@@ -182,6 +185,7 @@ def latch(look: Look) -> Pieces:
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def magnet_catch(look: Look) -> Pieces:
+    """A small plastic block with an ear at either end and two metal strips along its front."""
     body = at_block(0.045, 0.016, 0.014, 0.003)
     ears = at_block(0.065, 0.012, 0.004, 0.005)
     face = [at_box(0.034, 0.002, 0.003, (0, -0.0085, z)) for z in (0.003, 0.009)]

@@ -19,6 +19,7 @@ from ...kit.surfaces import Look
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def circlip(look: Look) -> Pieces:
+    """An open metal ring lying, an ear at either side of the gap in front."""
     steel = metal(look, "silver", "charcoal")
     a = np.linspace(-1.25, np.pi + 1.25, 40)
     way = np.column_stack([0.012 * np.cos(a), 0.012 * np.sin(a), 0 * a + 0.0012])
@@ -31,6 +32,7 @@ def circlip(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces(foot=0.08)
 def o_ring(look: Look) -> Pieces:
+    """A thin rubber ring with a round section, lying."""
     return [(torus(0.015, 0.0022, 36, 10).move(z=0.0021), look.surface(look.color("black",
                                                                                   "charcoal", "red",
                                                                                   "orange"),
@@ -42,6 +44,7 @@ def o_ring(look: Look) -> Pieces:
           themes=("workbench",), colors=("brass",), state="lying")  # fmt: skip
 @from_pieces()
 def bushing(look: Look) -> Pieces:
+    """A short plain metal sleeve standing on its end."""
     return [(lathe([(0.006, 0), (0.0115, 0), (0.0115, 0.016), (0.006, 0.016)], 26, loop=True),
              metal(look, "brass", "bronze", "silver", "black"))]  # fmt: skip
 

@@ -9,7 +9,7 @@ from ...kit.materials import BRASS_TONE, DARK, plastic, shine, steel, tool_steel
 from ...kit.outlines import rectangle, smooth
 from ...kit.parts import box_part, cylinder_part, hull_of
 from ...kit.primitives import at_box, disc, drum, plate, rod, spindle, straight
-from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape, varied
+from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape, vary
 from ...kit.solids import block, box, cylinder, join, prism, torus, tube
 from ...kit.surfaces import Look, plain, readable_on, tint_color
 
@@ -45,7 +45,7 @@ CALIPER_DARK = (40, 40, 43)
           aliases=("calliper", "vernier caliper", "digital caliper", "calipers", "callipers",
           "vernier calliper", "sewing gauge"), themes=("workbench",), roles=("flat",),
           colors=("silver",), state="lying flat")  # fmt: skip
-@varied()
+@vary()
 def caliper(look: Look) -> Shape:
     """A vernier calliper lying: scale, fixed and sliding jaws."""
     k = look.between(0.9, 1.05)

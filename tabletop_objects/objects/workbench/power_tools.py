@@ -77,6 +77,7 @@ def _blade(teeth: int, r: float, hole: float, palette: tuple[str, ...], h: float
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def jigsaw_blade(look: Look) -> Pieces:
+    """A saw blade lying: teeth along its front edge, a shank to the left."""
     teeth = np.column_stack(
         [np.linspace(-0.03, 0.04, 29), np.where(np.arange(29) % 2, -0.0048, -0.0034)]
     )
@@ -95,6 +96,7 @@ def jigsaw_blade(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(bodies=1)
 def drill_chuck(look: Look) -> Pieces:
+    """A drill chuck standing nose up: a ribbed sleeve, a tapered nose with a dark hole."""
     steel = shine(look, "silver", "charcoal")
     body = standing(
         (0.02, 0), (0.021, 0.004), (0.021, 0.03), (0.019, 0.034), (0.008, 0.052), sides=28
@@ -155,6 +157,7 @@ def chainsaw(look: Look) -> Pieces:
           colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces()
 def biscuit_jointer(look: Look) -> Pieces:
+    """A biscuit jointer: a motor to the left, a metal head under a loop handle, a fence."""
     tile = plastic(look, *BODIES)
     base = at_block(0.08, 0.12, 0.014, 0.006, (0.08, 0, 0))
     fence = at_box(0.012, 0.12, 0.075, (0.115, 0, 0.0))
@@ -234,6 +237,7 @@ def plunge_router(look: Look) -> Pieces:
           colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces()
 def electric_planer(look: Look) -> Pieces:
+    """A planer on its metal sole: a sloped body, a curved black handle, a knob to the right."""
     tile = plastic(look, *BODIES)
     sole = at_box(0.28, 0.085, 0.012)
     body = hull_solid([(x, y, z) for y in (-0.042, 0.042) for x,
@@ -374,6 +378,7 @@ def drill_press(look: Look) -> Pieces:
           colors=("red",), state="lying")  # fmt: skip
 @from_pieces(bodies=6)
 def air_compressor(look: Look) -> Pieces:
+    """A painted tank on two feet: a motor and a finned pump on top, a gauge, a long handle."""
     tile = plastic(look, "red", "blue", "black", "orange")
     tank = spindle((-0.15, 0.04), (-0.135, 0.065), (0.135, 0.065), (0.15, 0.04), z=0.09)
     feet = [at_box(0.03, 0.1, 0.03, (x, 0, 0)) for x in (-0.09, 0.09)]
