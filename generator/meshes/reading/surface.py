@@ -47,6 +47,17 @@ class ColoredSurface:
         """Return some of the faces."""
         return replace(self, faces=self.faces[which], picture=self.picture[which])
 
+    def compact(self) -> ColoredSurface:
+        """Return the surface without vertices that no face uses."""
+        used = np.zeros(len(self.vertices), bool)
+        used[self.faces] = True
+        if used.all():
+            return self
+        return replace(
+            self, vertices=self.vertices[used], faces=(np.cumsum(used) - 1)[self.faces],
+            uv=self.uv[used], colors=self.colors[used],
+        )  # fmt: skip
+
     def flip(self, which: Bool[np.ndarray, "m"]) -> ColoredSurface:
         """Return the surface with some faces turned over."""
         faces = np.where(which[:, None], self.faces[:, ::-1], self.faces)
@@ -119,7 +130,9 @@ def surface_of(
     most_faces: int = MOST_FACES,
     pictures: Pictures | None = None,
 ) -> ColoredSurface:
-    """Return meshes in one frame as one surface; ``what`` names them in messages.
+    """Return meshes in one frame as one surface without unused vertices.
+
+    ``what`` names the meshes in messages.
 
     Plain colours are ``linear`` as in glTF, or as they look (trimesh's). ``pictures`` are those of
     all surfaces of a file, which share them.
@@ -147,7 +160,7 @@ def surface_of(
     places = {-1: -1, **{k: at for at, k in enumerate(shown)}}
     shift = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
     alphas = [alpha for *_, alpha in pieces]
-    return ColoredSurface(
+    surface = ColoredSurface(
         np.concatenate([np.asarray(p.vertices, np.float64) for p in parts]),
         np.concatenate([np.asarray(p.faces) + s for p, s in zip(parts, shift, strict=True)]),
         np.concatenate([uv for uv, *_ in pieces]),
@@ -156,6 +169,7 @@ def surface_of(
         tuple(pictures.kept[k] for k in shown),
         float(np.clip(np.mean(alphas), 0.05, 1.0)) if max(alphas) < 1 else 1.0,
     )
+    return surface.compact()
 
 
 def _place_meshes(scene: trimesh.Scene) -> list[trimesh.Trimesh]:

@@ -43,6 +43,28 @@ def test_a_surface_comes_back_as_it_was_read(monkeypatch: pytest.MonkeyPatch) ->
     np.testing.assert_array_equal(found.pictures[0], here.pictures[0])
 
 
+def test_vertices_that_no_face_uses_are_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.undo()
+    spare = b"v 9 9 9\n" * 500
+    triangle = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 501 502 503\n"
+    surface = read_surface(spare + triangle, "it", "obj")
+    np.testing.assert_array_equal(
+        surface.vertices[surface.faces[0]], [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    )
+    assert len(surface.vertices) == len(surface.uv) == len(surface.colors) == 3
+
+
+def test_spare_vertices_of_a_glb_do_not_enlarge_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.undo()
+    box = trimesh.creation.box()
+    spare = trimesh.Trimesh(
+        np.vstack([box.vertices, np.full((100, 3), 7.0)]), box.faces, process=False
+    )
+    surface = read_surface(glb(spare), "it", "glb")
+    assert len(surface.vertices) == len(box.vertices)
+    assert surface.vertices.max() == pytest.approx(0.5)
+
+
 @pytest.mark.slow
 def test_whoever_takes_foreign_meshes_has_a_child_read_them(tmp_path: Path) -> None:
     (tmp_path / "mug_1.glb").write_bytes(GOOD)

@@ -115,9 +115,9 @@ def _forest(rng: random.Random) -> dict[str, Any]:
         ))  # fmt: skip
     shown = [*range(first)]
     collision = {"name": "collision", "nodes": [*range(first, len(nodes))]}
-    more = [{"nodes": rng.choice((shown, collision["nodes"], []))}] * rng.choice(
-        (0, 0, 1, 30, 4000)
-    )
+    listed: Any = rng.choice((shown, collision["nodes"], []))
+    copies = min(rng.choice((0, 0, 1, 30, 4000)), 2_000_000 // (len(listed) + 1))
+    more = [{"nodes": listed}] * copies
     scenes = rng.choice(([{"nodes": shown}, collision], [collision, {"nodes": shown}]))
     return {"nodes": nodes, "scenes": [*scenes, *more]}
 
