@@ -10,9 +10,9 @@ from jaxtyping import Float
 
 from tabletop_objects import CATEGORIES
 
+from .stacking import lower, placed_triangles
 from ..geometry import rotation_z
 from ..scene import TABLE, Density, Model, Placement, PlannedObject, ScenePlan, Slot
-from . import stacking
 from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
 from .groups.seats import seat_center
@@ -72,7 +72,7 @@ def put_on(
     sharing = [o.name for o in plan.objects if support_of(o) == support]
     alone = len(sharing) == 1
     siblings = [p for p in state.places.values() if p.on == support]
-    below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
+    below = [placed_triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
     model = models[planned.name]
     if not inside:  # what lies on another thing lies nearly in line with it
@@ -87,7 +87,7 @@ def put_on(
             cost += _crowding(shape, ground, base, cost.shape)
         for cell in _best_cells(cost):
             start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
-            placement = stacking.lower(
+            placement = lower(
                 model, Placement(planned.name, yaw, start, model.size, support, inside), below
             )
             if not inside or sunk(placement, top, heaped=bool(siblings)):
@@ -258,8 +258,8 @@ def stand_unit(
         state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
         under = unit.below.get(name, ())
         if under:
-            surfaces = [stacking.triangles(models[n], state.places[n]) for n in under]
-            lying = stacking.lower(models[name], state.places[name], surfaces)
+            surfaces = [placed_triangles(models[n], state.places[n]) for n in under]
+            lying = lower(models[name], state.places[name], surfaces)
             state.places[name] = replace(lying, on=under[0])
     return True
 

@@ -13,7 +13,7 @@ from ..scene import Model, Placement
 _GRID = 15
 
 
-def triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m 3 3"]:
+def placed_triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m 3 3"]:
     """Return the model's triangles in the world frame."""
     points = model.mesh.vertices * placement.scale @ rotation_z(placement.yaw).T
     return (points + placement.translation)[model.mesh.faces]
@@ -49,7 +49,7 @@ def lower(
     Where nothing is below, the height is kept. Surfaces are compared on a grid of points under
     the model, so contact is met to within a fraction of a millimetre for smooth shapes.
     """
-    own = triangles(model, placement)
+    own = placed_triangles(model, placement)
     low, high = own[..., :2].min((0, 1)), own[..., :2].max((0, 1))
     steps = (np.arange(_GRID) + 0.5) / _GRID
     grid = np.stack(np.meshgrid(steps, steps), -1).reshape(-1, 2) * (high - low) + low

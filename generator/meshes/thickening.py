@@ -12,7 +12,7 @@ from ..scene.triangles import weld_index
 from .reading.surface import ColoredSurface
 
 _SHARE = 1.5e-3  # of its longest side that a sheet is made thick; repair refuses a third less
-_SHEET = 0.05  # share of its longest side below which a thin thing is a sheet
+_THIN_SHARE = 0.05  # share of its longest side below which a thin thing is a sheet
 _SAME = 1e-6  # share of its longest side up to which both sides of a sheet are one
 
 
@@ -30,7 +30,7 @@ def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
     low, high = float(((used - middle) @ normal).min()), float(((used - middle) @ normal).max())
     longest = float(np.ptp(used, axis=0).max())
     wanted = max(THINNEST, _SHARE * longest)
-    if high - low >= min(wanted, _SHEET * longest):
+    if high - low >= min(wanted, _THIN_SHARE * longest):
         return surface, 0.0
     if high - low > _SAME * longest:
         shift = (along - (low + high) / 2) * (wanted / (high - low) - 1)
